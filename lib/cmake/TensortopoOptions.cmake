@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+# What a build can choose, and the flags that every target of ours shares.
+
+option(TENSORTOPO_BUILD_ANALYSIS "Build the program tensortopo (needs VTK)" ${PROJECT_IS_TOP_LEVEL})
+option(TENSORTOPO_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(TENSORTOPO_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
+option(TENSORTOPO_WERROR "Treat warnings in our own code as errors" ${PROJECT_IS_TOP_LEVEL})
+set(TENSORTOPO_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
+
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+if(PROJECT_IS_TOP_LEVEL)
+  find_program(TENSORTOPO_CCACHE ccache)
+  if(TENSORTOPO_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${TENSORTOPO_CCACHE})
+  endif()
+endif()
+
+# The language level and the arithmetic contract. Public: templates and inline functions are
+# compiled in the client's flags, and an error bound proved without contraction does not hold with it.
+add_library(tensortopo_fp INTERFACE)
+add_library(tensortopo::fp ALIAS tensortopo_fp)
+set_target_properties(tensortopo_fp PROPERTIES EXPORT_NAME fp)
+target_compile_features(tensortopo_fp INTERFACE cxx_std_20)
+target_compile_options(tensortopo_fp INTERFACE -ffp-contract=off)
+
+# Warnings are for our own sources only, so this target is linked privately and never exported.
+add_library(tensortopo_warnings INTERFACE)
+target_compile_options(tensortopo_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  $<$<BOOL:${TENSORTOPO_WERROR}>:-Werror>)
+
+if(TENSORTOPO_SANITIZE)
+  add_compile_options(-fsanitize=${TENSORTOPO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${TENSORTOPO_SANITIZE})
+endif()

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "tensortopo/extract/face_curves.hpp"
+#include "tensortopo/mesh/surface_mesh.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/tensor/mode_parameter.hpp"
+
+namespace tensortopo {
+
+/// Why the level in a tetrahedron was not extracted.
+enum class UnresolvedReason {
+  zero_deviator_vertex,  ///< the deviator vanishes at a vertex: the mode is undefined there
+  budget_exhausted,      ///< no proof within the budget: the level is critical or constant nearby
+  inconsistent_samples,  ///< the proved topology could not be drawn with the samples at hand
+};
+
+/// The name that reports use.
+std::string_view name_of(UnresolvedReason reason);
+
+struct UnresolvedCell {
+  TetMesh::Index tet;
+  UnresolvedReason reason;
+};
+
+struct ExtractOptions {
+  Sampling sampling;
+  /// Called now and then, from one thread at a time, with the stage and how much of it is done.
+  std::function<void(std::string_view stage, double fraction)> progress;
+};
+
+/// What the extraction did, for reports.
+struct ExtractStatistics {
+  std::size_t tets_screened_out = 0;  ///< proved empty by the Lode angles of their vertices
+  std::size_t tets_crossed = 0;       ///< hold triangles
+  std::size_t tets_monotone = 0;      ///< crossed, and one monotone disc each
+  std::size_t tets_refined = 0;       ///< needed a refinement for the proof
+  std::size_t sheets_small = 0;       ///< drawn without inner samples
+  std::size_t sheets_manifold = 0;    ///< drawn on the medium eigenvector manifold
+  std::size_t sheets_leaves = 0;      ///< drawn from the proof's leaves
+  std::size_t vertices_on_level = 0;  ///< vertices whose mode is exactly mu (counted as below)
+  double seconds_edges = 0, seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;
+};
+
+struct Extraction {
+  SurfaceMesh surface;
+  std::vector<UnresolvedCell> unresolved;
+  ExtractStatistics statistics;
+};
+
+/// The mode surface {mode = mu} of the piecewise linear field, 0 < |mu| < 1.
+///
+/// Its topology in every edge, face and tetrahedron is decided by proofs on exact signs, not by
+/// samples; the level is mu + 0 where a vertex lies on mu. Vertices are shared by construction:
+/// each carries the edge, face or tetrahedron that it lies in.
+/// Tetrahedra for which no proof closes are listed, and the rest is extracted.
+///
+/// @pre the mesh is valid (see `validate`); mu is neither 0 nor +-1 (throws std::invalid_argument)
+/// The result does not depend on the number of threads.
+template <class Scalar>
+Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
+                                const ExtractOptions& options = {});
+
+}  // namespace tensortopo

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "tensortopo/tensor/deviator.hpp"
+
+namespace tensortopo {
+
+/// The certified screen: may a simplex hold the level at all?
+///
+/// The Lode angle arccos(mode)/3 is 1-Lipschitz in the angle between deviators as vectors of R^5
+/// (Hoffman-Wielandt: the map from a symmetric matrix to its ordered eigenvalues is 1-Lipschitz,
+/// and on unit deviators the Lode angle is the polar angle of the eigenvalue vector). A simplex
+/// whose vertex tensors lie within an angle r < pi/2 of some tensor lies in a convex cone around
+/// it, so its Lode angles differ from that tensor's by at most r.
+namespace screen {
+
+/// Bound on the error of an angle computed here in double: a cosine is wrong by less than
+/// 64 u = 7.2e-15, and |acos(x + e) - acos(x)| <= (pi/2) sqrt(2 e) < 1.9e-7.
+inline constexpr double kAngleError = 2e-7;
+
+/// arccos(mode)/3 of a nonzero deviator, to within `kAngleError`.
+inline double lode_angle(const Deviator<double>& t) {
+  const double p = norm_form(t);
+  const double mode = std::sqrt(2.0) * determinant_form(t) / (p * std::sqrt(p));
+  return std::acos(std::clamp(mode, -1.0, 1.0)) / 3;
+}
+
+/// Angle between two deviators, to within `kAngleError`.
+inline double angle(const Deviator<double>& s, double norm_s, const Deviator<double>& t,
+                    double norm_t) {
+  return std::acos(std::clamp(norm_form(s, t) / (norm_s * norm_t), -1.0, 1.0));
+}
+
+/// True only if the level with the Lode angle given does not meet the cone of half angle
+/// `radius` around a tensor with Lode angle `centre`.
+inline bool excludes(double centre, double radius, double level) {
+  return radius < 1.57 && std::abs(centre - level) > radius + 3 * kAngleError;
+}
+
+/// True only if the level does not meet the simplex: the cone is taken around the sum of the
+/// vertex tensors.
+template <std::size_t Vertices>
+bool excludes(const std::array<Deviator<double>, Vertices>& tensors, double level) {
+  Deviator<double> centre = tensors[0];
+  for (std::size_t i = 1; i < Vertices; ++i) centre = centre + tensors[i];
+  const double norm = std::sqrt(norm_form(centre));
+  if (!(norm > 1e-3)) return false;
+  double cosine = 1;
+  for (const auto& t : tensors)
+    cosine = std::min(cosine, norm_form(centre, t) / (norm * std::sqrt(norm_form(t))));
+  if (!(cosine > 0.001)) return false;
+  return excludes(lode_angle(centre), std::acos(cosine), level);
+}
+
+}  // namespace screen
+}  // namespace tensortopo

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tensortopo/extract/level.hpp"
+
+namespace tensortopo {
+
+/// The point of the level on a segment of tensors that crosses it once.
+///
+/// @param below,above tensors at the ends; the mode at `below` is at most mu, at `above` larger.
+/// @return the parameter in [0, 1], from `below` to `above`, to the precision of the scalar.
+///
+/// Newton's method kept inside a bracket. The crossing is known to exist; should rounding hide the
+/// change of sign (an end within rounding of the level), that end is the answer.
+template <class Scalar>
+Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above,
+                    const Level<Scalar>& level);
+
+}  // namespace tensortopo

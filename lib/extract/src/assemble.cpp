@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "extractor_scalars.hpp"
+#include "parallel_stage.hpp"
+#include "pipeline.hpp"
+#include "tensortopo/extract/position.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+template <class Scalar>
+Vector3<double> narrow(const Vector3<Scalar>& u) {
+  return {static_cast<double>(u.x), static_cast<double>(u.y), static_cast<double>(u.z)};
+}
+
+/// The linear field of a tetrahedron in space: barycentric coordinates from a position.
+class TetGeometry {
+ public:
+  TetGeometry(const TetMesh& mesh, std::size_t tet, const std::array<int, 4>& exponents) {
+    for (std::size_t i = 0; i < 4; ++i) points_[i] = mesh.points[as_size(mesh.tets[tet][i])];
+    // Gradient of coordinate i: the inward normal of the face opposite i over six volumes.
+    constexpr std::array<std::array<std::size_t, 3>, 4> inward{
+        {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& p = points_[inward[i][0]];
+      const auto n = cross(points_[inward[i][1]] - p, points_[inward[i][2]] - p);
+      const double height = dot(n, points_[i] - p);
+      gradient_[i] = (1 / height) * n;
+    }
+    // T_i = 2^-exponent U_i; a common power of two keeps the largest at U's scale.
+    int least = exponents[0];
+    for (const int e : exponents) least = std::min(least, e);
+    for (std::size_t i = 0; i < 4; ++i) scale_[i] = std::ldexp(1.0, least - exponents[i]);
+  }
+
+  /// The field at a position, up to a positive factor.
+  Deviator<double> tensor(const Vector3<double>& x,
+                          const std::array<Deviator<double>, 4>& scaled) const {
+    Deviator<double> t{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      // From the nearest vertex of the opposite face would be as good: the differences are exact
+      // or nearly so, and the gradient multiplies them.
+      const auto& p = points_[i == 0 ? 1 : 0];
+      const double lambda = dot(gradient_[i], x - p);
+      t = t + (lambda * scale_[i]) * scaled[i];
+    }
+    return t;
+  }
+
+  /// Gradient, in space, of a function with this slope in the tensor.
+  Vector3<double> gradient(const SymmetricTensor<double>& slope,
+                           const std::array<Deviator<double>, 4>& scaled) const {
+    Vector3<double> g;
+    for (std::size_t i = 0; i < 4; ++i)
+      g += (scale_[i] * inner(slope, thrice(scaled[i]))) * gradient_[i];
+    return g;
+  }
+
+ private:
+  std::array<Vector3<double>, 4> points_;
+  std::array<Vector3<double>, 4> gradient_;
+  std::array<double, 4> scale_;
+};
+
+Vector3<double> unit(const Vector3<double>& v) {
+  const double length = std::sqrt(dot(v, v));
+  return length > 0 ? (1 / length) * v : Vector3<double>{0, 0, 0};
+}
+
+}  // namespace
+
+/// Puts the sheets together. Keys became numbers in `number_vertices`; what is left is to number
+/// the vertices inside tetrahedra, drop what nothing uses, and say what is known at each vertex.
+template <class Scalar>
+Extraction Pipeline<Scalar>::assemble() {
+  Extraction result;
+  SurfaceMesh& surface = result.surface;
+  const auto level = make_level<double>(level_.value);
+
+  for (std::size_t t = 0; t < tets_.size(); ++t)
+    if (tets_[t].unresolved) {
+      tets_[t].drawn = {};
+      result.unresolved.push_back({complex_.tets[t], *tets_[t].unresolved});
+    }
+
+  // Output ids: used edge vertices, used face vertices, inner vertices, in their order.
+  const auto rim_count = as_size(face_vertex_.back());
+  std::vector<Index> new_id(rim_count, -1);
+  std::size_t triangle_count = 0;
+  for (const auto& state : tets_) {
+    triangle_count += state.drawn.triangles.size();
+    for (const auto& triangle : state.drawn.triangles)
+      for (const auto corner : triangle)
+        if (corner >= 0) new_id[as_size(corner)] = 0;
+  }
+  Index next = 0;
+  for (auto& id : new_id)
+    if (id == 0) id = next++;
+  const auto rim_used = next;
+  std::vector<Index> inner_first(tets_.size() + 1, rim_used);
+  for (std::size_t t = 0; t < tets_.size(); ++t)
+    inner_first[t + 1] = inner_first[t] + static_cast<Index>(tets_[t].drawn.inner.size());
+  const auto count = as_size(inner_first.back());
+
+  surface.points.resize(count);
+  surface.carrier.resize(count);
+  surface.carrier_id.resize(count);
+  surface.carrier_vertices.resize(count);
+  surface.medium_eigenvector.resize(count);
+  surface.dominant_eigenvector.resize(count);
+  surface.normal.assign(count, {0, 0, 0});
+  surface.mode.assign(count, level_.value.approx());
+  surface.residual.assign(count, 0);
+  surface.triangles.reserve(triangle_count);
+  surface.tet.reserve(triangle_count);
+
+  const auto carry = [&](const std::vector<Index>& first, const auto& simplices, Carrier carrier) {
+    for (std::size_t s = 0; s < simplices.size(); ++s)
+      for (auto v = first[s]; v < first[s + 1]; ++v)
+        if (const auto id = new_id[as_size(v)]; id >= 0) {
+          surface.carrier[as_size(id)] = carrier;
+          surface.carrier_id[as_size(id)] = static_cast<Index>(s);
+          surface.carrier_vertices[as_size(id)] = {-1, -1, -1, -1};
+          std::copy(simplices[s].begin(), simplices[s].end(),
+                    surface.carrier_vertices[as_size(id)].begin());
+          surface.points[as_size(id)] = rim_position_[as_size(v)];
+          surface.medium_eigenvector[as_size(id)] = rim_medium_[as_size(v)];
+        }
+  };
+  carry(edge_vertex_, complex_.edges, Carrier::edge);
+  carry(face_vertex_, complex_.faces, Carrier::face);
+
+  parallel_stage(options_, "stitch", tets_.size(), 256, [&](std::size_t t) {
+    const auto& inner = tets_[t].drawn.inner;
+    if (inner.empty()) return;
+    const auto& v = mesh_.tets[as_size(complex_.tets[t])];
+    std::array<int, 4> exponents;
+    std::array<Vector3<double>, 4> points;
+    for (std::size_t i = 0; i < 4; ++i) {
+      exponents[i] = field_.exponents[as_size(v[i])];
+      points[i] = mesh_.points[as_size(v[i])];
+    }
+    for (std::size_t k = 0; k < inner.size(); ++k) {
+      const auto id = as_size(inner_first[t]) + k;
+      surface.carrier[id] = Carrier::tet;
+      surface.carrier_id[id] = complex_.tets[t];
+      surface.carrier_vertices[id] = v;
+      std::sort(surface.carrier_vertices[id].begin(), surface.carrier_vertices[id].end());
+      surface.points[id] = position_at(inner[k].weights, exponents, points);
+      surface.medium_eigenvector[id] = narrow(medium_eigenvector(inner[k].tensor, level_));
+    }
+  });
+
+  std::vector<Index> first_tet(count, -1);
+  for (std::size_t t = 0; t < tets_.size(); ++t) {
+    const auto& drawn = tets_[t].drawn;
+    if (drawn.triangles.empty()) continue;
+    ++statistics_.tets_crossed;
+    for (const auto& triangle : drawn.triangles) {
+      std::array<Index, 3> corners;
+      for (std::size_t i = 0; i < 3; ++i) {
+        corners[i] = triangle[i] >= 0 ? new_id[as_size(triangle[i])]
+                                      : inner_first[t] + (-1 - triangle[i]);
+        auto& tet = first_tet[as_size(corners[i])];
+        if (tet < 0) tet = static_cast<Index>(t);
+      }
+      surface.triangles.push_back(corners);
+      surface.tet.push_back(complex_.tets[t]);
+    }
+  }
+
+  // Normals: the field is only continuous across faces, so a shared vertex gets the mean of the
+  // unit gradients in the tetrahedra whose triangles meet there, each weighted by its triangles.
+  const auto narrow_tensors = [&](std::size_t tet) {
+    std::array<Deviator<Scalar>, 4> tensors;
+    for (std::size_t i = 0; i < 4; ++i) tensors[i] = field_.tensors[as_size(mesh_.tets[tet][i])];
+    return rounded(tensors);
+  };
+  const auto geometry = [&](std::size_t tet) {
+    std::array<int, 4> exponents;
+    for (std::size_t i = 0; i < 4; ++i) exponents[i] = field_.exponents[as_size(mesh_.tets[tet][i])];
+    return TetGeometry(mesh_, tet, exponents);
+  };
+  std::vector<std::array<Vector3<double>, 3>> gradients(surface.triangles.size());
+  parallel_stage(options_, "stitch", surface.triangles.size(), 1024, [&](std::size_t i) {
+    const auto tet = as_size(surface.tet[i]);
+    const auto tensors = narrow_tensors(tet);
+    const auto space = geometry(tet);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& x = surface.points[as_size(surface.triangles[i][k])];
+      const auto at = level_slope(space.tensor(x, tensors), level);
+      gradients[i][k] = unit(space.gradient(at.slope, tensors));
+    }
+  });
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      surface.normal[as_size(surface.triangles[i][k])] += gradients[i][k];
+
+  parallel_stage(options_, "stitch", count, 1024, [&](std::size_t id) {
+    surface.normal[id] = unit(surface.normal[id]);
+    const auto tet = as_size(complex_.tets[as_size(first_tet[id])]);
+    const auto t = geometry(tet).tensor(surface.points[id], narrow_tensors(tet));
+    const double p = norm_form(t);
+    surface.residual[id] = level_function(t, level) / (p * std::sqrt(p));
+    surface.dominant_eigenvector[id] = dominant_eigenvector(t, level);
+  });
+
+  for (const auto& state : tets_) {
+    if (!state.plan || state.drawn.triangles.empty()) continue;
+    if (state.plan->leaves)
+      ++statistics_.tets_refined;
+    else
+      ++statistics_.tets_monotone;
+    (state.from_leaves ? statistics_.sheets_leaves : statistics_.sheets_small) +=
+        state.plan->sheets.size();
+  }
+  return result;
+}
+
+template Extraction Pipeline<double>::assemble();
+template Extraction Pipeline<Real50>::assemble();
+
+}  // namespace tensortopo

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/extract/edge_crossings.hpp"
+
+#include "extractor_scalars.hpp"
+#include "tensortopo/extract/segment_root.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+constexpr double kSmallestPart = 1.0 / (1ull << 48);
+
+template <class Scalar>
+struct EdgePoint {
+  double weight;
+  Deviator<Scalar> tensor;
+  bool above;
+};
+
+template <class Scalar>
+bool collect(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
+             const EdgePoint<Scalar>& from, const EdgePoint<Scalar>& to,
+             std::vector<EdgeCrossing<Scalar>>& crossings) {
+  if (has_at_most_one_crossing<Scalar>({from.tensor, to.tensor}, level)) {
+    if (from.above == to.above) return true;
+    const bool rising = to.above;
+    const Scalar fraction = rising ? segment_root(from.tensor, to.tensor, level)
+                                   : Scalar(1) - segment_root(to.tensor, from.tensor, level);
+    crossings.push_back(
+        {Scalar(from.weight) + fraction * Scalar(to.weight - from.weight), rising});
+    return true;
+  }
+  if (to.weight - from.weight < kSmallestPart) return false;
+  EdgePoint<Scalar> middle;
+  middle.weight = (from.weight + to.weight) / 2;
+  const std::array<Scalar, 2> weights{Scalar(1 - middle.weight), Scalar(middle.weight)};
+  middle.tensor = tensor_at(edge.tensors, weights);
+  middle.above = is_above(edge, middle.tensor, weights, level);
+  return collect(edge, level, from, middle, crossings) &&
+         collect(edge, level, middle, to, crossings);
+}
+
+}  // namespace
+
+template <class Scalar>
+std::optional<std::vector<EdgeCrossing<Scalar>>> edge_crossings(
+    const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level) {
+  std::vector<EdgeCrossing<Scalar>> crossings;
+  const EdgePoint<Scalar> first{0.0, edge.tensors[0], edge.above[0]};
+  const EdgePoint<Scalar> second{1.0, edge.tensors[1], edge.above[1]};
+  if (!collect(edge, level, first, second, crossings)) return std::nullopt;
+  return crossings;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                     \
+  template std::optional<std::vector<EdgeCrossing<Scalar>>> edge_crossings( \
+      const LevelSimplex<Scalar, 2>&, const Level<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

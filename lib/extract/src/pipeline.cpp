@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "extractor_scalars.hpp"
+#include "parallel_stage.hpp"
+#include "tensortopo/extract/exact_side.hpp"
+#include "tensortopo/extract/position.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+std::string_view name_of(UnresolvedReason reason) {
+  switch (reason) {
+    case UnresolvedReason::zero_deviator_vertex:
+      return "zero_deviator_vertex";
+    case UnresolvedReason::budget_exhausted:
+      return "budget_exhausted";
+    case UnresolvedReason::inconsistent_samples:
+      return "inconsistent_samples";
+  }
+  return "unknown";
+}
+
+template <class Scalar>
+Pipeline<Scalar>::Pipeline(const TetMesh& mesh, const ModeValue& mu, const ExtractOptions& options)
+    : mesh_(mesh), options_(options), field_(mesh) {
+  if (mu.sign() == 0 || std::abs(mu.approx()) >= 1)
+    throw std::invalid_argument("mode surfaces exist for 0 < |mode| < 1, not for " + mu.text());
+  level_ = make_level<Scalar>(mu);
+}
+
+template <class Scalar>
+Extraction Pipeline<Scalar>::run() {
+  Stopwatch watch;
+  classify_vertices();
+  screen();
+  find_crossings();
+  statistics_.seconds_edges = watch.lap();
+  trace_faces();
+  statistics_.seconds_faces = watch.lap();
+  plan_tets();
+  draw_tets();
+  statistics_.seconds_tets = watch.lap();
+  Extraction result = assemble();
+  statistics_.seconds_stitch = watch.lap();
+  result.statistics = statistics_;
+  return result;
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::classify_vertices() {
+  above_.assign(mesh_.points.size(), 0);
+  std::atomic<std::size_t> on_level{0};
+  parallel_stage(options_, "vertices", mesh_.points.size(), 4096, [&](std::size_t v) {
+    if (field_.is_zero[v]) return;
+    const Verdict verdict = side_of_level(field_.tensors[v], level_);
+    if (verdict != Verdict::unknown) {
+      above_[v] = verdict == Verdict::positive;
+      return;
+    }
+    const double one = 1;
+    const Sign sign = exact_side_of_level({&mesh_.tensors[v], 1}, {&field_.exponents[v], 1},
+                                          {&one, 1}, level_.value);
+    above_[v] = sign == Sign::positive;
+    if (sign == Sign::zero) ++on_level;
+  });
+  statistics_.vertices_on_level = on_level;
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::screen() {
+  std::vector<char> active(mesh_.tets.size(), 0);
+  parallel_stage(options_, "screen", mesh_.tets.size(), 4096, [&](std::size_t t) {
+    const auto& v = mesh_.tets[t];
+    bool zero = false, mixed = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      zero |= field_.is_zero[as_size(v[i])] != 0;
+      mixed |= above_[as_size(v[i])] != above_[as_size(v[0])];
+    }
+    if (mixed || zero) {
+      active[t] = 1;
+      return;
+    }
+    std::array<Deviator<Scalar>, 4> tensors;
+    for (std::size_t i = 0; i < 4; ++i) tensors[i] = field_.tensors[as_size(v[i])];
+    active[t] = !screen::excludes(rounded(tensors), level_.lode_angle);
+  });
+  std::vector<Index> tets;
+  for (std::size_t t = 0; t < active.size(); ++t)
+    if (active[t]) tets.push_back(static_cast<Index>(t));
+  statistics_.tets_screened_out = mesh_.tets.size() - tets.size();
+  complex_ = tet_complex(mesh_, tets);
+  tets_ = std::vector<TetState>(tets.size());
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    for (const Index v : mesh_.tets[as_size(tets[t])])
+      if (field_.is_zero[as_size(v)]) tets_[t].unresolved = UnresolvedReason::zero_deviator_vertex;
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::find_crossings() {
+  crossings_.assign(complex_.edges.size(), std::nullopt);
+  parallel_stage(options_, "edges", complex_.edges.size(), 512, [&](std::size_t e) {
+    const auto& v = complex_.edges[e];
+    if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])]) return;
+    crossings_[e] = edge_crossings(field_.template simplex<2>(v, above_), level_);
+  });
+}
+
+template <class Scalar>
+LevelSimplex<Scalar, 3> Pipeline<Scalar>::face_simplex(std::size_t f) const {
+  return field_.template simplex<3>(complex_.faces[f], above_);
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::trace_faces() {
+  arcs_.resize(complex_.faces.size());
+  parallel_stage(options_, "faces", complex_.faces.size(), 256, [&](std::size_t f) {
+    std::array<std::span<const EdgeCrossing<Scalar>>, 3> crossings;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const auto& found = crossings_[as_size(complex_.face_edges[f][e])];
+      if (!found) return;
+      crossings[e] = *found;
+    }
+    arcs_[f] = face_curves(face_simplex(f), crossings, level_, options_.sampling);
+  });
+}
+
+template <class Scalar>
+TetWithCurves<Scalar> Pipeline<Scalar>::tet_with_curves(std::size_t t) const {
+  const auto& v = mesh_.tets[as_size(complex_.tets[t])];
+  TetWithCurves<Scalar> tet;
+  tet.simplex = field_.template simplex<4>(v, above_);
+  for (std::size_t i = 0; i < 4; ++i) tet.points[i] = mesh_.points[as_size(v[i])];
+  for (std::size_t e = 0; e < 6; ++e)
+    tet.edge_forward[e] = v[static_cast<std::size_t>(kTetEdges[e][0])] <
+                          v[static_cast<std::size_t>(kTetEdges[e][1])];
+  // Opposite vertex f, counter-clockwise from outside in a positively oriented tetrahedron.
+  constexpr std::array<std::array<std::uint8_t, 3>, 4> outside{
+      {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+  for (std::size_t f = 0; f < 4; ++f) {
+    auto face = outside[f];
+    bool even = true;
+    const auto order = [&](std::size_t i, std::size_t j) {
+      if (v[face[i]] > v[face[j]]) std::swap(face[i], face[j]), even = !even;
+    };
+    order(0, 1), order(1, 2), order(0, 1);
+    tet.face_vertices[f] = face;
+    tet.outward[f] = even;
+    const auto& arcs = arcs_[as_size(complex_.tet_faces[t][f])];
+    if (arcs) tet.arcs[f] = *arcs;
+  }
+  return tet;
+}
+
+template <class Scalar>
+bool Pipeline<Scalar>::plan_one(std::size_t t) {
+  auto& state = tets_[t];
+  if (state.unresolved) return false;
+  bool any = false;
+  for (const Index f : complex_.tet_faces[t]) {
+    if (!arcs_[as_size(f)]) {
+      state.unresolved = UnresolvedReason::budget_exhausted;
+      return false;
+    }
+    any |= !arcs_[as_size(f)]->empty();
+  }
+  if (!any) return false;
+  const auto tet = tet_with_curves(t);
+  state.plan = plan_tet(tet, level_);
+  if (!state.plan) state.unresolved = UnresolvedReason::budget_exhausted;
+  return state.plan.has_value();
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::want_leaves(std::size_t t) {
+  auto& state = tets_[t];
+  const auto tet = tet_with_curves(t);
+  if (!add_leaves(tet, level_, *state.plan)) {
+    state.unresolved = UnresolvedReason::budget_exhausted;
+    return;
+  }
+  state.from_leaves = true;
+  state.requests = leaf_requests(tet, level_, *state.plan);
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::plan_tets() {
+  parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) { plan_one(t); });
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::number_vertices() {
+  edge_vertex_.assign(complex_.edges.size() + 1, 0);
+  for (std::size_t e = 0; e < complex_.edges.size(); ++e)
+    edge_vertex_[e + 1] =
+        edge_vertex_[e] + static_cast<Index>(crossings_[e] ? crossings_[e]->size() : 0);
+  face_vertex_.assign(complex_.faces.size() + 1, edge_vertex_.back());
+  for (std::size_t f = 0; f < complex_.faces.size(); ++f) {
+    std::size_t count = 0;
+    if (arcs_[f])
+      for (const auto& arc : *arcs_[f]) count += arc.samples.size();
+    face_vertex_[f + 1] = face_vertex_[f] + static_cast<Index>(count);
+  }
+  const auto total = as_size(face_vertex_.back());
+  rim_position_.resize(total);
+  rim_medium_.resize(total);
+  const auto narrow = [](const Vector3<Scalar>& u) {
+    return Vector3<double>{static_cast<double>(u.x), static_cast<double>(u.y),
+                           static_cast<double>(u.z)};
+  };
+  parallel_stage(options_, "tetrahedra", complex_.edges.size(), 1024, [&](std::size_t e) {
+    if (!crossings_[e]) return;
+    const auto& v = complex_.edges[e];
+    for (std::size_t k = 0; k < crossings_[e]->size(); ++k) {
+      const Scalar& w = (*crossings_[e])[k].weight;
+      const std::array<Scalar, 2> weights{Scalar(1) - w, w};
+      const auto id = as_size(edge_vertex_[e]) + k;
+      const auto simplex = field_.template simplex<2>(v, above_);
+      rim_position_[id] =
+          position_at<Scalar, 2>(weights, simplex.exponents,
+                                 {mesh_.points[as_size(v[0])], mesh_.points[as_size(v[1])]});
+      rim_medium_[id] = narrow(medium_eigenvector(tensor_at(simplex.tensors, weights), level_));
+    }
+  });
+  parallel_stage(options_, "tetrahedra", complex_.faces.size(), 1024, [&](std::size_t f) {
+    if (!arcs_[f]) return;
+    const auto& v = complex_.faces[f];
+    auto id = as_size(face_vertex_[f]);
+    for (const auto& arc : *arcs_[f])
+      for (const auto& sample : arc.samples) {
+        rim_position_[id] = position_at<Scalar, 3>(
+            sample.weights,
+            {field_.exponents[as_size(v[0])], field_.exponents[as_size(v[1])],
+             field_.exponents[as_size(v[2])]},
+            {mesh_.points[as_size(v[0])], mesh_.points[as_size(v[1])],
+             mesh_.points[as_size(v[2])]});
+        rim_medium_[id++] = narrow(sample.medium);
+      }
+  });
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::merge_requests() {
+  // By face: all that its tetrahedra ask for, in an order that threads cannot change.
+  std::vector<std::vector<std::pair<int, Scalar>>> wanted(complex_.faces.size());
+  for (std::size_t t = 0; t < tets_.size(); ++t)
+    for (const auto& request : tets_[t].requests)
+      if (request.arc >= 0)
+        wanted[as_size(complex_.tet_faces[t][static_cast<std::size_t>(request.face)])]
+            .emplace_back(request.arc, request.place);
+  parallel_stage(options_, "tetrahedra", wanted.size(), 256, [&](std::size_t f) {
+    if (wanted[f].empty()) return;
+    std::sort(wanted[f].begin(), wanted[f].end());
+    for (const auto& [a, place] : wanted[f]) {
+      auto& arc = (*arcs_[f])[static_cast<std::size_t>(a)];
+      // The two neighbours, and the face itself, often cut the curve at the same point. Merging
+      // samples along a curve changes no topology.
+      const Scalar near = Scalar(1) / Scalar(1 << 26);
+      const bool known = std::any_of(arc.samples.begin(), arc.samples.end(), [&](const auto& s) {
+        return s.place < place + near && place < s.place + near;
+      });
+      if (!known) arc.samples.push_back(point_on_arc(arc, place, level_));
+    }
+    for (auto& arc : *arcs_[f])
+      std::sort(arc.samples.begin(), arc.samples.end(),
+                [](const auto& p, const auto& q) { return p.place < q.place; });
+  });
+}
+
+template <class Scalar>
+FaceArcVertices Pipeline<Scalar>::arc_vertices(std::size_t t,
+                                               const TetWithCurves<Scalar>& tet) const {
+  FaceArcVertices result;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto face = as_size(complex_.tet_faces[t][f]);
+    auto next = face_vertex_[face];
+    for (const auto& arc : tet.arcs[f]) {
+      ArcVertices vertices;
+      const auto add = [&](Index id, std::uint8_t faces, double place) {
+        vertices.vertices.push_back({id, faces, rim_position_[as_size(id)],
+                                     rim_medium_[as_size(id)]});
+        vertices.places.push_back(place);
+      };
+      const auto add_end = [&](const ArcEnd& end, double place) {
+        const auto crossing = crossing_of(tet, static_cast<int>(f), end);
+        const auto& ends = kTetEdges[static_cast<std::size_t>(crossing.first)];
+        const auto edge =
+            as_size(complex_.tet_edges[t][static_cast<std::size_t>(crossing.first)]);
+        add(edge_vertex_[edge] + crossing.second,
+            static_cast<std::uint8_t>(15 & ~(1 << ends[0]) & ~(1 << ends[1])), place);
+      };
+      if (!arc.closed) add_end(arc.begin, 0);
+      for (const auto& sample : arc.samples)
+        add(next++, static_cast<std::uint8_t>(1u << f), static_cast<double>(sample.place));
+      if (!arc.closed) add_end(arc.end, static_cast<double>(arc.pieces.size()));
+      result[f].push_back(std::move(vertices));
+    }
+  }
+  return result;
+}
+
+template <class Scalar>
+bool Pipeline<Scalar>::draw_one(std::size_t t) {
+  auto& state = tets_[t];
+  state.drawn = {};
+  const auto tet = tet_with_curves(t);
+  const auto vertices = arc_vertices(t, tet);
+  for (const auto& sheet : state.plan->sheets) {
+    if (!state.from_leaves) {
+      if (sheet.loops.size() != 1) return false;
+      const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
+                                     vertices);
+      if (!is_small_disc(sheet, rim, options_.sampling) || !mesh_small_disc(rim, state.drawn))
+        return false;
+    } else if (!mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_,
+                                         state.drawn)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::draw_tets() {
+  // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
+  // its neighbours then have as well; so all are drawn again. Few rounds are ever needed.
+  std::vector<char> failed(tets_.size());
+  for (int round = 0; round < 6; ++round) {
+    number_vertices();
+    std::fill(failed.begin(), failed.end(), 0);
+    parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {
+      if (tets_[t].plan && !tets_[t].unresolved) failed[t] = !draw_one(t);
+    });
+    bool any = false;
+    parallel_stage(options_, "tetrahedra", tets_.size(), 16, [&](std::size_t t) {
+      if (!failed[t]) return;
+      if (tets_[t].from_leaves)
+        tets_[t].unresolved = UnresolvedReason::inconsistent_samples;
+      else
+        want_leaves(t);
+    });
+    for (const char f : failed) any |= f != 0;
+    if (!any) return;
+    merge_requests();
+  }
+  for (std::size_t t = 0; t < tets_.size(); ++t)
+    if (failed[t]) tets_[t].unresolved = UnresolvedReason::inconsistent_samples;
+}
+
+template <class Scalar>
+Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
+                                const ExtractOptions& options) {
+  return Pipeline<Scalar>(mesh, mu, options).run();
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                    \
+  template class Pipeline<Scalar>;                                                        \
+  template Extraction extract_mode_surface<Scalar>(const TetMesh&, const ModeValue&,      \
+                                                   const ExtractOptions&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

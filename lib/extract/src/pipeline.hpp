@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/extract/scaled_field.hpp"
+#include "tensortopo/extract/tet_sheets.hpp"
+#include "tensortopo/mesh/tet_complex.hpp"
+
+namespace tensortopo {
+
+/// The stages of one extraction, in order. Each writes what the next reads; all of them run over
+/// items in parallel and keep their results in the order of the items.
+template <class Scalar>
+class Pipeline {
+ public:
+  Pipeline(const TetMesh& mesh, const ModeValue& mu, const ExtractOptions& options);
+
+  Extraction run();
+
+ private:
+  using Index = TetMesh::Index;
+
+  /// What becomes of one tetrahedron of the complex.
+  struct TetState {
+    std::optional<TetPlan<Scalar>> plan;
+    std::vector<RimRequest<Scalar>> requests;  ///< one for each node of the leaf mesh, if drawn so
+    TetTriangles<Scalar> drawn;
+    std::optional<UnresolvedReason> unresolved;
+    bool from_leaves = false;
+  };
+
+  void classify_vertices();
+  void screen();
+  void find_crossings();
+  void trace_faces();
+  void plan_tets();
+  bool plan_one(std::size_t t);
+  void want_leaves(std::size_t t);
+  void number_vertices();
+  void merge_requests();
+  void draw_tets();
+  bool draw_one(std::size_t t);
+  Extraction assemble();
+  void place_edge_vertices(SurfaceMesh& surface) const;
+  void place_face_vertices(SurfaceMesh& surface) const;
+
+  TetWithCurves<Scalar> tet_with_curves(std::size_t t) const;
+  FaceArcVertices arc_vertices(std::size_t t, const TetWithCurves<Scalar>& tet) const;
+  LevelSimplex<Scalar, 3> face_simplex(std::size_t f) const;
+
+  const TetMesh& mesh_;
+  const ExtractOptions& options_;
+  Level<Scalar> level_;
+  ScaledField<Scalar> field_;
+  ExtractStatistics statistics_;
+
+  std::vector<char> above_;  ///< a mesh vertex: mode > mu
+  TetComplex complex_;
+
+  std::vector<std::optional<std::vector<EdgeCrossing<Scalar>>>> crossings_;  ///< of each edge
+  std::vector<Index> edge_vertex_;  ///< first output vertex of each edge, and the total
+
+  std::vector<std::optional<std::vector<FaceArc<Scalar>>>> arcs_;  ///< of each face
+  std::vector<Index> face_vertex_;  ///< first output vertex of each face, and the total
+
+  std::vector<TetState> tets_;
+  std::vector<Vector3<double>> rim_position_, rim_medium_;  ///< of edge and face vertices
+};
+
+}  // namespace tensortopo

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/extract/polygon.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tensortopo {
+
+namespace {
+
+constexpr double kForbidden = std::numeric_limits<double>::infinity();
+
+double diagonal_cost(const PolygonCorner& p, const PolygonCorner& q) {
+  if ((p.faces & q.faces) != 0) return kForbidden;
+  const auto d = q.position - p.position;
+  return std::sqrt(dot(d, d));
+}
+
+}  // namespace
+
+std::vector<std::array<int, 3>> cut_polygon(std::span<const PolygonCorner> corners) {
+  const auto n = corners.size();
+  if (n == 3) {
+    // Three corners on one face would make a triangle in that face.
+    if ((corners[0].faces & corners[1].faces & corners[2].faces) != 0) return {};
+    return {{0, 1, 2}};
+  }
+  if (n < 3 || n > kLargestPolygon) return {};
+
+  // Least cost of the part between corners i and j, and the corner that its triangle goes to.
+  std::array<std::array<double, kLargestPolygon>, kLargestPolygon> cost{};
+  std::array<std::array<std::uint8_t, kLargestPolygon>, kLargestPolygon> apex{};
+  for (std::size_t width = 2; width < n; ++width)
+    for (std::size_t i = 0; i + width < n; ++i) {
+      const std::size_t j = i + width;
+      double best = kForbidden;
+      std::uint8_t best_apex = 0;
+      for (std::size_t k = i + 1; k < j; ++k) {
+        const double c = cost[i][k] + cost[k][j];
+        if (c < best) best = c, best_apex = static_cast<std::uint8_t>(k);
+      }
+      const bool side = width + 1 == n;  // the polygon's own side from the last corner to the first
+      cost[i][j] = best + (side ? 0.0 : diagonal_cost(corners[i], corners[j]));
+      apex[i][j] = best_apex;
+    }
+  if (!(cost[0][n - 1] < kForbidden)) return {};
+
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::array<std::size_t, 2>> parts{{0, n - 1}};
+  while (!parts.empty()) {
+    const auto [i, j] = parts.back();
+    parts.pop_back();
+    if (j - i < 2) continue;
+    const std::size_t k = apex[i][j];
+    triangles.push_back({static_cast<int>(i), static_cast<int>(k), static_cast<int>(j)});
+    parts.push_back({i, k});
+    parts.push_back({k, j});
+  }
+  return triangles;
+}
+
+}  // namespace tensortopo

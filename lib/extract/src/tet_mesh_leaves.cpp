@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "extractor_scalars.hpp"
+#include "tensortopo/extract/polygon.hpp"
+#include "tensortopo/extract/position.hpp"
+#include "tensortopo/extract/segment_root.hpp"
+#include "tensortopo/extract/tet_sheets.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+/// A corner of a leaf polygon on its way to triangles.
+struct Corner {
+  std::int32_t id;  ///< as in `TetTriangles`
+  PolygonCorner corner;
+};
+
+template <class Scalar>
+class LeafTriangles {
+ public:
+  LeafTriangles(const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> requests,
+                const TetWithCurves<Scalar>& tet, const FaceArcVertices& vertices,
+                const Level<Scalar>& level, TetTriangles<Scalar>& out)
+      : plan_(plan),
+        mesh_(plan.leaves->mesh),
+        requests_(requests),
+        tet_(tet),
+        vertices_(vertices),
+        level_(level),
+        out_(out),
+        crossings_(crossings_of_leaves(tet, plan)),
+        inner_(mesh_.nodes.size(), 0) {}
+
+  bool add(const LeafMesh::Polygon& polygon) {
+    std::vector<Corner> corners;
+    for (int i = 0; i < polygon.size; ++i) {
+      const auto p = polygon.nodes[static_cast<std::size_t>(i)];
+      const auto q = polygon.nodes[static_cast<std::size_t>((i + 1) % polygon.size)];
+      const auto common = static_cast<unsigned>(mesh_.nodes[p].faces & mesh_.nodes[q].faces);
+      if (common != 0) {
+        int face = 0;
+        while (!(common >> face & 1)) ++face;
+        if (!append_rim(face, p, q, corners)) return false;
+      } else if (mesh_.nodes[p].faces != 0) {
+        if (!append_single(p, corners)) return false;
+      } else {
+        corners.push_back(inner_corner(p));
+      }
+    }
+    corners.erase(std::unique(corners.begin(), corners.end(),
+                              [](const auto& a, const auto& b) { return a.id == b.id; }),
+                  corners.end());
+    while (corners.size() > 1 && corners.front().id == corners.back().id) corners.pop_back();
+    if (corners.size() < 3) return true;  // two rim samples were one: nothing is left
+    return cut(polygon, corners);
+  }
+
+ private:
+  Corner inner_corner(std::uint32_t n) {
+    if (inner_[n] == 0) {
+      out_.inner.push_back(node_point(plan_.leaves->refinement, mesh_.nodes[n], level_));
+      inner_[n] = -static_cast<std::int32_t>(out_.inner.size());
+    }
+    const auto& point = out_.inner[static_cast<std::size_t>(-1 - inner_[n])];
+    return {inner_[n], {position_at(point.weights, tet_.simplex.exponents, tet_.points), 0}};
+  }
+
+  static Corner rim_corner(const RimVertex& v) { return {v.id, {v.position, v.faces}}; }
+
+  struct OnArc {
+    int arc = -1;
+    std::size_t index = 0;
+  };
+
+  /// The arc of the face, and the vertex on it, that a node is. For a crossing of an edge the arc
+  /// is the one that has it as an end.
+  OnArc on_arc(int face, std::uint32_t n) const {
+    const auto f = static_cast<std::size_t>(face);
+    const auto crossing = crossings_.find(n);
+    if (crossing != crossings_.end()) {
+      for (std::size_t a = 0; a < tet_.arcs[f].size(); ++a) {
+        const auto& arc = tet_.arcs[f][a];
+        if (arc.closed) continue;
+        if (crossing_of(tet_, face, arc.begin) == crossing->second)
+          return {static_cast<int>(a), 0};
+        if (crossing_of(tet_, face, arc.end) == crossing->second)
+          return {static_cast<int>(a), vertices_[f][a].vertices.size() - 1};
+      }
+      return {};
+    }
+    const auto& request = requests_[n];
+    if (request.arc < 0 || request.face != face) return {};
+    const auto& places = vertices_[f][static_cast<std::size_t>(request.arc)].places;
+    const double wanted = static_cast<double>(request.place);
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < places.size(); ++i)
+      if (std::abs(places[i] - wanted) < std::abs(places[best] - wanted)) best = i;
+    return {request.arc, best};
+  }
+
+  /// The rim from node p up to, not including, node q.
+  bool append_rim(int face, std::uint32_t p, std::uint32_t q, std::vector<Corner>& corners) {
+    const auto from = on_arc(face, p), to = on_arc(face, q);
+    if (from.arc < 0 || from.arc != to.arc) return false;
+    const auto f = static_cast<std::size_t>(face);
+    const auto& arc = vertices_[f][static_cast<std::size_t>(from.arc)];
+    const bool closed = tet_.arcs[f][static_cast<std::size_t>(from.arc)].closed;
+    const std::size_t n = arc.vertices.size();
+    const bool forward = tet_.outward[f];
+    if (!closed && (forward ? from.index > to.index : from.index < to.index)) return false;
+    if (from.index == to.index) {
+      corners.push_back(rim_corner(arc.vertices[from.index]));
+      return true;
+    }
+    for (std::size_t i = from.index; i != to.index; i = forward ? (i + 1) % n : (i + n - 1) % n)
+      corners.push_back(rim_corner(arc.vertices[i]));
+    return true;
+  }
+
+  bool append_single(std::uint32_t n, std::vector<Corner>& corners) {
+    const auto faces = static_cast<unsigned>(mesh_.nodes[n].faces);
+    int face = 0;
+    while (!(faces >> face & 1)) ++face;
+    const auto at = on_arc(face, n);
+    if (at.arc < 0) return false;
+    corners.push_back(rim_corner(vertices_[static_cast<std::size_t>(face)]
+                                     [static_cast<std::size_t>(at.arc)].vertices[at.index]));
+    return true;
+  }
+
+  bool cut(const LeafMesh::Polygon& polygon, const std::vector<Corner>& corners) {
+    std::vector<PolygonCorner> outline;
+    for (const auto& c : corners) outline.push_back(c.corner);
+    const auto triangles = cut_polygon(outline);
+    for (const auto& t : triangles)
+      out_.triangles.push_back({corners[static_cast<std::size_t>(t[0])].id,
+                                corners[static_cast<std::size_t>(t[1])].id,
+                                corners[static_cast<std::size_t>(t[2])].id});
+    if (!triangles.empty()) return true;
+    out_.inner.push_back(middle_of(polygon));
+    const auto centre = -static_cast<std::int32_t>(out_.inner.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      out_.triangles.push_back({corners[i].id, corners[(i + 1) % corners.size()].id, centre});
+    return true;
+  }
+
+  /// A point of the sheet amid the polygon: on the line of the cell's direction through the
+  /// middle of its corners. If that line misses the sheet, the nearer end of it in the cell.
+  InnerVertex<Scalar> middle_of(const LeafMesh::Polygon& polygon) const {
+    const auto& refinement = plan_.leaves->refinement;
+    const auto& cell = refinement.cells()[polygon.cell];
+    // Barycentric coordinates in the cell of the middle of the nodes.
+    std::array<Scalar, 4> base{Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
+    const Scalar share = Scalar(1) / Scalar(polygon.size);
+    for (int i = 0; i < polygon.size; ++i) {
+      const auto& node = mesh_.nodes[polygon.nodes[static_cast<std::size_t>(i)]];
+      const auto &u = refinement.vertices()[node.first], &v = refinement.vertices()[node.second];
+      const Scalar f = v.above ? segment_root(u.tensor, v.tensor, level_)
+                               : Scalar(1) - segment_root(v.tensor, u.tensor, level_);
+      for (std::size_t c = 0; c < 4; ++c) {
+        if (cell.vertices[c] == node.first) base[c] = base[c] + share * (Scalar(1) - f);
+        if (cell.vertices[c] == node.second) base[c] = base[c] + share * f;
+      }
+    }
+    const auto& d = cell.proof.direction;
+    Scalar down(0), up(0);
+    bool has_down = false, has_up = false;
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (d[c] == Scalar(0)) continue;
+      const Scalar k = -base[c] / d[c];
+      if (d[c] > Scalar(0) && (!has_down || k > down)) down = k, has_down = true;
+      if (d[c] < Scalar(0) && (!has_up || k < up)) up = k, has_up = true;
+    }
+    std::array<Deviator<Scalar>, 4> tensors;
+    for (std::size_t c = 0; c < 4; ++c) tensors[c] = refinement.vertices()[cell.vertices[c]].tensor;
+    const auto at = [&](const Scalar& k) {
+      std::array<Scalar, 4> w;
+      for (std::size_t c = 0; c < 4; ++c) w[c] = base[c] + k * d[c];
+      return w;
+    };
+    const Scalar root =
+        segment_root(tensor_at(tensors, at(down)), tensor_at(tensors, at(up)), level_);
+    const auto local = at(down + root * (up - down));
+    InnerVertex<Scalar> point;
+    point.tensor = tensor_at(tensors, local);
+    for (std::size_t i = 0; i < 4; ++i) {
+      point.weights[i] = Scalar(0);
+      for (std::size_t c = 0; c < 4; ++c)
+        point.weights[i] =
+            point.weights[i] + local[c] * refinement.vertices()[cell.vertices[c]].weights[i];
+    }
+    return point;
+  }
+
+  const TetPlan<Scalar>& plan_;
+  const LeafMesh& mesh_;
+  std::span<const RimRequest<Scalar>> requests_;
+  const TetWithCurves<Scalar>& tet_;
+  const FaceArcVertices& vertices_;
+  const Level<Scalar>& level_;
+  TetTriangles<Scalar>& out_;
+  std::map<std::uint32_t, CrossingKey> crossings_;
+  std::vector<std::int32_t> inner_;  ///< corner of a node inside, 0 if not made yet
+};
+
+}  // namespace
+
+template <class Scalar>
+bool mesh_from_leaves(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
+                      std::span<const RimRequest<Scalar>> requests,
+                      const TetWithCurves<Scalar>& tet, const FaceArcVertices& vertices,
+                      const Level<Scalar>& level, TetTriangles<Scalar>& out) {
+  LeafTriangles<Scalar> triangles(plan, requests, tet, vertices, level, out);
+  for (const auto& polygon : plan.leaves->mesh.polygons)
+    if (polygon.component == sheet.component && !triangles.add(polygon)) return false;
+  return true;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                       \
+  template bool mesh_from_leaves(const TetPlan<Scalar>&, const SheetTopology&,               \
+                                 std::span<const RimRequest<Scalar>>,                        \
+                                 const TetWithCurves<Scalar>&, const FaceArcVertices&,       \
+                                 const Level<Scalar>&, TetTriangles<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

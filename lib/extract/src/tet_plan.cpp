@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+#include <utility>
+
+#include "extractor_scalars.hpp"
+#include "tensortopo/extract/segment_root.hpp"
+#include "tensortopo/extract/tet_sheets.hpp"
+#include "tensortopo/mesh/tet_complex.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+constexpr std::size_t kTetBudget = 400000;
+
+/// Joins arcs to loops: at each crossing of an edge one arc arrives and one leaves.
+template <class Scalar>
+bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<RimPiece>>& loops) {
+  std::map<CrossingKey, RimPiece> leaving;
+  std::map<CrossingKey, int> arriving;
+  for (int f = 0; f < 4; ++f) {
+    const auto& arcs = tet.arcs[static_cast<std::size_t>(f)];
+    for (std::size_t a = 0; a < arcs.size(); ++a) {
+      // On a face seen from outside the larger mode is to the left of an arc; the sheet, whose
+      // normal points there, then lies to the left of the arc seen from that normal.
+      const RimPiece piece{f, static_cast<int>(a), tet.outward[static_cast<std::size_t>(f)]};
+      if (arcs[a].closed) {
+        loops.push_back({piece});
+        continue;
+      }
+      const auto begin = crossing_of(tet, f, piece.forward ? arcs[a].begin : arcs[a].end);
+      const auto end = crossing_of(tet, f, piece.forward ? arcs[a].end : arcs[a].begin);
+      if (!leaving.emplace(begin, piece).second) return false;
+      ++arriving[end];
+    }
+  }
+  for (const auto& [crossing, piece] : leaving) {
+    const auto found = arriving.find(crossing);
+    if (found == arriving.end() || found->second != 1) return false;
+  }
+  if (leaving.size() != arriving.size()) return false;
+  while (!leaving.empty()) {
+    std::vector<RimPiece> loop;
+    auto at = leaving.begin();
+    while (at != leaving.end()) {
+      const RimPiece piece = at->second;
+      const auto& arc =
+          tet.arcs[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)];
+      loop.push_back(piece);
+      leaving.erase(at);
+      at = leaving.find(crossing_of(tet, piece.face, piece.forward ? arc.end : arc.begin));
+    }
+    loops.push_back(std::move(loop));
+  }
+  return true;
+}
+
+}  // namespace
+
+template <class Scalar>
+CrossingKey crossing_of(const TetWithCurves<Scalar>& tet, int face, const ArcEnd& end) {
+  constexpr int ends[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  const auto& v = tet.face_vertices[static_cast<std::size_t>(face)];
+  return {tet_edge(v[static_cast<std::size_t>(ends[end.edge][0])],
+                   v[static_cast<std::size_t>(ends[end.edge][1])]),
+          end.crossing};
+}
+
+template <class Scalar>
+std::map<std::uint32_t, CrossingKey> crossings_of_leaves(const TetWithCurves<Scalar>& tet,
+                                                const TetPlan<Scalar>& plan) {
+  const auto& vertices = plan.leaves->refinement.vertices();
+  const auto& nodes = plan.leaves->mesh.nodes;
+  std::map<int, std::vector<std::pair<Scalar, std::uint32_t>>> on_edge;
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    if ((nodes[n].faces & (nodes[n].faces - 1)) == 0) continue;  // fewer than two faces
+    int ends[2] = {-1, -1};
+    for (int i = 0, k = 0; i < 4; ++i)
+      if (!(nodes[n].faces >> i & 1)) ends[k++] = i;
+    const auto upper = static_cast<std::size_t>(ends[1]);
+    on_edge[tet_edge(ends[0], ends[1])].emplace_back(
+        vertices[nodes[n].first].weights[upper] + vertices[nodes[n].second].weights[upper], n);
+  }
+  std::map<std::uint32_t, CrossingKey> result;
+  for (auto& [edge, list] : on_edge) {
+    std::sort(list.begin(), list.end());
+    const int count = static_cast<int>(list.size());
+    for (int k = 0; k < count; ++k)
+      result[list[static_cast<std::size_t>(k)].second] = {
+          edge, tet.edge_forward[static_cast<std::size_t>(edge)] ? k : count - 1 - k};
+  }
+  return result;
+}
+
+template <class Scalar>
+InnerVertex<Scalar> node_point(const Refinement<Scalar, 4>& refinement, const LeafMesh::Node& node,
+                               const Level<Scalar>& level) {
+  const auto &u = refinement.vertices()[node.first], &v = refinement.vertices()[node.second];
+  const Scalar f = v.above ? segment_root(u.tensor, v.tensor, level)
+                           : Scalar(1) - segment_root(v.tensor, u.tensor, level);
+  InnerVertex<Scalar> point;
+  for (std::size_t i = 0; i < 4; ++i)
+    point.weights[i] = u.weights[i] + f * (v.weights[i] - u.weights[i]);
+  point.tensor = u.tensor + f * (v.tensor - u.tensor);
+  return point;
+}
+
+namespace {
+
+template <class Scalar>
+std::pair<int, Scalar> locate(const TetWithCurves<Scalar>& tet, int face,
+                              const InnerVertex<Scalar>& point) {
+  const auto f = static_cast<std::size_t>(face);
+  std::array<Scalar, 3> weights;
+  for (std::size_t i = 0; i < 3; ++i) weights[i] = point.weights[tet.face_vertices[f][i]];
+  return locate_on_arcs(tet.arcs[f], weights);
+}
+
+int face_of(std::uint8_t faces) {
+  int f = 0;
+  while (!(faces >> f & 1)) ++f;
+  return f;
+}
+
+/// Finds which loop of the faces each boundary cycle of the leaf mesh is, and lists the sheets.
+template <class Scalar>
+bool sheets_from_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+                        TetPlan<Scalar>& plan) {
+  const auto& mesh = plan.leaves->mesh;
+  if (mesh.rim_loops.size() != plan.loops.size()) return false;
+  std::map<CrossingKey, int> loop_of_crossing;
+  std::map<std::pair<int, int>, int> loop_of_arc;
+  for (std::size_t l = 0; l < plan.loops.size(); ++l)
+    for (const auto& piece : plan.loops[l]) {
+      const auto& arc =
+          tet.arcs[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)];
+      loop_of_arc[{piece.face, piece.arc}] = static_cast<int>(l);
+      if (arc.closed) continue;
+      for (const auto& end : {arc.begin, arc.end})
+        loop_of_crossing[crossing_of(tet, piece.face, end)] = static_cast<int>(l);
+    }
+  const auto crossings = crossings_of_leaves(tet, plan);
+  if (crossings.size() != loop_of_crossing.size()) return false;
+  std::vector<int> loop(mesh.rim_loops.size(), -1);
+  std::vector<char> taken(plan.loops.size(), 0);
+  for (std::size_t r = 0; r < mesh.rim_loops.size(); ++r) {
+    for (const auto n : mesh.rim_loops[r]) {
+      const auto found = crossings.find(n);
+      if (found == crossings.end()) continue;
+      const auto known = loop_of_crossing.find(found->second);
+      if (known == loop_of_crossing.end()) return false;
+      if (loop[r] >= 0 && loop[r] != known->second) return false;
+      loop[r] = known->second;
+    }
+    if (loop[r] < 0) {  // touches no edge: a closed curve of one face
+      const auto n = mesh.rim_loops[r][0];
+      const int face = face_of(mesh.nodes[n].faces);
+      const auto [arc, place] =
+          locate(tet, face, node_point(plan.leaves->refinement, mesh.nodes[n], level));
+      if (arc < 0) return false;
+      loop[r] = loop_of_arc.at({face, arc});
+    }
+    if (taken[static_cast<std::size_t>(loop[r])]++) return false;
+  }
+  plan.sheets.clear();
+  for (std::size_t c = 0; c < mesh.components.size(); ++c) {
+    SheetTopology sheet;
+    sheet.component = static_cast<int>(c);
+    sheet.euler_characteristic = mesh.components[c].euler_characteristic;
+    for (const int r : mesh.components[c].rim_loops)
+      sheet.loops.push_back(loop[static_cast<std::size_t>(r)]);
+    plan.sheets.push_back(std::move(sheet));
+  }
+  return true;
+}
+
+}  // namespace
+
+template <class Scalar>
+bool add_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+                TetPlan<Scalar>& plan) {
+  if (plan.leaves) return true;
+  Refinement<Scalar, 4> refinement(tet.simplex, level);
+  if (!refinement.run(kTetBudget)) return false;
+  auto mesh = leaf_mesh(refinement);
+  plan.leaves.reset(
+      new typename TetPlan<Scalar>::Leaves{std::move(refinement), std::move(mesh)});
+  return sheets_from_leaves(tet, level, plan);
+}
+
+template <class Scalar>
+std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
+                                        const Level<Scalar>& level) {
+  TetPlan<Scalar> plan;
+  if (!join_arcs(tet, plan.loops)) return std::nullopt;
+  if (plan.loops.empty()) return plan;  // every sheet of a linear field reaches a face
+  plan.proof = prove_simplex(tet.simplex.tensors, level);
+  using Kind = typename SimplexProof<Scalar, 4>::Kind;
+  if (plan.proof.kind == Kind::monotone && plan.loops.size() == 1) {
+    plan.sheets.push_back({{0}, 1, -1});
+    return plan;
+  }
+  if (!add_leaves(tet, level, plan)) return std::nullopt;
+  return plan;
+}
+
+template <class Scalar>
+std::vector<RimRequest<Scalar>> leaf_requests(const TetWithCurves<Scalar>& tet,
+                                              const Level<Scalar>& level,
+                                              const TetPlan<Scalar>& plan) {
+  const auto& mesh = plan.leaves->mesh;
+  std::vector<RimRequest<Scalar>> requests(mesh.nodes.size());
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    requests[n].arc = -1;
+    const auto faces = mesh.nodes[n].faces;
+    if (faces == 0 || (faces & (faces - 1)) != 0) continue;
+    const int face = face_of(faces);
+    const auto [arc, place] =
+        locate(tet, face, node_point(plan.leaves->refinement, mesh.nodes[n], level));
+    requests[n] = {face, arc, place};
+  }
+  return requests;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                           \
+  template CrossingKey crossing_of(const TetWithCurves<Scalar>&, int, const ArcEnd&);            \
+  template std::map<std::uint32_t, CrossingKey> crossings_of_leaves(                             \
+      const TetWithCurves<Scalar>&, const TetPlan<Scalar>&);                                     \
+  template InnerVertex<Scalar> node_point(const Refinement<Scalar, 4>&, const LeafMesh::Node&,   \
+                                          const Level<Scalar>&);                                 \
+  template bool add_leaves(const TetWithCurves<Scalar>&, const Level<Scalar>&, TetPlan<Scalar>&); \
+  template std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>&,                 \
+                                                   const Level<Scalar>&);                        \
+  template std::vector<RimRequest<Scalar>> leaf_requests(                                        \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const TetPlan<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

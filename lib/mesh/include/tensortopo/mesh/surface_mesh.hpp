@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tensortopo/tensor/vector3.hpp"
+
+namespace tensortopo {
+
+/// Where a vertex of an extracted surface lies in the tetrahedral mesh.
+enum class Carrier : std::uint8_t { edge, face, tet };
+
+/// An extracted surface: triangles over shared vertices, with what is known at each vertex.
+/// Vertices are one for each point: two tetrahedra that meet use the same vertex.
+struct SurfaceMesh {
+  using Index = std::int32_t;
+
+  std::vector<Vector3<double>> points;
+  std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise seen from the larger mode
+
+  // One per vertex.
+  std::vector<Carrier> carrier;                        ///< what kind of simplex holds the vertex
+  std::vector<Index> carrier_id;                       ///< which one
+  /// The vertices, in the tetrahedral mesh, of the simplex that holds the vertex, ascending; -1
+  /// fills up. This is the vertex's key: two tetrahedra that meet there agree on it.
+  std::vector<std::array<Index, 4>> carrier_vertices;
+  std::vector<Vector3<double>> medium_eigenvector;     ///< unit, sign arbitrary
+  std::vector<Vector3<double>> dominant_eigenvector;   ///< unit, sign arbitrary
+  std::vector<Vector3<double>> normal;                 ///< unit gradient of the mode
+  std::vector<double> mode;                            ///< the mode asked for
+  std::vector<double> residual;                        ///< mode of the field there less `mode`
+
+  // One per triangle.
+  std::vector<Index> tet;        ///< index of the tetrahedron that holds the triangle
+  std::vector<Index> component;  ///< connected component, numbered in order of first triangle
+};
+
+}  // namespace tensortopo

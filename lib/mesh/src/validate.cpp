@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/mesh/validate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "orientation.hpp"
+
+namespace tensortopo {
+namespace {
+
+using Index = TetMesh::Index;
+using Kind = MeshDefect::Kind;
+
+constexpr std::size_t most_defects = 1000;
+
+/// Corners of the face opposite to each corner, seen from outside a positive tetrahedron.
+constexpr std::array<std::array<std::size_t, 3>, 4> faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+bool is_finite(const Vector3<double>& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+bool is_finite(const SymmetricTensor<double>& t) {
+  return std::isfinite(t.xx) && std::isfinite(t.yy) && std::isfinite(t.zz) && std::isfinite(t.xy) &&
+         std::isfinite(t.yz) && std::isfinite(t.xz);
+}
+
+bool is_in_range(const std::array<Index, 4>& tet, std::size_t points) {
+  return std::all_of(tet.begin(), tet.end(),
+                     [&](Index v) { return v >= 0 && static_cast<std::size_t>(v) < points; });
+}
+
+bool repeats_vertex(const std::array<Index, 4>& t) {
+  return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] || t[2] == t[3];
+}
+
+int orientation(const TetMesh& mesh, const std::array<Index, 4>& tet) {
+  const auto point = [&](std::size_t corner) -> const Vector3<double>& {
+    return mesh.points[static_cast<std::size_t>(tet[corner])];
+  };
+  return detail::orientation(point(0), point(1), point(2), point(3));
+}
+
+/// One face of one tetrahedron, filed under its smallest vertex.
+struct Face {
+  Index middle, largest;  // the other two vertices
+  Index tet;
+  std::int8_t corner;  // opposite to the face
+  std::int8_t side;    // +1 if the outward order of the vertices is an even permutation of sorted
+};
+
+/// Sorts three vertices; returns the sign of the permutation.
+std::int8_t sort_three(std::array<Index, 3>& v) {
+  std::int8_t sign = 1;
+  const auto order = [&](std::size_t i, std::size_t j) {
+    if (v[i] > v[j]) {
+      std::swap(v[i], v[j]);
+      sign = static_cast<std::int8_t>(-sign);
+    }
+  };
+  order(0, 1), order(1, 2), order(0, 1);
+  return sign;
+}
+
+class Validator {
+ public:
+  explicit Validator(const TetMesh& mesh) : mesh_(mesh) {}
+
+  std::vector<MeshDefect> run() {
+    if (check_lengths()) {
+      check_points();
+      check_cells();
+      check_faces();
+    }
+    return std::move(defects_);
+  }
+
+ private:
+  void add(Kind kind, std::int64_t where, std::string text) {
+    if (defects_.size() < most_defects) defects_.push_back({kind, where, std::move(text)});
+  }
+
+  std::int64_t id(std::size_t tet) const { return mesh_.cell_ids[tet]; }
+  std::string name(std::size_t tet) const { return "cell " + std::to_string(id(tet)); }
+
+  bool check_lengths() {
+    const auto differ = [&](const char* what, std::size_t is, std::size_t should) {
+      if (is != should)
+        add(Kind::wrong_length, static_cast<std::int64_t>(is),
+            std::to_string(is) + " " + what + " where " + std::to_string(should) + " belong");
+    };
+    differ("tensors", mesh_.tensors.size(), mesh_.points.size());
+    differ("cell ids", mesh_.cell_ids.size(), mesh_.tets.size());
+    return defects_.empty();
+  }
+
+  void check_points() {
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+      const auto where = static_cast<std::int64_t>(i);
+      if (!is_finite(mesh_.points[i]))
+        add(Kind::non_finite_point, where,
+            "point " + std::to_string(i) + " has a coordinate that is not finite");
+      if (!is_finite(mesh_.tensors[i]))
+        add(Kind::non_finite_tensor, where,
+            "the tensor at point " + std::to_string(i) + " has a component that is not finite");
+    }
+  }
+
+  void check_cells() {
+    sound_.assign(mesh_.tets.size(), 0);
+    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+      const auto& tet = mesh_.tets[t];
+      if (!is_in_range(tet, mesh_.points.size())) {
+        add(Kind::index_out_of_range, id(t), name(t) + " names a vertex that does not exist");
+      } else if (repeats_vertex(tet)) {
+        add(Kind::repeated_vertex, id(t), name(t) + " names a vertex twice");
+      } else if (std::all_of(tet.begin(), tet.end(), [&](Index v) {
+                   return is_finite(mesh_.points[static_cast<std::size_t>(v)]);
+                 })) {
+        const int sign = orientation(mesh_, tet);
+        if (sign == 0) add(Kind::degenerate_cell, id(t), name(t) + " is flat: its volume is zero");
+        if (sign < 0) add(Kind::inverted_cell, id(t), name(t) + " has negative volume");
+        sound_[t] = static_cast<std::int8_t>(sign);
+      }
+    }
+  }
+
+  void check_faces() {
+    // Faces filed by smallest vertex: a counting sort, then each short drawer is sorted.
+    std::vector<std::size_t> begin(mesh_.points.size() + 1, 0);
+    for_each_face([&](Index smallest, const Face&) { ++begin[static_cast<std::size_t>(smallest) + 1]; });
+    for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
+    std::vector<Face> files(begin.back());
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for_each_face([&](Index smallest, const Face& face) {
+      files[next[static_cast<std::size_t>(smallest)]++] = face;
+    });
+    for (std::size_t v = 0; v + 1 < begin.size(); ++v)
+      check_drawer(static_cast<Index>(v), files.data() + begin[v], files.data() + begin[v + 1]);
+  }
+
+  /// Faces of the tetrahedra that have a volume, turned to be positive.
+  template <class Visit>
+  void for_each_face(const Visit& visit) const {
+    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+      if (sound_[t] == 0) continue;
+      const auto& tet = mesh_.tets[t];
+      for (std::size_t corner = 0; corner < 4; ++corner) {
+        const auto& f = faces[corner];
+        std::array<Index, 3> v{tet[f[0]], tet[f[1]], tet[f[2]]};
+        const auto side = static_cast<std::int8_t>(sort_three(v) * sound_[t]);
+        visit(v[0], Face{v[1], v[2], static_cast<Index>(t), static_cast<std::int8_t>(corner), side});
+      }
+    }
+  }
+
+  void check_drawer(Index smallest, Face* first, Face* last) {
+    std::sort(first, last, [](const Face& f, const Face& g) {
+      if (f.middle != g.middle) return f.middle < g.middle;
+      if (f.largest != g.largest) return f.largest < g.largest;
+      return f.tet < g.tet;
+    });
+    while (first != last) {
+      Face* end = first + 1;
+      while (end != last && end->middle == first->middle && end->largest == first->largest) ++end;
+      const bool regular = end - first == 2 && first[0].side != first[1].side;
+      if (end - first > 1 && !regular) check_shared_face(smallest, first, end);
+      first = end;
+    }
+  }
+
+  Index opposite(const Face& f) const {
+    return mesh_.tets[static_cast<std::size_t>(f.tet)][static_cast<std::size_t>(f.corner)];
+  }
+
+  void check_shared_face(Index smallest, const Face* first, const Face* last) {
+    const auto face = [&] {
+      return " (face " + std::to_string(smallest) + " " + std::to_string(first->middle) + " " +
+             std::to_string(first->largest) + ")";
+    };
+    const auto cell = [&](const Face& f) { return name(static_cast<std::size_t>(f.tet)); };
+    const auto where = [&](const Face& f) { return id(static_cast<std::size_t>(f.tet)); };
+    // A copy is named once, though all four of its faces meet: at the face that has the three
+    // smallest vertices.
+    std::vector<Face> by_opposite(first, last);
+    std::sort(by_opposite.begin(), by_opposite.end(), [&](const Face& f, const Face& g) {
+      return std::pair(opposite(f), f.tet) < std::pair(opposite(g), g.tet);
+    });
+    bool copies = false;
+    for (std::size_t i = 1; i < by_opposite.size(); ++i) {
+      const Face &f = by_opposite[i], &g = by_opposite[i - 1];
+      if (opposite(f) != opposite(g)) continue;
+      copies = true;
+      if (opposite(f) > f.largest)
+        add(Kind::duplicated_cell, where(f), cell(f) + " has the same vertices as " + cell(g));
+    }
+    if (copies) return;
+    if (last - first > 2) {
+      add(Kind::crowded_face, where(first[2]),
+          cell(first[2]) + " shares a face with two others, " + cell(first[0]) + " and " +
+              cell(first[1]) + face());
+    } else if (first[0].side == first[1].side) {
+      add(Kind::overlapping_cells, where(first[1]),
+          cell(first[1]) + " and " + cell(first[0]) + " overlap: they lie on the same side of a face" +
+              face());
+    }
+  }
+
+  const TetMesh& mesh_;
+  std::vector<MeshDefect> defects_;
+  std::vector<std::int8_t> sound_;  // sign of the volume; 0 if flat or not to be judged
+};
+
+}  // namespace
+
+std::vector<MeshDefect> validate(const TetMesh& mesh) { return Validator(mesh).run(); }
+
+std::size_t repair_orientation(TetMesh& mesh) {
+  std::size_t turned = 0;
+  for (auto& tet : mesh.tets) {
+    if (!is_in_range(tet, mesh.points.size())) continue;
+    if (!std::all_of(tet.begin(), tet.end(), [&](Index v) {
+          return is_finite(mesh.points[static_cast<std::size_t>(v)]);
+        }))
+      continue;
+    if (orientation(mesh, tet) >= 0) continue;
+    std::swap(tet[2], tet[3]);
+    ++turned;
+  }
+  return turned;
+}
+
+std::size_t count_unreferenced_points(const TetMesh& mesh) {
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const auto& tet : mesh.tets)
+    for (const Index v : tet) used[static_cast<std::size_t>(v)] = 1;
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
+}
+
+}  // namespace tensortopo
