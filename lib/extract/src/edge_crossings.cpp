@@ -4,6 +4,7 @@
 
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/segment_root.hpp"
+#include "tiers.hpp"
 
 namespace tensortopo {
 
@@ -22,7 +23,9 @@ template <class Scalar>
 bool collect(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
              const EdgePoint<Scalar>& from, const EdgePoint<Scalar>& to,
              std::vector<EdgeCrossing<Scalar>>& crossings) {
-  if (has_at_most_one_crossing<Scalar>({from.tensor, to.tensor}, level)) {
+  const std::array<std::array<Scalar, 2>, 2> ends{
+      {{Scalar(1 - from.weight), Scalar(from.weight)}, {Scalar(1 - to.weight), Scalar(to.weight)}}};
+  if (edge_is_simple<Scalar, 2>(edge, ends, {from.tensor, to.tensor}, level)) {
     if (from.above == to.above) return true;
     const bool rising = to.above;
     const Scalar fraction = rising ? segment_root(from.tensor, to.tensor, level)

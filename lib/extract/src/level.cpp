@@ -88,6 +88,7 @@ Vector3<Scalar> dominant_eigenvector(const Deviator<Scalar>& t, const Level<Scal
   template Vector3<Scalar> medium_eigenvector(const Deviator<Scalar>&, const Level<Scalar>&); \
   template Vector3<Scalar> dominant_eigenvector(const Deviator<Scalar>&, const Level<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+TENSORTOPO_INSTANTIATE(Real100)  // for proofs that 50 digits do not settle
 #undef TENSORTOPO_INSTANTIATE
 
 }  // namespace tensortopo

@@ -4,6 +4,7 @@
 
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/exact_side.hpp"
+#include "tiers.hpp"
 
 namespace tensortopo {
 
@@ -59,9 +60,7 @@ bool Refinement<Scalar, Vertices>::run(std::size_t budget) {
 template <class Scalar, std::size_t Vertices>
 bool Refinement<Scalar, Vertices>::is_simple(Cell& cell) {
   if (cell.checked) return true;  // only a simple cell stays
-  std::array<Deviator<Scalar>, Vertices> tensors;
-  for (std::size_t i = 0; i < Vertices; ++i) tensors[i] = vertices_[cell.vertices[i]].tensor;
-  cell.proof = prove_simplex(tensors, *level_);
+  cell.proof = prove(cell.vertices);
   using Kind = typename SimplexProof<Scalar, Vertices>::Kind;
   const bool simple = cell.proof.kind == Kind::empty ||
                       (cell.proof.kind == Kind::monotone && edges_are_simple(cell) &&
@@ -71,13 +70,27 @@ bool Refinement<Scalar, Vertices>::is_simple(Cell& cell) {
 }
 
 template <class Scalar, std::size_t Vertices>
+template <std::size_t Part>
+SimplexProof<Scalar, Part> Refinement<Scalar, Vertices>::prove(
+    const std::array<std::uint32_t, Part>& part) const {
+  std::array<std::array<Scalar, Vertices>, Part> weights;
+  std::array<Deviator<Scalar>, Part> tensors;
+  for (std::size_t i = 0; i < Part; ++i) {
+    weights[i] = vertices_[part[i]].weights;
+    tensors[i] = vertices_[part[i]].tensor;
+  }
+  return prove_part(*simplex_, weights, tensors, *level_);
+}
+
+template <class Scalar, std::size_t Vertices>
 bool Refinement<Scalar, Vertices>::edges_are_simple(const Cell& cell) {
   for (std::size_t i = 0; i < Vertices; ++i)
     for (std::size_t j = i + 1; j < Vertices; ++j) {
       const auto u = cell.vertices[i], v = cell.vertices[j];
       auto& record = edges_[key(u, v)];
       if (record.simple < 0)
-        record.simple = has_at_most_one_crossing<Scalar>(
+        record.simple = edge_is_simple<Scalar, Vertices>(
+            *simplex_, {vertices_[u].weights, vertices_[v].weights},
             {vertices_[u].tensor, vertices_[v].tensor}, *level_);
       if (record.simple == 0) return false;
     }
@@ -88,11 +101,10 @@ template <class Scalar, std::size_t Vertices>
 bool Refinement<Scalar, Vertices>::faces_are_simple(const Cell& cell) const {
   if constexpr (Vertices == 4) {
     for (std::size_t omitted = 0; omitted < 4; ++omitted) {
-      std::array<Deviator<Scalar>, 3> tensors;
+      std::array<std::uint32_t, 3> face;
       for (std::size_t i = 0, k = 0; i < 4; ++i)
-        if (i != omitted) tensors[k++] = vertices_[cell.vertices[i]].tensor;
-      if (prove_simplex(tensors, *level_).kind == SimplexProof<Scalar, 3>::Kind::none)
-        return false;
+        if (i != omitted) face[k++] = cell.vertices[i];
+      if (prove(face).kind == SimplexProof<Scalar, 3>::Kind::none) return false;
     }
   }
   return true;

@@ -78,7 +78,8 @@ class Survey {
   Part& part_of(std::size_t triangle) { return all_.parts[at(all_.component[triangle])]; }
 
   void check_indices() const {
-    if (triangles_ > UINT32_MAX / 3) throw std::invalid_argument("surface_invariants: too many triangles");
+    if (triangles_ > UINT32_MAX / 3)
+      throw std::invalid_argument("surface_invariants: too many triangles");
     for (const auto& t : surface_.triangles)
       for (const Index v : t)
         if (v < 0 || at(v) >= surface_.points.size())
@@ -101,7 +102,8 @@ class Survey {
       all_.component.push_back(here);
       Part& part = all_.parts[at(here)];
       ++part.triangles, ++part.euler_characteristic;
-      part.area += area(surface_.points[at(t[0])], surface_.points[at(t[1])], surface_.points[at(t[2])]);
+      part.area +=
+          area(surface_.points[at(t[0])], surface_.points[at(t[1])], surface_.points[at(t[2])]);
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) part.manifold = false;
     }
     label_of_region_ = std::move(label);
@@ -257,7 +259,8 @@ class Survey {
   std::vector<Index> label_of_region_;
   std::vector<std::size_t> drawer_;
   std::vector<Side> sides_;
-  std::vector<std::uint32_t> twin_;  // of each side 3 t + k; none where the edge has not two triangles
+  std::vector<std::uint32_t>
+      twin_;  // of each side 3 t + k; none where the edge has not two triangles
   std::vector<std::pair<Index, Index>> boundary_;
   SurfaceInvariants all_;
 };

@@ -18,7 +18,8 @@ using Kind = MeshDefect::Kind;
 constexpr std::size_t most_defects = 1000;
 
 /// Corners of the face opposite to each corner, seen from outside a positive tetrahedron.
-constexpr std::array<std::array<std::size_t, 3>, 4> faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+constexpr std::array<std::array<std::size_t, 3>, 4> faces{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 bool is_finite(const Vector3<double>& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -35,7 +36,8 @@ bool is_in_range(const std::array<Index, 4>& tet, std::size_t points) {
 }
 
 bool repeats_vertex(const std::array<Index, 4>& t) {
-  return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] || t[2] == t[3];
+  return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] ||
+         t[2] == t[3];
 }
 
 int orientation(const TetMesh& mesh, const std::array<Index, 4>& tet) {
@@ -132,7 +134,8 @@ class Validator {
   void check_faces() {
     // Faces filed by smallest vertex: a counting sort, then each short drawer is sorted.
     std::vector<std::size_t> begin(mesh_.points.size() + 1, 0);
-    for_each_face([&](Index smallest, const Face&) { ++begin[static_cast<std::size_t>(smallest) + 1]; });
+    for_each_face(
+        [&](Index smallest, const Face&) { ++begin[static_cast<std::size_t>(smallest) + 1]; });
     for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
     std::vector<Face> files(begin.back());
     std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
@@ -153,7 +156,8 @@ class Validator {
         const auto& f = faces[corner];
         std::array<Index, 3> v{tet[f[0]], tet[f[1]], tet[f[2]]};
         const auto side = static_cast<std::int8_t>(sort_three(v) * sound_[t]);
-        visit(v[0], Face{v[1], v[2], static_cast<Index>(t), static_cast<std::int8_t>(corner), side});
+        visit(v[0],
+              Face{v[1], v[2], static_cast<Index>(t), static_cast<std::int8_t>(corner), side});
       }
     }
   }
@@ -205,8 +209,8 @@ class Validator {
               cell(first[1]) + face());
     } else if (first[0].side == first[1].side) {
       add(Kind::overlapping_cells, where(first[1]),
-          cell(first[1]) + " and " + cell(first[0]) + " overlap: they lie on the same side of a face" +
-              face());
+          cell(first[1]) + " and " + cell(first[0]) +
+              " overlap: they lie on the same side of a face" + face());
     }
   }
 
@@ -223,9 +227,8 @@ std::size_t repair_orientation(TetMesh& mesh) {
   std::size_t turned = 0;
   for (auto& tet : mesh.tets) {
     if (!is_in_range(tet, mesh.points.size())) continue;
-    if (!std::all_of(tet.begin(), tet.end(), [&](Index v) {
-          return is_finite(mesh.points[static_cast<std::size_t>(v)]);
-        }))
+    if (!std::all_of(tet.begin(), tet.end(),
+                     [&](Index v) { return is_finite(mesh.points[static_cast<std::size_t>(v)]); }))
       continue;
     if (orientation(mesh, tet) >= 0) continue;
     std::swap(tet[2], tet[3]);

@@ -37,6 +37,26 @@ constexpr auto monomial_exponents() {
   return table;
 }
 
+/// The multinomial coefficients of all monomials: what a monomial coefficient has over the
+/// Bernstein coefficient.
+template <std::size_t Variables, std::size_t Degree>
+constexpr auto multinomials() {
+  const auto table = monomial_exponents<Variables, Degree>();
+  std::array<double, table.size()> result{};
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    std::size_t value = 1, used = 0;
+    for (const auto e : table[row]) {
+      used += e;
+      value *= binomial(used, e);
+    }
+    result[row] = static_cast<double>(value);
+  }
+  return result;
+}
+
+template <std::size_t Variables, std::size_t Degree>
+inline constexpr auto kMultinomials = multinomials<Variables, Degree>();
+
 template <std::size_t Variables, std::size_t Degree>
 inline constexpr auto kExponents = monomial_exponents<Variables, Degree>();
 
@@ -78,6 +98,8 @@ template <class Scalar, std::size_t Variables, std::size_t Degree>
 struct BarycentricPolynomial {
   static constexpr std::size_t size = detail::binomial(Degree + Variables - 1, Variables - 1);
   static constexpr const auto& exponents = detail::kExponents<Variables, Degree>;
+  /// Coefficient i is this many times the Bernstein coefficient.
+  static constexpr const auto& multinomials = detail::kMultinomials<Variables, Degree>;
 
   std::array<Scalar, size> coefficients{};
 

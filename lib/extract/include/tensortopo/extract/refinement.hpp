@@ -64,6 +64,8 @@ class Refinement {
     return u < v ? (EdgeKey{u} << 32 | v) : (EdgeKey{v} << 32 | u);
   }
   bool is_simple(Cell& cell);
+  template <std::size_t Part>
+  SimplexProof<Scalar, Part> prove(const std::array<std::uint32_t, Part>& part) const;
   bool edges_are_simple(const Cell& cell);
   bool faces_are_simple(const Cell& cell) const;
   bool has_hanging_vertex(const Cell& cell) const;

@@ -24,42 +24,58 @@ template <class Scalar, std::size_t Vertices>
 struct SimplexProof {
   enum class Kind { none, empty, monotone } kind = Kind::none;
   std::array<Scalar, Vertices> direction{};  ///< barycentric, sums to zero; if monotone
+  bool hidden_by_rounding = false;  ///< kind is none, but more precision may prove more
 };
 
 namespace detail {
 
-/// True if all coefficients are above (sign > 0) or below (sign < 0) the error bound.
+/// Whether all Bernstein coefficients have the sign given: positive if they do, negative if one
+/// certainly does not, unknown if rounding may decide. `bound` is the error of a Bernstein
+/// coefficient.
 template <class Polynomial, class Scalar>
-bool has_strict_sign(const Polynomial& p, int sign, const Scalar& bound) {
-  for (const auto& c : p.coefficients)
-    if (!(sign > 0 ? c > bound : c < -bound)) return false;
-  return true;
+Verdict has_strict_sign(const Polynomial& p, int sign, const Scalar& bound) {
+  Verdict verdict = Verdict::positive;
+  for (std::size_t i = 0; i < p.size; ++i) {
+    const Scalar limit = Scalar(p.multinomials[i]) * bound;
+    const Scalar c = sign > 0 ? p.coefficients[i] : -p.coefficients[i];
+    if (c < -limit) return Verdict::negative;
+    if (!(c > limit)) verdict = Verdict::unknown;
+  }
+  return verdict;
 }
 
-/// The error bounds. With N^2 the largest P of the vertices, |P_ij| <= N^2 and the polar forms of
-/// 6 Q are at most 6 N^3 / sqrt(2) in value; evaluated in absolute values they stay below 190 N^3.
-/// No coefficient passes through more than 60 roundings. Summing products of absolute values:
-/// 6 Q: multinomial 6 * 190; the form of degree 4, |d| <= 1: below 1.5e6 N^5; of degree 6: below
-/// 1.2e7 N^6. The constants include the 60 roundings.
-inline constexpr double kDeterminantBound = 7e4;
-inline constexpr double kIncreaseBound = 9e7;
-inline constexpr double kGeneralizedBound = 7.2e8;
+/// Bounds on the rounding error of Bernstein coefficients, in units of `rounding_unit`, for a
+/// largest vertex norm N = sqrt(P) of one. Evaluated in absolute values,
+/// - a polar form P(S, T) stays below 3 N^2: its diagonal part below three times that of P;
+/// - a polar adjugate of S, T stays below 2 |S| |T| in Frobenius norm (each of its nine entries sums
+///   four products, each product occurs in one entry only), so one of 6 Q stays below
+///   2 (sqrt(3) N)^3 < 10.4 N^3;
+/// - of the form of degree 4 along d, |d_i| <= 1: 2 * 3 * (3 * 4 * 10.4) + 3 * 10.4 * (2 * 4 * 3) =
+///   1500 N^5;
+/// - of the form of degree 6: 10.4^2 + 18 * 3^3 = 595 N^6.
+/// A result passes through at most 20 roundings for 6 Q and 50 for the forms made of it.
+inline constexpr double kDeterminantBound = 20 * 10.4;
+inline constexpr double kIncreaseBound = 50 * 1500;
+inline constexpr double kGeneralizedBound = 50 * 595;
 
+/// Positive if the level is proved not to meet the simplex, unknown if rounding hides it.
 template <class Scalar, std::size_t Vertices>
-bool is_empty(const ModeForms<Scalar, Vertices>& forms, const Level<Scalar>& level,
-              const Scalar& norm) {
+Verdict is_empty(const ModeForms<Scalar, Vertices>& forms, const Level<Scalar>& level,
+                 const Scalar& norm) {
   const Scalar u = rounding_unit(norm), cube = norm * norm * norm;
-  if (has_strict_sign(forms.determinant, -level.sign, Scalar(kDeterminantBound) * u * cube))
-    return true;
+  const Verdict opposite =
+      has_strict_sign(forms.determinant, -level.sign, Scalar(kDeterminantBound) * u * cube);
+  if (opposite == Verdict::positive) return opposite;
   const auto form = generalized_mode_form(forms, level.mu_squared);
-  const Scalar bound = Scalar(kGeneralizedBound) * u * cube * cube;
   const int sign = form.coefficients[0] > Scalar(0) ? 1 : -1;
-  return has_strict_sign(form, sign, bound);
+  const Verdict strict = has_strict_sign(form, sign, Scalar(kGeneralizedBound) * u * cube * cube);
+  return strict == Verdict::negative && opposite == Verdict::unknown ? opposite : strict;
 }
 
+/// Positive if the mode is proved to increase along d, unknown if rounding hides it.
 template <class Scalar, std::size_t Vertices>
-bool increases_along(const ModeForms<Scalar, Vertices>& forms,
-                     const std::array<Scalar, Vertices>& d, const Scalar& norm) {
+Verdict increases_along(const ModeForms<Scalar, Vertices>& forms,
+                        const std::array<Scalar, Vertices>& d, const Scalar& norm) {
   const Scalar bound =
       Scalar(kIncreaseBound) * rounding_unit(norm) * norm * norm * norm * norm * norm;
   return has_strict_sign(mode_increase_form(forms, d), 1, bound);
@@ -134,38 +150,52 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   if (!(norm > Scalar(0))) return proof;
   const auto forms = mode_forms(tensors);
   proof.direction = detail::central_direction(tensors);
-  if (detail::increases_along(forms, proof.direction, norm))
+  const Verdict increases = detail::increases_along(forms, proof.direction, norm);
+  if (increases == Verdict::positive) {
     proof.kind = Proof::Kind::monotone;
-  else if (detail::is_empty(forms, level, norm))
-    proof.kind = Proof::Kind::empty;
+    return proof;
+  }
+  const Verdict empty = detail::is_empty(forms, level, norm);
+  if (empty == Verdict::positive) proof.kind = Proof::Kind::empty;
+  proof.hidden_by_rounding = empty != Verdict::positive &&
+                             (increases == Verdict::unknown || empty == Verdict::unknown);
   return proof;
 }
 
-/// True if it is proved that an edge holds at most one point of the level: the mode is monotone
-/// along it, or the degree-six form has at most one sign change (Descartes), or none at all.
+/// Positive if it is proved that an edge holds at most one point of the level: the mode is monotone
+/// along it, or the degree-six form changes sign at most once (Descartes). Unknown if rounding hides
+/// it.
 template <class Scalar>
-bool has_at_most_one_crossing(const std::array<Deviator<Scalar>, 2>& tensors,
-                              const Level<Scalar>& level) {
-  if (screen::excludes(rounded(tensors), level.lode_angle)) return true;
+Verdict has_at_most_one_crossing(const std::array<Deviator<Scalar>, 2>& tensors,
+                                 const Level<Scalar>& level) {
+  if (screen::excludes(rounded(tensors), level.lode_angle)) return Verdict::positive;
   const Scalar norm = largest_norm(tensors);
-  if (!(norm > Scalar(0))) return false;
+  if (!(norm > Scalar(0))) return Verdict::negative;
   const auto forms = mode_forms(tensors);
   const std::array<Scalar, 2> along{Scalar(-1), Scalar(1)};
   const Scalar u = rounding_unit(norm), n2 = norm * norm;
   const auto increase = mode_increase_form(forms, along);
   const Scalar bound = Scalar(detail::kIncreaseBound) * u * n2 * n2 * norm;
-  if (detail::has_strict_sign(increase, 1, bound) || detail::has_strict_sign(increase, -1, bound))
-    return true;
+  const int direction = increase.coefficients[0] > Scalar(0) ? 1 : -1;
+  const Verdict monotone = detail::has_strict_sign(increase, direction, bound);
+  if (monotone == Verdict::positive) return monotone;
   const auto form = generalized_mode_form(forms, level.mu_squared);
   const Scalar uncertain = Scalar(detail::kGeneralizedBound) * u * n2 * n2 * n2;
   int changes = 0, last = 0;
-  for (const auto& c : form.coefficients) {
-    const int sign = c > uncertain ? 1 : c < -uncertain ? -1 : 0;
-    if (sign == 0) return false;
+  bool certain = true;
+  for (std::size_t i = 0; i < form.size; ++i) {
+    const Scalar limit = Scalar(form.multinomials[i]) * uncertain;
+    const auto& c = form.coefficients[i];
+    const int sign = c > limit ? 1 : c < -limit ? -1 : 0;
+    if (sign == 0) {
+      certain = false;
+      continue;
+    }
     if (last != 0 && sign != last) ++changes;
     last = sign;
   }
-  return changes <= 1;
+  if (changes > 1) return monotone == Verdict::unknown ? monotone : Verdict::negative;
+  return certain ? Verdict::positive : Verdict::unknown;
 }
 
 }  // namespace tensortopo

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tensortopo/scalar/scalar_traits.hpp"
+
+namespace tensortopo {
+
+/// A vector of R^3 over any ring. (Eigen would serve for double; exact scalars and enclosures
+/// want nothing but + - *, and a client that includes this file should not pay for more.)
+template <class Scalar>
+struct Vector3 {
+  Scalar x{}, y{}, z{};
+
+  constexpr Vector3& operator+=(const Vector3& v) {
+    x = x + v.x, y = y + v.y, z = z + v.z;
+    return *this;
+  }
+  friend constexpr Vector3 operator+(const Vector3& u, const Vector3& v) {
+    return {u.x + v.x, u.y + v.y, u.z + v.z};
+  }
+  friend constexpr Vector3 operator-(const Vector3& u, const Vector3& v) {
+    return {u.x - v.x, u.y - v.y, u.z - v.z};
+  }
+  friend constexpr Vector3 operator-(const Vector3& v) { return {-v.x, -v.y, -v.z}; }
+  friend constexpr Vector3 operator*(const Scalar& k, const Vector3& v) {
+    return {k * v.x, k * v.y, k * v.z};
+  }
+  friend bool operator==(const Vector3&, const Vector3&) = default;
+};
+
+/// Euclidean inner product.
+template <class Scalar>
+constexpr Scalar dot(const Vector3<Scalar>& u, const Vector3<Scalar>& v) {
+  return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
+/// Right-handed cross product.
+template <class Scalar>
+constexpr Vector3<Scalar> cross(const Vector3<Scalar>& u, const Vector3<Scalar>& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+}  // namespace tensortopo

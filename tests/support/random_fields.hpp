@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo::test {
+
+using TetTensors = std::array<SymmetricTensor<double>, 4>;
+
+/// Seeded random numbers that are the same on every platform.
+///
+/// The standard fixes the engine but neither the distributions nor the last digits of log and
+/// cos, so normal variates come from a Box-Muller step that is rounded to 24 bits after the point
+/// and then filled with random lower bits.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  /// Uniform in [0, 1), a multiple of 2^-53.
+  double uniform();
+  /// Standard normal.
+  double normal();
+  /// Uniform integer in [low, high].
+  int integer(int low, int high);
+
+  /// Six independent standard normal components.
+  SymmetricTensor<double> tensor();
+  /// Four independent tensors: the hardest linear fields, with no smoothness to lean on.
+  TetTensors tet_tensors();
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// One tetrahedron with vertices 0, e_x, e_y, e_z and these tensors.
+TetMesh reference_tet_mesh(const TetTensors& tensors);
+
+/// One tetrahedron with these vertices, reordered if needed so that it is positively oriented.
+TetMesh single_tet_mesh(const std::array<Vector3<double>, 4>& points, const TetTensors& tensors);
+
+/// The cube [0, n]^3 cut in unit cubes of six tetrahedra each, positively oriented and
+/// conforming; tensors zero.
+TetMesh cube_mesh(int n);
+
+/// Gives every vertex an independent normal tensor.
+void fill_with_normal_tensors(TetMesh& mesh, std::uint64_t seed);
+
+/// Gives every vertex the value of one smooth random field: a constant and `waves` plane waves
+/// with normal tensor amplitudes and wave lengths of at least `shortest`.
+void fill_with_smooth_tensors(TetMesh& mesh, std::uint64_t seed, int waves = 4,
+                              double shortest = 4);
+
+/// The tensor with every entry rounded to so many binary places after the point.
+SymmetricTensor<double> rounded(const SymmetricTensor<double>& t, int places);
+
+/// Number, tensor, four tensors as text that reads back bit for bit (hexadecimal floats).
+std::string exact_text(double value);
+std::string exact_text(const SymmetricTensor<double>& t);
+std::string exact_text(const TetTensors& tensors);
+
+}  // namespace tensortopo::test
