@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace tensortopo {
+
+/// A file that cannot be read, means nothing, or cannot be written.
+///
+/// Laws      what() is one printable line, "FILE: what is wrong (where)".
+class IoError : public std::runtime_error {
+ public:
+  enum class Kind {
+    unreadable,  ///< the operating system gives no bytes
+    invalid,     ///< the bytes are not what they should be
+    unwritable,  ///< the bytes could not be stored, or the format cannot hold them
+  };
+
+  IoError(Kind kind, std::filesystem::path file, const std::string& problem);
+
+  Kind kind() const noexcept { return kind_; }
+  const std::filesystem::path& file() const noexcept { return file_; }
+
+ private:
+  Kind kind_;
+  std::filesystem::path file_;
+};
+
+}  // namespace tensortopo

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo {
+
+/// The order in which a file lists the six components of a symmetric tensor.
+enum class ComponentOrder {
+  vtk,     ///< XX YY ZZ XY YZ XZ
+  voigt,   ///< XX YY ZZ YZ XZ XY
+  abaqus,  ///< XX YY ZZ XY XZ YZ
+};
+
+struct ReadOptions {
+  /// Name of the tensor array; empty for the only array that has 6 or 9 components.
+  std::string tensor;
+  /// Order of 6 components; empty for VTK's (refused if the file names another order).
+  std::optional<ComponentOrder> components;
+  /// Take (T + T^t) / 2 of a 3x3 tensor that is asymmetric by more than 1e-9 of its norm.
+  bool symmetrize = false;
+  /// Let a tensor on cells stand: each vertex gets the plain mean over the 3D cells around it.
+  bool cell_to_point = false;
+  /// Split other linear 3D cells into tetrahedra.
+  bool tetrahedralize = false;
+};
+
+/// What reading did beyond copying; all counts are zero for a plain file.
+struct ReadReport {
+  std::string tensor_name;
+  std::size_t skipped_cells_2d_1d = 0;  ///< points, lines, faces
+  std::size_t skipped_ghost_cells = 0;  ///< marked as another piece's by `vtkGhostType`
+  std::size_t split_cells = 0;          ///< cells that became several tetrahedra
+  std::size_t reoriented_cells = 0;     ///< negative volume as listed; see repair_orientation
+  std::size_t symmetrized_tensors = 0;  ///< xy and yx (or another pair) differed
+  std::size_t averaged_vertices = 0;    ///< got their tensor from cells
+  std::size_t merged_points = 0;        ///< points dropped as copies of another piece's
+  std::size_t unreferenced_points = 0;  ///< in no tetrahedron; kept
+  std::vector<std::string> notes;       ///< the same for people, one line each
+};
+
+struct ReadResult {
+  TetMesh mesh;
+  ReadReport report;
+  /// SHA-256 of the file's bytes, in hexadecimal; of a .pvtu: of its bytes followed by the bytes
+  /// of its pieces, in order.
+  std::string sha256;
+};
+
+/// The tetrahedral mesh and tensor field that a `.vtu`, `.pvtu` or legacy `.vtk` file holds.
+///
+/// Laws      (1) the numbers are exactly those of the file: float32 and integers are widened, and
+///           text is rounded once, to the type that the file declares; (2) the mesh passes
+///           `validate`; (3) the result depends on the bytes only; (4) any bytes whatever give a
+///           result or an IoError, with memory in proportion to the file.
+/// Tensors   9 components are a row-major 3x3 matrix; a pair that differs within the tolerance is
+///           replaced by its mean. 6 components are in `options.components` order. Tensors that
+///           belong to points win over tensors that belong to cells.
+/// Cells     Splitting joins each cell's smallest vertex to the faces away from it, and each face
+///           is split from its own smallest vertex, so cells that share a face agree on it. Parts
+///           of a cell with coinciding corners that have no volume are left out. Quadratic and
+///           polyhedral cells are refused. `cell_ids` count the cells of the file from 0 (of a
+///           file in pieces: through all pieces in order).
+/// Pieces    Points of different pieces that agree in position and tensor become one. Equal
+///           position and different tensors is an error: the field would be torn there.
+/// Throws    IoError, `unreadable` or `invalid`.
+ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options = {});
+
+}  // namespace tensortopo

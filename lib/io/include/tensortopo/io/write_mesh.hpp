@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo {
+
+/// Writes a field as .vtu: raw appended zlib, 6 components XX YY ZZ XY YZ XZ named so.
+///
+/// Laws      read_mesh gives back points, tensors and tetrahedra bit for bit (if the mesh is valid
+///           and positively oriented); `cell_ids` are numbered anew. Whole or not at all.
+/// Throws    IoError (`unwritable`), std::invalid_argument.
+void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
+                const std::string& tensor_name = "stress");
+
+}  // namespace tensortopo

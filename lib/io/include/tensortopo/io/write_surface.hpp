@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tensortopo/mesh/surface_mesh.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo {
+
+/// What a written file holds.
+struct WriteReport {
+  std::uintmax_t bytes = 0;
+  std::vector<std::string> arrays;  ///< data arrays besides the geometry (.vtp only)
+};
+
+/// Writes a surface in the format that the file's extension names.
+///
+/// | extension | holds                                              | coordinates               |
+/// | .vtp      | all arrays that the surface has, zlib              | exact                     |
+/// | .ply      | geometry, binary little endian, double             | exact                     |
+/// | .obj .off | geometry, shortest decimals that read back exactly | exact                     |
+/// | .stl      | geometry, binary                                   | rounded to float32        |
+///
+/// The arrays of a .vtp are point data `mode`, `medium_eigenvector`, `dominant_eigenvector`,
+/// `normal`, `residual` and cell data `tet` (id of the cell in the input, from
+/// `mesh.cell_ids`), `component`; those that are empty in `surface` are left out.
+///
+/// Laws      (1) equal surfaces give equal bytes; (2) the file appears whole or not at all: it is
+///           written under another name beside its own, then renamed; (3) on failure nothing is
+///           left behind, and a file that was there before is untouched.
+/// Requires  each array empty or of full length, and indices in range.
+/// Throws    IoError (`unwritable`; an unknown extension is one), std::invalid_argument.
+WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
+                          const std::filesystem::path& file);
+
+}  // namespace tensortopo

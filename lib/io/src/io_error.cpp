@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/io/io_error.hpp"
+
+#include <utility>
+
+namespace tensortopo {
+namespace {
+
+/// Names in files are anything: keep a message to one printable line of bearable length.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  constexpr std::size_t longest = 2000;
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  return text;
+}
+
+}  // namespace
+
+IoError::IoError(Kind kind, std::filesystem::path file, const std::string& problem)
+    : std::runtime_error(printable(file.string() + ": " + problem)),
+      kind_(kind),
+      file_(std::move(file)) {}
+
+}  // namespace tensortopo

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/io/read_mesh.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "assemble_cells.hpp"
+#include "input_file.hpp"
+#include "merge_points.hpp"
+#include "raw_grid.hpp"
+#include "read_legacy.hpp"
+#include "read_vtu.hpp"
+#include "sha256.hpp"
+#include "tensor_array.hpp"
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/mesh/validate.hpp"
+
+namespace tensortopo {
+namespace {
+
+using namespace detail;
+
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::vector<RawGrid> read_pieces(const std::shared_ptr<const InputFile>& index, Sha256& sum) {
+  std::vector<RawGrid> grids;
+  for (const auto& path : read_pvtu(index)) {
+    const auto piece = load(path);
+    sum.add(piece->bytes);
+    for (RawGrid& grid : read_vtu(piece)) grids.push_back(std::move(grid));
+  }
+  return grids;
+}
+
+std::vector<RawGrid> read_grids(const std::filesystem::path& path, std::string& sha256) {
+  const std::string extension = lower_extension(path);
+  if (extension != ".vtu" && extension != ".pvtu" && extension != ".vtk")
+    throw IoError(IoError::Kind::invalid, path,
+                  "has the unknown extension \"" + extension + "\"; known are .vtu, .pvtu, .vtk");
+  const auto file = load(path);
+  Sha256 sum;
+  sum.add(file->bytes);
+  std::vector<RawGrid> grids;
+  if (extension == ".vtu") grids = read_vtu(file);
+  if (extension == ".pvtu") grids = read_pieces(file, sum);
+  if (extension == ".vtk") grids.push_back(read_legacy(file));
+  sha256 = sum.hex();
+  return grids;
+}
+
+void check(const std::filesystem::path& file, const TetMesh& mesh) {
+  if (mesh.tets.empty()) throw IoError(IoError::Kind::invalid, file, "has no tetrahedra");
+  if (mesh.tets.size() > INT32_MAX)
+    throw IoError(IoError::Kind::invalid, file, "has too many tetrahedra");
+  const std::vector<MeshDefect> defects = validate(mesh);
+  if (defects.empty()) return;
+  std::string text = defects.front().text;
+  if (defects.size() > 1)
+    text += "; " + std::to_string(defects.size() - 1) + " more defects" +
+            (defects.size() >= 1000 ? " at least" : "");
+  throw IoError(IoError::Kind::invalid, file, text);
+}
+
+void write_notes(ReadReport& report) {
+  const auto note = [&](std::size_t count, const char* what) {
+    if (count > 0) report.notes.push_back(std::to_string(count) + " " + what);
+  };
+  note(report.skipped_cells_2d_1d, "cells of dimension below 3 skipped");
+  note(report.skipped_ghost_cells, "ghost cells skipped");
+  note(report.split_cells, "cells split into tetrahedra");
+  note(report.reoriented_cells, "tetrahedra of negative volume turned around");
+  note(report.symmetrized_tensors, "tensors symmetrized");
+  note(report.averaged_vertices, "vertices given the mean of the cells around them");
+  note(report.merged_points, "points merged where pieces meet");
+  note(report.unreferenced_points, "points belong to no tetrahedron");
+}
+
+ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
+  ReadResult result;
+  TetMesh& mesh = result.mesh;
+  ReadReport& report = result.report;
+  const std::vector<RawGrid> grids = read_grids(file, result.sha256);
+
+  const TensorChoice choice = choose_tensor(grids, options);
+  report.tensor_name = choice.name;
+  std::vector<std::vector<SymmetricTensor<double>>> tensors(grids.size());
+  std::size_t points = 0;
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    points += grids[k].points();
+    const std::size_t expected = choice.on_cells ? grids[k].cells() : grids[k].points();
+    if (expected > 0)
+      tensors[k] = read_tensors(grids[k], choice, options, report.symmetrized_tensors);
+  }
+
+  const std::vector<std::vector<SymmetricTensor<double>>> none;
+  const VertexMap map = merge_points(grids, choice.on_cells ? none : tensors, mesh);
+  report.merged_points = points - mesh.points.size();
+  assemble_cells(grids, map, choice.on_cells ? tensors : none, options, mesh, report);
+  check(file, mesh);
+  report.unreferenced_points = count_unreferenced_points(mesh);
+  write_notes(report);
+  return result;
+}
+
+}  // namespace
+
+ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
+  try {
+    return read(file, options);
+  } catch (const std::bad_alloc&) {
+    throw IoError(IoError::Kind::invalid, file, "is too large for this machine's memory");
+  } catch (const std::length_error&) {
+    throw IoError(IoError::Kind::invalid, file, "is too large for this machine's memory");
+  }
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/io/write_surface.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <stdexcept>
+
+#include "atomic_file.hpp"
+#include "surface_formats.hpp"
+#include "tensortopo/io/io_error.hpp"
+
+namespace tensortopo {
+namespace {
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(std::string("write_surface: ") + what);
+}
+
+template <class Values>
+bool fits(const Values& values, std::size_t size) {
+  return values.empty() || values.size() == size;
+}
+
+void check(const SurfaceMesh& s, const TetMesh& mesh) {
+  const std::size_t points = s.points.size();
+  require(fits(s.medium_eigenvector, points) && fits(s.dominant_eigenvector, points) &&
+              fits(s.normal, points) && fits(s.mode, points) && fits(s.residual, points),
+          "an array is not one for each point");
+  require(fits(s.tet, s.triangles.size()) && fits(s.component, s.triangles.size()),
+          "an array is not one for each triangle");
+  const auto below = [](auto index, std::size_t size) {
+    return index >= 0 && static_cast<std::size_t>(index) < size;
+  };
+  for (const auto& t : s.triangles)
+    for (const auto v : t)
+      require(below(v, points), "a triangle names a point that does not exist");
+  for (const auto t : s.tet)
+    require(below(t, mesh.cell_ids.size()), "a triangle names a tetrahedron that does not exist");
+}
+
+}  // namespace
+
+WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
+                          const std::filesystem::path& file) {
+  using Format = std::string (*)(const SurfaceMesh&);
+  static const std::map<std::string, Format> formats{{".obj", detail::to_obj},
+                                                     {".off", detail::to_off},
+                                                     {".ply", detail::to_ply},
+                                                     {".stl", detail::to_stl},
+                                                     {".vtp", nullptr}};
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto format = formats.find(extension);
+  if (format == formats.end()) {
+    std::string known;
+    for (const auto& [name, unused] : formats) known += (known.empty() ? "" : ", ") + name;
+    throw IoError(IoError::Kind::unwritable, file,
+                  "has the unknown extension \"" + extension + "\"; known are " + known);
+  }
+  check(surface, mesh);
+
+  WriteReport report;
+  std::string bytes;
+  try {
+    bytes = format->second != nullptr ? format->second(surface)
+                                      : detail::to_vtp(surface, mesh, report.arrays);
+  } catch (const std::range_error& error) {
+    throw IoError(IoError::Kind::unwritable, file,
+                  std::string("cannot be written: ") + error.what());
+  }
+  detail::write_atomically(file, bytes);
+  report.bytes = bytes.size();
+  return report;
+}
+
+}  // namespace tensortopo
