@@ -16,6 +16,12 @@ bool same(const FaceTopology& s, const FaceTopology& t) {
   return s.open_arcs == t.open_arcs && s.closed_loops == t.closed_loops;
 }
 
+bool has_handle(const LocalTopology& t) {
+  return std::any_of(t.components.begin(), t.components.end(),
+                     [](const ComponentTopology& c) { return c.euler + c.loops < 2; });
+}
+bool has_handle(const FaceTopology&) { return false; }
+
 // Tries one pair of resolutions; `view(mode, n)` is a lattice's view. Empty if the result is
 // accepted, else the reason why not.
 template <class View, class Topology, class Crossings>
@@ -36,10 +42,9 @@ const char* judge(const View& view, double mode, const std::pair<int, int>& rung
     const double lode = std::acos(mode) / 3, end = std::numbers::pi / 3;
     const double shift = options.band * fine.cell_angle * fine.cell_angle;
     const double widened = std::max(shift, fine.cell_angle / 2 - std::min(lode, end - lode));
-    const double less = lode - (lode < end / 2 ? shift : widened);
-    const double more = lode + (lode < end / 2 ? widened : shift);
-    if (!(less > 0 && more < end)) return "the level is almost degenerate";
-    for (const double beside : {less, more}) {
+    const double down = lode < end / 2 ? shift : widened, up = lode < end / 2 ? widened : shift;
+    if (!(lode - down > 0 && lode + up < end)) return "the level is almost degenerate";
+    for (const double beside : {lode - down / 3, lode + up / 3, lode - down, lode + up}) {
       if (!same(view(std::cos(3 * beside), rung.second).topology, fine.topology)) {
         return "a level nearby differs";
       }
@@ -48,13 +53,28 @@ const char* judge(const View& view, double mode, const std::pair<int, int>& rung
   return "";
 }
 
+// Whether the field has the mode m, or no deviator, all over the simplex: at so many points
+// inside that a polynomial of the degree of the level cannot vanish at all of them by accident.
+bool lies_on_level(const LevelQuestion& question) {
+  constexpr std::int64_t n = 10;
+  const bool is_tet = question.size() == 4;
+  for (std::int64_t i = 1; i < n; ++i) {
+    for (std::int64_t j = 1; i + j < n; ++j) {
+      for (std::int64_t k = is_tet ? 1 : 0; k <= (is_tet ? n - 1 - i - j : 0); ++k) {
+        if (question.sign(std::array<std::int64_t, 4>{n - i - j - k, i, j, k}) != 0) return false;
+      }
+    }
+  }
+  return true;
+}
+
 template <class Topology, class View, class Corners>
 std::optional<Topology> climb(const View& view, const Corners& corners, double mode, int factor,
                               const BruteForceOptions& options, BruteForceTrace* trace) {
   Topology result;
   auto exact_crossings = result.edge_crossings;
+  const LevelQuestion question(corners, mode);
   if (options.check_edges) {
-    const LevelQuestion question(corners, mode);
     std::size_t edge = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
@@ -65,12 +85,22 @@ std::optional<Topology> climb(const View& view, const Corners& corners, double m
   BruteForceTrace local;
   BruteForceTrace& told = trace != nullptr ? *trace : local;
   told = {};
+  if (lies_on_level(question)) {
+    told.refused = "the whole simplex lies on the level";
+    return std::nullopt;
+  }
+  std::optional<Topology> unconfirmed;
   for (const auto& [coarse, fine] : options.ladder) {
     const std::pair<int, int> rung{factor * coarse, factor * fine};
     told.resolution = rung.second;
     ++told.rungs;
     told.refused = judge(view, mode, rung, exact_crossings, options, result);
-    if (*told.refused == '\0') return result;
+    if (*told.refused != '\0') continue;
+    if (!options.confirm_handles || !has_handle(result) ||
+        (unconfirmed && same(*unconfirmed, result)))
+      return result;
+    told.refused = "a handle was seen once only";
+    unconfirmed = result;
   }
   return std::nullopt;
 }

@@ -55,14 +55,17 @@ struct BruteForceOptions {
   /// Pairs of resolutions, tried in this order until a pair is accepted.
   std::vector<std::pair<int, int>> ladder{{48, 64}, {96, 128}, {192, 256}, {288, 384}};
   /// The finer lattice must show the same topology also at the levels whose Lode angle is this
-  /// many squared cell angles to either side; 0 switches the test off. Caps and necks too small
-  /// for the lattice lie at levels that close. (Near mode -1 or 1 also at the level where tubes
-  /// are half a cell angle wide, if that is farther.)
+  /// many squared cell angles to either side, and at a third of that; 0 switches the test off. Caps
+  /// and necks too small for the lattice lie at levels that close. (Near mode -1 or 1 also at the
+  /// level where tubes are half a cell angle wide, if that is farther.)
   double band = 0.15;
   /// The finer lattice must have a cell angle (radians) below this.
   double max_cell_angle = 0.5;
   /// Crossings on the edges must agree with their exact count.
   bool check_edges = true;
+  /// If some component has a handle, two pairs must be accepted, with the same answer: a sheet
+  /// thinner than the lattice gets holes at random, and they look like handles.
+  bool confirm_handles = true;
 };
 
 /// Why and where an answer was given or refused.

@@ -44,7 +44,7 @@ LevelQuestion::LevelQuestion(std::span<const ExactDeviator> corners, double mode
   signed_square_ = static_cast<long double>(mode) * std::abs(mode);
 }
 
-bool LevelQuestion::is_above(std::span<const std::int64_t> weights) const {
+int LevelQuestion::sign(std::span<const std::int64_t> weights) const {
   Five<long double> t{};
   long double bound = 0;
   for (std::size_t i = 0; i < size_; ++i) {
@@ -59,12 +59,12 @@ bool LevelQuestion::is_above(std::span<const std::int64_t> weights) const {
   if (p > 0) {
     const long double relative = 4 * unit * bound / std::sqrt(p);
     const long double g = level_form(p, cubic_form(t), signed_square_);
-    if (std::abs(g) > (arithmetic + 64 * relative) * p * p * p) return g > 0;
+    if (std::abs(g) > (arithmetic + 64 * relative) * p * p * p) return g > 0 ? 1 : -1;
   }
-  return is_above_exactly(weights);
+  return exact_sign(weights);
 }
 
-bool LevelQuestion::is_above_exactly(std::span<const std::int64_t> weights) const {
+int LevelQuestion::exact_sign(std::span<const std::int64_t> weights) const {
   Five<Rational> t;
   for (std::size_t c = 0; c < 5; ++c) {
     t[c] = Rational(0);
@@ -73,7 +73,8 @@ bool LevelQuestion::is_above_exactly(std::span<const std::int64_t> weights) cons
     }
   }
   const Rational m(mode_), signed_square = mode_ < 0 ? Rational(-(m * m)) : Rational(m * m);
-  return level_form<Rational>(square_norm(t), cubic_form(t), signed_square) > 0;
+  const Rational g = level_form<Rational>(square_norm(t), cubic_form(t), signed_square);
+  return g > 0 ? 1 : g < 0 ? -1 : 0;
 }
 
 namespace {

@@ -59,7 +59,10 @@ class LevelQuestion {
   LevelQuestion(std::span<const ExactDeviator> corners, double mode);
 
   /// Whether mode(sum of weights[i] * corner i) > m. Weights must not all be zero.
-  bool is_above(std::span<const std::int64_t> weights) const;
+  bool is_above(std::span<const std::int64_t> weights) const { return sign(weights) > 0; }
+
+  /// The sign of mode(sum of weights[i] * corner i) - m; 0 also where the deviator vanishes.
+  int sign(std::span<const std::int64_t> weights) const;
 
   double mode() const { return mode_; }
   /// Number of corners.
@@ -68,7 +71,7 @@ class LevelQuestion {
   const Five<long double>& corner(std::size_t i) const { return rounded_[i]; }
 
  private:
-  bool is_above_exactly(std::span<const std::int64_t> weights) const;
+  int exact_sign(std::span<const std::int64_t> weights) const;
 
   std::size_t size_;
   std::array<ExactDeviator, 4> corners_{};

@@ -39,7 +39,7 @@ struct TetCase {
   Fraction mode;
   std::vector<ComponentTopology> components;  ///< sorted
   int edge_crossings = 0;                     ///< on all six edges
-  /// Thin enough that lattices coarser than about 150 intervals an edge get it wrong.
+  /// Thin enough that lattices coarser than about 110 intervals an edge get it wrong.
   bool thin = false;
 };
 

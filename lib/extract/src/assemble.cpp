@@ -217,8 +217,9 @@ Extraction Pipeline<Scalar>::assemble() {
       ++statistics_.tets_refined;
     else
       ++statistics_.tets_monotone;
-    (state.from_leaves ? statistics_.sheets_leaves : statistics_.sheets_small) +=
-        state.plan->sheets.size();
+    (state.method == Method::leaves     ? statistics_.sheets_leaves
+     : state.method == Method::manifold ? statistics_.sheets_manifold
+                                        : statistics_.sheets_small) += state.plan->sheets.size();
   }
   return result;
 }

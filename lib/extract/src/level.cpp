@@ -25,6 +25,7 @@ Level<Scalar> make_level(const ModeValue& value) {
     std::swap(level.eigenvalues[0], level.eigenvalues[2]);
     for (auto& lambda : level.eigenvalues) lambda = -lambda;
   }
+  level.parameter = mode_parameter<double>(value);
   level.lode_angle = std::acos(value.approx()) / 3;
   return level;
 }

@@ -183,15 +183,26 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   return state.plan.has_value();
 }
 
+/// The method at hand failed: the manifold's comes next, then the leaves of the proof.
 template <class Scalar>
-void Pipeline<Scalar>::want_leaves(std::size_t t) {
+void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
   const auto tet = tet_with_curves(t);
-  if (!add_leaves(tet, level_, *state.plan)) {
-    state.unresolved = UnresolvedReason::budget_exhausted;
+  if (state.method == Method::small_disc) {
+    state.manifold = tet_manifold(tet, level_);
+    state.method = Method::manifold;
+    if (state.manifold) {
+      state.requests =
+          boundary_crossings(*state.manifold, tet, *state.plan, arc_vertices(t, tet), level_);
+      return;
+    }
+  }
+  if (state.method == Method::leaves || !add_leaves(tet, level_, *state.plan)) {
+    state.unresolved = state.method == Method::leaves ? UnresolvedReason::inconsistent_samples
+                                                      : UnresolvedReason::budget_exhausted;
     return;
   }
-  state.from_leaves = true;
+  state.method = Method::leaves;
   state.requests = leaf_requests(tet, level_, *state.plan);
 }
 
@@ -216,6 +227,7 @@ void Pipeline<Scalar>::number_vertices() {
   const auto total = as_size(face_vertex_.back());
   rim_position_.resize(total);
   rim_medium_.resize(total);
+  rim_dominant_.resize(total);
   const auto narrow = [](const Vector3<Scalar>& u) {
     return Vector3<double>{static_cast<double>(u.x), static_cast<double>(u.y),
                            static_cast<double>(u.z)};
@@ -231,7 +243,9 @@ void Pipeline<Scalar>::number_vertices() {
       rim_position_[id] =
           position_at<Scalar, 2>(weights, simplex.exponents,
                                  {mesh_.points[as_size(v[0])], mesh_.points[as_size(v[1])]});
-      rim_medium_[id] = narrow(medium_eigenvector(tensor_at(simplex.tensors, weights), level_));
+      const auto tensor = tensor_at(simplex.tensors, weights);
+      rim_medium_[id] = narrow(medium_eigenvector(tensor, level_));
+      rim_dominant_[id] = narrow(dominant_eigenvector(tensor, level_));
     }
   });
   parallel_stage(options_, "tetrahedra", complex_.faces.size(), 1024, [&](std::size_t f) {
@@ -246,6 +260,7 @@ void Pipeline<Scalar>::number_vertices() {
              field_.exponents[as_size(v[2])]},
             {mesh_.points[as_size(v[0])], mesh_.points[as_size(v[1])],
              mesh_.points[as_size(v[2])]});
+        rim_dominant_[id] = narrow(dominant_eigenvector(sample.tensor, level_));
         rim_medium_[id++] = narrow(sample.medium);
       }
   });
@@ -290,7 +305,7 @@ FaceArcVertices Pipeline<Scalar>::arc_vertices(std::size_t t,
       ArcVertices vertices;
       const auto add = [&](Index id, std::uint8_t faces, double place) {
         vertices.vertices.push_back({id, faces, rim_position_[as_size(id)],
-                                     rim_medium_[as_size(id)]});
+                                     rim_medium_[as_size(id)], rim_dominant_[as_size(id)]});
         vertices.places.push_back(place);
       };
       const auto add_end = [&](const ArcEnd& end, double place) {
@@ -317,17 +332,21 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   state.drawn = {};
   const auto tet = tet_with_curves(t);
   const auto vertices = arc_vertices(t, tet);
+  if (state.method == Method::manifold)
+    return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
+                                    level_, options_.sampling, state.drawn);
   for (const auto& sheet : state.plan->sheets) {
-    if (!state.from_leaves) {
-      if (sheet.loops.size() != 1) return false;
-      const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
-                                     vertices);
-      if (!is_small_disc(sheet, rim, options_.sampling) || !mesh_small_disc(rim, state.drawn))
+    if (state.method == Method::leaves) {
+      if (!mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_,
+                                    state.drawn))
         return false;
-    } else if (!mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_,
-                                         state.drawn)) {
-      return false;
+      continue;
     }
+    if (sheet.loops.size() != 1) return false;
+    const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
+                                   vertices);
+    if (!is_small_disc(sheet, rim, options_.sampling) || !mesh_small_disc(rim, state.drawn))
+      return false;
   }
   return true;
 }
@@ -337,7 +356,7 @@ void Pipeline<Scalar>::draw_tets() {
   // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
   // its neighbours then have as well; so all are drawn again. Few rounds are ever needed.
   std::vector<char> failed(tets_.size());
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < 8; ++round) {
     number_vertices();
     std::fill(failed.begin(), failed.end(), 0);
     parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {
@@ -345,11 +364,7 @@ void Pipeline<Scalar>::draw_tets() {
     });
     bool any = false;
     parallel_stage(options_, "tetrahedra", tets_.size(), 16, [&](std::size_t t) {
-      if (!failed[t]) return;
-      if (tets_[t].from_leaves)
-        tets_[t].unresolved = UnresolvedReason::inconsistent_samples;
-      else
-        want_leaves(t);
+      if (failed[t]) try_next_method(t);
     });
     for (const char f : failed) any |= f != 0;
     if (!any) return;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/extract/manifold_sheets.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
@@ -25,13 +26,17 @@ class Pipeline {
  private:
   using Index = TetMesh::Index;
 
+  /// How the sheets of a tetrahedron are drawn; tried in this order.
+  enum class Method { small_disc, manifold, leaves };
+
   /// What becomes of one tetrahedron of the complex.
   struct TetState {
     std::optional<TetPlan<Scalar>> plan;
-    std::vector<RimRequest<Scalar>> requests;  ///< one for each node of the leaf mesh, if drawn so
+    Method method = Method::small_disc;
+    std::unique_ptr<TetManifold> manifold;     ///< if drawn there
+    std::vector<RimRequest<Scalar>> requests;  ///< samples that the method wants on the faces
     TetTriangles<Scalar> drawn;
     std::optional<UnresolvedReason> unresolved;
-    bool from_leaves = false;
   };
 
   void classify_vertices();
@@ -40,7 +45,7 @@ class Pipeline {
   void trace_faces();
   void plan_tets();
   bool plan_one(std::size_t t);
-  void want_leaves(std::size_t t);
+  void try_next_method(std::size_t t);
   void number_vertices();
   void merge_requests();
   void draw_tets();
@@ -69,7 +74,7 @@ class Pipeline {
   std::vector<Index> face_vertex_;  ///< first output vertex of each face, and the total
 
   std::vector<TetState> tets_;
-  std::vector<Vector3<double>> rim_position_, rim_medium_;  ///< of edge and face vertices
+  std::vector<Vector3<double>> rim_position_, rim_medium_, rim_dominant_;  ///< of edges and faces
 };
 
 }  // namespace tensortopo

@@ -22,6 +22,7 @@ struct Level {
   Scalar sqrt2{};
   std::array<Scalar, 3> eigenvalues{};  ///< of the unit tensor of mode mu, descending
   double lode_angle = 0;                ///< arccos(mu) / 3, for screening
+  ModeParameter<double> parameter;      ///< for the medium eigenvector manifold
 };
 
 template <class Scalar>

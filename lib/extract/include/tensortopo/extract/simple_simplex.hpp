@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "tensortopo/extract/level.hpp"
+#include "tensortopo/extract/likely_direction.hpp"
 #include "tensortopo/extract/mode_forms.hpp"
 #include "tensortopo/extract/screen.hpp"
 
@@ -81,35 +82,6 @@ Verdict increases_along(const ModeForms<Scalar, Vertices>& forms,
   return has_strict_sign(mode_increase_form(forms, d), 1, bound);
 }
 
-/// Gradient of the mode at the centroid, as a barycentric direction of largest entry one.
-template <class Scalar, std::size_t Vertices>
-std::array<Scalar, Vertices> central_direction(
-    const std::array<Deviator<Scalar>, Vertices>& tensors) {
-  Deviator<Scalar> centre = tensors[0];
-  for (std::size_t i = 1; i < Vertices; ++i) centre = centre + tensors[i];
-  const auto m = thrice(centre);
-  const auto adjugate = polar_adjugate(m, m);
-  const Scalar p = norm_form(centre), q3 = inner(adjugate, m) / Scalar(2);
-  std::array<Scalar, Vertices> d;
-  Scalar mean(0);
-  for (std::size_t i = 0; i < Vertices; ++i) {
-    // 2 P dQ - 3 Q dP, up to a factor.
-    d[i] = p * inner(adjugate, thrice(tensors[i])) -
-           Scalar(2) * q3 * norm_form(centre, tensors[i]);
-    mean = mean + d[i];
-  }
-  mean = mean / Scalar(static_cast<int>(Vertices));
-  Scalar largest(0);
-  for (auto& x : d) {
-    x = x - mean;
-    const Scalar size = x < Scalar(0) ? -x : x;
-    if (size > largest) largest = size;
-  }
-  if (largest > Scalar(0))
-    for (auto& x : d) x = x / largest;
-  return d;
-}
-
 }  // namespace detail
 
 /// Largest norm sqrt(P) of the vertex tensors.
@@ -142,18 +114,23 @@ SimplexProof<Scalar, Vertices> prove_simplex(
     const std::array<Deviator<Scalar>, Vertices>& tensors, const Level<Scalar>& level) {
   using Proof = SimplexProof<Scalar, Vertices>;
   Proof proof;
-  if (screen::excludes(rounded(tensors), level.lode_angle)) {
+  const auto in_double = rounded(tensors);
+  if (screen::excludes(in_double, level.lode_angle)) {
     proof.kind = Proof::Kind::empty;
     return proof;
   }
   const Scalar norm = largest_norm(tensors);
   if (!(norm > Scalar(0))) return proof;
   const auto forms = mode_forms(tensors);
-  proof.direction = detail::central_direction(tensors);
-  const Verdict increases = detail::increases_along(forms, proof.direction, norm);
-  if (increases == Verdict::positive) {
-    proof.kind = Proof::Kind::monotone;
-    return proof;
+  Verdict increases = Verdict::negative;
+  for (const auto choice : {DirectionChoice::central, DirectionChoice::cone}) {
+    const auto direction = likely_direction(in_double, choice);
+    for (std::size_t i = 0; i < Vertices; ++i) proof.direction[i] = Scalar(direction[i]);
+    increases = detail::increases_along(forms, proof.direction, norm);
+    if (increases == Verdict::positive) {
+      proof.kind = Proof::Kind::monotone;
+      return proof;
+    }
   }
   const Verdict empty = detail::is_empty(forms, level, norm);
   if (empty == Verdict::positive) proof.kind = Proof::Kind::empty;

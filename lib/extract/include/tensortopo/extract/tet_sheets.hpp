@@ -94,7 +94,8 @@ struct RimVertex {
   std::int32_t id = -1;  ///< in the output
   std::uint8_t faces = 0;
   Vector3<double> position;
-  Vector3<double> medium;
+  Vector3<double> medium;    ///< unit medium eigenvector, sign arbitrary
+  Vector3<double> dominant;  ///< unit dominant eigenvector, sign arbitrary
 };
 
 /// A vertex inside the tetrahedron.

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "tensortopo/tensor/deviator.hpp"
+
+namespace tensortopo {
+
+/// How to guess a direction along which the mode increases on a whole simplex.
+enum class DirectionChoice {
+  central,  ///< the gradient at the centroid: cheap
+  cone,     ///< amid the gradients at the vertices and the centroid
+};
+
+/// A barycentric direction, of sum zero and largest entry one, along which the mode probably
+/// increases. A guess, to be proved: double serves whatever the proof is made in.
+///
+/// On stress fields of half a million tetrahedra the central choice is right for 60 to 80 % of
+/// the crossed ones, the cone for 77 to 88 %.
+template <std::size_t Vertices>
+std::array<double, Vertices> likely_direction(
+    const std::array<Deviator<double>, Vertices>& tensors, DirectionChoice choice);
+
+}  // namespace tensortopo

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tensortopo/extract/tet_sheets.hpp"
+#include "tensortopo/field/characteristic_tensor.hpp"
+#include "tensortopo/manifold/field_lift.hpp"
+#include "tensortopo/manifold/medium_eigenvector_manifold.hpp"
+
+namespace tensortopo {
+
+/// The medium eigenvector manifold of one tetrahedron's linear field, for drawing its sheets as
+/// the paper does (section on extraction inside a tetrahedron). It guides samples and
+/// connectivity only, so double serves; what it draws is checked against the proved topology.
+struct TetManifold {
+  CharacteristicTensor<double> characteristic;
+  MediumEigenvectorManifold<double> manifold;
+  FieldLift<double> lift;  ///< to weights in the scaled vertex tensors
+  int sign;                ///< of the mode
+};
+
+/// Nothing where the parameterization does not apply: fewer than four independent vertex tensors.
+template <class Scalar>
+std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>& tet,
+                                          const Level<Scalar>& level);
+
+/// Where the mode curves on the faces cross the boundary of the complex domain: the places that
+/// become samples of the shared curves. Found by the sign of sigma along the curves, with the
+/// medium eigenvector continued (on a curve the boundary function itself has a double zero).
+template <class Scalar>
+std::vector<RimRequest<Scalar>> boundary_crossings(const TetManifold& manifold,
+                                                   const TetWithCurves<Scalar>& tet,
+                                                   const TetPlan<Scalar>& plan,
+                                                   const FaceArcVertices& vertices,
+                                                   const Level<Scalar>& level);
+
+/// Triangles for all sheets of a tetrahedron, by triangulating the region on the manifold that
+/// its face curves and parts of the complex domain's boundary bound, with samples of a quad grid
+/// inside.
+///
+/// @param crossings the answer of `boundary_crossings`, whose samples must be on the arcs by now
+/// @return false if the samples do not suffice: curves cross in the chart, a crossing is missing,
+///         or the result's topology is not the plan's
+template <class Scalar>
+bool mesh_on_manifold(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+                      const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> crossings,
+                      const FaceArcVertices& vertices, const Level<Scalar>& level,
+                      const Sampling& sampling, TetTriangles<Scalar>& out);
+
+}  // namespace tensortopo

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "extractor_scalars.hpp"
+#include "tensortopo/extract/manifold_sheets.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+template <class Scalar>
+Vector3<double> narrow(const Vector3<Scalar>& u) {
+  return {static_cast<double>(u.x), static_cast<double>(u.y), static_cast<double>(u.z)};
+}
+
+/// sigma along an arc, with the medium eigenvector continued from a given one.
+template <class Scalar>
+class SigmaOnArc {
+ public:
+  SigmaOnArc(const TetManifold& manifold, const FaceArc<Scalar>& arc, const Level<Scalar>& level,
+             const Vector3<double>& start)
+      : manifold_(manifold), arc_(arc), level_(level), start_(start) {}
+
+  double operator()(double place) const {
+    const double pieces = static_cast<double>(arc_.pieces.size());
+    if (arc_.closed && place >= pieces) place -= pieces;
+    const auto point = point_on_arc(arc_, Scalar(place), level_);
+    auto medium = narrow(point.medium);
+    if (dot(medium, start_) < 0) medium = -medium;
+    return manifold_.manifold.sigma(medium, narrow(dominant_eigenvector(point.tensor, level_)));
+  }
+
+ private:
+  const TetManifold& manifold_;
+  const FaceArc<Scalar>& arc_;
+  const Level<Scalar>& level_;
+  Vector3<double> start_;
+};
+
+/// A zero of a function with opposite signs at the ends of an interval (Illinois method).
+template <class Function>
+double bracketed_zero(const Function& f, double a, double fa, double b, double fb) {
+  int side = 0;
+  for (int i = 0; i < 100 && b - a > 1e-15 * (1 + b); ++i) {
+    double m = (fa * b - fb * a) / (fa - fb);
+    if (!(m > a && m < b) || i % 8 == 7) m = a + (b - a) / 2;
+    const double fm = f(m);
+    if (fm == 0) return m;
+    if ((fm < 0) == (fa < 0)) {
+      a = m, fa = fm;
+      if (side == -1) fb /= 2;
+      side = -1;
+    } else {
+      b = m, fb = fm;
+      if (side == 1) fa /= 2;
+      side = 1;
+    }
+  }
+  return a + (b - a) / 2;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>& tet,
+                                          const Level<Scalar>& level) {
+  std::array<SymmetricTensor<double>, 4> exact;
+  for (std::size_t i = 0; i < 4; ++i) exact[i] = *tet.simplex.exact[i];
+  if (exact_rank(exact) < 4) return nullptr;
+  TetrahedronField<double> field;
+  field.vertex = rounded(tet.simplex.tensors);
+  const auto characteristic = characteristic_tensor(field);
+  if (!characteristic) return nullptr;
+  MediumEigenvectorManifold<double> manifold(*characteristic, level.parameter);
+  if (manifold.complex_domain_empty()) return nullptr;  // its fold would be a point
+  return std::unique_ptr<TetManifold>(
+      new TetManifold{*characteristic, std::move(manifold), FieldLift<double>(field), level.sign});
+}
+
+template <class Scalar>
+std::vector<RimRequest<Scalar>> boundary_crossings(const TetManifold& manifold,
+                                                   const TetWithCurves<Scalar>& tet,
+                                                   const TetPlan<Scalar>& plan,
+                                                   const FaceArcVertices& vertices,
+                                                   const Level<Scalar>& level) {
+  std::vector<RimRequest<Scalar>> requests;
+  for (const auto& loop : plan.loops)
+    for (const auto& piece : loop) {
+      const auto f = static_cast<std::size_t>(piece.face), a = static_cast<std::size_t>(piece.arc);
+      const auto& arc = tet.arcs[f][a];
+      const auto& samples = vertices[f][a];
+      const std::size_t n = samples.vertices.size(), segments = arc.closed ? n : n - 1;
+      Vector3<double> medium = samples.vertices[0].medium;
+      double sigma = manifold.manifold.sigma(medium, samples.vertices[0].dominant);
+      for (std::size_t i = 0; i < segments; ++i) {
+        const auto& next = samples.vertices[(i + 1) % n];
+        auto next_medium = next.medium;
+        if (dot(next_medium, medium) < 0) next_medium = -next_medium;
+        const double next_sigma = manifold.manifold.sigma(next_medium, next.dominant);
+        if ((sigma < 0) != (next_sigma < 0)) {
+          const double from = samples.places[i];
+          const double to = i + 1 < n ? samples.places[i + 1]
+                                      : samples.places[0] + static_cast<double>(arc.pieces.size());
+          const SigmaOnArc<Scalar> along(manifold, arc, level, medium);
+          double place = bracketed_zero(along, from, sigma, to, next_sigma);
+          const double pieces = static_cast<double>(arc.pieces.size());
+          if (arc.closed && place >= pieces) place -= pieces;
+          requests.push_back({piece.face, piece.arc, Scalar(place)});
+        }
+        medium = next_medium, sigma = next_sigma;
+      }
+    }
+  return requests;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                          \
+  template std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>&,              \
+                                                     const Level<Scalar>&);                     \
+  template std::vector<RimRequest<Scalar>> boundary_crossings(                                  \
+      const TetManifold&, const TetWithCurves<Scalar>&, const TetPlan<Scalar>&,                 \
+      const FaceArcVertices&, const Level<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

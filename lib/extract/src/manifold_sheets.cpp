@@ -1,0 +1,430 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/extract/manifold_sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "chart_triangulation.hpp"
+#include "extractor_scalars.hpp"
+#include "manifold_chart.hpp"
+#include "sheet_check.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+/// Draws the sheets of one tetrahedron on its medium eigenvector manifold.
+template <class Scalar>
+class Drawing {
+ public:
+  Drawing(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+          const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> crossings,
+          const FaceArcVertices& vertices, const Level<Scalar>& level, const Sampling& sampling,
+          TetTriangles<Scalar>& out)
+      : on_(manifold),
+        chart_(manifold.manifold),
+        tet_(tet),
+        plan_(plan),
+        vertices_(vertices),
+        level_(level),
+        turn_(sampling.largest_turn()),
+        out_(out) {
+    for (const auto& crossing : crossings) {
+      const auto f = static_cast<std::size_t>(crossing.face);
+      const auto& arc = vertices[f][static_cast<std::size_t>(crossing.arc)];
+      std::size_t best = 0;
+      for (std::size_t i = 1; i < arc.places.size(); ++i)
+        if (std::abs(arc.places[i] - static_cast<double>(crossing.place)) <
+            std::abs(arc.places[best] - static_cast<double>(crossing.place)))
+          best = i;
+      on_boundary_.insert(arc.vertices[best].id);
+    }
+  }
+
+  bool draw() {
+    return add_rims() && add_boundary_curves() && triangulate() && split_diagonals() && emit();
+  }
+
+ private:
+  /// A corner of the output as seen on the sphere. A vertex on the complex domain's boundary has
+  /// two images, v and -v.
+  struct Image {
+    std::int32_t corner;
+    std::uint8_t faces;
+    Vector3<double> v;  ///< canonical medium eigenvector
+  };
+
+  std::size_t add_image(std::int32_t corner, std::uint8_t faces, const Vector3<double>& v) {
+    images_.push_back({corner, faces, v});
+    points_.push_back(chart_(v));
+    return images_.size() - 1;
+  }
+
+  /// The image of a boundary vertex on the side of `towards`.
+  std::size_t boundary_image(const RimVertex& vertex, const Vector3<double>& towards) {
+    auto found = boundary_images_.find(vertex.id);
+    if (found == boundary_images_.end()) {
+      const std::array<std::size_t, 2> both{add_image(vertex.id, vertex.faces, vertex.medium),
+                                            add_image(vertex.id, vertex.faces, -vertex.medium)};
+      found = boundary_images_.emplace(vertex.id, both).first;
+    }
+    return found->second[dot(vertex.medium, towards) > 0 ? 0 : 1];
+  }
+
+  bool add_rims() {
+    for (const auto& loop : plan_.loops) {
+      const auto rim = loop_vertices(loop, vertices_);
+      const std::size_t n = rim.size();
+      std::vector<std::int32_t> ids;
+      std::vector<std::size_t> image(n, 0);
+      for (std::size_t i = 0; i < n; ++i) {
+        ids.push_back(rim[i].id);
+        if (on_boundary_.contains(rim[i].id)) continue;
+        const double sigma = on_.manifold.sigma(rim[i].medium, rim[i].dominant);
+        image[i] =
+            add_image(rim[i].id, rim[i].faces, sigma <= 0 ? rim[i].medium : -rim[i].medium);
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t j = (i + 1) % n;
+        const bool i_on = on_boundary_.contains(rim[i].id), j_on = on_boundary_.contains(rim[j].id);
+        if (i_on && j_on) return false;  // no sample tells on which side the curve runs
+        const std::size_t a = i_on ? boundary_image(rim[i], images_[image[j]].v) : image[i];
+        const std::size_t b = j_on ? boundary_image(rim[j], images_[image[i]].v) : image[j];
+        // Without a crossing between them the canonical vectors lie side by side.
+        if (!(dot(images_[a].v, images_[b].v) > 0)) return false;
+        segments_.push_back({a, b});
+      }
+      rims_.push_back(std::move(ids));
+    }
+    return true;
+  }
+
+  /// Is the point of the level with this tensor inside the tetrahedron, with the right mode?
+  bool is_inside(const std::array<double, 4>& weights) const {
+    return std::all_of(weights.begin(), weights.end(),
+                       [&](double w) { return on_.sign > 0 ? w > 0 : w < 0; });
+  }
+
+  /// The vertex of the level at a tensor of the field, brought onto the level; nothing if that is
+  /// not inside.
+  std::optional<InnerVertex<Scalar>> inner_vertex(const SymmetricTensor<double>& tensor) const {
+    const auto guess = on_.lift.weights(tensor);
+    if (!is_inside(guess)) return std::nullopt;
+    double total = 0;
+    for (const double w : guess) total += w;
+    InnerVertex<Scalar> vertex;
+    for (std::size_t i = 0; i < 4; ++i) vertex.weights[i] = Scalar(guess[i] / total);
+    const auto& tensors = tet_.simplex.tensors;
+    for (int step = 0; step < 4; ++step) {
+      vertex.tensor = tensor_at(tensors, vertex.weights);
+      const auto at = level_slope(vertex.tensor, level_);
+      std::array<Scalar, 4> gradient;
+      Scalar mean(0), square(0);
+      for (std::size_t i = 0; i < 4; ++i) {
+        gradient[i] = inner(at.slope, thrice(tensors[i]));
+        mean = mean + gradient[i] / Scalar(4);
+      }
+      for (auto& g : gradient) {
+        g = g - mean;
+        square = square + g * g;
+      }
+      if (!(square > Scalar(0))) return std::nullopt;
+      for (std::size_t i = 0; i < 4; ++i) {
+        vertex.weights[i] = vertex.weights[i] - at.value / square * gradient[i];
+        if (!(vertex.weights[i] > Scalar(0))) return std::nullopt;
+      }
+    }
+    vertex.tensor = tensor_at(tensors, vertex.weights);
+    return vertex;
+  }
+
+  std::int32_t add_inner(const InnerVertex<Scalar>& vertex) {
+    out_.inner.push_back(vertex);
+    return -static_cast<std::int32_t>(out_.inner.size());
+  }
+
+  bool boundary_is_inside(int loop, double phi) const {
+    return is_inside(on_.lift.weights(
+        on_.manifold.tensor_at_boundary(on_.manifold.boundary_point(loop, phi))));
+  }
+
+  /// The parts of the complex domain's boundary inside the tetrahedron, between the crossings of
+  /// the face curves; a whole curve that crosses no face included.
+  bool add_boundary_curves() {
+    struct End {
+      double phi;
+      std::array<std::size_t, 2> images;  ///< of boundary_point(loop, phi) and its antipode
+    };
+    std::vector<std::vector<End>> ends(static_cast<std::size_t>(on_.manifold.loop_count()));
+    for (const auto& [id, both] : boundary_images_) {
+      const auto at = on_.manifold.boundary_position(images_[both[0]].v);
+      End end{at.phi, both};
+      if (at.sign < 0) std::swap(end.images[0], end.images[1]);
+      ends[static_cast<std::size_t>(at.loop)].push_back(end);
+    }
+    for (std::size_t l = 0; l < ends.size(); ++l) {
+      const int loop = static_cast<int>(l);
+      auto& list = ends[l];
+      std::sort(list.begin(), list.end(), [](const End& p, const End& q) { return p.phi < q.phi; });
+      if (list.empty()) {
+        bool in[3];
+        for (int k = 0; k < 3; ++k) in[k] = boundary_is_inside(loop, 0.3 + 2 * kPi * k / 3);
+        if (in[0] != in[1] || in[1] != in[2]) return false;
+        if (in[0] && !add_whole_curve(loop)) return false;
+        continue;
+      }
+      if (list.size() % 2 != 0) return false;
+      bool previous = false;
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        const auto& from = list[k];
+        const auto& to = list[(k + 1) % list.size()];
+        const double end = k + 1 < list.size() ? to.phi : to.phi + 2 * kPi;
+        const bool in = boundary_is_inside(loop, (from.phi + end) / 2);
+        if (k > 0 && in == previous) return false;  // the curve goes in and out by turns
+        previous = in;
+        if (in && !add_curve(loop, from.phi, end, from.images, to.images)) return false;
+      }
+    }
+    return true;
+  }
+
+  int steps(int loop, double from, double to) const {
+    double length = 0;
+    auto last = on_.manifold.boundary_point(loop, from);
+    for (int k = 1; k <= 24; ++k) {
+      const auto next = on_.manifold.boundary_point(loop, from + (to - from) * k / 24);
+      const auto d = next - last;
+      length += std::sqrt(dot(d, d));
+      last = next;
+    }
+    return std::max(1, static_cast<int>(std::ceil(length / turn_)));
+  }
+
+  std::optional<std::array<std::size_t, 2>> add_boundary_sample(int loop, double phi) {
+    const auto v = on_.manifold.boundary_point(loop, phi);
+    const auto vertex = inner_vertex(on_.manifold.tensor_at_boundary(v));
+    if (!vertex) return std::nullopt;
+    const auto corner = add_inner(*vertex);
+    return std::array<std::size_t, 2>{add_image(corner, 0, v), add_image(corner, 0, -v)};
+  }
+
+  bool add_curve(int loop, double from, double to, const std::array<std::size_t, 2>& first,
+                 const std::array<std::size_t, 2>& last) {
+    // At least one sample inside: the ends may be joined by an edge of the rim as well.
+    const int n = std::max(2, steps(loop, from, to));
+    auto previous = first;
+    for (int k = 1; k < n; ++k) {
+      const auto sample = add_boundary_sample(loop, from + (to - from) * k / n);
+      if (!sample) continue;  // close to the face: the curve is straight enough without it
+      for (std::size_t side = 0; side < 2; ++side)
+        segments_.push_back({previous[side], (*sample)[side]});
+      previous = *sample;
+    }
+    for (std::size_t side = 0; side < 2; ++side)
+      segments_.push_back({previous[side], last[side]});
+    return true;
+  }
+
+  bool add_whole_curve(int loop) {
+    const int n = std::max(6, steps(loop, 0, 2 * kPi));
+    std::vector<std::array<std::size_t, 2>> samples;
+    for (int k = 0; k < n; ++k) {
+      const auto sample = add_boundary_sample(loop, 2 * kPi * k / n);
+      if (!sample) return false;
+      samples.push_back(*sample);
+    }
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      for (std::size_t side = 0; side < 2; ++side)
+        segments_.push_back({samples[k][side], samples[(k + 1) % samples.size()][side]});
+    return true;
+  }
+
+  /// Points of the quad grid that lie in the region, clear of its boundary.
+  std::vector<ChartTriangulation::Point> grid_samples(
+      const ChartTriangulation::Clearance& clearance) {
+    Vector3<double> centre{0, 0, 0};
+    for (const auto& image : images_) centre += image.v;
+    std::vector<ChartTriangulation::Point> samples;
+    const int around = std::max(8, static_cast<int>(std::ceil(2 * kPi / turn_)));
+    const double step = 2 * kPi / around;
+    for (int i = 0; i < around; ++i)
+      for (int j = 0; 2 * j < around; ++j) {
+        const double theta = (i + 0.5) * step, eta = (j + 0.5) * step;
+        if (!(on_.manifold.F(theta, eta) > 0)) continue;
+        const auto v = on_.manifold.sphere_point(theta, eta);
+        const auto tensor = on_.manifold.tensor_at(v);
+        if (!is_inside(on_.lift.weights(tensor))) continue;
+        const auto point = chart_(v);
+        const auto spacing = [&](double t, double e) {
+          const auto other = chart_(on_.manifold.sphere_point(t, e));
+          return std::hypot(other[0] - point[0], other[1] - point[1]);
+        };
+        const double wanted = 0.5 * std::min(spacing(theta + step / 4, eta) * 4,
+                                             spacing(theta, eta + step / 4) * 4);
+        if (!(clearance(point) > wanted)) continue;
+        const auto vertex = inner_vertex(tensor);
+        if (!vertex) continue;
+        add_image(add_inner(*vertex), 0, v);
+        samples.push_back(point);
+      }
+    return samples;
+  }
+
+  bool triangulate() {
+    ChartTriangulation triangulation;
+    const auto points = points_;  // `grid_samples` adds to the images
+    if (!triangulation.build(points, segments_,
+                             [&](const auto& clearance) { return grid_samples(clearance); }))
+      return false;
+    triangles_ = std::move(triangulation.triangles);
+    return true;
+  }
+
+  /// A diagonal between two rim vertices on one face might be chosen by the neighbour as well, and
+  /// a triangle with three of them lies in the face: put a vertex on every such diagonal.
+  bool split_diagonals() {
+    std::set<std::pair<std::int32_t, std::int32_t>> rim;
+    for (const auto& loop : rims_)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const auto a = loop[i], b = loop[(i + 1) % loop.size()];
+        rim.emplace(std::min(a, b), std::max(a, b));
+      }
+    using Edge = std::pair<std::size_t, std::size_t>;
+    const auto edge = [](std::size_t a, std::size_t b) {
+      return Edge{std::min(a, b), std::max(a, b)};
+    };
+    std::map<Edge, std::vector<std::size_t>> apexes;  // of the diagonals
+    for (const auto& t : triangles_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto a = t[i], b = t[(i + 1) % 3];
+        const auto &p = images_[a], &q = images_[b];
+        if ((p.faces & q.faces) == 0) continue;
+        if (rim.contains({std::min(p.corner, q.corner), std::max(p.corner, q.corner)})) continue;
+        apexes[edge(a, b)].push_back(t[(i + 2) % 3]);
+      }
+    std::map<Edge, std::size_t> middle;
+    for (const auto& [e, tips] : apexes) {
+      std::optional<InnerVertex<Scalar>> vertex;
+      Vector3<double> v{};
+      for (const double lean : {0.0, 0.2, 0.5, 1.0}) {
+        for (const auto tip : tips) {
+          v = images_[e.first].v + images_[e.second].v + lean * images_[tip].v;
+          const double length = std::sqrt(dot(v, v));
+          if (!(length > 0)) continue;
+          v = (1 / length) * v;
+          if (on_.manifold.in_real_domain(v)) vertex = inner_vertex(on_.manifold.tensor_at(v));
+          if (vertex) break;
+        }
+        if (vertex) break;
+      }
+      if (!vertex) return false;
+      middle[e] = add_image(add_inner(*vertex), 0, v);
+    }
+    std::vector<std::array<std::size_t, 3>> result;
+    for (auto t : triangles_) {
+      std::array<std::size_t, 3> m{};
+      std::array<bool, 3> has{};
+      int count = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto found = middle.find(edge(t[i], t[(i + 1) % 3]));
+        has[i] = found != middle.end();
+        if (has[i]) m[i] = found->second, ++count;
+      }
+      // Turn it so that the split sides come first.
+      std::size_t turn = 0;
+      if (count == 1)
+        while (!has[turn]) ++turn;
+      else if (count == 2)
+        while (!(has[turn] && has[(turn + 1) % 3])) ++turn;
+      const auto a = t[turn], b = t[(turn + 1) % 3], c = t[(turn + 2) % 3];
+      const auto ab = m[turn], bc = m[(turn + 1) % 3], ca = m[(turn + 2) % 3];
+      if (count == 0) {
+        result.push_back(t);
+      } else if (count == 1) {
+        result.push_back({a, ab, c});
+        result.push_back({ab, b, c});
+      } else if (count == 2) {
+        result.push_back({ab, b, bc});
+        result.push_back({a, ab, bc});
+        result.push_back({a, bc, c});
+      } else {
+        result.push_back({a, ab, ca});
+        result.push_back({ab, b, bc});
+        result.push_back({ca, bc, c});
+        result.push_back({ab, bc, ca});
+      }
+    }
+    triangles_ = std::move(result);
+    return true;
+  }
+
+  /// Gives the triangles the direction that their rims have, and checks them against the plan.
+  bool emit() {
+    std::set<std::pair<std::int32_t, std::int32_t>> rim;
+    for (const auto& loop : rims_)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        rim.emplace(loop[i], loop[(i + 1) % loop.size()]);
+    bool along = false, against = false;
+    std::vector<std::array<std::int32_t, 3>> triangles;
+    for (const auto& t : triangles_) {
+      triangles.push_back({images_[t[0]].corner, images_[t[1]].corner, images_[t[2]].corner});
+      for (std::size_t i = 0; i < 3; ++i) {
+        along |= rim.contains({triangles.back()[i], triangles.back()[(i + 1) % 3]});
+        against |= rim.contains({triangles.back()[(i + 1) % 3], triangles.back()[i]});
+      }
+    }
+    if (along == against) return false;
+    if (against)
+      for (auto& t : triangles) std::swap(t[1], t[2]);
+    if (!are_planned_sheets(triangles, rims_, plan_.sheets)) return false;
+    out_.triangles.insert(out_.triangles.end(), triangles.begin(), triangles.end());
+    return true;
+  }
+
+  const TetManifold& on_;
+  ManifoldChart chart_;
+  const TetWithCurves<Scalar>& tet_;
+  const TetPlan<Scalar>& plan_;
+  const FaceArcVertices& vertices_;
+  const Level<Scalar>& level_;
+  double turn_;
+  TetTriangles<Scalar>& out_;
+
+  std::set<std::int32_t> on_boundary_;
+  std::map<std::int32_t, std::array<std::size_t, 2>> boundary_images_;
+  std::vector<Image> images_;
+  std::vector<ChartTriangulation::Point> points_;
+  std::vector<std::array<std::size_t, 2>> segments_;
+  std::vector<std::vector<std::int32_t>> rims_;
+  std::vector<std::array<std::size_t, 3>> triangles_;
+};
+
+}  // namespace
+
+template <class Scalar>
+bool mesh_on_manifold(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+                      const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> crossings,
+                      const FaceArcVertices& vertices, const Level<Scalar>& level,
+                      const Sampling& sampling, TetTriangles<Scalar>& out) {
+  TetTriangles<Scalar> drawn;
+  if (!Drawing<Scalar>(manifold, tet, plan, crossings, vertices, level, sampling, drawn).draw())
+    return false;
+  out = std::move(drawn);
+  return true;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                         \
+  template bool mesh_on_manifold(const TetManifold&, const TetWithCurves<Scalar>&,             \
+                                 const TetPlan<Scalar>&, std::span<const RimRequest<Scalar>>,  \
+                                 const FaceArcVertices&, const Level<Scalar>&,                 \
+                                 const Sampling&, TetTriangles<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo
