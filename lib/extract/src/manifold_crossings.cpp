@@ -107,10 +107,47 @@ std::vector<RimRequest<Scalar>> boundary_crossings(const TetManifold& manifold,
           double place = bracketed_zero(along, from, sigma, to, next_sigma);
           const double pieces = static_cast<double>(arc.pieces.size());
           if (arc.closed && place >= pieces) place -= pieces;
-          requests.push_back({piece.face, piece.arc, Scalar(place)});
+          requests.push_back({piece.face, piece.arc, Scalar(place), true});
         }
         medium = next_medium, sigma = next_sigma;
       }
+    }
+  return requests;
+}
+
+template <class Scalar>
+std::vector<RimRequest<Scalar>> denser_rims(const TetWithCurves<Scalar>& tet,
+                                            const TetPlan<Scalar>& plan, FaceArcVertices& vertices,
+                                            const Level<Scalar>& level) {
+  std::vector<RimRequest<Scalar>> requests;
+  for (const auto& loop : plan.loops)
+    for (const auto& piece : loop) {
+      const auto f = static_cast<std::size_t>(piece.face), a = static_cast<std::size_t>(piece.arc);
+      const auto& arc = tet.arcs[f][a];
+      auto& samples = vertices[f][a];
+      const std::size_t n = samples.vertices.size(), segments = arc.closed ? n : n - 1;
+      const double pieces = static_cast<double>(arc.pieces.size());
+      ArcVertices denser;
+      std::vector<double> wrapped;
+      for (std::size_t i = 0; i < n; ++i) {
+        denser.vertices.push_back(samples.vertices[i]);
+        denser.places.push_back(samples.places[i]);
+        if (i >= segments) continue;
+        const double to = i + 1 < n ? samples.places[i + 1] : samples.places[0] + pieces;
+        double middle = samples.places[i] + (to - samples.places[i]) / 2;
+        const bool wraps = middle >= pieces;
+        if (wraps) middle -= pieces;
+        requests.push_back({piece.face, piece.arc, Scalar(middle), false});
+        const auto point = point_on_arc(arc, Scalar(middle), level);
+        RimVertex vertex;
+        vertex.medium = narrow(point.medium);
+        vertex.dominant = narrow(dominant_eigenvector(point.tensor, level));
+        // The samples of a closed arc start at its smallest place.
+        const auto at = wraps ? 0 : static_cast<std::ptrdiff_t>(denser.vertices.size());
+        denser.vertices.insert(denser.vertices.begin() + at, vertex);
+        denser.places.insert(denser.places.begin() + at, middle);
+      }
+      samples = std::move(denser);
     }
   return requests;
 }
@@ -120,7 +157,10 @@ std::vector<RimRequest<Scalar>> boundary_crossings(const TetManifold& manifold,
                                                      const Level<Scalar>&);                     \
   template std::vector<RimRequest<Scalar>> boundary_crossings(                                  \
       const TetManifold&, const TetWithCurves<Scalar>&, const TetPlan<Scalar>&,                 \
-      const FaceArcVertices&, const Level<Scalar>&);
+      const FaceArcVertices&, const Level<Scalar>&);                                            \
+  template std::vector<RimRequest<Scalar>> denser_rims(                                         \
+      const TetWithCurves<Scalar>&, const TetPlan<Scalar>&, FaceArcVertices&,                   \
+      const Level<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

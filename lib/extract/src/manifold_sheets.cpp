@@ -24,7 +24,7 @@ template <class Scalar>
 class Drawing {
  public:
   Drawing(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
-          const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> crossings,
+          const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> requests,
           const FaceArcVertices& vertices, const Level<Scalar>& level, const Sampling& sampling,
           TetTriangles<Scalar>& out)
       : on_(manifold),
@@ -35,7 +35,8 @@ class Drawing {
         level_(level),
         turn_(sampling.largest_turn()),
         out_(out) {
-    for (const auto& crossing : crossings) {
+    for (const auto& crossing : requests) {
+      if (!crossing.on_boundary) continue;
       const auto f = static_cast<std::size_t>(crossing.face);
       const auto& arc = vertices[f][static_cast<std::size_t>(crossing.arc)];
       std::size_t best = 0;
@@ -409,11 +410,11 @@ class Drawing {
 
 template <class Scalar>
 bool mesh_on_manifold(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
-                      const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> crossings,
+                      const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> requests,
                       const FaceArcVertices& vertices, const Level<Scalar>& level,
                       const Sampling& sampling, TetTriangles<Scalar>& out) {
   TetTriangles<Scalar> drawn;
-  if (!Drawing<Scalar>(manifold, tet, plan, crossings, vertices, level, sampling, drawn).draw())
+  if (!Drawing<Scalar>(manifold, tet, plan, requests, vertices, level, sampling, drawn).draw())
     return false;
   out = std::move(drawn);
   return true;

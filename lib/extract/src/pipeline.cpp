@@ -19,6 +19,9 @@ namespace {
 
 std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
 
+constexpr int kAttemptsOnManifold = 3;
+constexpr int kRounds = 12;
+
 }  // namespace
 
 std::string_view name_of(UnresolvedReason reason) {
@@ -183,7 +186,8 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   return state.plan.has_value();
 }
 
-/// The method at hand failed: the manifold's comes next, then the leaves of the proof.
+/// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
+/// then the leaves of the proof.
 template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
@@ -191,11 +195,17 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
   if (state.method == Method::small_disc) {
     state.manifold = tet_manifold(tet, level_);
     state.method = Method::manifold;
-    if (state.manifold) {
-      state.requests =
-          boundary_crossings(*state.manifold, tet, *state.plan, arc_vertices(t, tet), level_);
-      return;
-    }
+  }
+  if (state.method == Method::manifold && state.manifold &&
+      state.attempts < kAttemptsOnManifold) {
+    auto vertices = arc_vertices(t, tet);
+    state.requests.clear();
+    if (state.attempts++ > 0)
+      state.requests = denser_rims(tet, *state.plan, vertices, level_);
+    const auto crossings =
+        boundary_crossings(*state.manifold, tet, *state.plan, vertices, level_);
+    state.requests.insert(state.requests.end(), crossings.begin(), crossings.end());
+    return;
   }
   if (state.method == Method::leaves || !add_leaves(tet, level_, *state.plan)) {
     state.unresolved = state.method == Method::leaves ? UnresolvedReason::inconsistent_samples
@@ -332,9 +342,12 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   state.drawn = {};
   const auto tet = tet_with_curves(t);
   const auto vertices = arc_vertices(t, tet);
-  if (state.method == Method::manifold)
+  if (state.method == Method::manifold) {
+    Sampling sampling = options_.sampling;
+    sampling.resolution *= 1 << (state.attempts - 1);
     return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
-                                    level_, options_.sampling, state.drawn);
+                                    level_, sampling, state.drawn);
+  }
   for (const auto& sheet : state.plan->sheets) {
     if (state.method == Method::leaves) {
       if (!mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_,
@@ -356,7 +369,7 @@ void Pipeline<Scalar>::draw_tets() {
   // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
   // its neighbours then have as well; so all are drawn again. Few rounds are ever needed.
   std::vector<char> failed(tets_.size());
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     number_vertices();
     std::fill(failed.begin(), failed.end(), 0);
     parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {

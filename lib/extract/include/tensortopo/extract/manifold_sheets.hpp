@@ -38,16 +38,24 @@ std::vector<RimRequest<Scalar>> boundary_crossings(const TetManifold& manifold,
                                                    const FaceArcVertices& vertices,
                                                    const Level<Scalar>& level);
 
+/// A request for the middle of each step from one sample to the next along the tetrahedron's
+/// loops, and the vertices with those samples added (whose ids are -1 as yet).
+template <class Scalar>
+std::vector<RimRequest<Scalar>> denser_rims(const TetWithCurves<Scalar>& tet,
+                                            const TetPlan<Scalar>& plan, FaceArcVertices& vertices,
+                                            const Level<Scalar>& level);
+
 /// Triangles for all sheets of a tetrahedron, by triangulating the region on the manifold that
 /// its face curves and parts of the complex domain's boundary bound, with samples of a quad grid
 /// inside.
 ///
-/// @param crossings the answer of `boundary_crossings`, whose samples must be on the arcs by now
+/// @param requests the samples asked for, which must be on the arcs by now; those on the boundary
+///                 of the complex domain are where the curves cross it
 /// @return false if the samples do not suffice: curves cross in the chart, a crossing is missing,
 ///         or the result's topology is not the plan's
 template <class Scalar>
 bool mesh_on_manifold(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
-                      const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> crossings,
+                      const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> requests,
                       const FaceArcVertices& vertices, const Level<Scalar>& level,
                       const Sampling& sampling, TetTriangles<Scalar>& out);
 

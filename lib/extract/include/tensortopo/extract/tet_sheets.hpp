@@ -80,6 +80,7 @@ template <class Scalar>
 struct RimRequest {
   int face = 0, arc = 0;
   Scalar place{};
+  bool on_boundary = false;  ///< of the complex domain of the tetrahedron that asks
 };
 
 /// Where the leaf mesh of the plan meets the face arcs.
