@@ -89,8 +89,9 @@ Extraction Pipeline<Scalar>::assemble() {
       result.unresolved.push_back({complex_.tets[t], *tets_[t].unresolved});
     }
 
-  // Output ids: used edge vertices, used face vertices, inner vertices, in their order.
-  const auto rim_count = as_size(face_vertex_.back());
+  // Output ids: used edge vertices, used face vertices (those of faces that got more samples
+  // last), inner vertices.
+  const auto rim_count = rim_position_.size();
   std::vector<Index> new_id(rim_count, -1);
   std::size_t triangle_count = 0;
   for (const auto& state : tets_) {
@@ -120,21 +121,28 @@ Extraction Pipeline<Scalar>::assemble() {
   surface.triangles.reserve(triangle_count);
   surface.tet.reserve(triangle_count);
 
-  const auto carry = [&](const std::vector<Index>& first, const auto& simplices, Carrier carrier) {
-    for (std::size_t s = 0; s < simplices.size(); ++s)
-      for (auto v = first[s]; v < first[s + 1]; ++v)
-        if (const auto id = new_id[as_size(v)]; id >= 0) {
-          surface.carrier[as_size(id)] = carrier;
-          surface.carrier_id[as_size(id)] = static_cast<Index>(s);
-          surface.carrier_vertices[as_size(id)] = {-1, -1, -1, -1};
-          std::copy(simplices[s].begin(), simplices[s].end(),
-                    surface.carrier_vertices[as_size(id)].begin());
-          surface.points[as_size(id)] = rim_position_[as_size(v)];
-          surface.medium_eigenvector[as_size(id)] = rim_medium_[as_size(v)];
-        }
+  const auto carry = [&](Index v, std::size_t simplex, std::span<const Index> vertices,
+                         Carrier carrier) {
+    const auto id = new_id[as_size(v)];
+    if (id < 0) return;
+    surface.carrier[as_size(id)] = carrier;
+    surface.carrier_id[as_size(id)] = static_cast<Index>(simplex);
+    surface.carrier_vertices[as_size(id)] = {-1, -1, -1, -1};
+    std::copy(vertices.begin(), vertices.end(), surface.carrier_vertices[as_size(id)].begin());
+    surface.points[as_size(id)] = rim_position_[as_size(v)];
+    surface.medium_eigenvector[as_size(id)] = rim_medium_[as_size(v)];
   };
-  carry(edge_vertex_, complex_.edges, Carrier::edge);
-  carry(face_vertex_, complex_.faces, Carrier::face);
+  for (std::size_t e = 0; e < complex_.edges.size(); ++e)
+    if (crossings_[e])
+      for (std::size_t k = 0; k < crossings_[e]->size(); ++k)
+        carry(edge_vertex_[e] + static_cast<Index>(k), e, complex_.edges[e], Carrier::edge);
+  for (std::size_t f = 0; f < complex_.faces.size(); ++f)
+    if (arcs_[f]) {
+      auto v = face_vertex_[f];
+      for (const auto& arc : *arcs_[f])
+        for (std::size_t k = 0; k < arc.samples.size(); ++k)
+          carry(v++, f, complex_.faces[f], Carrier::face);
+    }
 
   parallel_stage(options_, "stitch", tets_.size(), 256, [&](std::size_t t) {
     const auto& inner = tets_[t].drawn.inner;

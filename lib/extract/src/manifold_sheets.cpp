@@ -249,16 +249,25 @@ class Drawing {
   /// Points of the quad grid that lie in the region, clear of its boundary.
   std::vector<ChartTriangulation::Point> grid_samples(
       const ChartTriangulation::Clearance& clearance) {
+    // The region lies in the cap around its boundary: the rest of the sphere holds the complex
+    // domain, whose boundary would be the region's too.
     Vector3<double> centre{0, 0, 0};
     for (const auto& image : images_) centre += image.v;
+    double least = 0;
+    if (const double length = std::sqrt(dot(centre, centre)); length > 1e-6) {
+      centre = (1 / length) * centre;
+      least = 1;
+      for (const auto& image : images_) least = std::min(least, dot(image.v, centre));
+    }
+    if (!(least > 0.1)) least = -2;
     std::vector<ChartTriangulation::Point> samples;
     const int around = std::max(8, static_cast<int>(std::ceil(2 * kPi / turn_)));
     const double step = 2 * kPi / around;
     for (int i = 0; i < around; ++i)
       for (int j = 0; 2 * j < around; ++j) {
         const double theta = (i + 0.5) * step, eta = (j + 0.5) * step;
-        if (!(on_.manifold.F(theta, eta) > 0)) continue;
         const auto v = on_.manifold.sphere_point(theta, eta);
+        if (dot(v, centre) < least || !(on_.manifold.F(theta, eta) > 0)) continue;
         const auto tensor = on_.manifold.tensor_at(v);
         if (!is_inside(on_.lift.weights(tensor))) continue;
         const auto point = chart_(v);

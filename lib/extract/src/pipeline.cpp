@@ -19,6 +19,11 @@ namespace {
 
 std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
 
+template <class Scalar>
+Vector3<double> narrow(const Vector3<Scalar>& u) {
+  return {static_cast<double>(u.x), static_cast<double>(u.y), static_cast<double>(u.z)};
+}
+
 constexpr int kAttemptsOnManifold = 3;
 constexpr int kRounds = 12;
 
@@ -222,26 +227,16 @@ void Pipeline<Scalar>::plan_tets() {
 }
 
 template <class Scalar>
-void Pipeline<Scalar>::number_vertices() {
-  edge_vertex_.assign(complex_.edges.size() + 1, 0);
-  for (std::size_t e = 0; e < complex_.edges.size(); ++e)
-    edge_vertex_[e + 1] =
-        edge_vertex_[e] + static_cast<Index>(crossings_[e] ? crossings_[e]->size() : 0);
-  face_vertex_.assign(complex_.faces.size() + 1, edge_vertex_.back());
-  for (std::size_t f = 0; f < complex_.faces.size(); ++f) {
-    std::size_t count = 0;
-    if (arcs_[f])
-      for (const auto& arc : *arcs_[f]) count += arc.samples.size();
-    face_vertex_[f + 1] = face_vertex_[f] + static_cast<Index>(count);
+void Pipeline<Scalar>::number_edge_vertices() {
+  edge_vertex_.resize(complex_.edges.size());
+  Index next = 0;
+  for (std::size_t e = 0; e < complex_.edges.size(); ++e) {
+    edge_vertex_[e] = next;
+    next += static_cast<Index>(crossings_[e] ? crossings_[e]->size() : 0);
   }
-  const auto total = as_size(face_vertex_.back());
-  rim_position_.resize(total);
-  rim_medium_.resize(total);
-  rim_dominant_.resize(total);
-  const auto narrow = [](const Vector3<Scalar>& u) {
-    return Vector3<double>{static_cast<double>(u.x), static_cast<double>(u.y),
-                           static_cast<double>(u.z)};
-  };
+  rim_position_.resize(as_size(next));
+  rim_medium_.resize(as_size(next));
+  rim_dominant_.resize(as_size(next));
   parallel_stage(options_, "tetrahedra", complex_.edges.size(), 1024, [&](std::size_t e) {
     if (!crossings_[e]) return;
     const auto& v = complex_.edges[e];
@@ -258,8 +253,24 @@ void Pipeline<Scalar>::number_vertices() {
       rim_dominant_[id] = narrow(dominant_eigenvector(tensor, level_));
     }
   });
+}
+
+/// Numbers the samples of the faces that changed, after all numbers given so far.
+template <class Scalar>
+void Pipeline<Scalar>::number_face_vertices(const std::vector<char>& changed) {
+  face_vertex_.resize(complex_.faces.size());
+  auto next = rim_position_.size();
+  for (std::size_t f = 0; f < complex_.faces.size(); ++f) {
+    if (!changed[f]) continue;
+    face_vertex_[f] = static_cast<Index>(next);
+    if (arcs_[f])
+      for (const auto& arc : *arcs_[f]) next += arc.samples.size();
+  }
+  rim_position_.resize(next);
+  rim_medium_.resize(next);
+  rim_dominant_.resize(next);
   parallel_stage(options_, "tetrahedra", complex_.faces.size(), 1024, [&](std::size_t f) {
-    if (!arcs_[f]) return;
+    if (!changed[f] || !arcs_[f]) return;
     const auto& v = complex_.faces[f];
     auto id = as_size(face_vertex_[f]);
     for (const auto& arc : *arcs_[f])
@@ -276,15 +287,18 @@ void Pipeline<Scalar>::number_vertices() {
   });
 }
 
+/// Puts the samples that tetrahedra ask for on their faces; says which faces changed.
 template <class Scalar>
-void Pipeline<Scalar>::merge_requests() {
+std::vector<char> Pipeline<Scalar>::merge_requests(const std::vector<char>& asking) {
   // By face: all that its tetrahedra ask for, in an order that threads cannot change.
   std::vector<std::vector<std::pair<int, Scalar>>> wanted(complex_.faces.size());
   for (std::size_t t = 0; t < tets_.size(); ++t)
-    for (const auto& request : tets_[t].requests)
-      if (request.arc >= 0)
-        wanted[as_size(complex_.tet_faces[t][static_cast<std::size_t>(request.face)])]
-            .emplace_back(request.arc, request.place);
+    if (asking[t])
+      for (const auto& request : tets_[t].requests)
+        if (request.arc >= 0)
+          wanted[as_size(complex_.tet_faces[t][static_cast<std::size_t>(request.face)])]
+              .emplace_back(request.arc, request.place);
+  std::vector<char> changed(complex_.faces.size(), 0);
   parallel_stage(options_, "tetrahedra", wanted.size(), 256, [&](std::size_t f) {
     if (wanted[f].empty()) return;
     std::sort(wanted[f].begin(), wanted[f].end());
@@ -296,12 +310,15 @@ void Pipeline<Scalar>::merge_requests() {
       const bool known = std::any_of(arc.samples.begin(), arc.samples.end(), [&](const auto& s) {
         return s.place < place + near && place < s.place + near;
       });
-      if (!known) arc.samples.push_back(point_on_arc(arc, place, level_));
+      if (known) continue;
+      arc.samples.push_back(point_on_arc(arc, place, level_));
+      changed[f] = 1;
     }
     for (auto& arc : *arcs_[f])
       std::sort(arc.samples.begin(), arc.samples.end(),
                 [](const auto& p, const auto& q) { return p.place < q.place; });
   });
+  return changed;
 }
 
 template <class Scalar>
@@ -367,21 +384,25 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
 template <class Scalar>
 void Pipeline<Scalar>::draw_tets() {
   // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
-  // its neighbours then have as well; so all are drawn again. Few rounds are ever needed.
-  std::vector<char> failed(tets_.size());
+  // its neighbours then have as well, and are drawn again. Few rounds are ever needed.
+  number_edge_vertices();
+  number_face_vertices(std::vector<char>(complex_.faces.size(), 1));
+  std::vector<char> failed(tets_.size(), 0), redraw(tets_.size(), 1);
   for (int round = 0; round < kRounds; ++round) {
-    number_vertices();
-    std::fill(failed.begin(), failed.end(), 0);
     parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {
-      if (tets_[t].plan && !tets_[t].unresolved) failed[t] = !draw_one(t);
+      failed[t] = redraw[t] && tets_[t].plan && !tets_[t].unresolved && !draw_one(t);
     });
-    bool any = false;
     parallel_stage(options_, "tetrahedra", tets_.size(), 16, [&](std::size_t t) {
       if (failed[t]) try_next_method(t);
     });
-    for (const char f : failed) any |= f != 0;
-    if (!any) return;
-    merge_requests();
+    if (std::none_of(failed.begin(), failed.end(), [](char f) { return f != 0; })) return;
+    const auto changed = merge_requests(failed);
+    number_face_vertices(changed);
+    for (std::size_t t = 0; t < tets_.size(); ++t) {
+      redraw[t] = failed[t];
+      for (const Index f : complex_.tet_faces[t])
+        redraw[t] = redraw[t] || changed[as_size(f)] != 0;
+    }
   }
   for (std::size_t t = 0; t < tets_.size(); ++t)
     if (failed[t]) tets_[t].unresolved = UnresolvedReason::inconsistent_samples;

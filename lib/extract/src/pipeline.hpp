@@ -47,8 +47,9 @@ class Pipeline {
   void plan_tets();
   bool plan_one(std::size_t t);
   void try_next_method(std::size_t t);
-  void number_vertices();
-  void merge_requests();
+  void number_edge_vertices();
+  void number_face_vertices(const std::vector<char>& changed);
+  std::vector<char> merge_requests(const std::vector<char>& asking);
   void draw_tets();
   bool draw_one(std::size_t t);
   Extraction assemble();
@@ -69,10 +70,10 @@ class Pipeline {
   TetComplex complex_;
 
   std::vector<std::optional<std::vector<EdgeCrossing<Scalar>>>> crossings_;  ///< of each edge
-  std::vector<Index> edge_vertex_;  ///< first output vertex of each edge, and the total
+  std::vector<Index> edge_vertex_;  ///< first vertex of each edge
 
   std::vector<std::optional<std::vector<FaceArc<Scalar>>>> arcs_;  ///< of each face
-  std::vector<Index> face_vertex_;  ///< first output vertex of each face, and the total
+  std::vector<Index> face_vertex_;  ///< first vertex of each face; anew when its samples change
 
   std::vector<TetState> tets_;
   std::vector<Vector3<double>> rim_position_, rim_medium_, rim_dominant_;  ///< of edges and faces

@@ -36,6 +36,7 @@ Refinement<Scalar, Vertices>::Refinement(const LevelSimplex<Scalar, Vertices>& s
     v.tensor = simplex.tensors[i];
     v.above = simplex.above[i];
     vertices_.push_back(v);
+    last_bisection_.push_back(0);
     root.vertices[i] = static_cast<std::uint32_t>(i);
   }
   cells_.push_back(root);
@@ -111,13 +112,17 @@ bool Refinement<Scalar, Vertices>::faces_are_simple(const Cell& cell) const {
 }
 
 template <class Scalar, std::size_t Vertices>
-bool Refinement<Scalar, Vertices>::has_hanging_vertex(const Cell& cell) const {
-  if (cells_.size() == 1) return false;
-  for (std::size_t i = 0; i < Vertices; ++i)
-    for (std::size_t j = i + 1; j < Vertices; ++j) {
-      const auto found = edges_.find(key(cell.vertices[i], cell.vertices[j]));
-      if (found != edges_.end() && found->second.middle != kNone) return true;
-    }
+bool Refinement<Scalar, Vertices>::has_hanging_vertex(Cell& cell) const {
+  // An edge of the cell that was bisected since the last look has both ends marked since then.
+  int marked = 0;
+  for (const auto v : cell.vertices) marked += last_bisection_[v] > cell.seen ? 1 : 0;
+  if (marked >= 2)
+    for (std::size_t i = 0; i < Vertices; ++i)
+      for (std::size_t j = i + 1; j < Vertices; ++j) {
+        const auto found = edges_.find(key(cell.vertices[i], cell.vertices[j]));
+        if (found != edges_.end() && found->second.middle != kNone) return true;
+      }
+  cell.seen = bisections_;
   return false;
 }
 
@@ -175,6 +180,9 @@ std::uint32_t Refinement<Scalar, Vertices>::middle(std::uint32_t u, std::uint32_
   m.above = is_above(*simplex_, m.tensor, m.weights, *level_);
   record.middle = static_cast<std::uint32_t>(vertices_.size());
   vertices_.push_back(m);
+  last_bisection_.push_back(0);
+  ++bisections_;
+  last_bisection_[u] = last_bisection_[v] = bisections_;
   return record.middle;
 }
 

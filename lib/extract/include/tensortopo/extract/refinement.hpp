@@ -41,6 +41,7 @@ class Refinement {
     SimplexProof<Scalar, Vertices> proof;
     bool alive = true;
     bool checked = false;
+    std::uint32_t seen = 0;  ///< bisections of edges when the cell was last found conforming
   };
 
   Refinement(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level);
@@ -68,7 +69,7 @@ class Refinement {
   SimplexProof<Scalar, Part> prove(const std::array<std::uint32_t, Part>& part) const;
   bool edges_are_simple(const Cell& cell);
   bool faces_are_simple(const Cell& cell) const;
-  bool has_hanging_vertex(const Cell& cell) const;
+  bool has_hanging_vertex(Cell& cell) const;
   bool bisect(std::size_t cell);
   std::uint32_t middle(std::uint32_t u, std::uint32_t v);
   Scalar length(std::uint32_t u, std::uint32_t v) const;
@@ -78,6 +79,8 @@ class Refinement {
   std::vector<Vertex> vertices_;
   std::vector<Cell> cells_;
   std::unordered_map<EdgeKey, EdgeRecord> edges_;
+  std::uint32_t bisections_ = 0;
+  std::vector<std::uint32_t> last_bisection_;  ///< of an edge at each vertex
 };
 
 /// Side of the level for the field of a simplex at exact barycentric weights; all tiers.
