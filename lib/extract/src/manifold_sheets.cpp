@@ -19,6 +19,36 @@ namespace {
 
 constexpr double kPi = 3.141592653589793;
 
+/// The vectors of a grid in sphero-conal coordinates, with the sines and cosines of its lines
+/// computed once.
+class QuadGrid {
+ public:
+  QuadGrid(const MediumEigenvectorManifold<double>& manifold, int around)
+      : axes_(manifold.characteristic().eigenvectors) {
+    const auto& b = manifold.characteristic().eigenvalues;
+    const double a2 = (b[0] - b[1]) / (b[0] - b[2]), b2 = (b[1] - b[2]) / (b[0] - b[2]);
+    for (int k = 0; k < around; ++k) {
+      const double angle = (k + 0.5) * 2 * kPi / around;
+      const double c = std::cos(angle);
+      lines_.push_back({c, std::sin(angle), std::sqrt(1 - a2 * c * c), std::sqrt(1 - b2 * c * c)});
+    }
+  }
+
+  Vector3<double> vector(int i, int j) const {
+    const auto& t = lines_[static_cast<std::size_t>(i)];
+    const auto& e = lines_[static_cast<std::size_t>(j)];
+    return (t.cosine * e.across_eta) * axes_[0] + (t.sine * e.sine) * axes_[1] +
+           (e.cosine * t.across_theta) * axes_[2];
+  }
+
+ private:
+  struct Line {
+    double cosine, sine, across_theta, across_eta;
+  };
+  std::array<Vector3<double>, 3> axes_;
+  std::vector<Line> lines_;
+};
+
 /// Draws the sheets of one tetrahedron on its medium eigenvector manifold.
 template <class Scalar>
 class Drawing {
@@ -263,11 +293,13 @@ class Drawing {
     std::vector<ChartTriangulation::Point> samples;
     const int around = std::max(8, static_cast<int>(std::ceil(2 * kPi / turn_)));
     const double step = 2 * kPi / around;
+    const QuadGrid grid(on_.manifold, around);
     for (int i = 0; i < around; ++i)
       for (int j = 0; 2 * j < around; ++j) {
+        const auto v = grid.vector(i, j);
+        if (dot(v, centre) < least) continue;
         const double theta = (i + 0.5) * step, eta = (j + 0.5) * step;
-        const auto v = on_.manifold.sphere_point(theta, eta);
-        if (dot(v, centre) < least || !(on_.manifold.F(theta, eta) > 0)) continue;
+        if (!(on_.manifold.F(theta, eta) > 0)) continue;
         const auto tensor = on_.manifold.tensor_at(v);
         if (!is_inside(on_.lift.weights(tensor))) continue;
         const auto point = chart_(v);

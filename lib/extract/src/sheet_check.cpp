@@ -3,8 +3,7 @@
 #include "sheet_check.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <numeric>
 #include <utility>
 
 namespace tensortopo {
@@ -13,62 +12,88 @@ namespace {
 
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
+/// Union-find over the places of vertices in a sorted list.
 class Components {
  public:
-  std::int32_t of(std::int32_t v) {
-    auto found = parent_.try_emplace(v, v).first;
-    while (found->second != found->first) {
-      auto up = parent_.find(found->second);
-      found->second = up->second;
-      found = up;
-    }
-    return found->first;
+  explicit Components(std::vector<std::int32_t> vertices) : vertices_(std::move(vertices)) {
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    parent_.resize(vertices_.size());
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+
+  std::size_t count() const { return vertices_.size(); }
+  std::size_t of(std::int32_t v) {
+    return root(static_cast<std::size_t>(
+        std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin()));
+  }
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  bool has(std::int32_t v) const {
+    return std::binary_search(vertices_.begin(), vertices_.end(), v);
   }
   void join(std::int32_t u, std::int32_t v) { parent_[of(u)] = of(v); }
 
  private:
-  std::map<std::int32_t, std::int32_t> parent_;
+  std::vector<std::int32_t> vertices_;
+  std::vector<std::size_t> parent_;
 };
+
+bool contains(const std::vector<Edge>& sorted, const Edge& edge) {
+  return std::binary_search(sorted.begin(), sorted.end(), edge);
+}
+
+/// Sorts; false if an edge occurs twice.
+bool sort_distinct(std::vector<Edge>& edges) {
+  std::sort(edges.begin(), edges.end());
+  return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+}
 
 }  // namespace
 
 bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const std::vector<std::int32_t>> rims,
                         std::span<const SheetTopology> sheets) {
-  std::set<Edge> directed;
-  Components components;
-  std::set<std::int32_t> vertices;
+  std::vector<Edge> directed, rim_edges;
+  std::vector<std::int32_t> vertices;
   for (const auto& t : triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto a = t[i], b = t[(i + 1) % 3];
-      if (a == b || !directed.emplace(a, b).second) return false;
-      components.join(a, b);
-      vertices.insert(a);
+      if (t[i] == t[(i + 1) % 3]) return false;
+      directed.emplace_back(t[i], t[(i + 1) % 3]);
+      vertices.push_back(t[i]);
     }
-  std::set<Edge> rim_edges;
   for (const auto& rim : rims)
     for (std::size_t i = 0; i < rim.size(); ++i)
-      if (!rim_edges.emplace(rim[i], rim[(i + 1) % rim.size()]).second) return false;
+      rim_edges.emplace_back(rim[i], rim[(i + 1) % rim.size()]);
+  if (!sort_distinct(directed) || !sort_distinct(rim_edges)) return false;
   for (const auto& [a, b] : rim_edges)
-    if (!directed.contains({a, b}) || directed.contains({b, a})) return false;
-  std::map<std::int32_t, int> euler;
-  for (const auto v : vertices) ++euler[components.of(v)];
+    if (!contains(directed, {a, b}) || contains(directed, {b, a})) return false;
+
+  Components components(std::move(vertices));
+  for (const auto& [a, b] : directed) components.join(a, b);
+  std::vector<int> euler(components.count(), 0);
+  for (std::size_t v = 0; v < components.count(); ++v) ++euler[components.root(v)];
   for (const auto& t : triangles) ++euler[components.of(t[0])];
   for (const auto& [a, b] : directed) {
-    const bool paired = directed.contains({b, a});
-    if (!paired && !rim_edges.contains({a, b})) return false;
+    const bool paired = contains(directed, {b, a});
+    if (!paired && !contains(rim_edges, {a, b})) return false;
     if (!paired || a < b) --euler[components.of(a)];
   }
-  if (euler.size() != sheets.size()) return false;
-  std::set<std::int32_t> taken;
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < components.count(); ++v)
+    if (components.root(v) == v) ++count;
+  if (count != sheets.size()) return false;
+  std::vector<char> taken(components.count(), 0);
   for (const auto& sheet : sheets) {
     if (sheet.loops.empty()) return false;
-    const auto component = components.of(rims[static_cast<std::size_t>(sheet.loops[0])][0]);
+    const auto first = rims[static_cast<std::size_t>(sheet.loops[0])][0];
+    if (!components.has(first)) return false;
+    const auto component = components.of(first);
     for (const int loop : sheet.loops)
       if (components.of(rims[static_cast<std::size_t>(loop)][0]) != component) return false;
-    if (!taken.insert(component).second) return false;
-    const auto found = euler.find(component);
-    if (found == euler.end() || found->second != sheet.euler_characteristic) return false;
+    if (taken[component]++ || euler[component] != sheet.euler_characteristic) return false;
   }
   return true;
 }
