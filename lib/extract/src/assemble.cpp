@@ -7,6 +7,7 @@
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "tensortopo/extract/position.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo {
 
@@ -218,6 +219,8 @@ Extraction Pipeline<Scalar>::assemble() {
     surface.residual[id] = level_function(t, level) / (p * std::sqrt(p));
     surface.dominant_eigenvector[id] = dominant_eigenvector(t, level);
   });
+
+  surface.component = surface_invariants(surface).component;
 
   for (const auto& state : tets_) {
     if (!state.plan || state.drawn.triangles.empty()) continue;

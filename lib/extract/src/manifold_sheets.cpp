@@ -354,7 +354,7 @@ class Drawing {
     for (const auto& [e, tips] : apexes) {
       std::optional<InnerVertex<Scalar>> vertex;
       Vector3<double> v{};
-      for (const double lean : {0.0, 0.2, 0.5, 1.0}) {
+      for (const double lean : {0.0, 0.2, 0.5, 0.8}) {
         for (const auto tip : tips) {
           v = images_[e.first].v + images_[e.second].v + lean * images_[tip].v;
           const double length = std::sqrt(dot(v, v));

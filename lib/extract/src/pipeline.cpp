@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -302,21 +303,31 @@ std::vector<char> Pipeline<Scalar>::merge_requests(const std::vector<char>& aski
   parallel_stage(options_, "tetrahedra", wanted.size(), 256, [&](std::size_t f) {
     if (wanted[f].empty()) return;
     std::sort(wanted[f].begin(), wanted[f].end());
+    // The two neighbours, and the face itself, often cut the curve at the same point, and an edge
+    // of the face may be cut there too. Merging samples along a curve changes no topology.
+    const auto same = [](const auto& p, const auto& q) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Scalar d = p[i] - q[i], limit = Scalar(1) / Scalar(std::int64_t{1} << 40);
+        if (d > limit || d < -limit) return false;
+      }
+      return true;
+    };
     for (const auto& [a, place] : wanted[f]) {
       auto& arc = (*arcs_[f])[static_cast<std::size_t>(a)];
-      // The two neighbours, and the face itself, often cut the curve at the same point. Merging
-      // samples along a curve changes no topology.
-      const Scalar near = Scalar(1) / Scalar(1 << 26);
-      const bool known = std::any_of(arc.samples.begin(), arc.samples.end(), [&](const auto& s) {
-        return s.place < place + near && place < s.place + near;
-      });
-      if (known) continue;
-      arc.samples.push_back(point_on_arc(arc, place, level_));
+      const auto point = point_on_arc(arc, place, level_);
+      auto after = std::lower_bound(arc.samples.begin(), arc.samples.end(), place,
+                                    [](const auto& s, const Scalar& x) { return s.place < x; });
+      const Scalar last(static_cast<double>(arc.pieces.size()));
+      const auto neighbour = [&](bool next) {
+        if (next && after != arc.samples.end()) return after->weights;
+        if (!next && after != arc.samples.begin()) return std::prev(after)->weights;
+        return arc.closed ? (next ? arc.samples.front() : arc.samples.back()).weights
+                          : point_on_arc(arc, next ? last : Scalar(0), level_).weights;
+      };
+      if (same(neighbour(false), point.weights) || same(neighbour(true), point.weights)) continue;
+      arc.samples.insert(after, point);
       changed[f] = 1;
     }
-    for (auto& arc : *arcs_[f])
-      std::sort(arc.samples.begin(), arc.samples.end(),
-                [](const auto& p, const auto& q) { return p.place < q.place; });
   });
   return changed;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/polygon.hpp"
@@ -141,7 +142,9 @@ class LeafTriangles {
                                 corners[static_cast<std::size_t>(t[1])].id,
                                 corners[static_cast<std::size_t>(t[2])].id});
     if (!triangles.empty()) return true;
-    out_.inner.push_back(middle_of(polygon));
+    const auto middle = middle_of(polygon);
+    if (!middle) return false;
+    out_.inner.push_back(*middle);
     const auto centre = -static_cast<std::int32_t>(out_.inner.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
       out_.triangles.push_back({corners[i].id, corners[(i + 1) % corners.size()].id, centre});
@@ -149,23 +152,41 @@ class LeafTriangles {
   }
 
   /// A point of the sheet amid the polygon: on the line of the cell's direction through the
-  /// middle of its corners. If that line misses the sheet, the nearer end of it in the cell.
-  InnerVertex<Scalar> middle_of(const LeafMesh::Polygon& polygon) const {
+  /// middle of its corners or, should the shadow of the sheet not hold that, nearer to a corner.
+  std::optional<InnerVertex<Scalar>> middle_of(const LeafMesh::Polygon& polygon) const {
     const auto& refinement = plan_.leaves->refinement;
     const auto& cell = refinement.cells()[polygon.cell];
-    // Barycentric coordinates in the cell of the middle of the nodes.
-    std::array<Scalar, 4> base{Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
-    const Scalar share = Scalar(1) / Scalar(polygon.size);
+    using Local = std::array<Scalar, 4>;  // barycentric in the cell
+    std::vector<Local> nodes;
+    Local centre{Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
     for (int i = 0; i < polygon.size; ++i) {
       const auto& node = mesh_.nodes[polygon.nodes[static_cast<std::size_t>(i)]];
       const auto &u = refinement.vertices()[node.first], &v = refinement.vertices()[node.second];
       const Scalar f = v.above ? segment_root(u.tensor, v.tensor, level_)
                                : Scalar(1) - segment_root(v.tensor, u.tensor, level_);
+      Local local{Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
       for (std::size_t c = 0; c < 4; ++c) {
-        if (cell.vertices[c] == node.first) base[c] = base[c] + share * (Scalar(1) - f);
-        if (cell.vertices[c] == node.second) base[c] = base[c] + share * f;
+        if (cell.vertices[c] == node.first) local[c] = Scalar(1) - f;
+        if (cell.vertices[c] == node.second) local[c] = f;
+        centre[c] = centre[c] + local[c] / Scalar(polygon.size);
       }
+      nodes.push_back(local);
     }
+    if (const auto point = above_or_below(cell, centre)) return point;
+    for (Scalar lean = Scalar(1) / Scalar(2); lean > Scalar(1) / Scalar(200);
+         lean = lean / Scalar(2))
+      for (const auto& node : nodes) {
+        Local base;
+        for (std::size_t c = 0; c < 4; ++c) base[c] = node[c] + lean * (centre[c] - node[c]);
+        if (const auto point = above_or_below(cell, base)) return point;
+      }
+    return std::nullopt;
+  }
+
+  /// The point of the level on the line of the cell's direction through a place in the cell.
+  std::optional<InnerVertex<Scalar>> above_or_below(
+      const typename Refinement<Scalar, 4>::Cell& cell, const std::array<Scalar, 4>& base) const {
+    const auto& refinement = plan_.leaves->refinement;
     const auto& d = cell.proof.direction;
     Scalar down(0), up(0);
     bool has_down = false, has_up = false;
@@ -182,9 +203,10 @@ class LeafTriangles {
       for (std::size_t c = 0; c < 4; ++c) w[c] = base[c] + k * d[c];
       return w;
     };
-    const Scalar root =
-        segment_root(tensor_at(tensors, at(down)), tensor_at(tensors, at(up)), level_);
-    const auto local = at(down + root * (up - down));
+    const auto lower = tensor_at(tensors, at(down)), upper = tensor_at(tensors, at(up));
+    if (!(level_function(lower, level_) < Scalar(0) && level_function(upper, level_) > Scalar(0)))
+      return std::nullopt;
+    const auto local = at(down + segment_root(lower, upper, level_) * (up - down));
     InnerVertex<Scalar> point;
     point.tensor = tensor_at(tensors, local);
     for (std::size_t i = 0; i < 4; ++i) {
