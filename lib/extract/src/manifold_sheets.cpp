@@ -291,7 +291,7 @@ class Drawing {
     }
     if (!(least > 0.1)) least = -2;
     std::vector<ChartTriangulation::Point> samples;
-    const int around = std::max(8, static_cast<int>(std::ceil(2 * kPi / turn_)));
+    const int around = 2 * std::max(4, static_cast<int>(std::ceil(kPi / turn_)));
     const double step = 2 * kPi / around;
     const QuadGrid grid(on_.manifold, around);
     for (int i = 0; i < around; ++i)
