@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
+
+namespace tensortopo {
+
+/// What is known of one extracted mode surface.
+struct SurfaceReport {
+  ModeValue mode;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  SurfaceInvariants invariants;  ///< `component` is left empty
+  double max_abs_residual = 0;   ///< largest |mode at a vertex - mode|
+  std::map<UnresolvedReason, std::size_t> unresolved;
+  ExtractStatistics statistics;
+};
+
+/// A tetrahedron that some mode's surface leaves out.
+struct UnresolvedReport {
+  std::int64_t cell = 0;  ///< id in the input file
+  UnresolvedReason reason{};
+  std::vector<ModeValue> modes;  ///< for which it is unresolved
+};
+
+/// What `run_extract` did.
+struct ExtractReport {
+  std::filesystem::path input;
+  std::string sha256;
+  std::string tensor_name;
+  std::size_t vertices = 0;
+  std::size_t tetrahedra = 0;
+  std::vector<std::string> notes;  ///< what reading repaired or skipped
+
+  std::vector<SurfaceReport> surfaces;       ///< one for each mode
+  std::vector<UnresolvedReport> unresolved;  ///< by cell id, then reason
+
+  std::filesystem::path output;
+  bool written = false;
+  std::uintmax_t bytes = 0;
+
+  double seconds_read = 0, seconds_invariants = 0, seconds_write = 0;
+  double seconds_extract = 0;  ///< all stages of all modes, by the clock
+};
+
+/// The number of tetrahedra unresolved for each reason, each counted once whatever the modes.
+std::map<UnresolvedReason, std::size_t> count_unresolved(const ExtractReport& report);
+
+/// The statistics of all surfaces, added up.
+ExtractStatistics total_statistics(const ExtractReport& report);
+
+/// One JSON object, with the keys that the command line's contract names. Ends without newline.
+std::string to_json(const ExtractReport& report);
+
+/// A table for people, one row a mode. Ends with a newline.
+std::string to_text(const ExtractReport& report);
+
+/// "12 of 7200 tetrahedra unresolved (10 budget_exhausted, ...)"; empty if there are none.
+std::string unresolved_line(const ExtractReport& report);
+
+}  // namespace tensortopo

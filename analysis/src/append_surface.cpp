@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/analysis/append_surface.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace tensortopo {
+namespace {
+
+using Index = SurfaceMesh::Index;
+
+// Whether an array is there in one surface and missing in the other.
+template <class T>
+void append(std::vector<T>& array, std::vector<T>& part, std::size_t length,
+            std::size_t part_length) {
+  if ((array.size() == length) != (part.size() == part_length)) {
+    throw std::invalid_argument("append_surface: an array is filled in one surface only");
+  }
+  array.insert(array.end(), part.begin(), part.end());
+}
+
+}  // namespace
+
+void append_surface(SurfaceMesh& surface, SurfaceMesh part) {
+  if (part.points.empty()) return;
+  if (surface.points.empty()) {
+    surface = std::move(part);
+    return;
+  }
+  const std::size_t vertices = surface.points.size(), new_vertices = part.points.size();
+  const std::size_t triangles = surface.triangles.size(), new_triangles = part.triangles.size();
+  constexpr auto limit = static_cast<std::size_t>(std::numeric_limits<Index>::max());
+  if (new_vertices > limit - vertices || new_triangles > limit - std::min(limit, triangles)) {
+    throw std::length_error("append_surface: more vertices or triangles than 32 bits can number");
+  }
+
+  Index first_component = 0;
+  for (const Index c : surface.component) first_component = std::max(first_component, c + 1);
+  for (Index& c : part.component) c += first_component;
+  for (auto& triangle : part.triangles) {
+    for (Index& v : triangle) v += static_cast<Index>(vertices);
+  }
+
+  const auto per_vertex = [&](auto& a, auto& b) { append(a, b, vertices, new_vertices); };
+  const auto per_triangle = [&](auto& a, auto& b) { append(a, b, triangles, new_triangles); };
+  per_vertex(surface.carrier, part.carrier);
+  per_vertex(surface.carrier_id, part.carrier_id);
+  per_vertex(surface.carrier_vertices, part.carrier_vertices);
+  per_vertex(surface.medium_eigenvector, part.medium_eigenvector);
+  per_vertex(surface.dominant_eigenvector, part.dominant_eigenvector);
+  per_vertex(surface.normal, part.normal);
+  per_vertex(surface.mode, part.mode);
+  per_vertex(surface.residual, part.residual);
+  per_triangle(surface.tet, part.tet);
+  per_triangle(surface.component, part.component);
+  per_vertex(surface.points, part.points);
+  per_triangle(surface.triangles, part.triangles);
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/analysis/extract_command.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tensortopo/analysis/append_surface.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/write_surface.hpp"
+
+namespace tensortopo {
+namespace {
+
+class Clock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void tell(const Progress& progress, std::string_view stage, double fraction) {
+  if (progress) progress(stage, fraction);
+}
+
+// An extraction may take minutes: a folder that is not there is found out before it.
+void require_folder(const std::filesystem::path& output) {
+  const auto folder = output.has_parent_path() ? output.parent_path() : ".";
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw IoError(IoError::Kind::unwritable, output, "no such folder");
+  }
+  if (std::filesystem::is_directory(output, error)) {
+    throw IoError(IoError::Kind::unwritable, output, "is a folder");
+  }
+}
+
+using UnresolvedModes = std::map<std::pair<std::int64_t, UnresolvedReason>, std::vector<ModeValue>>;
+
+SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction) {
+  SurfaceReport report;
+  report.mode = mode;
+  report.vertices = extraction.surface.points.size();
+  report.triangles = extraction.surface.triangles.size();
+  report.invariants = surface_invariants(extraction.surface);
+  report.invariants.component.clear();
+  for (const double r : extraction.surface.residual) {
+    report.max_abs_residual = std::max(report.max_abs_residual, std::abs(r));
+  }
+  for (const UnresolvedCell& cell : extraction.unresolved) ++report.unresolved[cell.reason];
+  report.statistics = extraction.statistics;
+  return report;
+}
+
+}  // namespace
+
+std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool generalized) {
+  std::vector<ModeValue> result;
+  const auto add = [&](const ModeValue& mode) {
+    if (std::find(result.begin(), result.end(), mode) == result.end()) result.push_back(mode);
+  };
+  for (const ModeValue& mode : modes) {
+    const std::string text = mode.text();
+    if (text == "0" || text == "1" || text == "-1") {
+      throw UsageError("--mode " + text +
+                       ": neutral surfaces and degenerate curves are not extracted by this version");
+    }
+    add(mode);
+    if (generalized) add(mode.opposite());
+  }
+  if (result.empty()) throw UsageError("no mode given");
+  return result;
+}
+
+void require_surface_extension(const std::filesystem::path& output) {
+  constexpr std::array<std::string_view, 5> known{".vtp", ".ply", ".obj", ".off", ".stl"};
+  if (std::find(known.begin(), known.end(), output.extension().string()) == known.end()) {
+    throw UsageError(output.string() +
+                     ": the name must end in .vtp, .ply, .obj, .off or .stl (no format for '" +
+                     output.extension().string() + "')");
+  }
+}
+
+ExtractReport run_extract(const ExtractCommand& command, const Progress& progress) {
+  const std::vector<ModeValue> modes = modes_to_extract(command.modes, command.generalized);
+  require_surface_extension(command.output);
+  if (!(command.sampling.resolution > 0) || !std::isfinite(command.sampling.resolution)) {
+    throw UsageError("--resolution: must be a positive number");
+  }
+  require_folder(command.output);
+
+  ExtractReport report;
+  report.input = command.input;
+  report.output = command.output;
+
+  tell(progress, "reading", 0);
+  const Clock read_clock;
+  const ReadResult read = read_mesh(command.input, command.read);
+  report.seconds_read = read_clock.seconds();
+  report.sha256 = read.sha256;
+  report.tensor_name = read.report.tensor_name;
+  report.notes = read.report.notes;
+  report.vertices = read.mesh.points.size();
+  report.tetrahedra = read.mesh.tets.size();
+
+  SurfaceMesh surface;
+  UnresolvedModes unresolved;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    ExtractOptions options;
+    options.sampling = command.sampling;
+    if (progress) {
+      options.progress = [&, label = "mode " + modes[i].text() + ": "](std::string_view stage,
+                                                                       double fraction) {
+        progress(label + std::string(stage), fraction);
+      };
+    }
+    const Clock extract_clock;
+    Extraction extraction = extract_mode_surface<double>(read.mesh, modes[i], options);
+    report.seconds_extract += extract_clock.seconds();
+    for (const UnresolvedCell& cell : extraction.unresolved) {
+      const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];
+      unresolved[{id, cell.reason}].push_back(modes[i]);
+    }
+    const Clock invariants_clock;
+    report.surfaces.push_back(surface_report(modes[i], extraction));
+    report.seconds_invariants += invariants_clock.seconds();
+    append_surface(surface, std::move(extraction.surface));
+  }
+  for (auto& [key, which] : unresolved) {
+    report.unresolved.push_back({key.first, key.second, std::move(which)});
+  }
+
+  if (command.strict && !report.unresolved.empty()) return report;
+  tell(progress, "writing", 0);
+  const Clock write_clock;
+  report.bytes = write_surface(surface, read.mesh, command.output).bytes;
+  report.written = true;
+  report.seconds_write = write_clock.seconds();
+  return report;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "tensortopo/analysis/extract_report.hpp"
+
+namespace tensortopo {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kListedCells = 100;
+
+Json counts(const std::map<UnresolvedReason, std::size_t>& unresolved) {
+  Json json = Json::object();
+  for (const auto& [reason, count] : unresolved) json[std::string(name_of(reason))] = count;
+  return json;
+}
+
+Json part_json(const SurfaceInvariants::Part& part) {
+  return {{"euler_characteristic", part.euler_characteristic},
+          {"boundary_loops", part.boundary_loops},
+          {"genus", part.genus},
+          {"triangles", part.triangles},
+          {"area", part.area},
+          {"orientable", part.orientable},
+          {"manifold", part.manifold}};
+}
+
+Json surface_json(const SurfaceReport& surface) {
+  const SurfaceInvariants& known = surface.invariants;
+  Json json{{"mode", surface.mode.approx()},
+            {"mode_exact", surface.mode.text()},
+            {"vertices", surface.vertices},
+            {"triangles", surface.triangles},
+            {"components", known.components},
+            {"boundary_loops", known.boundary_loops},
+            {"euler_characteristic", known.euler_characteristic},
+            {"orientable", known.orientable},
+            {"closed", known.closed},
+            {"manifold", known.manifold},
+            {"area", known.area},
+            {"max_abs_residual", surface.max_abs_residual},
+            {"tets_crossed", surface.statistics.tets_crossed},
+            {"unresolved", counts(surface.unresolved)}};
+  json["parts"] = Json::array();
+  for (const auto& part : known.parts) json["parts"].push_back(part_json(part));
+  return json;
+}
+
+Json unresolved_json(const UnresolvedReport& cell) {
+  Json json{{"cell", cell.cell}, {"reason", name_of(cell.reason)}, {"modes", Json::array()}};
+  for (const ModeValue& mode : cell.modes) json["modes"].push_back(mode.text());
+  return json;
+}
+
+Json statistics_json(const ExtractStatistics& s) {
+  return {{"tets_screened_out", s.tets_screened_out}, {"tets_crossed", s.tets_crossed},
+          {"tets_monotone", s.tets_monotone},         {"tets_refined", s.tets_refined},
+          {"sheets_small", s.sheets_small},           {"sheets_manifold", s.sheets_manifold},
+          {"sheets_leaves", s.sheets_leaves},         {"vertices_on_level", s.vertices_on_level}};
+}
+
+Json seconds_json(const ExtractReport& report, const ExtractStatistics& s) {
+  return {{"read", report.seconds_read},
+          {"edges", s.seconds_edges},
+          {"faces", s.seconds_faces},
+          {"tets", s.seconds_tets},
+          {"stitch", s.seconds_stitch},
+          {"extract", report.seconds_extract},
+          {"invariants", report.seconds_invariants},
+          {"certify", 0},
+          {"write", report.seconds_write}};
+}
+
+}  // namespace
+
+std::string to_json(const ExtractReport& report) {
+  const ExtractStatistics statistics = total_statistics(report);
+  Json json;
+  json["input"] = {{"path", report.input.string()},
+                   {"sha256", report.sha256},
+                   {"vertices", report.vertices},
+                   {"tetrahedra", report.tetrahedra},
+                   {"tensor", report.tensor_name},
+                   {"notes", report.notes}};
+  json["output"] = nullptr;
+  if (report.written) {
+    json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};
+  }
+  json["surfaces"] = Json::array();
+  for (const SurfaceReport& surface : report.surfaces) {
+    json["surfaces"].push_back(surface_json(surface));
+  }
+  json["curves"] = Json::array();
+  json["unresolved"] = counts(count_unresolved(report));
+  json["unresolved_cells"] = Json::array();
+  for (std::size_t i = 0; i < std::min(report.unresolved.size(), kListedCells); ++i) {
+    json["unresolved_cells"].push_back(unresolved_json(report.unresolved[i]));
+  }
+  json["seconds"] = seconds_json(report, statistics);
+  json["statistics"] = statistics_json(statistics);
+  // A path may hold bytes that are no UTF-8; JSON must not.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "program/mode_option.hpp"
+#include "program/progress_bar.hpp"
+#include "program/report_output.hpp"
+#include "program/subcommands.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
+
+namespace tensortopo {
+namespace {
+
+struct Options {
+  ExtractCommand command;
+  std::vector<std::string> modes;
+  std::string components;
+  std::string method = "manifold";
+};
+
+ExitStatus extract(const Options& options, const CommonOptions& common) {
+  static const std::map<std::string, ComponentOrder> orders{{"vtk", ComponentOrder::vtk},
+                                                            {"voigt", ComponentOrder::voigt},
+                                                            {"abaqus", ComponentOrder::abaqus}};
+  ExtractCommand command = options.command;
+  command.modes = parse_modes(options.modes);
+  if (!options.components.empty()) command.read.components = orders.at(options.components);
+
+  ProgressBar bar(!common.quiet);
+  const ExtractReport report = run_extract(command, bar.callback());
+  bar.erase();
+  if (!common.quiet) {
+    for (const std::string& note : report.notes) {
+      std::cerr << "tensortopo: " << report.input.string() << ": " << note << '\n';
+    }
+  }
+  const std::string unresolved = unresolved_line(report);
+  if (!unresolved.empty()) {
+    std::cerr << "tensortopo: " << report.input.string() << ": " << unresolved
+              << (report.written ? "" : "; nothing written") << '\n';
+  }
+  print(common.json ? to_json(report) + '\n' : to_text(report));
+  return command.strict && !unresolved.empty() ? ExitStatus::undecided : ExitStatus::done;
+}
+
+}  // namespace
+
+void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
+  CLI::App& app = *program.add_subcommand("extract", "Extract mode surfaces of a tensor field");
+  const auto options = std::make_shared<Options>();
+  ExtractCommand& command = options->command;
+  app.add_option("INPUT", command.input, "Tetrahedral mesh with tensors: .vtu, .pvtu, legacy .vtk")
+      ->required();
+  app.add_option("-o,--output", command.output, "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl")
+      ->type_name("FILE")
+      ->required();
+  add_mode_option(app, options->modes);
+  app.add_flag("--generalized", command.generalized, "With each mode M, also -M");
+  app.add_option("--resolution", command.sampling.resolution,
+                 "Samples per radian of turning of the medium eigenvector")
+      ->type_name("R")
+      ->capture_default_str();
+  app.add_option("--method", options->method, "How to extract")
+      ->check(CLI::IsMember({"manifold"}))
+      ->capture_default_str();
+  app.add_flag("--strict", command.strict,
+               "If a tetrahedron stays unresolved, write nothing and exit with 1");
+  app.add_option("--tensor", command.read.tensor, "Name of the tensor array")->type_name("NAME");
+  app.add_option("--components", options->components, "Order of six components (default: vtk)")
+      ->check(CLI::IsMember({"vtk", "voigt", "abaqus"}));
+  app.add_flag("--symmetrize", command.read.symmetrize, "Take the symmetric part of 3x3 tensors");
+  app.add_flag("--cell-to-point", command.read.cell_to_point,
+               "Average tensors on cells to the vertices");
+  app.add_flag("--tetrahedralize", command.read.tetrahedralize,
+               "Split other linear 3D cells into tetrahedra");
+  add_common_options(app, common);
+  app.callback([options, &common, &action] {
+    action = [options, &common] { return extract(*options, common); };
+  });
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <oneapi/tbb/global_control.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <string>
+
+#include "program/subcommands.hpp"
+#include "program/versions.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/io_error.hpp"
+
+namespace {
+
+using tensortopo::ExitStatus;
+using tensortopo::IoError;
+
+ExitStatus fail(ExitStatus status, std::string message) {
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
+  std::cerr << "tensortopo: " << message << '\n';
+  return status;
+}
+
+ExitStatus status_of(IoError::Kind kind) {
+  return kind == IoError::Kind::unwritable ? ExitStatus::cannot_write : ExitStatus::bad_input;
+}
+
+// Runs what the caller chose; every way to fail ends here.
+ExitStatus run(const tensortopo::Action& action, int threads) {
+  try {
+    std::optional<tbb::global_control> control;
+    if (threads > 0) {
+      control.emplace(tbb::global_control::max_allowed_parallelism,
+                      static_cast<std::size_t>(threads));
+    }
+    return action();
+  } catch (const tensortopo::UsageError& error) {
+    return fail(ExitStatus::bad_usage, error.what());
+  } catch (const IoError& error) {
+    return fail(status_of(error.kind()), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitStatus::bad_input, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(ExitStatus::our_fault, std::string("internal error: ") + error.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Topology of 3D symmetric tensor fields: mode surfaces of piecewise linear fields",
+               "tensortopo"};
+  app.set_version_flag("--version", tensortopo::version_text(),
+                       "Print the version, and those of the libraries, and exit");
+  app.require_subcommand(1);
+  tensortopo::CommonOptions common;
+  tensortopo::Action action;
+  tensortopo::add_extract_subcommand(app, common, action);
+  tensortopo::add_render_subcommand(app, common, action);
+  tensortopo::add_bench_subcommand(app, common, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return static_cast<int>(
+        fail(ExitStatus::bad_usage, std::string(error.what()) + " (see --help)"));
+  }
+  return static_cast<int>(run(action, common.threads));
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program/mode_option.hpp"
+
+#include <stdexcept>
+
+#include "tensortopo/analysis/usage_error.hpp"
+
+namespace tensortopo {
+
+CLI::Option* add_mode_option(CLI::App& app, std::vector<std::string>& modes) {
+  return app
+      .add_option("--mode", modes,
+                  "Mode in [-1, 1], a decimal or a fraction, taken exactly; repeatable")
+      ->type_name("M")
+      ->required()
+      ->allow_extra_args(false);
+}
+
+std::vector<ModeValue> parse_modes(const std::vector<std::string>& modes) {
+  std::vector<ModeValue> values;
+  for (const std::string& text : modes) {
+    try {
+      values.push_back(ModeValue::parse(text));
+    } catch (const std::invalid_argument& problem) {
+      throw UsageError("--mode " + text + ": " + problem.what());
+    }
+  }
+  return values;
+}
+
+}  // namespace tensortopo

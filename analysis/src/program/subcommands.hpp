@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "tensortopo/analysis/exit_status.hpp"
+#include "program/common_options.hpp"
+
+namespace tensortopo {
+
+/// A parsed subcommand, ready to run. Throws UsageError, IoError.
+using Action = std::function<ExitStatus()>;
+
+/// Each adds a subcommand to the program and sets `action` if the caller chooses it.
+void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+
+}  // namespace tensortopo

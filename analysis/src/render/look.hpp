@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace tensortopo {
+
+using Colour = std::array<double, 3>;
+
+inline constexpr Colour kTeal{0.06, 0.58, 0.57};
+inline constexpr Colour kGold{0.93, 0.67, 0.13};
+inline constexpr Colour kGreen{0.10, 0.62, 0.22};
+inline constexpr Colour kYellow{0.98, 0.86, 0.10};
+inline constexpr Colour kGrey{0.55, 0.60, 0.66};
+inline constexpr Colour kInk{0.16, 0.18, 0.21};
+inline constexpr Colour kWhite{1, 1, 1};
+
+/// Gives a VTK property a colour.
+template <class Property>
+void paint(Property& property, const Colour& colour) {
+  property.SetColor(colour[0], colour[1], colour[2]);
+}
+
+/// How the sheet of one mode looks among the others.
+struct Look {
+  Colour colour;
+  double opacity;
+};
+
+inline Colour mix(const Colour& a, const Colour& b, double t) {
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+}
+
+/// Teal for positive modes, gold for negative ones; where there are several of a sign, the one
+/// furthest from zero, which the others enclose, is solid and the others are glass.
+inline Look look_of(std::optional<double> mode, const std::vector<std::optional<double>>& all) {
+  if (!mode || *mode == 0) return {kGrey, 1};
+  if (*mode == 1) return {kGreen, 1};
+  if (*mode == -1) return {kYellow, 1};
+  std::size_t further = 0, same_sign = 0;
+  for (const auto& other : all) {
+    if (!other || std::abs(*other) == 1 || *other * *mode <= 0) continue;
+    ++same_sign;
+    if (std::abs(*other) > std::abs(*mode)) ++further;
+  }
+  const Colour base = *mode > 0 ? kTeal : kGold;
+  if (further == 0) return {same_sign > 1 ? mix(base, {0, 0, 0}, 0.12) : base, 1};
+  const double rank = static_cast<double>(further) / static_cast<double>(same_sign);
+  return {mix(base, kWhite, 0.45 * rank), std::max(0.22, 0.6 - 0.4 * rank)};
+}
+
+}  // namespace tensortopo

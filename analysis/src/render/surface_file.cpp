@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/surface_file.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkCleanPolyData.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <fstream>
+#include <set>
+
+#include "tensortopo/io/io_error.hpp"
+
+namespace tensortopo {
+namespace {
+
+// Notes that an algorithm complained, instead of printing it.
+class Complaint : public vtkCommand {
+ public:
+  static Complaint* New() { return new Complaint; }
+  void Execute(vtkObject*, unsigned long, void*) override { heard = true; }
+  bool heard = false;
+};
+
+vtkSmartPointer<vtkPolyData> read(const std::filesystem::path& file) {
+  if (!std::ifstream(file, std::ios::binary)) {
+    throw IoError(IoError::Kind::unreadable, file, "cannot open");
+  }
+  vtkNew<Complaint> complaint;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, complaint);
+  reader->AddObserver(vtkCommand::WarningEvent, complaint);
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (complaint->heard || reader->GetErrorCode() != vtkErrorCode::NoError) {
+    throw IoError(IoError::Kind::invalid, file, "is no readable .vtp file");
+  }
+  if (reader->GetOutput()->GetNumberOfPoints() == 0) {
+    throw IoError(IoError::Kind::invalid, file, "holds no points, so there is nothing to draw");
+  }
+  return reader->GetOutput();
+}
+
+// The cells whose first point has the mode.
+vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* modes, double mode) {
+  const auto selected = vtkSmartPointer<vtkCellArray>::New();
+  vtkIdType size = 0;
+  const vtkIdType* points = nullptr;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
+    cells->GetCellAtId(i, size, points);
+    if (size > 0 && modes->GetComponent(points[0], 0) == mode) {
+      selected->InsertNextCell(size, points);
+    }
+  }
+  return selected;
+}
+
+}  // namespace
+
+std::vector<Sheet> read_sheets(const std::filesystem::path& file) {
+  const vtkSmartPointer<vtkPolyData> all = read(file);
+  vtkPointData* const data = all->GetPointData();
+  if (vtkDataArray* const normals = data->GetArray("normal");
+      normals != nullptr && normals->GetNumberOfComponents() == 3) {
+    data->SetNormals(normals);
+  }
+  vtkDataArray* const modes = data->GetArray("mode");
+  if (modes == nullptr) return {{std::nullopt, all}};
+
+  std::set<double> values;
+  for (vtkIdType i = 0; i < modes->GetNumberOfTuples(); ++i) {
+    values.insert(modes->GetComponent(i, 0));
+  }
+  std::vector<Sheet> sheets;
+  for (const double mode : values) {
+    const auto part = vtkSmartPointer<vtkPolyData>::New();
+    part->SetPoints(all->GetPoints());
+    part->GetPointData()->ShallowCopy(data);
+    part->SetPolys(select(all->GetPolys(), modes, mode));
+    part->SetLines(select(all->GetLines(), modes, mode));
+    vtkNew<vtkCleanPolyData> used;  // drops the points of the other modes
+    used->PointMergingOff();
+    used->SetInputData(part);
+    used->Update();
+    sheets.push_back({mode, used->GetOutput()});
+  }
+  return sheets;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace tensortopo {
+
+/// What a .vtp file holds for one mode: triangles or, for degenerate curves, polylines.
+struct Sheet {
+  std::optional<double> mode;  ///< nothing if the file has no array `mode`
+  vtkSmartPointer<vtkPolyData> shape;
+};
+
+/// The sheets of a .vtp file, by ascending mode, with the normals that the file gives.
+/// Throws IoError.
+std::vector<Sheet> read_sheets(const std::filesystem::path& file);
+
+}  // namespace tensortopo

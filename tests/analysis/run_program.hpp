@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tensortopo::test {
+
+/// How a run of the program ended, and what it said.
+struct Outcome {
+  int status = -1;  ///< exit status; -1 if a signal ended it
+  std::string out, err;
+};
+
+/// Runs the program tensortopo, without a display, and with no terminal.
+Outcome run_program(const std::vector<std::string>& arguments);
+
+/// A bundled field: "s1_compress_off", "s2_pushpull", "s3_three" or "s4_slab".
+std::string field(const std::string& name);
+
+std::string contents(const std::filesystem::path& file);
+
+/// A folder that is empty at first, and gone at the end.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  /// The names of the files in it, sorted.
+  std::vector<std::string> files() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace tensortopo::test

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "run_program.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+// One line, starting with the program's name, and naming what it is about.
+void expect_error_line(const Outcome& run, const std::string& about) {
+  EXPECT_EQ(run.err.rfind("tensortopo: ", 0), 0u) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_NE(run.err.find(about), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "");
+}
+
+// Extracts s4_slab with these words added; they come last, so they are what is wrong.
+Outcome extract(const Folder& folder, std::vector<std::string> words) {
+  words.insert(words.begin(), {"extract", field("s4_slab"), "-o", folder / "s.vtp"});
+  return run_program(words);
+}
+
+struct BadWords {
+  std::vector<std::string> words;
+  std::string about;
+};
+
+TEST(ExtractFailures, BadUsageIsTwoAndLeavesNoFile) {
+  const std::vector<BadWords> cases{
+      {{"--mode", "0.5", "--no-such-option"}, "--no-such-option"},
+      {{"--mode", "0.5", "--certify", "c.json"}, "--certify"},
+      {{"--mode", "0.5", "--max-error", "1"}, "--max-error"},
+      {{"--mode", "0.5", "--method", "marching"}, "--method"},
+      {{"--mode", "half"}, "half"},
+      {{"--mode", "1.5"}, "1.5"},
+      {{"--mode", "-11/10"}, "-11/10"},
+      {{"--mode", "nan"}, "nan"},
+      {{"--mode", "1/0"}, "1/0"},
+      {{"--mode", "0"}, "not extracted by this version"},
+      {{"--mode", "1"}, "not extracted by this version"},
+      {{"--mode", "-1"}, "not extracted by this version"},
+      {{"--mode", "0.5", "--threads", "0"}, "--threads"},
+      {{"--mode", "0.5", "--resolution", "-1"}, "--resolution"},
+      {{"--mode", "0.5", "--resolution", "nan"}, "--resolution"},
+      {{}, "--mode"},
+  };
+  for (const BadWords& bad : cases) {
+    const Folder folder;
+    const Outcome run = extract(folder, bad.words);
+    EXPECT_EQ(run.status, 2) << run.err;
+    expect_error_line(run, bad.about);
+    EXPECT_TRUE(folder.files().empty());
+  }
+}
+
+TEST(ExtractFailures, UnknownExtensionIsBadUsage) {
+  const Folder folder;
+  const Outcome run =
+      run_program({"extract", field("s4_slab"), "-o", folder / "s.xyz", "--mode", "0.5"});
+  EXPECT_EQ(run.status, 2);
+  expect_error_line(run, "s.xyz");
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(ExtractFailures, BadInputIsThree) {
+  const Folder folder;
+  std::ofstream(folder / "text.vtu") << "this is no mesh\n";
+  const std::string whole = contents(field("s4_slab"));
+  std::ofstream(folder / "cut.vtu", std::ios::binary) << whole.substr(0, whole.size() / 2);
+  for (const char* name : {"missing.vtu", "text.vtu", "cut.vtu"}) {
+    const Outcome run =
+        run_program({"extract", folder / name, "-o", folder / "s.vtp", "--mode", "0.5"});
+    EXPECT_EQ(run.status, 3) << run.err;
+    expect_error_line(run, folder / name);
+  }
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"cut.vtu", "text.vtu"}));
+}
+
+TEST(ExtractFailures, UnknownTensorIsBadInputByName) {
+  const Folder folder;
+  const Outcome run = extract(folder, {"--mode", "0.5", "--tensor", "strain"});
+  EXPECT_EQ(run.status, 3);
+  expect_error_line(run, "strain");
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(ExtractFailures, NoPlaceToWriteIsFour) {
+  const Folder folder;
+  const std::string output = folder / "no/such/folder/s.vtp";
+  const Outcome run = run_program({"extract", field("s4_slab"), "-o", output, "--mode", "0.5"});
+  EXPECT_EQ(run.status, 4);
+  expect_error_line(run, output);
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(ExtractFailures, AFileThatWasThereStays) {
+  const Folder folder;
+  std::ofstream(folder / "s.vtp") << "old";
+  EXPECT_EQ(extract(folder, {"--mode", "0.5", "--tensor", "strain"}).status, 3);
+  EXPECT_EQ(contents(folder / "s.vtp"), "old");
+}
+
+}  // namespace
+}  // namespace tensortopo::test

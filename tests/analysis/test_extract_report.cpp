@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "run_program.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// One extraction that the tests share: two modes in one file.
+struct Shared {
+  Folder folder;
+  Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode", "0.5",
+                         "--mode", "-1/2", "--json"});
+  Json json = Json::parse(run.out, nullptr, false);
+};
+
+const Shared& shared() {
+  static const Shared once;
+  return once;
+}
+
+TEST(ExtractReport, IsOneJsonObjectAndNothingElse) {
+  EXPECT_EQ(shared().run.status, 0);
+  EXPECT_TRUE(shared().json.is_object()) << shared().run.out.substr(0, 300);
+}
+
+TEST(ExtractReport, IsSilentOnStandardErrorInAPipe) { EXPECT_EQ(shared().run.err, ""); }
+
+TEST(ExtractReport, DescribesTheInput) {
+  const Json& input = shared().json.at("input");
+  EXPECT_EQ(input.at("path"), field("s4_slab"));
+  EXPECT_EQ(input.at("sha256").get<std::string>().size(), 64u);
+  EXPECT_EQ(input.at("vertices"), 1665);
+  EXPECT_EQ(input.at("tetrahedra"), 7488);
+}
+
+TEST(ExtractReport, HasEveryKeyOfTheContract) {
+  for (const char* key : {"curves", "unresolved", "unresolved_cells", "statistics"}) {
+    EXPECT_TRUE(shared().json.contains(key)) << key;
+  }
+  for (const char* key : {"read", "edges", "faces", "tets", "stitch", "certify", "write"}) {
+    EXPECT_TRUE(shared().json.at("seconds").at(key).is_number()) << key;
+  }
+  for (const Json& surface : shared().json.at("surfaces")) {
+    for (const char* key :
+         {"mode", "mode_exact", "vertices", "triangles", "components", "boundary_loops",
+          "euler_characteristic", "orientable", "closed", "manifold", "area", "max_abs_residual",
+          "tets_crossed", "parts"}) {
+      EXPECT_TRUE(surface.contains(key)) << key;
+    }
+    for (const Json& part : surface.at("parts")) {
+      for (const char* key :
+           {"euler_characteristic", "boundary_loops", "genus", "triangles", "area"}) {
+        EXPECT_TRUE(part.contains(key)) << key;
+      }
+    }
+  }
+}
+
+TEST(ExtractReport, KeepsTheOrderAndTheExactModes) {
+  const Json& surfaces = shared().json.at("surfaces");
+  ASSERT_EQ(surfaces.size(), 2u);
+  EXPECT_EQ(surfaces[0].at("mode"), 0.5);
+  EXPECT_EQ(surfaces[0].at("mode_exact"), "1/2");
+  EXPECT_EQ(surfaces[1].at("mode"), -0.5);
+  EXPECT_EQ(surfaces[1].at("mode_exact"), "-1/2");
+}
+
+TEST(ExtractReport, PartsAddUpToTheWhole) {
+  for (const Json& surface : shared().json.at("surfaces")) {
+    long euler = 0, loops = 0, triangles = 0;
+    double area = 0;
+    for (const Json& part : surface.at("parts")) {
+      euler += part.at("euler_characteristic").get<long>();
+      loops += part.at("boundary_loops").get<long>();
+      triangles += part.at("triangles").get<long>();
+      area += part.at("area").get<double>();
+    }
+    EXPECT_EQ(surface.at("parts").size(), surface.at("components"));
+    EXPECT_EQ(euler, surface.at("euler_characteristic"));
+    EXPECT_EQ(loops, surface.at("boundary_loops"));
+    EXPECT_EQ(triangles, surface.at("triangles"));
+    EXPECT_NEAR(area, surface.at("area").get<double>(), 1e-9 * area);
+  }
+}
+
+TEST(ExtractReport, ModeSurfacesAreOrientableManifolds) {
+  for (const Json& surface : shared().json.at("surfaces")) {
+    EXPECT_TRUE(surface.at("manifold").get<bool>());
+    EXPECT_TRUE(surface.at("orientable").get<bool>());
+    EXPECT_GT(surface.at("triangles"), 100);
+  }
+}
+
+TEST(ExtractReport, GeneralizedEqualsBothModes) {
+  const Folder folder;
+  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "g.vtp", "--mode", ".5",
+                               "--generalized", "--json"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contents(folder / "g.vtp") == contents(shared().folder / "s.vtp"));
+  EXPECT_EQ(Json::parse(run.out).at("surfaces"), shared().json.at("surfaces"));
+}
+
+TEST(ExtractReport, RepeatedModesCountOnce) {
+  const Folder folder;
+  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "g.vtp", "--mode", "0.5",
+                               "--mode", "5/10", "--mode", "-0.50", "--generalized", "--json"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out).at("surfaces").size(), 2u);
+}
+
+TEST(ExtractReport, WithoutJsonIsATableForPeople) {
+  const Folder folder;
+  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.stl", "--mode",
+                               "-9/10", "--resolution", "3"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("-9/10"), std::string::npos);
+  EXPECT_NE(run.out.find("s.stl"), std::string::npos);
+  EXPECT_FALSE(Json::accept(run.out));
+}
+
+}  // namespace
+}  // namespace tensortopo::test

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+#include "run_program.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+struct Picture {
+  std::size_t width = 0, height = 0, teal = 0, gold = 0, white = 0, dark = 0;
+};
+
+Picture look_at(const std::string& file) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&image, file.c_str()) == 0) return {};
+  image.format = PNG_FORMAT_RGB;
+  std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(image));
+  if (png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) == 0) return {};
+  Picture picture{image.width, image.height};
+  for (std::size_t i = 0; i + 2 < pixels.size(); i += 3) {
+    const int r = pixels[i], g = pixels[i + 1], b = pixels[i + 2];
+    if (g > r + 60 && b > r + 60) ++picture.teal;
+    if (r > b + 80 && g > b + 40) ++picture.gold;
+    if (r == 255 && g == 255 && b == 255) ++picture.white;
+    if (std::max({r, g, b}) < 100) ++picture.dark;
+  }
+  return picture;
+}
+
+TEST(Render, DrawsPositiveModesTealAndNegativeModesGold) {
+  const Folder folder;
+  const Outcome extract = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
+                                   "0.5", "--generalized", "--quiet"});
+  ASSERT_EQ(extract.status, 0) << extract.err;
+  const Outcome run = run_program({"render", folder / "s.vtp", "--mesh", field("s4_slab"), "-o",
+                               folder / "s.png", "--size", "400x300"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const Picture picture = look_at(folder / "s.png");
+  EXPECT_EQ(picture.width, 400u);
+  EXPECT_EQ(picture.height, 300u);
+  EXPECT_GT(picture.teal, 1000u);
+  EXPECT_GT(picture.gold, 1000u);
+  EXPECT_GT(picture.white, 20000u);
+  EXPECT_GT(picture.dark, 100u);
+}
+
+TEST(Render, DrawsAMeshAlone) {
+  const Folder folder;
+  const Outcome run = run_program({"render", field("s1_compress_off"), "-o", folder / "m.png", "--size",
+                               "200x160", "--view", "-40,30"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Picture picture = look_at(folder / "m.png");
+  EXPECT_EQ(picture.width, 200u);
+  EXPECT_EQ(picture.teal + picture.gold, 0u);
+  EXPECT_GT(picture.dark, 50u);
+}
+
+TEST(Render, RefusesWhatItCannotDraw) {
+  const Folder folder;
+  std::ofstream(folder / "bad.vtp") << "no surface\n";
+  const std::string png = folder / "x.png";
+  EXPECT_EQ(run_program({"render", folder / "bad.vtp", "-o", png}).status, 3);
+  EXPECT_EQ(run_program({"render", folder / "missing.vtp", "-o", png}).status, 3);
+  EXPECT_EQ(run_program({"render", field("s4_slab"), "-o", folder / "x.jpg"}).status, 2);
+  EXPECT_EQ(run_program({"render", field("s4_slab"), "-o", png, "--size", "0x9"}).status, 2);
+  EXPECT_EQ(run_program({"render", field("s4_slab"), "-o", png, "--view", "1,2,3"}).status, 2);
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"bad.vtp"});
+}
+
+}  // namespace
+}  // namespace tensortopo::test

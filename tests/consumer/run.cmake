@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+# cmake -DHOW=find_package|add_subdirectory -D... (see CMakeLists.txt) -P run.cmake
+cmake_minimum_required(VERSION 3.25)
+set(build "${WORK_DIR}/${HOW}")
+set(prefix "${WORK_DIR}/prefix")
+file(REMOVE_RECURSE "${build}")
+
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+set(options "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
+  "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+if(HOW STREQUAL "find_package")
+  file(REMOVE_RECURSE "${prefix}")
+  run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
+  # What is installed stands alone: no file names the place where it was made.
+  file(GLOB_RECURSE scripts "${prefix}/*.cmake")
+  foreach(script IN LISTS scripts)
+    file(STRINGS "${script}" lines REGEX "tensortopo_warnings")
+    file(READ "${script}" text)
+    string(FIND "${text}" "${SOURCE_DIR}" at)
+    if(lines OR NOT at EQUAL -1)
+      message(FATAL_ERROR "${script} mentions what is not installed")
+    endif()
+  endforeach()
+  list(APPEND options "-DCMAKE_PREFIX_PATH=${prefix}")
+else()
+  list(APPEND options "-DTENSORTOPO_SOURCE_DIR=${SOURCE_DIR}")
+endif()
+
+run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CMAKE_CURRENT_LIST_DIR}/project" -B "${build}"
+  ${options})
+if(CONFIGURE_ONLY)
+  return()
+endif()
+run("${CMAKE_COMMAND}" --build "${build}" --target consumer)
+run("${build}/consumer")

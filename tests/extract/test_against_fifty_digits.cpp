@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "extract_case.hpp"
+#include "laws.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+class TetrahedraInTwoPrecisions : public testing::TestWithParam<const char*> {};
+
+TEST_P(TetrahedraInTwoPrecisions, HaveTheSameTopology) {
+  const std::string mode = GetParam();
+  const bool thin = mode.find("99") != std::string::npos;
+  expect_agreement_with_fifty_digits(mode, trials(thin ? 4 : 30), 20240101);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, TetrahedraInTwoPrecisions, testing::ValuesIn(kLevels));
+
+}  // namespace
+}  // namespace tensortopo::test

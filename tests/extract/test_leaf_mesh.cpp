@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/extract/leaf_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <set>
+
+#include "extract_case.hpp"
+#include "support/brute_force.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+constexpr std::size_t kBudget = 400000;
+
+// Components, Euler numbers and loops, counted anew from the polygons.
+std::vector<ComponentTopology> recount(const LeafMesh& mesh) {
+  std::map<int, ComponentTopology> components;
+  std::map<int, std::set<std::uint32_t>> nodes;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const auto& polygon : mesh.polygons) {
+    ++components[polygon.component].euler;
+    for (int i = 0; i < polygon.size; ++i) {
+      const auto p = polygon.nodes[static_cast<std::size_t>(i)],
+                 q = polygon.nodes[static_cast<std::size_t>((i + 1) % polygon.size)];
+      nodes[polygon.component].insert(p);
+      sides[std::minmax(p, q)] = polygon.component;
+    }
+  }
+  for (auto& [c, topology] : components) topology.euler += static_cast<int>(nodes[c].size());
+  for (const auto& [side, c] : sides) --components[c].euler;
+  for (const auto& [c, topology] : components)
+    components[c].loops =
+        static_cast<int>(mesh.components[static_cast<std::size_t>(c)].rim_loops.size());
+  std::vector<ComponentTopology> result;
+  for (const auto& [c, topology] : components) result.push_back(topology);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// "" if the mesh is an oriented surface whose free sides are the rim loops, on faces.
+std::string flaws_of(const LeafMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const auto& polygon : mesh.polygons)
+    for (int i = 0; i < polygon.size; ++i)
+      if (++sides[{polygon.nodes[static_cast<std::size_t>(i)],
+                   polygon.nodes[static_cast<std::size_t>((i + 1) % polygon.size)]}] > 1)
+        return "two polygons run along one side the same way";
+  std::map<std::uint32_t, std::uint32_t> rim;
+  for (const auto& [side, count] : sides) {
+    if (sides.contains({side.second, side.first})) continue;
+    if ((mesh.nodes[side.first].faces & mesh.nodes[side.second].faces) == 0)
+      return "a free side inside the tetrahedron";
+    if (!rim.emplace(side.first, side.second).second) return "a rim that branches";
+  }
+  for (const auto& loop : mesh.rim_loops) {
+    if (loop.size() < 3) return "a rim loop of fewer than three nodes";
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const auto found = rim.find(loop[i]);
+      if (found == rim.end() || found->second != loop[(i + 1) % loop.size()])
+        return "a rim loop that is no boundary";
+      rim.erase(found);
+    }
+  }
+  return rim.empty() ? "" : "a boundary that is in no rim loop";
+}
+
+TEST(LeafMesh, IsAnOrientedSurfaceWithTheTopologyThatBruteForceSees) {
+  const std::uint64_t seed = 20240701;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  int decided = 0;
+  const int count = trials(120);
+  for (int trial = 0; trial < count; ++trial) {
+    const TetTensors tensors = random.tet_tensors();
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 6]);
+    SCOPED_TRACE("mode " + mode.text() + '\n' + exact_text(tensors));
+    const SimplexCase<double, 4> tet(tensors, mode);
+    Refinement<double, 4> refinement(tet.simplex, tet.level);
+    ASSERT_TRUE(refinement.run(kBudget));
+    const LeafMesh mesh = leaf_mesh(refinement);
+    EXPECT_EQ(flaws_of(mesh), "");
+    std::vector<ComponentTopology> stated;
+    for (const auto& component : mesh.components)
+      stated.push_back(
+          {component.euler_characteristic, static_cast<int>(component.rim_loops.size())});
+    std::sort(stated.begin(), stated.end());
+    EXPECT_EQ(stated, recount(mesh));
+    const auto expected = brute_force_topology(corners_of(tensors), mode.approx());
+    if (!expected) continue;
+    ++decided;
+    EXPECT_EQ(stated, expected->components);
+  }
+  std::cout << "brute force decided " << decided << " of " << count << '\n';
+  EXPECT_GT(10 * decided, 8 * count);
+}
+
+// Cells fill the tetrahedron without overlap, meet in whole faces, and keep its orientation.
+TEST(Refinement, IsAConformingSubdivision) {
+  const std::uint64_t seed = 20240702;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  for (int trial = 0; trial < trials(20); ++trial) {
+    const SimplexCase<double, 4> tet(random.tet_tensors(), ModeValue::parse("-9/10"));
+    Refinement<double, 4> refinement(tet.simplex, tet.level);
+    ASSERT_TRUE(refinement.run(kBudget));
+    double volume = 0;
+    std::map<std::array<std::uint32_t, 3>, int> faces;
+    for (const auto& cell : refinement.cells()) {
+      if (!cell.alive) continue;
+      const auto point = [&](std::size_t i) {
+        const auto& w = refinement.vertices()[cell.vertices[i]].weights;
+        return Vector3<double>{w[1], w[2], w[3]};
+      };
+      const auto o = point(0);
+      const double own = dot(point(1) - o, cross(point(2) - o, point(3) - o));
+      EXPECT_GT(own, 0);
+      volume += own;
+      for (std::size_t omitted = 0; omitted < 4; ++omitted) {
+        std::array<std::uint32_t, 3> face{};
+        for (std::size_t i = 0, k = 0; i < 4; ++i)
+          if (i != omitted) face[k++] = cell.vertices[i];
+        std::sort(face.begin(), face.end());
+        ++faces[face];
+      }
+    }
+    EXPECT_NEAR(volume, 1, 1e-9);
+    for (const auto& [face, count] : faces) {
+      bool outer = false;
+      for (std::size_t f = 0; f < 4; ++f)
+        outer = outer || std::all_of(face.begin(), face.end(), [&](std::uint32_t v) {
+                  return refinement.vertices()[v].weights[f] == 0;
+                });
+      EXPECT_EQ(count, outer ? 1 : 2);
+    }
+    for (const auto& v : refinement.vertices())
+      EXPECT_EQ(v.weights[0] + v.weights[1] + v.weights[2] + v.weights[3], 1);  // exact dyadics
+  }
+}
+
+}  // namespace
+}  // namespace tensortopo::test

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "extract_case.hpp"
+#include "laws.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+// The everyday laws on ten to thirty times as many fields, with other seeds.
+class LongLaws : public testing::TestWithParam<const char*> {
+ protected:
+  bool is_thin() const { return std::string(GetParam()).find("99") != std::string::npos; }
+};
+
+TEST_P(LongLaws, RandomTetrahedraHaveTheTopologyThatBruteForceSees) {
+  expect_agreement_with_brute_force(GetParam(), trials(is_thin() ? 600 : 3000), 20250001);
+}
+
+TEST_P(LongLaws, RandomTetrahedraHaveTheSameTopologyInTwoPrecisions) {
+  expect_agreement_with_fifty_digits(GetParam(), trials(is_thin() ? 40 : 400), 20250101);
+}
+
+TEST_P(LongLaws, IndependentTensorsGiveFlawlessSurfaces) {
+  expect_flawless_surfaces(GetParam(), trials(is_thin() ? 5 : 20), 3, false, 20250201);
+}
+
+TEST_P(LongLaws, SmoothFieldsGiveFlawlessSurfaces) {
+  expect_flawless_surfaces(GetParam(), trials(20), 6, true, 20250301);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, LongLaws, testing::ValuesIn(kLevels));
+
+}  // namespace
+}  // namespace tensortopo::test

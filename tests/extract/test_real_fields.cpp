@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "extract_case.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+// The bundled stress fields: what a finite element program wrote, rounding, symmetries and all.
+std::vector<std::filesystem::path> bundled_files() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(TENSORTOPO_EXAMPLE_DATA))
+    if (entry.path().extension() == ".vtu") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TetMesh read(const std::filesystem::path& file) {
+  ReadOptions options;
+  options.tetrahedralize = true;
+  return read_mesh(file, options).mesh;
+}
+
+class RealFields : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealFields, GiveFlawlessSurfaces) {
+  const std::string mode = GetParam();
+  for (const auto& file : bundled_files()) {
+    SCOPED_TRACE(file.filename().string() + " at " + mode);
+    const TetMesh mesh = read(file);
+    const Extraction extraction = extract(mesh, mode);
+    std::cout << file.filename().string() << " at " << mode << ": " << mesh.tets.size()
+              << " tetrahedra, " << extraction.surface.triangles.size() << " triangles, "
+              << summary(extraction.surface).components.size() << " components, "
+              << extraction.unresolved.size() << " unresolved\n";
+    EXPECT_EQ(flaws(extraction, mesh), "");
+    EXPECT_EQ(extraction.statistics.vertices_on_level, 0u);
+    // A body compressed askew has no symmetry that could put a special point anywhere.
+    if (file.filename().string().rfind("s1_compress_off", 0) == 0) {
+      EXPECT_EQ(unresolved_text(extraction), "");
+    } else {
+      EXPECT_LE(100 * extraction.unresolved.size(), mesh.tets.size());
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, RealFields, testing::ValuesIn(kLevels));
+
+TEST(ExampleData, IsThere) { EXPECT_GE(bundled_files().size(), 1u); }
+
+}  // namespace
+}  // namespace tensortopo::test

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "extract_case.hpp"
+#include "support/brute_force.hpp"
+#include "tensortopo/scalar/real.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+template <class Scalar>
+void expect_stated_topology(const FieldWitness& witness, const TetCase& tet) {
+  SCOPED_TRACE(witness.name + " at " + mode_of(tet.mode).text());
+  const TetMesh mesh = single_tet_mesh(tet.points, witness.field.at(tet.points));
+  const Extraction extraction = extract<Scalar>(mesh, mode_of(tet.mode).text());
+  EXPECT_EQ(unresolved_text(extraction), "");
+  const LocalTopology seen = topology_in_tet(extraction);
+  EXPECT_EQ(seen.components, tet.components);
+  EXPECT_EQ(seen.crossings(), tet.edge_crossings);
+  EXPECT_EQ(flaws(extraction, mesh), "");
+}
+
+TEST(FieldWitness, HasTheTopologyStated) {
+  for (const auto& witness : field_witnesses())
+    for (const auto& tet : witness.cases) expect_stated_topology<double>(witness, tet);
+}
+
+TEST(FieldWitness, HasTheTopologyStatedAtFiftyDigits) {
+  for (const auto& witness : field_witnesses()) {
+    const TetCase* last = nullptr;
+    for (const auto& tet : witness.cases)
+      if (!tet.thin) last = &tet;
+    expect_stated_topology<Real50>(witness, *last);
+  }
+}
+
+TEST(FieldWitness, TurnsIntoItsMirrorImageWhenTensorsAndModeAreNegated) {
+  for (const auto& witness : field_witnesses())
+    for (const auto& tet : witness.cases) {
+      SCOPED_TRACE(witness.name + " at " + mode_of(tet.mode).text());
+      auto tensors = witness.field.at(tet.points);
+      for (auto& t : tensors) t = -1.0 * t;
+      const auto seen = topology_in_tet(
+          extract(single_tet_mesh(tet.points, tensors), mode_of(tet.mode).opposite().text()));
+      EXPECT_EQ(seen.components, tet.components);
+      EXPECT_EQ(seen.crossings(), tet.edge_crossings);
+    }
+}
+
+// At the saddle value the surface has a cone point inside: no proof can close.
+TEST(FieldWitness, CriticalLevelsAreNamed) {
+  const auto& witness = field_witness("saddle_origin_rational");
+  const auto& points = witness.cases[0].points;
+  const TetMesh mesh = single_tet_mesh(points, witness.field.at(points));
+  const Extraction extraction = extract(mesh, "-143/343");
+  ASSERT_EQ(extraction.unresolved.size(), 1u);
+  EXPECT_EQ(extraction.unresolved[0].reason, UnresolvedReason::budget_exhausted);
+  EXPECT_TRUE(extraction.surface.triangles.empty());
+}
+
+// A level within 1e-6 of the saddle value still has its proof, on either side.
+TEST(FieldWitness, LevelsCloseToCriticalAreDecided) {
+  const auto& witness = field_witness("saddle_origin_rational");
+  const auto& points = witness.cases[0].points;
+  const TetMesh mesh = single_tet_mesh(points, witness.field.at(points));
+  const Extraction above = extract(mesh, "-4169095/10000000"),   // critical: -0.41690962...
+      below = extract(mesh, "-4169105/10000000");
+  EXPECT_EQ(unresolved_text(above), "");
+  EXPECT_EQ(unresolved_text(below), "");
+  EXPECT_EQ(topology_in_tet(above).components, (std::vector<ComponentTopology>{annulus}));
+  EXPECT_EQ(topology_in_tet(below).components, (std::vector<ComponentTopology>{disc, disc}));
+}
+
+// Special position is either named or extracted as brute force sees it.
+TEST(StratumWitness, IsNamedOrExtractedRight) {
+  for (const auto& witness : stratum_witnesses()) {
+    const TetMesh mesh = single_tet_mesh(witness.points, witness.tensors);
+    for (const char* mode : {"1/10", "-1/2", "9/10", "-99/100"}) {
+      SCOPED_TRACE(witness.name + " at " + mode);
+      const Extraction extraction = extract(mesh, mode);
+      EXPECT_EQ(flaws(extraction, mesh), "");
+      if (!extraction.unresolved.empty()) {
+        EXPECT_TRUE(witness.zero_point) << unresolved_text(extraction);
+        EXPECT_TRUE(extraction.surface.triangles.empty());
+        continue;
+      }
+      const auto expected =
+          brute_force_topology(corners_of(witness.tensors), ModeValue::parse(mode).approx());
+      if (expected) {
+        EXPECT_EQ(topology_in_tet(extraction), *expected);
+      }
+    }
+  }
+}
+
+TEST(StratumWitness, ZeroDeviatorsAtVerticesAreNamedAsThat) {
+  for (const char* name : {"one_direction", "zero", "zero_vertex"}) {
+    const auto& witness = stratum_witness(name);
+    const Extraction extraction =
+        extract(single_tet_mesh(witness.points, witness.tensors), "1/2");
+    ASSERT_EQ(extraction.unresolved.size(), 1u) << name;
+    EXPECT_EQ(extraction.unresolved[0].reason, UnresolvedReason::zero_deviator_vertex) << name;
+  }
+}
+
+TEST(StratumWitness, ConstantModeIsEmptyBesideItsLevelAndNamedOnIt) {
+  const auto& witness = stratum_witness("constant");
+  const TetMesh mesh = single_tet_mesh(witness.points, witness.tensors);
+  for (const char* mode : {"-41690/100000", "-41692/100000", "-1/10", "1/2"}) {
+    const Extraction beside = extract(mesh, mode);
+    EXPECT_EQ(unresolved_text(beside), "") << mode;
+    EXPECT_TRUE(beside.surface.triangles.empty()) << mode;
+    EXPECT_EQ(beside.statistics.vertices_on_level, 0u) << mode;
+  }
+  const Extraction on = extract(mesh, "-143/343");
+  EXPECT_EQ(on.statistics.vertices_on_level, 4u);
+  EXPECT_EQ(on.unresolved.size(), 1u);
+  EXPECT_TRUE(on.surface.triangles.empty());
+}
+
+// Determinant zero identically: neutral everywhere, so nothing at any other mode.
+TEST(StratumWitness, AntiplaneShearHasNoSurfaceAtAnyModeButZero) {
+  const auto& witness = stratum_witness("antiplane_shear");
+  const TetMesh mesh = single_tet_mesh(witness.points, witness.tensors);
+  for (const char* mode : kLevels) {
+    const Extraction extraction = extract(mesh, mode);
+    EXPECT_EQ(unresolved_text(extraction), "") << mode;
+    EXPECT_TRUE(extraction.surface.triangles.empty()) << mode;
+  }
+}
+
+// The level is mu + 0: a vertex on mu counts as below, so the surface is that of a mode just above.
+TEST(StratumWitness, VertexOnTheLevelCountsAsBelow) {
+  const auto& witness = stratum_witness("vertex_on_surface");
+  const TetMesh mesh = single_tet_mesh(witness.points, witness.tensors);
+  const Extraction on = extract(mesh, "-143/343"), above = extract(mesh, "-416909/1000000");
+  EXPECT_EQ(on.statistics.vertices_on_level, 1u);
+  EXPECT_EQ(above.statistics.vertices_on_level, 0u);
+  EXPECT_EQ(unresolved_text(on), "");
+  EXPECT_EQ(topology_in_tet(on), topology_in_tet(above));
+  EXPECT_EQ(flaws(on, mesh, {.residuals = true, .coincidences = false}), "");
+}
+
+}  // namespace
+}  // namespace tensortopo::test
