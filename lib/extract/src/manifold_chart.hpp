@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "tensortopo/manifold/medium_eigenvector_manifold.hpp"
 
@@ -37,7 +38,7 @@ class ManifoldChart {
     const double sin_theta = std::sin(at.theta), sin_eta = std::sin(at.eta);
     if (manifold_.single_loop()) {
       const double sin2_boundary = std::max(0.0, (c - p * sin_theta * sin_theta) / q);
-      const double cos_boundary = std::sqrt(std::max(1e-300, 1 - sin2_boundary));
+      const double cos_boundary = std::sqrt(std::max(kTiny, 1 - sin2_boundary));
       const double cosine = std::clamp(std::cos(at.eta) / cos_boundary, -1.0, 1.0);
       const double radius = std::exp(std::acos(cosine) - 1.5707963267948966);
       return {radius * std::cos(at.theta), radius * std::sin(at.theta)};
@@ -63,11 +64,14 @@ class ManifoldChart {
                                   std::copysign(std::sqrt(1 - new_sin_eta * new_sin_eta),
                                                 std::cos(at.eta)));
     const auto w = manifold_.sphere_point(theta, eta);
-    const double height = std::max(1e-12, 1 - dot(w, pole_));
+    const double height = std::max(kTiny, 1 - dot(w, pole_));
     return {dot(w, first_) / height, dot(w, second_) / height};
   }
 
  private:
+  /// Keeps a division finite; no region reaches a pole or a whole meridian of the complex domain.
+  static constexpr double kTiny = std::numeric_limits<double>::min();
+
   const MediumEigenvectorManifold<double>& manifold_;
   Vector3<double> pole_, first_, second_;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/manifold_sheets.hpp"
@@ -43,7 +44,8 @@ class SigmaOnArc {
 template <class Function>
 double bracketed_zero(const Function& f, double a, double fa, double b, double fb) {
   int side = 0;
-  for (int i = 0; i < 100 && b - a > 1e-15 * (1 + b); ++i) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < 100 && b - a > rounding * (1 + b); ++i) {
     double m = (fa * b - fb * a) / (fa - fb);
     if (!(m > a && m < b) || i % 8 == 7) m = a + (b - a) / 2;
     const double fm = f(m);

@@ -5,49 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 
 #include "chart_triangulation.hpp"
 #include "extractor_scalars.hpp"
 #include "manifold_chart.hpp"
+#include "quad_grid.hpp"
 #include "sheet_check.hpp"
+#include "split_triangles.hpp"
 
 namespace tensortopo {
 
 namespace {
 
-constexpr double kPi = 3.141592653589793;
-
-/// The vectors of a grid in sphero-conal coordinates, with the sines and cosines of its lines
-/// computed once.
-class QuadGrid {
- public:
-  QuadGrid(const MediumEigenvectorManifold<double>& manifold, int around)
-      : axes_(manifold.characteristic().eigenvectors) {
-    const auto& b = manifold.characteristic().eigenvalues;
-    const double a2 = (b[0] - b[1]) / (b[0] - b[2]), b2 = (b[1] - b[2]) / (b[0] - b[2]);
-    for (int k = 0; k < around; ++k) {
-      const double angle = (k + 0.5) * 2 * kPi / around;
-      const double c = std::cos(angle);
-      lines_.push_back({c, std::sin(angle), std::sqrt(1 - a2 * c * c), std::sqrt(1 - b2 * c * c)});
-    }
-  }
-
-  Vector3<double> vector(int i, int j) const {
-    const auto& t = lines_[static_cast<std::size_t>(i)];
-    const auto& e = lines_[static_cast<std::size_t>(j)];
-    return (t.cosine * e.across_eta) * axes_[0] + (t.sine * e.sine) * axes_[1] +
-           (e.cosine * t.across_theta) * axes_[2];
-  }
-
- private:
-  struct Line {
-    double cosine, sine, across_theta, across_eta;
-  };
-  std::array<Vector3<double>, 3> axes_;
-  std::vector<Line> lines_;
-};
+constexpr double kPi = std::numbers::pi;
 
 /// Draws the sheets of one tetrahedron on its medium eigenvector manifold.
 template <class Scalar>
@@ -284,7 +257,7 @@ class Drawing {
     Vector3<double> centre{0, 0, 0};
     for (const auto& image : images_) centre += image.v;
     double least = 0;
-    if (const double length = std::sqrt(dot(centre, centre)); length > 1e-6) {
+    if (const double length = std::sqrt(dot(centre, centre)); length > 0) {
       centre = (1 / length) * centre;
       least = 1;
       for (const auto& image : images_) least = std::min(least, dot(image.v, centre));
@@ -337,20 +310,16 @@ class Drawing {
         const auto a = loop[i], b = loop[(i + 1) % loop.size()];
         rim.emplace(std::min(a, b), std::max(a, b));
       }
-    using Edge = std::pair<std::size_t, std::size_t>;
-    const auto edge = [](std::size_t a, std::size_t b) {
-      return Edge{std::min(a, b), std::max(a, b)};
-    };
-    std::map<Edge, std::vector<std::size_t>> apexes;  // of the diagonals
+    std::map<UndirectedEdge, std::vector<std::size_t>> apexes;  // of the diagonals
     for (const auto& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i) {
         const auto a = t[i], b = t[(i + 1) % 3];
         const auto &p = images_[a], &q = images_[b];
         if ((p.faces & q.faces) == 0) continue;
         if (rim.contains({std::min(p.corner, q.corner), std::max(p.corner, q.corner)})) continue;
-        apexes[edge(a, b)].push_back(t[(i + 2) % 3]);
+        apexes[std::minmax(a, b)].push_back(t[(i + 2) % 3]);
       }
-    std::map<Edge, std::size_t> middle;
+    std::map<UndirectedEdge, std::size_t> middle;
     for (const auto& [e, tips] : apexes) {
       std::optional<InnerVertex<Scalar>> vertex;
       Vector3<double> v{};
@@ -368,41 +337,7 @@ class Drawing {
       if (!vertex) return false;
       middle[e] = add_image(add_inner(*vertex), 0, v);
     }
-    std::vector<std::array<std::size_t, 3>> result;
-    for (auto t : triangles_) {
-      std::array<std::size_t, 3> m{};
-      std::array<bool, 3> has{};
-      int count = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto found = middle.find(edge(t[i], t[(i + 1) % 3]));
-        has[i] = found != middle.end();
-        if (has[i]) m[i] = found->second, ++count;
-      }
-      // Turn it so that the split sides come first.
-      std::size_t turn = 0;
-      if (count == 1)
-        while (!has[turn]) ++turn;
-      else if (count == 2)
-        while (!(has[turn] && has[(turn + 1) % 3])) ++turn;
-      const auto a = t[turn], b = t[(turn + 1) % 3], c = t[(turn + 2) % 3];
-      const auto ab = m[turn], bc = m[(turn + 1) % 3], ca = m[(turn + 2) % 3];
-      if (count == 0) {
-        result.push_back(t);
-      } else if (count == 1) {
-        result.push_back({a, ab, c});
-        result.push_back({ab, b, c});
-      } else if (count == 2) {
-        result.push_back({ab, b, bc});
-        result.push_back({a, ab, bc});
-        result.push_back({a, bc, c});
-      } else {
-        result.push_back({a, ab, ca});
-        result.push_back({ab, b, bc});
-        result.push_back({ca, bc, c});
-        result.push_back({ab, bc, ca});
-      }
-    }
-    triangles_ = std::move(result);
+    triangles_ = split_triangles(triangles_, middle);
     return true;
   }
 

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "extractor_scalars.hpp"
+#include "parallel_stage.hpp"
+#include "pipeline.hpp"
+#include "tensortopo/extract/position.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
+
+template <class Scalar>
+Vector3<double> narrow(const Vector3<Scalar>& u) {
+  return {static_cast<double>(u.x), static_cast<double>(u.y), static_cast<double>(u.z)};
+}
+
+constexpr int kAttemptsOnManifold = 3;
+constexpr int kRounds = 12;
+
+}  // namespace
+
+/// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
+/// then the leaves of the proof.
+template <class Scalar>
+void Pipeline<Scalar>::try_next_method(std::size_t t) {
+  auto& state = tets_[t];
+  const auto tet = tet_with_curves(t);
+  if (state.method == Method::small_disc) {
+    state.manifold = tet_manifold(tet, level_);
+    state.method = Method::manifold;
+  }
+  if (state.method == Method::manifold && state.manifold &&
+      state.attempts < kAttemptsOnManifold) {
+    auto vertices = arc_vertices(t, tet);
+    state.requests.clear();
+    if (state.attempts++ > 0)
+      state.requests = denser_rims(tet, *state.plan, vertices, level_);
+    const auto crossings =
+        boundary_crossings(*state.manifold, tet, *state.plan, vertices, level_);
+    state.requests.insert(state.requests.end(), crossings.begin(), crossings.end());
+    return;
+  }
+  if (state.method == Method::leaves || !add_leaves(tet, level_, *state.plan)) {
+    state.unresolved = state.method == Method::leaves ? UnresolvedReason::inconsistent_samples
+                                                      : UnresolvedReason::budget_exhausted;
+    return;
+  }
+  state.method = Method::leaves;
+  state.requests = leaf_requests(tet, level_, *state.plan);
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::number_edge_vertices() {
+  edge_vertex_.resize(complex_.edges.size());
+  Index next = 0;
+  for (std::size_t e = 0; e < complex_.edges.size(); ++e) {
+    edge_vertex_[e] = next;
+    next += static_cast<Index>(crossings_[e] ? crossings_[e]->size() : 0);
+  }
+  rim_position_.resize(as_size(next));
+  rim_medium_.resize(as_size(next));
+  rim_dominant_.resize(as_size(next));
+  parallel_stage(options_, "tetrahedra", complex_.edges.size(), 1024, [&](std::size_t e) {
+    if (!crossings_[e]) return;
+    const auto& v = complex_.edges[e];
+    for (std::size_t k = 0; k < crossings_[e]->size(); ++k) {
+      const Scalar& w = (*crossings_[e])[k].weight;
+      const std::array<Scalar, 2> weights{Scalar(1) - w, w};
+      const auto id = as_size(edge_vertex_[e]) + k;
+      const auto simplex = field_.template simplex<2>(v, above_);
+      rim_position_[id] =
+          position_at<Scalar, 2>(weights, simplex.exponents,
+                                 {mesh_.points[as_size(v[0])], mesh_.points[as_size(v[1])]});
+      const auto tensor = tensor_at(simplex.tensors, weights);
+      rim_medium_[id] = narrow(medium_eigenvector(tensor, level_));
+      rim_dominant_[id] = narrow(dominant_eigenvector(tensor, level_));
+    }
+  });
+}
+
+/// Numbers the samples of the faces that changed, after all numbers given so far.
+template <class Scalar>
+void Pipeline<Scalar>::number_face_vertices(const std::vector<char>& changed) {
+  face_vertex_.resize(complex_.faces.size());
+  auto next = rim_position_.size();
+  for (std::size_t f = 0; f < complex_.faces.size(); ++f) {
+    if (!changed[f]) continue;
+    face_vertex_[f] = static_cast<Index>(next);
+    if (arcs_[f])
+      for (const auto& arc : *arcs_[f]) next += arc.samples.size();
+  }
+  rim_position_.resize(next);
+  rim_medium_.resize(next);
+  rim_dominant_.resize(next);
+  parallel_stage(options_, "tetrahedra", complex_.faces.size(), 1024, [&](std::size_t f) {
+    if (!changed[f] || !arcs_[f]) return;
+    const auto& v = complex_.faces[f];
+    auto id = as_size(face_vertex_[f]);
+    for (const auto& arc : *arcs_[f])
+      for (const auto& sample : arc.samples) {
+        rim_position_[id] = position_at<Scalar, 3>(
+            sample.weights,
+            {field_.exponents[as_size(v[0])], field_.exponents[as_size(v[1])],
+             field_.exponents[as_size(v[2])]},
+            {mesh_.points[as_size(v[0])], mesh_.points[as_size(v[1])],
+             mesh_.points[as_size(v[2])]});
+        rim_dominant_[id] = narrow(dominant_eigenvector(sample.tensor, level_));
+        rim_medium_[id++] = narrow(sample.medium);
+      }
+  });
+}
+
+/// Puts the samples that tetrahedra ask for on their faces; says which faces changed.
+template <class Scalar>
+std::vector<char> Pipeline<Scalar>::merge_requests(const std::vector<char>& asking) {
+  // By face: all that its tetrahedra ask for, in an order that threads cannot change.
+  std::vector<std::vector<std::pair<int, Scalar>>> wanted(complex_.faces.size());
+  for (std::size_t t = 0; t < tets_.size(); ++t)
+    if (asking[t])
+      for (const auto& request : tets_[t].requests)
+        if (request.arc >= 0)
+          wanted[as_size(complex_.tet_faces[t][static_cast<std::size_t>(request.face)])]
+              .emplace_back(request.arc, request.place);
+  std::vector<char> changed(complex_.faces.size(), 0);
+  parallel_stage(options_, "tetrahedra", wanted.size(), 256, [&](std::size_t f) {
+    if (wanted[f].empty()) return;
+    std::sort(wanted[f].begin(), wanted[f].end());
+    // The two neighbours, and the face itself, often cut the curve at the same point, and an edge
+    // of the face may be cut there too. Merging samples along a curve changes no topology.
+    const auto same = [](const auto& p, const auto& q) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Scalar d = p[i] - q[i], limit = Scalar(1) / Scalar(std::int64_t{1} << 40);
+        if (d > limit || d < -limit) return false;
+      }
+      return true;
+    };
+    for (const auto& [a, place] : wanted[f]) {
+      auto& arc = (*arcs_[f])[static_cast<std::size_t>(a)];
+      const auto point = point_on_arc(arc, place, level_);
+      auto after = std::lower_bound(arc.samples.begin(), arc.samples.end(), place,
+                                    [](const auto& s, const Scalar& x) { return s.place < x; });
+      const Scalar last(static_cast<double>(arc.pieces.size()));
+      const auto neighbour = [&](bool next) {
+        if (next && after != arc.samples.end()) return after->weights;
+        if (!next && after != arc.samples.begin()) return std::prev(after)->weights;
+        return arc.closed ? (next ? arc.samples.front() : arc.samples.back()).weights
+                          : point_on_arc(arc, next ? last : Scalar(0), level_).weights;
+      };
+      if (same(neighbour(false), point.weights) || same(neighbour(true), point.weights)) continue;
+      arc.samples.insert(after, point);
+      changed[f] = 1;
+    }
+  });
+  return changed;
+}
+
+template <class Scalar>
+FaceArcVertices Pipeline<Scalar>::arc_vertices(std::size_t t,
+                                               const TetWithCurves<Scalar>& tet) const {
+  FaceArcVertices result;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto face = as_size(complex_.tet_faces[t][f]);
+    auto next = face_vertex_[face];
+    for (const auto& arc : tet.arcs[f]) {
+      ArcVertices vertices;
+      const auto add = [&](Index id, std::uint8_t faces, double place) {
+        vertices.vertices.push_back({id, faces, rim_position_[as_size(id)],
+                                     rim_medium_[as_size(id)], rim_dominant_[as_size(id)]});
+        vertices.places.push_back(place);
+      };
+      const auto add_end = [&](const ArcEnd& end, double place) {
+        const auto crossing = crossing_of(tet, static_cast<int>(f), end);
+        const auto& ends = kTetEdges[static_cast<std::size_t>(crossing.first)];
+        const auto edge =
+            as_size(complex_.tet_edges[t][static_cast<std::size_t>(crossing.first)]);
+        add(edge_vertex_[edge] + crossing.second,
+            static_cast<std::uint8_t>(15 & ~(1 << ends[0]) & ~(1 << ends[1])), place);
+      };
+      if (!arc.closed) add_end(arc.begin, 0);
+      for (const auto& sample : arc.samples)
+        add(next++, static_cast<std::uint8_t>(1u << f), static_cast<double>(sample.place));
+      if (!arc.closed) add_end(arc.end, static_cast<double>(arc.pieces.size()));
+      result[f].push_back(std::move(vertices));
+    }
+  }
+  return result;
+}
+
+template <class Scalar>
+bool Pipeline<Scalar>::draw_one(std::size_t t) {
+  auto& state = tets_[t];
+  state.drawn = {};
+  const auto tet = tet_with_curves(t);
+  const auto vertices = arc_vertices(t, tet);
+  if (state.method == Method::manifold) {
+    Sampling sampling = options_.sampling;
+    sampling.resolution *= 1 << (state.attempts - 1);
+    return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
+                                    level_, sampling, state.drawn);
+  }
+  for (const auto& sheet : state.plan->sheets) {
+    if (state.method == Method::leaves) {
+      if (!mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_,
+                                    state.drawn))
+        return false;
+      continue;
+    }
+    if (sheet.loops.size() != 1) return false;
+    const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
+                                   vertices);
+    if (!is_small_disc(sheet, rim, options_.sampling) || !mesh_small_disc(rim, state.drawn))
+      return false;
+  }
+  return true;
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::draw_tets() {
+  // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
+  // its neighbours then have as well, and are drawn again. Few rounds are ever needed.
+  number_edge_vertices();
+  number_face_vertices(std::vector<char>(complex_.faces.size(), 1));
+  std::vector<char> failed(tets_.size(), 0), redraw(tets_.size(), 1);
+  for (int round = 0; round < kRounds; ++round) {
+    parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {
+      failed[t] = redraw[t] && tets_[t].plan && !tets_[t].unresolved && !draw_one(t);
+    });
+    parallel_stage(options_, "tetrahedra", tets_.size(), 16, [&](std::size_t t) {
+      if (failed[t]) try_next_method(t);
+    });
+    if (std::none_of(failed.begin(), failed.end(), [](char f) { return f != 0; })) return;
+    const auto changed = merge_requests(failed);
+    number_face_vertices(changed);
+    for (std::size_t t = 0; t < tets_.size(); ++t) {
+      redraw[t] = failed[t];
+      for (const Index f : complex_.tet_faces[t])
+        redraw[t] = redraw[t] || changed[as_size(f)] != 0;
+    }
+  }
+  for (std::size_t t = 0; t < tets_.size(); ++t)
+    if (failed[t]) tets_[t].unresolved = UnresolvedReason::inconsistent_samples;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar) template void Pipeline<Scalar>::draw_tets();
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo
