@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DHOW=find_package|add_subdirectory -D... (see CMakeLists.txt) -P run.cmake
+# cmake -DHOW=find_package|find_package_with_io|add_subdirectory -D... (see CMakeLists.txt) -P run.cmake
 cmake_minimum_required(VERSION 3.25)
+set(program consumer)
 set(build "${WORK_DIR}/${HOW}")
-set(prefix "${WORK_DIR}/prefix")
+set(prefix "${build}/prefix")
 file(REMOVE_RECURSE "${build}")
 
 function(run)
@@ -12,8 +13,7 @@ endfunction()
 
 set(options "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
   "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
-if(HOW STREQUAL "find_package")
-  file(REMOVE_RECURSE "${prefix}")
+if(HOW MATCHES "find_package")
   run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
   # What is installed stands alone: no file names the place where it was made.
   file(GLOB_RECURSE scripts "${prefix}/*.cmake")
@@ -26,6 +26,10 @@ if(HOW STREQUAL "find_package")
     endif()
   endforeach()
   list(APPEND options "-DCMAKE_PREFIX_PATH=${prefix}")
+  if(HOW STREQUAL "find_package_with_io")
+    list(APPEND options -DTENSORTOPO_COMPONENTS=io)
+    set(program consumer_io)
+  endif()
 else()
   list(APPEND options "-DTENSORTOPO_SOURCE_DIR=${SOURCE_DIR}")
 endif()
@@ -35,5 +39,5 @@ run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CMAKE_CURRENT_LIST_DIR}/project" 
 if(CONFIGURE_ONLY)
   return()
 endif()
-run("${CMAKE_COMMAND}" --build "${build}" --target consumer)
-run("${build}/consumer")
+run("${CMAKE_COMMAND}" --build "${build}" --target ${program})
+run("${build}/${program}")

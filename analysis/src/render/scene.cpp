@@ -7,6 +7,7 @@
 #include <vtkCamera.h>
 #include <vtkFeatureEdges.h>
 #include <vtkLightKit.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -147,13 +148,17 @@ void aim(vtkRenderer& renderer, const double* bounds, const View& view) {
   camera.SetViewUp(0, from_above ? 1 : 0, from_above ? 0 : 1);
   camera.SetViewAngle(24);
   renderer.ResetCamera(bounds);
+  vtkMatrix4x4& projection = *camera.GetCompositeProjectionTransformMatrix(
+      static_cast<double>(view.width) / view.height, -1, 1);
   double low[2]{HUGE_VAL, HUGE_VAL}, high[2]{-HUGE_VAL, -HUGE_VAL};
   for (int corner = 0; corner < 8; ++corner) {
-    double seen[3]{bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)]};
-    renderer.WorldToView(seen[0], seen[1], seen[2]);
+    const double place[4]{bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
+                          bounds[4 + (corner >> 2)], 1};
+    double seen[4];
+    projection.MultiplyPoint(place, seen);
     for (int k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], seen[k]);
-      high[k] = std::max(high[k], seen[k]);
+      low[k] = std::min(low[k], seen[k] / seen[3]);
+      high[k] = std::max(high[k], seen[k] / seen[3]);
     }
   }
   const double reach = std::max(high[0] - low[0], high[1] - low[1]) / 2;
@@ -244,7 +249,6 @@ vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   add_lights(*renderer);
-  renderer->SetAspect(static_cast<double>(view.width) / view.height, 1);
   add_legend(*renderer, legend, unit);
   aim(*renderer, bounds, view);
   return grab(*renderer, view);

@@ -2,11 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/extract/refinement.hpp"
 
+#include <algorithm>
+
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tiers.hpp"
 
 namespace tensortopo {
+
+namespace {
+
+/// How many edges of a refinement are cut off the middle. Each such cut along a chain takes five
+/// bits of the weights, which have fifty.
+constexpr std::size_t kUnevenCuts = 12;
+
+}  // namespace
 
 template <class Scalar, std::size_t Vertices>
 bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scalar>& tensor,
@@ -164,15 +174,23 @@ template <class Scalar, std::size_t Vertices>
 std::uint32_t Refinement<Scalar, Vertices>::middle(std::uint32_t u, std::uint32_t v) {
   auto& record = edges_[key(u, v)];
   if (record.middle != kNone) return record.middle;
-  const Scalar half = Scalar(1) / Scalar(2);
+  // The first cuts are off the middle. Real fields have symmetries, and middles would put sides
+  // of cells on their axes and planes, where a level can touch a side exactly.
+  constexpr std::array<int, 5> thirty_seconds{13, 17, 15, 19, 14};
+  const std::size_t cuts = vertices_.size() - Vertices;
+  const Scalar share = cuts < kUnevenCuts
+                           ? Scalar(thirty_seconds[cuts % thirty_seconds.size()]) / Scalar(32)
+                           : Scalar(1) / Scalar(2);
+  const auto [lower, upper] = std::minmax(u, v);
   Vertex m;
   for (std::size_t i = 0; i < Vertices; ++i) {
-    m.weights[i] = half * (vertices_[u].weights[i] + vertices_[v].weights[i]);
+    const auto &a = vertices_[lower].weights[i], &b = vertices_[upper].weights[i];
+    m.weights[i] = a + share * (b - a);
     // Weights stay exact in double for all scalars: the exact tier is fed with them.
     if (Scalar(static_cast<double>(m.weights[i])) != m.weights[i]) return kNone;
   }
   for (std::size_t i = 0; i < Vertices; ++i) {
-    // Sums of halves of doubles below one are exact down to 2^-52; finer cells are refused.
+    // Dyadic fractions below one are exact down to 2^-52; finer cells are refused.
     const Scalar w = m.weights[i];
     if (w > Scalar(0) && w < Scalar(1.0 / (1ull << 50))) return kNone;
   }

@@ -10,7 +10,7 @@
 #include <tbb/blocked_range.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cstddef>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -20,26 +20,27 @@ namespace tbb {
 
 template <class Value, class Body>
 void parallel_for(const blocked_range<Value>& range, const Body& body) {
-  const Value grain = static_cast<Value>(std::max<std::size_t>(1, range.grainsize()));
-  std::atomic<Value> next{range.begin()};
+  constexpr std::size_t thread_count = 4;
+  const std::size_t grain = std::max<std::size_t>(1, range.grainsize());
   std::exception_ptr failure;
   std::mutex mutex;
-  const auto work = [&] {
-    // Relaxed: the counter must not order the bodies, or it would hide their races.
-    for (;;) {
-      const Value first = next.fetch_add(grain, std::memory_order_relaxed);
-      if (first >= range.end()) return;
-      try {
-        body(blocked_range<Value>(first, std::min<Value>(range.end(), first + grain)));
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
+  // Chunks are dealt out beforehand: a counter that the threads share would order the bodies, and
+  // hide their races.
+  const auto work = [&](std::size_t thread) {
+    try {
+      for (std::size_t at = thread * grain; at < range.size(); at += thread_count * grain) {
+        const std::size_t end = std::min(at + grain, range.size());
+        body(blocked_range<Value>(range.begin() + static_cast<Value>(at),
+                                  range.begin() + static_cast<Value>(end), grain));
       }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
     }
   };
   {
     std::vector<std::jthread> threads;
-    for (int i = 0; i < 4; ++i) threads.emplace_back(work);
+    for (std::size_t i = 0; i < thread_count; ++i) threads.emplace_back(work, i);
   }
   if (failure) std::rethrow_exception(failure);
 }
