@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 struct Shared {
   Folder folder;
   Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode", "0.5",
-                         "--mode", "-1/2", "--json"});
+                             "--mode", "-1/2", "--json"});
   Json json = Json::parse(run.out, nullptr, false);
 };
 
@@ -49,10 +49,9 @@ TEST(ExtractReport, HasEveryKeyOfTheContract) {
     EXPECT_TRUE(shared().json.at("seconds").at(key).is_number()) << key;
   }
   for (const Json& surface : shared().json.at("surfaces")) {
-    for (const char* key :
-         {"mode", "mode_exact", "vertices", "triangles", "components", "boundary_loops",
-          "euler_characteristic", "orientable", "closed", "manifold", "area", "max_abs_residual",
-          "tets_crossed", "parts"}) {
+    for (const char* key : {"mode", "mode_exact", "vertices", "triangles", "components",
+                            "boundary_loops", "euler_characteristic", "orientable", "closed",
+                            "manifold", "area", "max_abs_residual", "tets_crossed", "parts"}) {
       EXPECT_TRUE(surface.contains(key)) << key;
     }
     for (const Json& part : surface.at("parts")) {
@@ -101,8 +100,8 @@ TEST(ExtractReport, ModeSurfacesAreOrientableManifolds) {
 
 TEST(ExtractReport, GeneralizedEqualsBothModes) {
   const Folder folder;
-  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "g.vtp", "--mode", ".5",
-                               "--generalized", "--json"});
+  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "g.vtp", "--mode",
+                                   ".5", "--generalized", "--json"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(contents(folder / "g.vtp") == contents(shared().folder / "s.vtp"));
   EXPECT_EQ(Json::parse(run.out).at("surfaces"), shared().json.at("surfaces"));
@@ -110,8 +109,9 @@ TEST(ExtractReport, GeneralizedEqualsBothModes) {
 
 TEST(ExtractReport, RepeatedModesCountOnce) {
   const Folder folder;
-  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "g.vtp", "--mode", "0.5",
-                               "--mode", "5/10", "--mode", "-0.50", "--generalized", "--json"});
+  const Outcome run =
+      run_program({"extract", field("s4_slab"), "-o", folder / "g.vtp", "--mode", "0.5", "--mode",
+                   "5/10", "--mode", "-0.50", "--generalized", "--json"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out).at("surfaces").size(), 2u);
 }
@@ -119,7 +119,7 @@ TEST(ExtractReport, RepeatedModesCountOnce) {
 TEST(ExtractReport, WithoutJsonIsATableForPeople) {
   const Folder folder;
   const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.stl", "--mode",
-                               "-9/10", "--resolution", "3"});
+                                   "-9/10", "--resolution", "3"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("-9/10"), std::string::npos);
   EXPECT_NE(run.out.find("s.stl"), std::string::npos);

@@ -14,8 +14,8 @@ TEST_P(ExtractSameBytes, WhateverTheNumberOfThreads) {
   std::vector<std::string> files;
   for (const char* threads : {"1", "2"}) {
     files.push_back(folder / (std::string("threads") + threads + GetParam()));
-    const Outcome run = run_program({"extract", field("s4_slab"), "-o", files.back(), "--mode", "0.5",
-                                 "--generalized", "--threads", threads, "--quiet"});
+    const Outcome run = run_program({"extract", field("s4_slab"), "-o", files.back(), "--mode",
+                                     "0.5", "--generalized", "--threads", threads, "--quiet"});
     ASSERT_EQ(run.status, 0) << run.err;
   }
   const std::string bytes = contents(files[0]);

@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <vector>
 
@@ -36,11 +37,11 @@ Picture look_at(const std::string& file) {
 
 TEST(Render, DrawsPositiveModesTealAndNegativeModesGold) {
   const Folder folder;
-  const Outcome extract = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
-                                   "0.5", "--generalized", "--quiet"});
+  const Outcome extract = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp",
+                                       "--mode", "0.5", "--generalized", "--quiet"});
   ASSERT_EQ(extract.status, 0) << extract.err;
   const Outcome run = run_program({"render", folder / "s.vtp", "--mesh", field("s4_slab"), "-o",
-                               folder / "s.png", "--size", "400x300"});
+                                   folder / "s.png", "--size", "400x300"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const Picture picture = look_at(folder / "s.png");
@@ -54,13 +55,24 @@ TEST(Render, DrawsPositiveModesTealAndNegativeModesGold) {
 
 TEST(Render, DrawsAMeshAlone) {
   const Folder folder;
-  const Outcome run = run_program({"render", field("s1_compress_off"), "-o", folder / "m.png", "--size",
-                               "200x160", "--view", "-40,30"});
+  const Outcome run = run_program({"render", field("s1_compress_off"), "-o", folder / "m.png",
+                                   "--size", "200x160", "--view", "-40,30"});
   ASSERT_EQ(run.status, 0) << run.err;
   const Picture picture = look_at(folder / "m.png");
   EXPECT_EQ(picture.width, 200u);
   EXPECT_EQ(picture.teal + picture.gold, 0u);
   EXPECT_GT(picture.dark, 50u);
+}
+
+TEST(Render, NamesThePackageWhereThereIsNoXServer) {
+  const Folder folder;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  const Outcome run = run_program({"render", field("s4_slab"), "-o", folder / "x.png"});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(run.status, 4);
+  EXPECT_NE(run.err.find("xvfb"), std::string::npos) << run.err;
+  EXPECT_TRUE(folder.files().empty());
 }
 
 TEST(Render, RefusesWhatItCannotDraw) {

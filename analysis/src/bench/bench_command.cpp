@@ -90,7 +90,8 @@ BenchReport run_bench(const BenchCommand& command, const Progress& progress) {
   report.modes = command.modes;
   report.tetrahedra = read.mesh.tets.size();
   report.threads = threads_in_use();
-  report.series = {{"extract", {}, 0}, {"vtk_contour", {}, 0}, {"vtk_contour_3d_linear_grid", {}, 0}};
+  report.series = {
+      {"extract", {}, 0}, {"vtk_contour", {}, 0}, {"vtk_contour_3d_linear_grid", {}, 0}};
 
   std::map<std::string, double> stages;
   extract_all(read.mesh, modes, stages);

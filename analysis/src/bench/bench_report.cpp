@@ -47,7 +47,8 @@ std::string to_text(const BenchReport& report) {
   for (const auto& [stage, seconds] : report.stages) {
     fmt::format_to(out, "  {:<26} {:>10.4f}\n", stage, seconds);
   }
-  fmt::format_to(out, "peak memory {:.0f} MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
+  fmt::format_to(out, "peak memory {:.0f} MB\n",
+                 static_cast<double>(report.peak_memory_bytes) / 1e6);
   return text;
 }
 

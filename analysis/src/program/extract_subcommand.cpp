@@ -55,7 +55,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   ExtractCommand& command = options->command;
   app.add_option("INPUT", command.input, "Tetrahedral mesh with tensors: .vtu, .pvtu, legacy .vtk")
       ->required();
-  app.add_option("-o,--output", command.output, "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl")
+  app.add_option("-o,--output", command.output,
+                 "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl")
       ->type_name("FILE")
       ->required();
   add_mode_option(app, options->modes);

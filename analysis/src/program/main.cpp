@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <oneapi/tbb/global_control.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <exception>

@@ -72,8 +72,7 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--mesh", options->mesh, "The mesh, drawn as an outline")->type_name("FILE");
-  app.add_option("--size", options->size, "Pixels (default: 1600x1200)")
-      ->type_name("WIDTHxHEIGHT");
+  app.add_option("--size", options->size, "Pixels (default: 1600x1200)")->type_name("WIDTHxHEIGHT");
   app.add_option("--view", options->view,
                  "Where to look from, in degrees: right of the front, above the horizon "
                  "(default: 30,22)")

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "tensortopo/analysis/exit_status.hpp"
 #include "program/common_options.hpp"
+#include "tensortopo/analysis/exit_status.hpp"
 
 namespace tensortopo {
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/versions.hpp"
 
-#include <CLI/Version.hpp>
-#include <boost/version.hpp>
 #include <fmt/format.h>
 #include <gmp.h>
 #include <mpfr.h>
-#include <nlohmann/json.hpp>
 #include <oneapi/tbb/version.h>
 #include <vtkVersion.h>
+#include <CLI/Version.hpp>
+#include <boost/version.hpp>
+#include <nlohmann/json.hpp>
 
 #include <Eigen/Core>
 
@@ -23,10 +23,10 @@ std::string version_text() {
   add("Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
                            BOOST_VERSION % 100));
   add("CLI11", CLI11_VERSION);
-  add("Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-                           EIGEN_MINOR_VERSION));
-  add("fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                         FMT_VERSION % 100));
+  add("Eigen",
+      fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION));
+  add("fmt",
+      fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100));
   add("GMP", fmt::format("{}.{}.{}", __GNU_MP_VERSION, __GNU_MP_VERSION_MINOR,
                          __GNU_MP_VERSION_PATCHLEVEL));
   add("MPFR", MPFR_VERSION_STRING);

@@ -10,6 +10,9 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "render/display_server.hpp"
 #include "render/domain_boundary.hpp"
@@ -82,8 +85,13 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
   if (command.mesh) domain = domain_boundary(read_mesh(*command.mesh).mesh);
 
   if (progress) progress("drawing", 0.3);
-  const DisplayServer display;
-  const vtkSmartPointer<vtkImageData> image = draw(sheets, domain, command.view);
+  vtkSmartPointer<vtkImageData> image;
+  try {
+    const DisplayServer display;
+    image = draw(sheets, domain, command.view);
+  } catch (const std::runtime_error& problem) {
+    throw IoError(IoError::Kind::unwritable, command.output, problem.what());
+  }
   if (progress) progress("writing", 0.9);
   const std::string bytes = png_bytes(image);
   write_text(command.output, bytes);
@@ -93,8 +101,7 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
     if (sheet.mode) report.modes.push_back(*sheet.mode);
   }
   report.bytes = bytes.size();
-  report.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
 

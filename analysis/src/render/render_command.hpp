@@ -32,8 +32,8 @@ void parse_size(std::string_view text, View& view);
 /// "azimuth,elevation" in degrees. Throws UsageError.
 void parse_view(std::string_view text, View& view);
 
-/// Draws on a private display, so none is needed. Throws UsageError, IoError, and
-/// std::runtime_error where no picture can be drawn.
+/// Draws on a private display, so none is needed. Throws UsageError, and IoError also where no
+/// picture can be drawn.
 RenderReport run_render(const RenderCommand& command, const Progress& progress = {});
 
 }  // namespace tensortopo

@@ -71,7 +71,8 @@ class Drawing {
   }
 
   /// The image of a boundary vertex on the side of `towards`.
-  std::size_t boundary_image(const RimVertex& vertex, const Vector3<double>& towards) {
+  /// (`towards` by value: adding an image may move the images that it comes from.)
+  std::size_t boundary_image(const RimVertex& vertex, Vector3<double> towards) {
     auto found = boundary_images_.find(vertex.id);
     if (found == boundary_images_.end()) {
       const std::array<std::size_t, 2> both{add_image(vertex.id, vertex.faces, vertex.medium),
