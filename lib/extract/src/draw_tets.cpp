@@ -8,6 +8,7 @@
 #include "extractor_scalars.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
+#include "sheet_check.hpp"
 #include "tensortopo/extract/position.hpp"
 
 namespace tensortopo {
@@ -205,13 +206,21 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
                                     level_, sampling, state.drawn);
   }
-  for (const auto& sheet : state.plan->sheets) {
-    if (state.method == Method::leaves) {
+  if (state.method == Method::leaves) {
+    for (const auto& sheet : state.plan->sheets)
       if (!mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_,
                                     state.drawn))
         return false;
-      continue;
+    // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the
+    // tetrahedron is named rather than drawn wrongly.
+    std::vector<std::vector<Index>> rims;
+    for (const auto& loop : state.plan->loops) {
+      rims.emplace_back();
+      for (const auto& v : loop_vertices(loop, vertices)) rims.back().push_back(v.id);
     }
+    return are_planned_sheets(state.drawn.triangles, rims, state.plan->sheets);
+  }
+  for (const auto& sheet : state.plan->sheets) {
     if (sheet.loops.size() != 1) return false;
     const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
                                    vertices);
