@@ -23,7 +23,6 @@ Vector3<double> narrow(const Vector3<Scalar>& u) {
 }
 
 constexpr int kAttemptsOnManifold = 3;
-constexpr int kRounds = 12;
 
 }  // namespace
 
@@ -233,18 +232,19 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
 template <class Scalar>
 void Pipeline<Scalar>::draw_tets() {
   // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
-  // its neighbours then have as well, and are drawn again. Few rounds are ever needed.
+  // its neighbours then have as well, and are drawn again. Few rounds are needed.
   number_edge_vertices();
   number_face_vertices(std::vector<char>(complex_.faces.size(), 1));
   std::vector<char> failed(tets_.size(), 0), redraw(tets_.size(), 1);
-  for (int round = 0; round < kRounds; ++round) {
+  while (true) {
     parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {
       failed[t] = redraw[t] && tets_[t].plan && !tets_[t].unresolved && !draw_one(t);
     });
+    // Ends: a tetrahedron fails at most once with each method and number of samples.
+    if (std::none_of(failed.begin(), failed.end(), [](char f) { return f != 0; })) return;
     parallel_stage(options_, "tetrahedra", tets_.size(), 16, [&](std::size_t t) {
       if (failed[t]) try_next_method(t);
     });
-    if (std::none_of(failed.begin(), failed.end(), [](char f) { return f != 0; })) return;
     const auto changed = merge_requests(failed);
     number_face_vertices(changed);
     for (std::size_t t = 0; t < tets_.size(); ++t) {
@@ -253,8 +253,6 @@ void Pipeline<Scalar>::draw_tets() {
         redraw[t] = redraw[t] || changed[as_size(f)] != 0;
     }
   }
-  for (std::size_t t = 0; t < tets_.size(); ++t)
-    if (failed[t]) tets_[t].unresolved = UnresolvedReason::inconsistent_samples;
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar) template void Pipeline<Scalar>::draw_tets();

@@ -23,8 +23,8 @@ template <class Scalar>
 bool collect(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
              const EdgePoint<Scalar>& from, const EdgePoint<Scalar>& to,
              std::vector<EdgeCrossing<Scalar>>& crossings) {
-  const std::array<std::array<Scalar, 2>, 2> ends{
-      {{Scalar(1 - from.weight), Scalar(from.weight)}, {Scalar(1 - to.weight), Scalar(to.weight)}}};
+  const std::array<std::array<double, 2>, 2> ends{
+      {{1 - from.weight, from.weight}, {1 - to.weight, to.weight}}};
   if (edge_is_simple<Scalar, 2>(edge, ends, {from.tensor, to.tensor}, level)) {
     if (from.above == to.above) return true;
     const bool rising = to.above;
@@ -37,7 +37,7 @@ bool collect(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
   if (to.weight - from.weight < kSmallestPart) return false;
   EdgePoint<Scalar> middle;
   middle.weight = (from.weight + to.weight) / 2;
-  const std::array<Scalar, 2> weights{Scalar(1 - middle.weight), Scalar(middle.weight)};
+  const std::array<double, 2> weights{1 - middle.weight, middle.weight};
   middle.tensor = tensor_at(edge.tensors, weights);
   middle.above = is_above(edge, middle.tensor, weights, level);
   return collect(edge, level, from, middle, crossings) &&

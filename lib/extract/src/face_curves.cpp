@@ -85,20 +85,25 @@ class Assembly {
     constexpr std::array<std::array<std::size_t, 3>, 3> edges{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
     for (std::size_t e = 0; e < 3; ++e) {
       const auto [a, b, opposite] = edges[e];
-      std::vector<std::pair<Scalar, std::uint32_t>> on_edge;
+      std::vector<std::uint32_t> on_edge;
       for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
         const auto &u = vertices[nodes_[n].first], &v = vertices[nodes_[n].second];
-        if (u.weights[opposite] == Scalar(0) && v.weights[opposite] == Scalar(0))
-          on_edge.emplace_back(u.weights[b] + v.weights[b], n);
+        if (u.weights[opposite] == 0 && v.weights[opposite] == 0) on_edge.push_back(n);
       }
       if (on_edge.size() != crossings_[e].size()) return false;
-      std::sort(on_edge.begin(), on_edge.end());
+      // Two sides on an edge have at most an end in common.
+      std::sort(on_edge.begin(), on_edge.end(), [&](std::uint32_t m, std::uint32_t n) {
+        return first_on_edge(nodes_[m], a, b).comes_before(first_on_edge(nodes_[n], a, b), a, b);
+      });
       for (std::size_t k = 0; k < on_edge.size(); ++k) {
-        auto& n = nodes_[on_edge[k].second];
+        auto& n = nodes_[on_edge[k]];
         n.on_edge = {static_cast<int>(e), static_cast<int>(k)};
-        const auto &u = vertices[n.first], &v = vertices[n.second];
-        const Scalar width = v.weights[b] - u.weights[b];
-        const Scalar f = (crossings_[e][k].weight - u.weights[b]) / width;
+        // (1 - f) u + f v is proportional to the crossing's weights.
+        const auto &u = vertices[n.first].weights, &v = vertices[n.second].weights;
+        const Scalar &w = crossings_[e][k].weight, rest = Scalar(1) - w;
+        const Scalar at_u = Scalar(u[a]) * w - Scalar(u[b]) * rest;
+        const Scalar at_v = Scalar(v[a]) * w - Scalar(v[b]) * rest;
+        const Scalar f = at_u / (at_u - at_v);
         n.fraction = f < Scalar(0) ? Scalar(0) : f > Scalar(1) ? Scalar(1) : f;
       }
     }
@@ -109,6 +114,12 @@ class Assembly {
                              : Scalar(1) - segment_root(v.tensor, u.tensor, level_);
       }
     return true;
+  }
+
+  /// The end of a side, on the edge (a, b) of the face, that is nearer to a.
+  const ExactWeights<3>& first_on_edge(const Node<Scalar>& n, std::size_t a, std::size_t b) const {
+    const auto &u = refinement_.vertices()[n.first].place, &v = refinement_.vertices()[n.second].place;
+    return u.comes_before(v, a, b) ? u : v;
   }
 
   std::array<Scalar, 3> place_on_side(const RawPiece& piece, const std::array<int, 2>& side,
@@ -224,11 +235,14 @@ CurvePoint<Scalar> point_on_piece(const ArcPiece<Scalar>& piece, const Scalar& f
   }
   CurvePoint<Scalar> point;
   point.tensor = tensor_at(piece.tensors, base);
+  Scalar total(0);
   for (std::size_t i = 0; i < 3; ++i) {
     point.weights[i] = Scalar(0);
     for (std::size_t c = 0; c < 3; ++c)
-      point.weights[i] = point.weights[i] + base[c] * piece.corners[c][i];
+      point.weights[i] = point.weights[i] + base[c] * Scalar(piece.corners[c][i]);
+    total = total + point.weights[i];
   }
+  for (auto& w : point.weights) w = w / total;
   point.medium = medium_eigenvector(point.tensor, level);
   return point;
 }
@@ -348,27 +362,26 @@ std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
     for (std::size_t p = 0; p < arcs[a].pieces.size(); ++p) {
       const auto& piece = arcs[a].pieces[p];
       // Barycentric coordinates in the monotone triangle, by Cramer's rule.
-      const auto& c = piece.corners;
+      std::array<std::array<Scalar, 3>, 3> c;
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) c[i][k] = Scalar(piece.corners[i][k]);
       const auto det = [](const std::array<Scalar, 3>& x, const std::array<Scalar, 3>& y,
                           const std::array<Scalar, 3>& z) {
         return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) +
                x[2] * (y[0] * z[1] - y[1] * z[0]);
       };
-      const Scalar whole = det(c[0], c[1], c[2]);
-      const std::array<Scalar, 3> local{det(weights, c[1], c[2]) / whole,
-                                        det(c[0], weights, c[2]) / whole,
-                                        det(c[0], c[1], weights) / whole};
+      std::array<Scalar, 3> local{det(weights, c[1], c[2]), det(c[0], weights, c[2]),
+                                  det(c[0], c[1], weights)};
+      const Scalar whole = local[0] + local[1] + local[2];
+      for (auto& l : local) l = l / whole;
       const Scalar margin = std::min(local[0], std::min(local[1], local[2]));
       if (best_arc >= 0 && !(margin > best_margin)) continue;
-      // Across the direction, how far along from begin to end: solve
-      // local = begin + f (end - begin) + k direction in two of the three coordinates.
-      std::array<Scalar, 3> e, r;
-      for (std::size_t i = 0; i < 3; ++i)
-        e[i] = piece.end[i] - piece.begin[i], r[i] = local[i] - piece.begin[i];
-      const auto& d = piece.direction;
-      const Scalar denominator = e[0] * d[1] - e[1] * d[0];
-      if (denominator == Scalar(0)) continue;
-      Scalar f = (r[0] * d[1] - r[1] * d[0]) / denominator;
+      // Across the direction, how far along from begin to end: begin + f (end - begin), the
+      // direction and the place are in one line.
+      const Scalar at_begin = det(local, piece.begin, piece.direction);
+      const Scalar at_end = det(local, piece.end, piece.direction);
+      if (at_begin == at_end) continue;
+      Scalar f = at_begin / (at_begin - at_end);
       f = f < Scalar(0) ? Scalar(0) : f > Scalar(1) ? Scalar(1) : f;
       best_arc = static_cast<int>(a);
       best_margin = margin;

@@ -45,7 +45,7 @@ class Builder {
       LeafMesh::Node n{u, v, 0};
       const auto &a = refinement_.vertices()[u].weights, &b = refinement_.vertices()[v].weights;
       for (std::size_t f = 0; f < 4; ++f)
-        if (a[f] == Scalar(0) && b[f] == Scalar(0))
+        if (a[f] == 0 && b[f] == 0)
           n.faces = static_cast<std::uint8_t>(n.faces | (1u << f));
       mesh_.nodes.push_back(n);
     }

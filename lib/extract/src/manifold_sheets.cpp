@@ -52,7 +52,8 @@ class Drawing {
   }
 
   bool draw() {
-    return add_rims() && add_boundary_curves() && triangulate() && split_diagonals() && emit();
+    return add_rims() && add_boundary_curves() && triangulate() && split_diagonals() &&
+           raise_flat_triangles() && emit();
   }
 
  private:
@@ -322,24 +323,50 @@ class Drawing {
       }
     std::map<UndirectedEdge, std::size_t> middle;
     for (const auto& [e, tips] : apexes) {
-      std::optional<InnerVertex<Scalar>> vertex;
-      Vector3<double> v{};
-      for (const double lean : {0.0, 0.2, 0.5, 0.8}) {
-        for (const auto tip : tips) {
-          v = images_[e.first].v + images_[e.second].v + lean * images_[tip].v;
-          const double length = std::sqrt(dot(v, v));
-          if (!(length > 0)) continue;
-          v = (1 / length) * v;
-          if (on_.manifold.in_real_domain(v)) vertex = inner_vertex(on_.manifold.tensor_at(v));
-          if (vertex) break;
-        }
-        if (vertex) break;
-      }
-      if (!vertex) return false;
-      middle[e] = add_image(add_inner(*vertex), 0, v);
+      std::optional<std::size_t> image;
+      for (const double lean : {0.0, 0.2, 0.5, 0.8})
+        for (const auto tip : tips)
+          if (!image)
+            image = add_inner_image(images_[e.first].v + images_[e.second].v +
+                                    lean * images_[tip].v);
+      if (!image) return false;
+      middle[e] = *image;
     }
     triangles_ = split_triangles(triangles_, middle);
     return true;
+  }
+
+  /// A rim of three vertices on one face would leave a triangle in that face, which the neighbour
+  /// across it might draw as well: put a vertex amid it.
+  bool raise_flat_triangles() {
+    const std::size_t count = triangles_.size();
+    for (std::size_t t = 0; t < count; ++t) {
+      const auto [a, b, c] = triangles_[t];
+      const auto &p = images_[a], &q = images_[b], &r = images_[c];
+      if ((p.faces & q.faces & r.faces) == 0) continue;
+      std::optional<std::size_t> image;
+      for (const double lean : {1.0, 0.5, 0.2})
+        for (int turn = 0; turn < 3; ++turn)
+          if (!image)
+            image = add_inner_image((turn == 0 ? 1 : lean) * p.v + (turn == 1 ? 1 : lean) * q.v +
+                                    (turn == 2 ? 1 : lean) * r.v);
+      if (!image) return false;
+      triangles_[t][2] = *image;
+      triangles_.push_back({b, c, *image});
+      triangles_.push_back({c, a, *image});
+    }
+    return true;
+  }
+
+  /// An inner vertex of the level with the medium eigenvector along v, if there is one.
+  std::optional<std::size_t> add_inner_image(const Vector3<double>& along) {
+    const double length = std::sqrt(dot(along, along));
+    if (!(length > 0)) return std::nullopt;
+    const auto v = (1 / length) * along;
+    if (!on_.manifold.in_real_domain(v)) return std::nullopt;
+    const auto vertex = inner_vertex(on_.manifold.tensor_at(v));
+    if (!vertex) return std::nullopt;
+    return add_image(add_inner(*vertex), 0, v);
   }
 
   /// Gives the triangles the direction that their rims have, and checks them against the plan.

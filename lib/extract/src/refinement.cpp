@@ -3,6 +3,10 @@
 #include "tensortopo/extract/refinement.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+#include <utility>
 
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/exact_side.hpp"
@@ -13,78 +17,149 @@ namespace tensortopo {
 namespace {
 
 /// How many edges of a refinement are cut off the middle. Each such cut along a chain takes five
-/// bits of the weights, which have fifty.
+/// bits of the weights, which have 52.
 constexpr std::size_t kUnevenCuts = 12;
+
+/// An edge in the way is cut unless its cell has one that is longer by this factor: cells that
+/// only ever have their other edges cut do not become small. (Two such edges, cut by turns, close
+/// in on the longest at a third and two thirds of it.)
+constexpr double kLonger = 1.3;
+
+/// No cell is cut across an edge when it has another that is longer by this factor: it would become
+/// a needle.
+constexpr double kMuchLonger = 2;
+
+/// Cells in the proof that a face of a cell holds no closed curve.
+constexpr std::size_t kFaceBudget = 2000;
+
+/// How often an edge is halved in counting its crossings.
+constexpr int kEdgeDepth = 12;
+
+/// The power of two that brings a norm form to [3, 12).
+int normalizing_exponent(double norm_form) {
+  return norm_form > 0 ? -std::ilogb(std::sqrt(norm_form / 3)) : 0;
+}
+
+std::uint64_t edge_key(std::uint32_t u, std::uint32_t v) {
+  return std::uint64_t{std::min(u, v)} << 32 | std::max(u, v);
+}
+
+/// Numbers of vertices stay below 2^21: so does the budget of cells.
+std::uint64_t face_key(std::uint32_t u, std::uint32_t v, std::uint32_t w) {
+  const auto least = std::min({u, v, w}), largest = std::max({u, v, w});
+  const auto between = u + v + w - least - largest;
+  return std::uint64_t{least} << 42 | std::uint64_t{between} << 21 | largest;
+}
+
+template <class Scalar, std::size_t Vertices>
+std::array<RefinementVertex<Scalar, Vertices>, Vertices> corners_of(
+    const LevelSimplex<Scalar, Vertices>& simplex) {
+  std::array<RefinementVertex<Scalar, Vertices>, Vertices> corners;
+  for (std::size_t i = 0; i < Vertices; ++i) {
+    corners[i].place = ExactWeights<Vertices>::at_corner(i);
+    corners[i].weights = corners[i].place.values();
+    corners[i].tensor = simplex.tensors[i];
+    corners[i].above = simplex.above[i];
+  }
+  return corners;
+}
 
 }  // namespace
 
 template <class Scalar, std::size_t Vertices>
 bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scalar>& tensor,
-              const std::array<Scalar, Vertices>& weights, const Level<Scalar>& level) {
-  const Verdict verdict = side_of_level(tensor, level);
+              const std::array<double, Vertices>& weights, const Level<Scalar>& level) {
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const Verdict verdict = side_of_level(tensor, level, total);
   if (verdict != Verdict::unknown) return verdict == Verdict::positive;
   std::array<SymmetricTensor<double>, Vertices> exact;
-  std::array<double, Vertices> exact_weights;
-  for (std::size_t i = 0; i < Vertices; ++i) {
-    exact[i] = *simplex.exact[i];
-    exact_weights[i] = static_cast<double>(weights[i]);
-  }
+  for (std::size_t i = 0; i < Vertices; ++i) exact[i] = *simplex.exact[i];
   // The level is mu + 0: a point exactly on mu counts as below.
-  return exact_side_of_level(exact, simplex.exponents, exact_weights, level.value) ==
+  return exact_side_of_level(exact, simplex.exponents, weights, level.value) ==
          Sign::positive;
 }
 
-template <class Scalar, std::size_t Vertices>
-Refinement<Scalar, Vertices>::Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
-                                         const Level<Scalar>& level)
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+Refinement<Scalar, Vertices, Corners>::Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
+                                                  const Level<Scalar>& level)
+  requires(Vertices == Corners)
+    : Refinement(simplex, level, corners_of(simplex)) {}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+Refinement<Scalar, Vertices, Corners>::Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
+                                                  const Level<Scalar>& level,
+                                                  const std::array<Vertex, Corners>& corners)
     : simplex_(&simplex), level_(&level) {
   Cell root;
-  for (std::size_t i = 0; i < Vertices; ++i) {
-    Vertex v;
-    for (auto& w : v.weights) w = Scalar(0);
-    v.weights[i] = Scalar(1);
-    v.tensor = simplex.tensors[i];
-    v.above = simplex.above[i];
-    vertices_.push_back(v);
-    last_bisection_.push_back(0);
-    root.vertices[i] = static_cast<std::uint32_t>(i);
-  }
-  cells_.push_back(root);
+  for (std::size_t i = 0; i < Corners; ++i) root.vertices[i] = add_vertex(corners[i]);
+  add_cell(root);
 }
 
-template <class Scalar, std::size_t Vertices>
-bool Refinement<Scalar, Vertices>::run(std::size_t budget) {
-  // Cells are appended by bisection; each pass looks at all that are new or may hang.
-  bool changed = true;
-  while (changed) {
-    changed = false;
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-      if (!cells_[c].alive) continue;
-      if (is_simple(cells_[c]) && !has_hanging_vertex(cells_[c])) continue;
-      if (cells_.size() > budget || !bisect(c)) return false;
-      changed = true;
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+std::uint32_t Refinement<Scalar, Vertices, Corners>::add_vertex(const Vertex& v) {
+  vertices_.push_back(v);
+  cells_at_.emplace_back();
+  return static_cast<std::uint32_t>(vertices_.size() - 1);
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+void Refinement<Scalar, Vertices, Corners>::add_cell(const Cell& cell) {
+  for (const auto v : cell.vertices)
+    cells_at_[v].push_back(static_cast<std::uint32_t>(cells_.size()));
+  cells_.push_back(cell);
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
+  // The largest first: a large cell must not be worn down from its sides by cuts of small ones.
+  std::priority_queue<std::pair<double, std::uint32_t>> waiting;
+  std::size_t next = 0;
+  while (true) {
+    for (; next < cells_.size(); ++next) {
+      const auto longest = longest_edge(cells_[next].vertices);
+      waiting.emplace(angle(longest[0], longest[1]), static_cast<std::uint32_t>(next));
     }
+    if (waiting.empty()) return true;
+    const auto c = waiting.top().second;
+    waiting.pop();
+    if (!cells_[c].alive) continue;
+    auto cut = edge_to_cut(cells_[c]);
+    if (!cut) continue;
+    while (const auto longer = much_longer_edge((*cut)[0], (*cut)[1])) cut = longer;
+    if (cells_.size() > budget || !cut_edge((*cut)[0], (*cut)[1])) return false;
+    if (cells_[c].alive) waiting.emplace(4.0, c);
   }
-  return true;
 }
 
-template <class Scalar, std::size_t Vertices>
-bool Refinement<Scalar, Vertices>::is_simple(Cell& cell) {
-  if (cell.checked) return true;  // only a simple cell stays
-  cell.proof = prove(cell.vertices);
-  using Kind = typename SimplexProof<Scalar, Vertices>::Kind;
-  const bool simple = cell.proof.kind == Kind::empty ||
-                      (cell.proof.kind == Kind::monotone && edges_are_simple(cell) &&
-                       faces_are_simple(cell));
-  cell.checked = simple;
-  return simple;
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners>::edge_to_cut(Cell& cell) {
+  using Kind = typename SimplexProof<Scalar, Corners>::Kind;
+  if (cell.proof.kind == Kind::none) cell.proof = prove(cell.vertices);
+  if (cell.proof.kind == Kind::empty) return std::nullopt;
+  const auto longest = longest_edge(cell.vertices);
+  if (cell.proof.kind == Kind::none) return longest;
+  for (std::size_t i = 0; i < Corners; ++i)
+    for (std::size_t j = i + 1; j < Corners; ++j) {
+      const auto u = cell.vertices[i], v = cell.vertices[j];
+      if (is_simple_edge(u, v)) continue;
+      if (kLonger * angle(u, v) < angle(longest[0], longest[1])) return longest;
+      return std::array<std::uint32_t, 2>{u, v};
+    }
+  if constexpr (Corners == 4)
+    for (std::size_t omitted = 0; omitted < 4; ++omitted) {
+      std::array<std::uint32_t, 3> face;
+      for (std::size_t i = 0, k = 0; i < 4; ++i)
+        if (i != omitted) face[k++] = cell.vertices[i];
+      if (!is_simple_face(face)) return longest;
+    }
+  return std::nullopt;
 }
 
-template <class Scalar, std::size_t Vertices>
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
 template <std::size_t Part>
-SimplexProof<Scalar, Part> Refinement<Scalar, Vertices>::prove(
+SimplexProof<Scalar, Part> Refinement<Scalar, Vertices, Corners>::prove(
     const std::array<std::uint32_t, Part>& part) const {
-  std::array<std::array<Scalar, Vertices>, Part> weights;
+  std::array<std::array<double, Vertices>, Part> weights;
   std::array<Deviator<Scalar>, Part> tensors;
   for (std::size_t i = 0; i < Part; ++i) {
     weights[i] = vertices_[part[i]].weights;
@@ -93,122 +168,194 @@ SimplexProof<Scalar, Part> Refinement<Scalar, Vertices>::prove(
   return prove_part(*simplex_, weights, tensors, *level_);
 }
 
-template <class Scalar, std::size_t Vertices>
-bool Refinement<Scalar, Vertices>::edges_are_simple(const Cell& cell) {
-  for (std::size_t i = 0; i < Vertices; ++i)
-    for (std::size_t j = i + 1; j < Vertices; ++j) {
-      const auto u = cell.vertices[i], v = cell.vertices[j];
-      auto& record = edges_[key(u, v)];
-      if (record.simple < 0)
-        record.simple = edge_is_simple<Scalar, Vertices>(
-            *simplex_, {vertices_[u].weights, vertices_[v].weights},
-            {vertices_[u].tensor, vertices_[v].tensor}, *level_);
-      if (record.simple == 0) return false;
-    }
-  return true;
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+std::optional<typename Refinement<Scalar, Vertices, Corners>::Between>
+Refinement<Scalar, Vertices, Corners>::between(int a, const Vertex& u, int b, const Vertex& v) const {
+  const auto place = ExactWeights<Vertices>::combination(a, u.place, b, v.place);
+  if (!place) return std::nullopt;
+  Vertex m;
+  m.tensor = tensor_at(simplex_->tensors, place->values());
+  const int e = normalizing_exponent(static_cast<double>(norm_form(m.tensor)));
+  m.place = place->scaled(e);
+  m.weights = m.place.values();
+  m.tensor = Scalar(std::ldexp(1.0, e)) * m.tensor;
+  m.above = is_above(*simplex_, m.tensor, m.weights, *level_);
+  return Between{m, std::ldexp(a, e), std::ldexp(b, e)};
 }
 
-template <class Scalar, std::size_t Vertices>
-bool Refinement<Scalar, Vertices>::faces_are_simple(const Cell& cell) const {
-  if constexpr (Vertices == 4) {
-    for (std::size_t omitted = 0; omitted < 4; ++omitted) {
-      std::array<std::uint32_t, 3> face;
-      for (std::size_t i = 0, k = 0; i < 4; ++i)
-        if (i != omitted) face[k++] = cell.vertices[i];
-      if (prove(face).kind == SimplexProof<Scalar, 3>::Kind::none) return false;
-    }
-  }
-  return true;
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+int Refinement<Scalar, Vertices, Corners>::crossings_between(const Vertex& u, const Vertex& v,
+                                                    int depth) const {
+  if (edge_is_simple<Scalar, Vertices>(*simplex_, {u.weights, v.weights}, {u.tensor, v.tensor},
+                                       *level_))
+    return u.above != v.above ? 1 : 0;
+  if (depth == kEdgeDepth) return 2;
+  const auto middle = between(1, u, 1, v);
+  if (!middle) return 2;
+  const auto& m = middle->vertex;
+  const int first = crossings_between(u, m, depth + 1);
+  return first >= 2 ? first : first + crossings_between(m, v, depth + 1);
 }
 
-template <class Scalar, std::size_t Vertices>
-bool Refinement<Scalar, Vertices>::has_hanging_vertex(Cell& cell) const {
-  // An edge of the cell that was bisected since the last look has both ends marked since then.
-  int marked = 0;
-  for (const auto v : cell.vertices) marked += last_bisection_[v] > cell.seen ? 1 : 0;
-  if (marked >= 2)
-    for (std::size_t i = 0; i < Vertices; ++i)
-      for (std::size_t j = i + 1; j < Vertices; ++j) {
-        const auto found = edges_.find(key(cell.vertices[i], cell.vertices[j]));
-        if (found != edges_.end() && found->second.middle != kNone) return true;
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::is_simple_edge(std::uint32_t u, std::uint32_t v) {
+  auto& simple = edges_[edge_key(u, v)];
+  if (simple == 0) simple = crossings_between(vertices_[u], vertices_[v], 0) < 2 ? 1 : -1;
+  return simple > 0;
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::is_simple_face(const std::array<std::uint32_t, 3>& face) {
+  auto& simple = faces_[face_key(face[0], face[1], face[2])];
+  if (simple == 0)
+    simple = prove(face).kind != SimplexProof<Scalar, 3>::Kind::none || has_no_loop(face) ? 1 : -1;
+  return simple > 0;
+}
+
+/// For a face whose edges are simple: whether a refinement of its own shows that the level makes
+/// one arc in it if it crosses the edges, and nothing otherwise.
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
+    const std::array<std::uint32_t, 3>& face) const {
+  if constexpr (Corners == 4) {
+    const std::array<Vertex, 3> corners{vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
+    Refinement<Scalar, Vertices, 3> triangle(*simplex_, *level_, corners);
+    if (!triangle.run(kFaceBudget)) return false;
+    // Each cell holds one piece or none; pieces meet on the edges that the level crosses.
+    std::unordered_map<std::uint64_t, std::uint32_t> nodes;
+    std::vector<std::uint32_t> parent;
+    const auto root = [&](std::uint32_t n) {
+      while (parent[n] != n) n = parent[n] = parent[parent[n]];
+      return n;
+    };
+    for (const auto& cell : triangle.cells()) {
+      if (!cell.alive) continue;
+      std::array<std::uint32_t, 2> ends{};
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto u = cell.vertices[i], v = cell.vertices[(i + 1) % 3];
+        if (triangle.vertices()[u].above == triangle.vertices()[v].above) continue;
+        const auto [at, added] =
+            nodes.try_emplace(edge_key(u, v), static_cast<std::uint32_t>(nodes.size()));
+        if (added) parent.push_back(at->second);
+        ends[count++] = at->second;
       }
-  cell.seen = bisections_;
+      if (count == 0) continue;
+      parent[root(ends[0])] = root(ends[1]);
+    }
+    int components = 0;
+    for (std::uint32_t n = 0; n < parent.size(); ++n) components += root(n) == n ? 1 : 0;
+    const bool crossed = corners[0].above != corners[1].above || corners[1].above != corners[2].above;
+    return components == (crossed ? 1 : 0);
+  }
   return false;
 }
 
-template <class Scalar, std::size_t Vertices>
-Scalar Refinement<Scalar, Vertices>::length(std::uint32_t u, std::uint32_t v) const {
-  // Decreases with the cosine of the angle; any total order does, as long as all cells use it.
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+double Refinement<Scalar, Vertices, Corners>::angle(std::uint32_t u, std::uint32_t v) const {
   const auto &s = vertices_[u].tensor, &t = vertices_[v].tensor;
-  const Scalar product = norm_form(s, t), scale = norm_form(s) * norm_form(t);
-  if (!(scale > Scalar(0))) return Scalar(2);
-  const Scalar signed_square = (product < Scalar(0) ? -product : product) * product / scale;
-  return -signed_square;
+  const Scalar scale = norm_form(s) * norm_form(t);
+  if (!(scale > Scalar(0))) return 4;
+  const double cosine =
+      static_cast<double>(norm_form(s, t)) / std::sqrt(static_cast<double>(scale));
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-template <class Scalar, std::size_t Vertices>
-bool Refinement<Scalar, Vertices>::bisect(std::size_t c) {
-  const auto vertices = cells_[c].vertices;
-  std::size_t best_i = 0, best_j = 1;
-  Scalar best(-3);
-  EdgeKey best_key = 0;
-  for (std::size_t i = 0; i < Vertices; ++i)
-    for (std::size_t j = i + 1; j < Vertices; ++j) {
-      const Scalar l = length(vertices[i], vertices[j]);
-      const EdgeKey k = key(vertices[i], vertices[j]);
-      if (l > best || (l == best && k < best_key)) best = l, best_key = k, best_i = i, best_j = j;
-    }
-  const auto m = middle(vertices[best_i], vertices[best_j]);
-  if (m == kNone) return false;
-  cells_[c].alive = false;
-  for (const std::size_t replaced : {best_j, best_i}) {
-    Cell child;
-    child.vertices = vertices;
-    child.vertices[replaced] = m;
-    cells_.push_back(child);
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+template <std::size_t Part>
+std::array<std::uint32_t, 2> Refinement<Scalar, Vertices, Corners>::longest_edge(
+    const std::array<std::uint32_t, Part>& part) const {
+  std::array<std::uint32_t, 2> longest{part[0], part[1]};
+  double best = -1;
+  for (std::size_t i = 0; i < Part; ++i)
+    for (std::size_t j = i + 1; j < Part; ++j)
+      if (const double a = angle(part[i], part[j]); a > best)
+        best = a, longest = {part[i], part[j]};
+  return longest;
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners>::much_longer_edge(
+    std::uint32_t u, std::uint32_t v) const {
+  const double limit = kMuchLonger * angle(u, v);
+  for (const auto c : cells_at_[u]) {
+    const auto& cell = cells_[c];
+    if (!cell.alive || std::find(cell.vertices.begin(), cell.vertices.end(), v) == cell.vertices.end())
+      continue;
+    const auto longest = longest_edge(cell.vertices);
+    if (angle(longest[0], longest[1]) > limit) return longest;
   }
-  return true;
+  return std::nullopt;
 }
 
-template <class Scalar, std::size_t Vertices>
-std::uint32_t Refinement<Scalar, Vertices>::middle(std::uint32_t u, std::uint32_t v) {
-  auto& record = edges_[key(u, v)];
-  if (record.middle != kNone) return record.middle;
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint32_t v) {
   // The first cuts are off the middle. Real fields have symmetries, and middles would put sides
   // of cells on their axes and planes, where a level can touch a side exactly.
   constexpr std::array<int, 5> thirty_seconds{13, 17, 15, 19, 14};
   const std::size_t cuts = vertices_.size() - Vertices;
-  const Scalar share = cuts < kUnevenCuts
-                           ? Scalar(thirty_seconds[cuts % thirty_seconds.size()]) / Scalar(32)
-                           : Scalar(1) / Scalar(2);
+  const bool uneven = cuts < kUnevenCuts;
+  const int share = uneven ? thirty_seconds[cuts % thirty_seconds.size()] : 1;
   const auto [lower, upper] = std::minmax(u, v);
-  Vertex m;
-  for (std::size_t i = 0; i < Vertices; ++i) {
-    const auto &a = vertices_[lower].weights[i], &b = vertices_[upper].weights[i];
-    m.weights[i] = a + share * (b - a);
-    // Weights stay exact in double for all scalars: the exact tier is fed with them.
-    if (Scalar(static_cast<double>(m.weights[i])) != m.weights[i]) return kNone;
+  const auto middle = between(share, vertices_[lower], uneven ? 32 - share : 1, vertices_[upper]);
+  if (!middle) return false;
+  const auto m = add_vertex(middle->vertex);
+  const Scalar of_u(u == lower ? middle->a : middle->b), of_v(u == lower ? middle->b : middle->a);
+  if (const auto simple = edges_.find(edge_key(u, v)); simple != edges_.end() && simple->second > 0)
+    edges_[edge_key(u, m)] = edges_[edge_key(m, v)] = 1;
+  // All cells around the edge at once: none is ever left with a vertex on its side.
+  const auto around = std::move(cells_at_[u]);
+  cells_at_[u].clear();
+  for (const auto c : around) {
+    if (!cells_[c].alive) continue;
+    const Cell cell = cells_[c];
+    const auto at = [&](std::uint32_t w) {
+      return static_cast<std::size_t>(
+          std::find(cell.vertices.begin(), cell.vertices.end(), w) - cell.vertices.begin());
+    };
+    const auto i = at(u), j = at(v);
+    if (j == Corners) {
+      cells_at_[u].push_back(c);
+      continue;
+    }
+    cells_[c].alive = false;
+    if constexpr (Corners == 4)
+      for (const auto w : cell.vertices) {
+        if (w == u || w == v) continue;
+        const auto simple = faces_.find(face_key(u, v, w));
+        if (simple != faces_.end() && simple->second > 0)
+          faces_[face_key(u, m, w)] = faces_[face_key(m, v, w)] = 1;
+      }
+    add_child(cell, i, j, m, of_u, of_v);
+    add_child(cell, j, i, m, of_v, of_u);
   }
-  for (std::size_t i = 0; i < Vertices; ++i) {
-    // Dyadic fractions below one are exact down to 2^-52; finer cells are refused.
-    const Scalar w = m.weights[i];
-    if (w > Scalar(0) && w < Scalar(1.0 / (1ull << 50))) return kNone;
-  }
-  m.tensor = tensor_at(simplex_->tensors, m.weights);
-  m.above = is_above(*simplex_, m.tensor, m.weights, *level_);
-  record.middle = static_cast<std::uint32_t>(vertices_.size());
-  vertices_.push_back(m);
-  last_bisection_.push_back(0);
-  ++bisections_;
-  last_bisection_[u] = last_bisection_[v] = bisections_;
-  return record.middle;
+  return true;
+}
+
+/// The part of a cell that keeps its corner `kept` and has the place m = a kept + b lost for its
+/// corner `lost`. What is proved of the cell is proved of its parts.
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell, std::size_t kept, std::size_t lost,
+                                             std::uint32_t m, const Scalar& a, const Scalar& b) {
+  Cell child = cell;
+  child.alive = true;
+  child.vertices[lost] = m;
+  auto& d = child.proof.direction;
+  d[kept] = d[kept] - d[lost] * (a / b);
+  d[lost] = d[lost] / b;
+  Scalar largest(0);
+  for (const auto& x : d) largest = std::max(largest, x < Scalar(0) ? Scalar(-x) : x);
+  if (largest > Scalar(0))
+    for (auto& x : d) x = x / largest;
+  add_cell(child);
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                          \
   template class Refinement<Scalar, 3>;                                                         \
   template class Refinement<Scalar, 4>;                                                         \
+  template class Refinement<Scalar, 4, 3>;                                                      \
   template bool is_above(const LevelSimplex<Scalar, 2>&, const Deviator<Scalar>&,               \
-                         const std::array<Scalar, 2>&, const Level<Scalar>&);
+                         const std::array<double, 2>&, const Level<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -213,7 +213,7 @@ class LeafTriangles {
       point.weights[i] = Scalar(0);
       for (std::size_t c = 0; c < 4; ++c)
         point.weights[i] =
-            point.weights[i] + local[c] * refinement.vertices()[cell.vertices[c]].weights[i];
+            point.weights[i] + local[c] * Scalar(refinement.vertices()[cell.vertices[c]].weights[i]);
     }
     return point;
   }

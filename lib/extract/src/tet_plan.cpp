@@ -72,22 +72,29 @@ std::map<std::uint32_t, CrossingKey> crossings_of_leaves(const TetWithCurves<Sca
                                                 const TetPlan<Scalar>& plan) {
   const auto& vertices = plan.leaves->refinement.vertices();
   const auto& nodes = plan.leaves->mesh.nodes;
-  std::map<int, std::vector<std::pair<Scalar, std::uint32_t>>> on_edge;
+  std::map<int, std::vector<std::uint32_t>> on_edge;
   for (std::uint32_t n = 0; n < nodes.size(); ++n) {
     if ((nodes[n].faces & (nodes[n].faces - 1)) == 0) continue;  // fewer than two faces
     int ends[2] = {-1, -1};
     for (int i = 0, k = 0; i < 4; ++i)
       if (!(nodes[n].faces >> i & 1)) ends[k++] = i;
-    const auto upper = static_cast<std::size_t>(ends[1]);
-    on_edge[tet_edge(ends[0], ends[1])].emplace_back(
-        vertices[nodes[n].first].weights[upper] + vertices[nodes[n].second].weights[upper], n);
+    on_edge[tet_edge(ends[0], ends[1])].push_back(n);
   }
   std::map<std::uint32_t, CrossingKey> result;
   for (auto& [edge, list] : on_edge) {
-    std::sort(list.begin(), list.end());
+    // Two sides of cells on an edge have at most an end in common.
+    const auto from = static_cast<std::size_t>(kTetEdges[static_cast<std::size_t>(edge)][0]);
+    const auto to = static_cast<std::size_t>(kTetEdges[static_cast<std::size_t>(edge)][1]);
+    const auto first = [&](std::uint32_t n) -> const ExactWeights<4>& {
+      const auto &u = vertices[nodes[n].first].place, &v = vertices[nodes[n].second].place;
+      return u.comes_before(v, from, to) ? u : v;
+    };
+    std::sort(list.begin(), list.end(), [&](std::uint32_t m, std::uint32_t n) {
+      return first(m).comes_before(first(n), from, to);
+    });
     const int count = static_cast<int>(list.size());
     for (int k = 0; k < count; ++k)
-      result[list[static_cast<std::size_t>(k)].second] = {
+      result[list[static_cast<std::size_t>(k)]] = {
           edge, tet.edge_forward[static_cast<std::size_t>(edge)] ? k : count - 1 - k};
   }
   return result;
@@ -101,7 +108,7 @@ InnerVertex<Scalar> node_point(const Refinement<Scalar, 4>& refinement, const Le
                            : Scalar(1) - segment_root(v.tensor, u.tensor, level);
   InnerVertex<Scalar> point;
   for (std::size_t i = 0; i < 4; ++i)
-    point.weights[i] = u.weights[i] + f * (v.weights[i] - u.weights[i]);
+    point.weights[i] = Scalar(u.weights[i]) + f * Scalar(v.weights[i] - u.weights[i]);
   point.tensor = u.tensor + f * (v.tensor - u.tensor);
   return point;
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tiers.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include "extractor_scalars.hpp"
 
 namespace tensortopo {
@@ -36,7 +39,7 @@ const Level<Scalar>& level_in(const ModeValue& value) {
 template <class Long, class Scalar, std::size_t Vertices, std::size_t Part>
 std::array<Deviator<Long>, Part> tensors_in(
     const LevelSimplex<Scalar, Vertices>& root,
-    const std::array<std::array<Scalar, Vertices>, Part>& weights) {
+    const std::array<std::array<double, Vertices>, Part>& weights) {
   std::array<Deviator<Long>, Vertices> corners;
   for (std::size_t i = 0; i < Vertices; ++i) {
     using std::ldexp;
@@ -55,17 +58,25 @@ std::array<Deviator<Long>, Part> tensors_in(
   return result;
 }
 
+template <std::size_t Vertices, std::size_t Part>
+double largest_sum(const std::array<std::array<double, Vertices>, Part>& weights) {
+  double largest = 0;
+  for (const auto& w : weights) largest = std::max(largest, std::accumulate(w.begin(), w.end(), 0.0));
+  return largest;
+}
+
 }  // namespace
 
 template <class Scalar, std::size_t Vertices, std::size_t Part>
 SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root,
-                                      const std::array<std::array<Scalar, Vertices>, Part>& weights,
+                                      const std::array<std::array<double, Vertices>, Part>& weights,
                                       const std::array<Deviator<Scalar>, Part>& tensors,
                                       const Level<Scalar>& level) {
-  auto proof = prove_simplex(tensors, level);
+  const double total = largest_sum(weights);
+  auto proof = prove_simplex(tensors, level, total);
   if (!proof.hidden_by_rounding) return proof;
   using Long = typename Longer<Scalar>::type;
-  const auto better = prove_simplex(tensors_in<Long>(root, weights), level_in<Long>(level.value));
+  const auto better = prove_simplex(tensors_in<Long>(root, weights), level_in<Long>(level.value), total);
   using Better = SimplexProof<Long, Part>;
   using Proof = SimplexProof<Scalar, Part>;
   proof.kind = better.kind == Better::Kind::empty      ? Proof::Kind::empty
@@ -78,23 +89,24 @@ SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root
 
 template <class Scalar, std::size_t Vertices>
 bool edge_is_simple(const LevelSimplex<Scalar, Vertices>& root,
-                    const std::array<std::array<Scalar, Vertices>, 2>& weights,
+                    const std::array<std::array<double, Vertices>, 2>& weights,
                     const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level) {
-  const Verdict verdict = has_at_most_one_crossing(tensors, level);
+  const double total = largest_sum(weights);
+  const Verdict verdict = has_at_most_one_crossing(tensors, level, total);
   if (verdict != Verdict::unknown) return verdict == Verdict::positive;
   using Long = typename Longer<Scalar>::type;
   return has_at_most_one_crossing(tensors_in<Long>(root, weights),
-                                  level_in<Long>(level.value)) == Verdict::positive;
+                                  level_in<Long>(level.value), total) == Verdict::positive;
 }
 
 #define TENSORTOPO_INSTANTIATE_PART(Scalar, Vertices, Part)                                   \
   template SimplexProof<Scalar, Part> prove_part(                                             \
       const LevelSimplex<Scalar, Vertices>&,                                                  \
-      const std::array<std::array<Scalar, Vertices>, Part>&,                                  \
+      const std::array<std::array<double, Vertices>, Part>&,                                  \
       const std::array<Deviator<Scalar>, Part>&, const Level<Scalar>&);
 #define TENSORTOPO_INSTANTIATE_EDGE(Scalar, Vertices)                                            \
   template bool edge_is_simple(const LevelSimplex<Scalar, Vertices>&,                            \
-                               const std::array<std::array<Scalar, Vertices>, 2>&,               \
+                               const std::array<std::array<double, Vertices>, 2>&,               \
                                const std::array<Deviator<Scalar>, 2>&, const Level<Scalar>&);
 #define TENSORTOPO_INSTANTIATE(Scalar)      \
   TENSORTOPO_INSTANTIATE_PART(Scalar, 3, 3) \

@@ -15,18 +15,18 @@ namespace tensortopo {
 /// input's own bits.
 ///
 /// @param root    the simplex of the mesh
-/// @param weights barycentric coordinates, in `root`, of the vertices of the part; exact
+/// @param weights homogeneous coordinates, in `root`, of the vertices of the part; exact
 /// @param tensors the field there
 template <class Scalar, std::size_t Vertices, std::size_t Part>
 SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root,
-                                      const std::array<std::array<Scalar, Vertices>, Part>& weights,
+                                      const std::array<std::array<double, Vertices>, Part>& weights,
                                       const std::array<Deviator<Scalar>, Part>& tensors,
                                       const Level<Scalar>& level);
 
 /// The same for an edge: whether it is proved to hold at most one point of the level.
 template <class Scalar, std::size_t Vertices>
 bool edge_is_simple(const LevelSimplex<Scalar, Vertices>& root,
-                    const std::array<std::array<Scalar, Vertices>, 2>& weights,
+                    const std::array<std::array<double, Vertices>, 2>& weights,
                     const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level);
 
 }  // namespace tensortopo

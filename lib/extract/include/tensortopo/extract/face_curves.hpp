@@ -29,7 +29,8 @@ struct ArcEnd {
 /// `direction`, so the point above each place of the segment from `begin` to `end` is unique.
 template <class Scalar>
 struct ArcPiece {
-  std::array<std::array<Scalar, 3>, 3> corners;  ///< of the monotone triangle, weights in the face
+  /// Corners of the monotone triangle: homogeneous weights in the face.
+  std::array<std::array<double, 3>, 3> corners;
   std::array<Deviator<Scalar>, 3> tensors;       ///< at those corners
   std::array<Scalar, 3> direction;               ///< barycentric in the monotone triangle
   std::array<Scalar, 3> begin, end;              ///< barycentric in the monotone triangle

@@ -36,13 +36,13 @@ inline Scalar unit_roundoff() {
 }
 
 /// A tensor of the linear field on a simplex is a sum of at most four vertex tensors of norm
-/// form P <= 12 each (vertex tensors are scaled so that P lies in [3, 12)); at barycentric
-/// coordinates that are exact and sum to one it is wrong by at most 9 roundings of one such
-/// term in each component, that is by less than 40 u in sqrt(P). This is the factor by which
-/// that error, relative to the norm at hand, exceeds one rounding.
+/// form P <= 12 each (vertex tensors are scaled so that P lies in [3, 12)); at exact homogeneous
+/// coordinates of sum `total` it is wrong by at most 9 roundings of such a term in each component,
+/// that is by less than 40 total u in sqrt(P). This is the factor by which that error, relative to
+/// the norm at hand, exceeds one rounding.
 template <class Scalar>
-inline Scalar rounding_unit(const Scalar& norm) {
-  return unit_roundoff<Scalar>() * (Scalar(1) + Scalar(40) / norm);
+inline Scalar rounding_unit(const Scalar& norm, double total = 1) {
+  return unit_roundoff<Scalar>() * (Scalar(1) + Scalar(40 * total) / norm);
 }
 
 /// sqrt(2) Q - mu P^(3/2): positive where the mode is larger than mu. One signed sheet, unlike
@@ -54,17 +54,19 @@ inline Scalar level_function(const Deviator<Scalar>& t, const Level<Scalar>& lev
   return level.sqrt2 * determinant_form(t) - level.mu * p * sqrt(p);
 }
 
-/// Side of the level on which a tensor lies, if rounding cannot have changed it.
+/// Side of the level on which a tensor lies, if rounding cannot have changed it; `total` as in
+/// `rounding_unit`.
 /// In absolute values the two terms add up to less than 200 N^3 (N^2 = P; the components of
 /// thrice(T) are at most sqrt(3) N), and no term passes through more than 20 roundings.
 template <class Scalar>
-inline Verdict side_of_level(const Deviator<Scalar>& t, const Level<Scalar>& level) {
+inline Verdict side_of_level(const Deviator<Scalar>& t, const Level<Scalar>& level,
+                             double total = 1) {
   using std::sqrt;
   const Scalar p = norm_form(t);
   const Scalar n = sqrt(p);
   if (!(n > Scalar(0))) return Verdict::unknown;
   const Scalar value = level.sqrt2 * determinant_form(t) - level.mu * p * n;
-  const Scalar bound = Scalar(4000) * rounding_unit(n) * p * n;
+  const Scalar bound = Scalar(4000) * rounding_unit(n, total) * p * n;
   if (value > bound) return Verdict::positive;
   if (value < -bound) return Verdict::negative;
   return Verdict::unknown;

@@ -5,9 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "tensortopo/extract/exact_weights.hpp"
 #include "tensortopo/extract/level.hpp"
 #include "tensortopo/extract/simple_simplex.hpp"
 
@@ -23,77 +25,97 @@ struct LevelSimplex {
   std::array<int, Vertices> exponents;  ///< tensors[i] = deviator of exact[i] * 2^exponents[i]
 };
 
+/// A place in a simplex of the mesh and the field there.
+template <class Scalar, std::size_t Vertices>
+struct RefinementVertex {
+  ExactWeights<Vertices> place;
+  std::array<double, Vertices> weights;  ///< its coordinates; exact, homogeneous
+  Deviator<Scalar> tensor;               ///< of those weights; P in [3, 12) unless it vanishes
+  bool above;
+};
+
 /// A conforming subdivision of a triangle or tetrahedron into simple simplices (see
-/// `SimplexProof`), by bisection of the longest edge, length being the angle between tensors.
+/// `SimplexProof`). A cell that is not simple has its longest edge cut, length being the angle
+/// between tensors, or the edge with several crossings that stands in the way; all cells around the
+/// edge are cut with it. An edge is cut where the angle is about halved: the tensors at its ends
+/// are brought to about the same norm and added. So cells have one size in angles everywhere, also
+/// where the field comes close to zero and all angles happen within a short way.
 ///
 /// What is proved of the cells fixes the topology of the level in the simplex: it is the one that
 /// marching tetrahedra (triangles) give on the signs at the vertices.
-template <class Scalar, std::size_t Vertices>
+///
+/// @tparam Vertices of the simplex of the mesh
+/// @tparam Corners  of what is refined: that simplex, or a triangle in it
+template <class Scalar, std::size_t Vertices, std::size_t Corners = Vertices>
 class Refinement {
  public:
-  struct Vertex {
-    std::array<Scalar, Vertices> weights;  ///< barycentric, exact dyadic numbers
-    Deviator<Scalar> tensor;
-    bool above;
-  };
+  using Vertex = RefinementVertex<Scalar, Vertices>;
   struct Cell {
-    std::array<std::uint32_t, Vertices> vertices;  ///< oriented as the simplex is
-    SimplexProof<Scalar, Vertices> proof;
-    bool alive = true;
-    bool checked = false;
-    std::uint32_t seen = 0;  ///< bisections of edges when the cell was last found conforming
+    std::array<std::uint32_t, Corners> vertices;  ///< oriented as the simplex is
+    SimplexProof<Scalar, Corners> proof;
+    bool alive = true;  ///< not cut
   };
 
-  Refinement(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level);
+  Refinement(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level)
+    requires(Vertices == Corners);
+  Refinement(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
+             const std::array<Vertex, Corners>& corners);
 
   /// Refines until every cell is simple; false if that takes more than `budget` cells, or cells
-  /// too small for their corners to be exact.
+  /// too small for the coordinates of their corners to be exact.
   bool run(std::size_t budget);
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<Cell>& cells() const { return cells_; }
 
  private:
-  using EdgeKey = std::uint64_t;
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-  struct EdgeRecord {
-    std::uint32_t middle = kNone;
-    signed char simple = -1;  // unknown
-  };
-
-  static EdgeKey key(std::uint32_t u, std::uint32_t v) {
-    return u < v ? (EdgeKey{u} << 32 | v) : (EdgeKey{v} << 32 | u);
-  }
-  bool is_simple(Cell& cell);
+  std::uint32_t add_vertex(const Vertex& v);
+  void add_cell(const Cell& cell);
+  /// The edge to cut next if the cell is not proved simple.
+  std::optional<std::array<std::uint32_t, 2>> edge_to_cut(Cell& cell);
+  bool is_simple_edge(std::uint32_t u, std::uint32_t v);
+  bool is_simple_face(const std::array<std::uint32_t, 3>& face);
+  bool has_no_loop(const std::array<std::uint32_t, 3>& face) const;
   template <std::size_t Part>
   SimplexProof<Scalar, Part> prove(const std::array<std::uint32_t, Part>& part) const;
-  bool edges_are_simple(const Cell& cell);
-  bool faces_are_simple(const Cell& cell) const;
-  bool has_hanging_vertex(Cell& cell) const;
-  bool bisect(std::size_t cell);
-  std::uint32_t middle(std::uint32_t u, std::uint32_t v);
-  Scalar length(std::uint32_t u, std::uint32_t v) const;
+  /// The place a u + b v, and a and b as scaled for it; nothing if its coordinates have too many
+  /// bits.
+  struct Between {
+    Vertex vertex;
+    double a, b;
+  };
+  std::optional<Between> between(int a, const Vertex& u, int b, const Vertex& v) const;
+  /// Crossings of the level between two places, 2 for more than one or not known.
+  int crossings_between(const Vertex& u, const Vertex& v, int depth) const;
+  double angle(std::uint32_t u, std::uint32_t v) const;  ///< between the tensors, for lengths
+  /// An edge of a cell around (u, v) that should be cut before it.
+  std::optional<std::array<std::uint32_t, 2>> much_longer_edge(std::uint32_t u,
+                                                               std::uint32_t v) const;
+  template <std::size_t Part>
+  std::array<std::uint32_t, 2> longest_edge(const std::array<std::uint32_t, Part>& part) const;
+  bool cut_edge(std::uint32_t u, std::uint32_t v);
+  void add_child(const Cell& cell, std::size_t kept, std::size_t lost, std::uint32_t m,
+                 const Scalar& a, const Scalar& b);
 
   const LevelSimplex<Scalar, Vertices>* simplex_;
   const Level<Scalar>* level_;
   std::vector<Vertex> vertices_;
   std::vector<Cell> cells_;
-  std::unordered_map<EdgeKey, EdgeRecord> edges_;
-  std::uint32_t bisections_ = 0;
-  std::vector<std::uint32_t> last_bisection_;  ///< of an edge at each vertex
+  std::vector<std::vector<std::uint32_t>> cells_at_;  ///< of each vertex; dead ones among them
+  std::unordered_map<std::uint64_t, signed char> edges_, faces_;  ///< simple: 1, not: -1
 };
 
-/// Side of the level for the field of a simplex at exact barycentric weights; all tiers.
+/// Side of the level for the field of a simplex at exact homogeneous weights; all tiers.
 template <class Scalar, std::size_t Vertices>
 bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scalar>& tensor,
-              const std::array<Scalar, Vertices>& weights, const Level<Scalar>& level);
+              const std::array<double, Vertices>& weights, const Level<Scalar>& level);
 
-/// The field of a simplex at barycentric weights.
-template <class Scalar, std::size_t Vertices>
+/// The field of a simplex at homogeneous weights.
+template <class Scalar, std::size_t Vertices, class Weight>
 Deviator<Scalar> tensor_at(const std::array<Deviator<Scalar>, Vertices>& tensors,
-                           const std::array<Scalar, Vertices>& weights) {
-  Deviator<Scalar> t = weights[0] * tensors[0];
-  for (std::size_t i = 1; i < Vertices; ++i) t = t + weights[i] * tensors[i];
+                           const std::array<Weight, Vertices>& weights) {
+  Deviator<Scalar> t = Scalar(weights[0]) * tensors[0];
+  for (std::size_t i = 1; i < Vertices; ++i) t = t + Scalar(weights[i]) * tensors[i];
   return t;
 }
 

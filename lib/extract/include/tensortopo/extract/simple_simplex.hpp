@@ -24,7 +24,9 @@ namespace tensortopo {
 template <class Scalar, std::size_t Vertices>
 struct SimplexProof {
   enum class Kind { none, empty, monotone } kind = Kind::none;
-  std::array<Scalar, Vertices> direction{};  ///< barycentric, sums to zero; if monotone
+  /// If monotone: the tensor sum of these is the direction. (The mode of T + k D increases with k;
+  /// seen in the simplex, these are lines through one point, at infinity if the sum is zero.)
+  std::array<Scalar, Vertices> direction{};
   bool hidden_by_rounding = false;  ///< kind is none, but more precision may prove more
 };
 
@@ -62,8 +64,8 @@ inline constexpr double kGeneralizedBound = 50 * 595;
 /// Positive if the level is proved not to meet the simplex, unknown if rounding hides it.
 template <class Scalar, std::size_t Vertices>
 Verdict is_empty(const ModeForms<Scalar, Vertices>& forms, const Level<Scalar>& level,
-                 const Scalar& norm) {
-  const Scalar u = rounding_unit(norm), cube = norm * norm * norm;
+                 const Scalar& norm, double total) {
+  const Scalar u = rounding_unit(norm, total), cube = norm * norm * norm;
   const Verdict opposite =
       has_strict_sign(forms.determinant, -level.sign, Scalar(kDeterminantBound) * u * cube);
   if (opposite == Verdict::positive) return opposite;
@@ -76,9 +78,9 @@ Verdict is_empty(const ModeForms<Scalar, Vertices>& forms, const Level<Scalar>& 
 /// Positive if the mode is proved to increase along d, unknown if rounding hides it.
 template <class Scalar, std::size_t Vertices>
 Verdict increases_along(const ModeForms<Scalar, Vertices>& forms,
-                        const std::array<Scalar, Vertices>& d, const Scalar& norm) {
+                        const std::array<Scalar, Vertices>& d, const Scalar& norm, double total) {
   const Scalar bound =
-      Scalar(kIncreaseBound) * rounding_unit(norm) * norm * norm * norm * norm * norm;
+      Scalar(kIncreaseBound) * rounding_unit(norm, total) * norm * norm * norm * norm * norm;
   return has_strict_sign(mode_increase_form(forms, d), 1, bound);
 }
 
@@ -108,10 +110,12 @@ std::array<Deviator<double>, Vertices> rounded(
   return result;
 }
 
-/// Tries the proofs above on a triangle or a tetrahedron.
+/// Tries the proofs above on a triangle or a tetrahedron; `total` as in `rounding_unit`, the
+/// largest of a vertex.
 template <class Scalar, std::size_t Vertices>
 SimplexProof<Scalar, Vertices> prove_simplex(
-    const std::array<Deviator<Scalar>, Vertices>& tensors, const Level<Scalar>& level) {
+    const std::array<Deviator<Scalar>, Vertices>& tensors, const Level<Scalar>& level,
+    double total = 1) {
   using Proof = SimplexProof<Scalar, Vertices>;
   Proof proof;
   const auto in_double = rounded(tensors);
@@ -126,13 +130,13 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   for (const auto choice : {DirectionChoice::central, DirectionChoice::cone}) {
     const auto direction = likely_direction(in_double, choice);
     for (std::size_t i = 0; i < Vertices; ++i) proof.direction[i] = Scalar(direction[i]);
-    increases = detail::increases_along(forms, proof.direction, norm);
+    increases = detail::increases_along(forms, proof.direction, norm, total);
     if (increases == Verdict::positive) {
       proof.kind = Proof::Kind::monotone;
       return proof;
     }
   }
-  const Verdict empty = detail::is_empty(forms, level, norm);
+  const Verdict empty = detail::is_empty(forms, level, norm, total);
   if (empty == Verdict::positive) proof.kind = Proof::Kind::empty;
   proof.hidden_by_rounding = empty != Verdict::positive &&
                              (increases == Verdict::unknown || empty == Verdict::unknown);
@@ -144,13 +148,13 @@ SimplexProof<Scalar, Vertices> prove_simplex(
 /// it.
 template <class Scalar>
 Verdict has_at_most_one_crossing(const std::array<Deviator<Scalar>, 2>& tensors,
-                                 const Level<Scalar>& level) {
+                                 const Level<Scalar>& level, double total = 1) {
   if (screen::excludes(rounded(tensors), level.lode_angle)) return Verdict::positive;
   const Scalar norm = largest_norm(tensors);
   if (!(norm > Scalar(0))) return Verdict::negative;
   const auto forms = mode_forms(tensors);
   const std::array<Scalar, 2> along{Scalar(-1), Scalar(1)};
-  const Scalar u = rounding_unit(norm), n2 = norm * norm;
+  const Scalar u = rounding_unit(norm, total), n2 = norm * norm;
   const auto increase = mode_increase_form(forms, along);
   const Scalar bound = Scalar(detail::kIncreaseBound) * u * n2 * n2 * norm;
   const int direction = increase.coefficients[0] > Scalar(0) ? 1 : -1;
