@@ -72,7 +72,7 @@ struct SimplexCase {
     for (std::size_t i = 0; i < Vertices; ++i) {
       const LevelSimplex<Scalar, 2> point = field.template simplex<2>(
           std::array<std::size_t, 2>{i, i}, std::vector<char>(Vertices, 0));
-      above[i] = is_above<Scalar, 2>(point, field.tensors[i], {Scalar(1), Scalar(0)}, level);
+      above[i] = is_above<Scalar, 2>(point, field.tensors[i], {1.0, 0.0}, level);
     }
     std::array<std::size_t, Vertices> all{};
     for (std::size_t i = 0; i < Vertices; ++i) all[i] = i;

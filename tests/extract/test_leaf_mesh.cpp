@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "extract_case.hpp"
 #include "support/brute_force.hpp"
+#include "tensortopo/scalar/real.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -99,6 +101,19 @@ TEST(LeafMesh, IsAnOrientedSurfaceWithTheTopologyThatBruteForceSees) {
   EXPECT_GT(10 * decided, 8 * count);
 }
 
+// The field at homogeneous weights, from the input's own bits.
+Deviator<Real50> exact_tensor(const SimplexCase<double, 4>& tet,
+                              const std::array<double, 4>& weights) {
+  std::array<Deviator<Real50>, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& t = tet.mesh.tensors[i];
+    const SymmetricTensor<Real50> wide{Real50(t.xx), Real50(t.yy), Real50(t.zz),
+                                       Real50(t.xy), Real50(t.yz), Real50(t.xz)};
+    corners[i] = Real50(std::ldexp(1.0, tet.simplex.exponents[i])) * deviator(wide);
+  }
+  return tensor_at(corners, weights);
+}
+
 // Cells fill the tetrahedron without overlap, meet in whole faces, and keep its orientation.
 TEST(Refinement, IsAConformingSubdivision) {
   const std::uint64_t seed = 20240702;
@@ -114,7 +129,7 @@ TEST(Refinement, IsAConformingSubdivision) {
       if (!cell.alive) continue;
       const auto point = [&](std::size_t i) {
         const auto& w = refinement.vertices()[cell.vertices[i]].weights;
-        return Vector3<double>{w[1], w[2], w[3]};
+        return (1 / (w[0] + w[1] + w[2] + w[3])) * Vector3<double>{w[1], w[2], w[3]};
       };
       const auto o = point(0);
       const double own = dot(point(1) - o, cross(point(2) - o, point(3) - o));
@@ -137,9 +152,58 @@ TEST(Refinement, IsAConformingSubdivision) {
                 });
       EXPECT_EQ(count, outer ? 1 : 2);
     }
-    for (const auto& v : refinement.vertices())
-      EXPECT_EQ(v.weights[0] + v.weights[1] + v.weights[2] + v.weights[3], 1);  // exact dyadics
+    for (const auto& v : refinement.vertices()) {
+      EXPECT_GE(norm_form(v.tensor), 2.99);
+      EXPECT_LE(norm_form(v.tensor), 12.01);
+      const auto exact = exact_tensor(tet, v.weights);
+      const double total = std::accumulate(v.weights.begin(), v.weights.end(), 0.0);
+      EXPECT_LT(abs(exact.a - v.tensor.a), 1e-15 * total);
+      EXPECT_LT(abs(exact.yz - v.tensor.yz), 1e-15 * total);
+    }
   }
+}
+
+// Cells inherit what is proved of the cells that they are cut from; it must hold of them.
+TEST(Refinement, ProofsOfItsCellsHold) {
+  const std::uint64_t seed = 20240703;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  int monotone = 0, empty = 0;
+  for (int trial = 0; trial < trials(10); ++trial) {
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const SimplexCase<double, 4> tet(random.tet_tensors(), mode);
+    Refinement<double, 4> refinement(tet.simplex, tet.level);
+    ASSERT_TRUE(refinement.run(kBudget));
+    const Real50 mu = to_scalar<Real50>(mode);
+    for (const auto& cell : refinement.cells()) {
+      if (!cell.alive) continue;
+      std::array<Deviator<Real50>, 4> corners;
+      for (std::size_t i = 0; i < 4; ++i)
+        corners[i] = exact_tensor(tet, refinement.vertices()[cell.vertices[i]].weights);
+      std::array<Real50, 4> from, to;
+      for (auto& w : from) w = Real50(random.uniform());
+      const Real50 value = mode_of_deviator(tensor_at(corners, from));
+      using Kind = SimplexProof<double, 4>::Kind;
+      ASSERT_NE(cell.proof.kind, Kind::none);
+      if (cell.proof.kind == Kind::empty) {
+        ++empty;
+        for (const auto v : cell.vertices)
+          ASSERT_EQ(refinement.vertices()[v].above, value > mu) << "trial " << trial;
+        continue;
+      }
+      ++monotone;
+      Real50 longest(1e9);
+      for (std::size_t i = 0; i < 4; ++i)
+        if (cell.proof.direction[i] < 0)
+          longest = std::min(longest, Real50(-from[i] / Real50(cell.proof.direction[i])));
+      for (std::size_t i = 0; i < 4; ++i)
+        to[i] = from[i] + longest * Real50(random.uniform() * cell.proof.direction[i]);
+      ASSERT_GT(mode_of_deviator(tensor_at(corners, to)), value) << "trial " << trial;
+    }
+  }
+  std::cout << monotone << " monotone cells, " << empty << " empty ones\n";
+  EXPECT_GT(monotone, 1000);
+  EXPECT_GT(empty, 100);
 }
 
 }  // namespace

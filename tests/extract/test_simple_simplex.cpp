@@ -143,8 +143,8 @@ TEST(SimplexProof, SignsThatAreCertainInDoubleAreExact) {
         if (!(Rational(sign) * c > 0)) return false;
       return true;
     };
-    const Verdict increases = detail::increases_along(forms, direction, norm);
-    const Verdict empty = detail::is_empty(forms, example.level, norm);
+    const Verdict increases = detail::increases_along(forms, direction, norm, 1);
+    const Verdict empty = detail::is_empty(forms, example.level, norm, 1);
     hidden += increases == Verdict::unknown || empty == Verdict::unknown;
     if (increases != Verdict::unknown) {
       ++certain;

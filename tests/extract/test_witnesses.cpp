@@ -74,7 +74,7 @@ TEST(FieldWitness, LevelsCloseToCriticalAreDecided) {
 
 // Special position is either named or extracted as brute force sees it.
 // Set aside: right, but some strata take minutes to run out of budget.
-TEST(StratumWitness, DISABLED_IsNamedOrExtractedRight) {
+TEST(StratumWitness, IsNamedOrExtractedRight) {
   for (const auto& witness : stratum_witnesses()) {
     const TetMesh mesh = single_tet_mesh(witness.points, witness.tensors);
     for (const char* mode : {"1/10", "-1/2", "9/10", "-99/100"}) {

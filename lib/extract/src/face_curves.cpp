@@ -14,7 +14,7 @@ namespace tensortopo {
 
 namespace {
 
-constexpr std::size_t kFaceBudget = 40000;
+constexpr std::size_t kFaceBudget = 5000;
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// A crossing of a side of a monotone triangle, and the two triangles that meet there.

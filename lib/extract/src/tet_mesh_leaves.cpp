@@ -151,69 +151,68 @@ class LeafTriangles {
     return true;
   }
 
+  using Local = std::array<Scalar, 4>;  // homogeneous in a cell
+
   /// A point of the sheet amid the polygon: on the line of the cell's direction through the
-  /// middle of its corners or, should the shadow of the sheet not hold that, nearer to a corner.
+  /// middle of its corners or, should the shadow of the sheet not hold that, between the middle of
+  /// the cell's corners above the level and that of those below.
   std::optional<InnerVertex<Scalar>> middle_of(const LeafMesh::Polygon& polygon) const {
     const auto& refinement = plan_.leaves->refinement;
     const auto& cell = refinement.cells()[polygon.cell];
-    using Local = std::array<Scalar, 4>;  // barycentric in the cell
-    std::vector<Local> nodes;
-    Local centre{Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
+    Local centre{}, above{}, below{};
+    for (std::size_t c = 0; c < 4; ++c) centre[c] = above[c] = below[c] = Scalar(0);
     for (int i = 0; i < polygon.size; ++i) {
       const auto& node = mesh_.nodes[polygon.nodes[static_cast<std::size_t>(i)]];
       const auto &u = refinement.vertices()[node.first], &v = refinement.vertices()[node.second];
       const Scalar f = v.above ? segment_root(u.tensor, v.tensor, level_)
                                : Scalar(1) - segment_root(v.tensor, u.tensor, level_);
-      Local local{Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
       for (std::size_t c = 0; c < 4; ++c) {
-        if (cell.vertices[c] == node.first) local[c] = Scalar(1) - f;
-        if (cell.vertices[c] == node.second) local[c] = f;
-        centre[c] = centre[c] + local[c] / Scalar(polygon.size);
+        if (cell.vertices[c] == node.first) centre[c] = centre[c] + (Scalar(1) - f);
+        if (cell.vertices[c] == node.second) centre[c] = centre[c] + f;
       }
-      nodes.push_back(local);
     }
-    if (const auto point = above_or_below(cell, centre)) return point;
-    for (Scalar lean = Scalar(1) / Scalar(2); lean > Scalar(1) / Scalar(200);
-         lean = lean / Scalar(2))
-      for (const auto& node : nodes) {
-        Local base;
-        for (std::size_t c = 0; c < 4; ++c) base[c] = node[c] + lean * (centre[c] - node[c]);
-        if (const auto point = above_or_below(cell, base)) return point;
-      }
-    return std::nullopt;
-  }
-
-  /// The point of the level on the line of the cell's direction through a place in the cell.
-  std::optional<InnerVertex<Scalar>> above_or_below(
-      const typename Refinement<Scalar, 4>::Cell& cell, const std::array<Scalar, 4>& base) const {
-    const auto& refinement = plan_.leaves->refinement;
+    for (std::size_t c = 0; c < 4; ++c)
+      (refinement.vertices()[cell.vertices[c]].above ? above : below)[c] = Scalar(1);
     const auto& d = cell.proof.direction;
     Scalar down(0), up(0);
     bool has_down = false, has_up = false;
     for (std::size_t c = 0; c < 4; ++c) {
       if (d[c] == Scalar(0)) continue;
-      const Scalar k = -base[c] / d[c];
+      const Scalar k = -centre[c] / d[c];
       if (d[c] > Scalar(0) && (!has_down || k > down)) down = k, has_down = true;
       if (d[c] < Scalar(0) && (!has_up || k < up)) up = k, has_up = true;
     }
+    if (has_down && has_up) {
+      Local lower, upper;
+      for (std::size_t c = 0; c < 4; ++c) {
+        lower[c] = centre[c] + down * d[c];
+        upper[c] = centre[c] + up * d[c];
+      }
+      if (const auto point = point_between(cell, lower, upper)) return point;
+    }
+    // Each middle lies on the side of its corners: it is a corner, or in a simple edge or face with
+    // all corners on one side, which the level does not meet.
+    return point_between(cell, below, above);
+  }
+
+  /// A point of the level between two places in the cell, below and above it.
+  std::optional<InnerVertex<Scalar>> point_between(
+      const typename Refinement<Scalar, 4>::Cell& cell, const Local& below,
+      const Local& above) const {
+    const auto& vertices = plan_.leaves->refinement.vertices();
     std::array<Deviator<Scalar>, 4> tensors;
-    for (std::size_t c = 0; c < 4; ++c) tensors[c] = refinement.vertices()[cell.vertices[c]].tensor;
-    const auto at = [&](const Scalar& k) {
-      std::array<Scalar, 4> w;
-      for (std::size_t c = 0; c < 4; ++c) w[c] = base[c] + k * d[c];
-      return w;
-    };
-    const auto lower = tensor_at(tensors, at(down)), upper = tensor_at(tensors, at(up));
+    for (std::size_t c = 0; c < 4; ++c) tensors[c] = vertices[cell.vertices[c]].tensor;
+    const auto lower = tensor_at(tensors, below), upper = tensor_at(tensors, above);
     if (!(level_function(lower, level_) < Scalar(0) && level_function(upper, level_) > Scalar(0)))
       return std::nullopt;
-    const auto local = at(down + segment_root(lower, upper, level_) * (up - down));
+    const Scalar f = segment_root(lower, upper, level_);
     InnerVertex<Scalar> point;
-    point.tensor = tensor_at(tensors, local);
+    point.tensor = lower + f * (upper - lower);
     for (std::size_t i = 0; i < 4; ++i) {
       point.weights[i] = Scalar(0);
       for (std::size_t c = 0; c < 4; ++c)
-        point.weights[i] =
-            point.weights[i] + local[c] * Scalar(refinement.vertices()[cell.vertices[c]].weights[i]);
+        point.weights[i] = point.weights[i] + (below[c] + f * (above[c] - below[c])) *
+                                                  Scalar(vertices[cell.vertices[c]].weights[i]);
     }
     return point;
   }

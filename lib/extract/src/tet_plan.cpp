@@ -12,7 +12,7 @@ namespace tensortopo {
 
 namespace {
 
-constexpr std::size_t kTetBudget = 400000;
+constexpr std::size_t kTetBudget = 50000;
 
 /// Joins arcs to loops: at each crossing of an edge one arc arrives and one leaves.
 template <class Scalar>
