@@ -101,6 +101,11 @@ TEST(LeafMesh, IsAnOrientedSurfaceWithTheTopologyThatBruteForceSees) {
   EXPECT_GT(10 * decided, 8 * count);
 }
 
+Real50 mode_of_deviator(const Deviator<Real50>& d) {
+  const Real50 p = norm_form(d);
+  return sqrt(Real50(2)) * determinant_form(d) / (p * sqrt(p));
+}
+
 // The field at homogeneous weights, from the input's own bits.
 Deviator<Real50> exact_tensor(const SimplexCase<double, 4>& tet,
                               const std::array<double, 4>& weights) {
@@ -196,8 +201,8 @@ TEST(Refinement, ProofsOfItsCellsHold) {
       for (std::size_t i = 0; i < 4; ++i)
         if (cell.proof.direction[i] < 0)
           longest = std::min(longest, Real50(-from[i] / Real50(cell.proof.direction[i])));
-      for (std::size_t i = 0; i < 4; ++i)
-        to[i] = from[i] + longest * Real50(random.uniform() * cell.proof.direction[i]);
+      const Real50 step = longest * Real50(random.uniform());
+      for (std::size_t i = 0; i < 4; ++i) to[i] = from[i] + step * Real50(cell.proof.direction[i]);
       ASSERT_GT(mode_of_deviator(tensor_at(corners, to)), value) << "trial " << trial;
     }
   }

@@ -212,11 +212,8 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
         return false;
     // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the
     // tetrahedron is named rather than drawn wrongly.
-    std::vector<std::vector<Index>> rims;
-    for (const auto& loop : state.plan->loops) {
-      rims.emplace_back();
-      for (const auto& v : loop_vertices(loop, vertices)) rims.back().push_back(v.id);
-    }
+    std::vector<std::vector<RimVertex>> rims;
+    for (const auto& loop : state.plan->loops) rims.push_back(loop_vertices(loop, vertices));
     return are_planned_sheets(state.drawn.triangles, rims, state.plan->sheets);
   }
   for (const auto& sheet : state.plan->sheets) {

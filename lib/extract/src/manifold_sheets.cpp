@@ -85,12 +85,10 @@ class Drawing {
 
   bool add_rims() {
     for (const auto& loop : plan_.loops) {
-      const auto rim = loop_vertices(loop, vertices_);
+      auto rim = loop_vertices(loop, vertices_);
       const std::size_t n = rim.size();
-      std::vector<std::int32_t> ids;
       std::vector<std::size_t> image(n, 0);
       for (std::size_t i = 0; i < n; ++i) {
-        ids.push_back(rim[i].id);
         if (on_boundary_.contains(rim[i].id)) continue;
         const double sigma = on_.manifold.sigma(rim[i].medium, rim[i].dominant);
         image[i] =
@@ -106,7 +104,7 @@ class Drawing {
         if (!(dot(images_[a].v, images_[b].v) > 0)) return false;
         segments_.push_back({a, b});
       }
-      rims_.push_back(std::move(ids));
+      rims_.push_back(std::move(rim));
     }
     return true;
   }
@@ -309,7 +307,7 @@ class Drawing {
     std::set<std::pair<std::int32_t, std::int32_t>> rim;
     for (const auto& loop : rims_)
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        const auto a = loop[i], b = loop[(i + 1) % loop.size()];
+        const auto a = loop[i].id, b = loop[(i + 1) % loop.size()].id;
         rim.emplace(std::min(a, b), std::max(a, b));
       }
     std::map<UndirectedEdge, std::vector<std::size_t>> apexes;  // of the diagonals
@@ -374,7 +372,7 @@ class Drawing {
     std::set<std::pair<std::int32_t, std::int32_t>> rim;
     for (const auto& loop : rims_)
       for (std::size_t i = 0; i < loop.size(); ++i)
-        rim.emplace(loop[i], loop[(i + 1) % loop.size()]);
+        rim.emplace(loop[i].id, loop[(i + 1) % loop.size()].id);
     bool along = false, against = false;
     std::vector<std::array<std::int32_t, 3>> triangles;
     for (const auto& t : triangles_) {
@@ -406,7 +404,7 @@ class Drawing {
   std::vector<Image> images_;
   std::vector<ChartTriangulation::Point> points_;
   std::vector<std::array<std::size_t, 2>> segments_;
-  std::vector<std::vector<std::int32_t>> rims_;
+  std::vector<std::vector<RimVertex>> rims_;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };
 

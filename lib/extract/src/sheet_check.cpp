@@ -41,6 +41,23 @@ class Components {
   std::vector<std::size_t> parent_;
 };
 
+/// The faces on which rim vertices lie.
+class FacesOfVertices {
+ public:
+  explicit FacesOfVertices(std::span<const std::vector<RimVertex>> rims) {
+    for (const auto& rim : rims)
+      for (const auto& v : rim) faces_.emplace_back(v.id, v.faces);
+    std::sort(faces_.begin(), faces_.end());
+  }
+  unsigned at(std::int32_t v) const {
+    const auto found = std::lower_bound(faces_.begin(), faces_.end(), std::pair{v, std::uint8_t{0}});
+    return found != faces_.end() && found->first == v ? found->second : 0u;
+  }
+
+ private:
+  std::vector<std::pair<std::int32_t, std::uint8_t>> faces_;
+};
+
 bool contains(const std::vector<Edge>& sorted, const Edge& edge) {
   return std::binary_search(sorted.begin(), sorted.end(), edge);
 }
@@ -54,7 +71,7 @@ bool sort_distinct(std::vector<Edge>& edges) {
 }  // namespace
 
 bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
-                        std::span<const std::vector<std::int32_t>> rims,
+                        std::span<const std::vector<RimVertex>> rims,
                         std::span<const SheetTopology> sheets) {
   std::vector<Edge> directed, rim_edges;
   std::vector<std::int32_t> vertices;
@@ -66,11 +83,12 @@ bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
     }
   for (const auto& rim : rims)
     for (std::size_t i = 0; i < rim.size(); ++i)
-      rim_edges.emplace_back(rim[i], rim[(i + 1) % rim.size()]);
+      rim_edges.emplace_back(rim[i].id, rim[(i + 1) % rim.size()].id);
   if (!sort_distinct(directed) || !sort_distinct(rim_edges)) return false;
   for (const auto& [a, b] : rim_edges)
     if (!contains(directed, {a, b}) || contains(directed, {b, a})) return false;
 
+  const FacesOfVertices faces(rims);
   Components components(std::move(vertices));
   for (const auto& [a, b] : directed) components.join(a, b);
   std::vector<int> euler(components.count(), 0);
@@ -79,6 +97,7 @@ bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
   for (const auto& [a, b] : directed) {
     const bool paired = contains(directed, {b, a});
     if (!paired && !contains(rim_edges, {a, b})) return false;
+    if (paired && (faces.at(a) & faces.at(b)) != 0) return false;
     if (!paired || a < b) --euler[components.of(a)];
   }
   std::size_t count = 0;
@@ -88,11 +107,11 @@ bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
   std::vector<char> taken(components.count(), 0);
   for (const auto& sheet : sheets) {
     if (sheet.loops.empty()) return false;
-    const auto first = rims[static_cast<std::size_t>(sheet.loops[0])][0];
+    const auto first = rims[static_cast<std::size_t>(sheet.loops[0])][0].id;
     if (!components.has(first)) return false;
     const auto component = components.of(first);
     for (const int loop : sheet.loops)
-      if (components.of(rims[static_cast<std::size_t>(loop)][0]) != component) return false;
+      if (components.of(rims[static_cast<std::size_t>(loop)][0].id) != component) return false;
     if (taken[component]++ || euler[component] != sheet.euler_characteristic) return false;
   }
   return true;

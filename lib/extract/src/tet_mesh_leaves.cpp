@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/polygon.hpp"
@@ -46,18 +45,16 @@ class LeafTriangles {
         int face = 0;
         while (!(common >> face & 1)) ++face;
         if (!append_rim(face, p, q, corners)) return false;
-      } else if (mesh_.nodes[p].faces != 0) {
-        if (!append_single(p, corners)) return false;
-      } else {
-        corners.push_back(inner_corner(p));
+      } else if (!append_side(p, q, corners)) {
+        return false;
       }
     }
     corners.erase(std::unique(corners.begin(), corners.end(),
                               [](const auto& a, const auto& b) { return a.id == b.id; }),
                   corners.end());
     while (corners.size() > 1 && corners.front().id == corners.back().id) corners.pop_back();
-    if (corners.size() < 3) return true;  // two rim samples were one: nothing is left
-    return cut(polygon, corners);
+    if (corners.size() >= 3) cut(polygon, corners);  // else two rim samples were one
+    return true;
   }
 
  private:
@@ -122,18 +119,61 @@ class LeafTriangles {
     return true;
   }
 
-  bool append_single(std::uint32_t n, std::vector<Corner>& corners) {
+  /// The vertex of the rim that a node on a face or an edge has become.
+  const RimVertex* rim_vertex(std::uint32_t n) const {
     const auto faces = static_cast<unsigned>(mesh_.nodes[n].faces);
     int face = 0;
     while (!(faces >> face & 1)) ++face;
     const auto at = on_arc(face, n);
-    if (at.arc < 0) return false;
-    corners.push_back(rim_corner(vertices_[static_cast<std::size_t>(face)]
-                                     [static_cast<std::size_t>(at.arc)].vertices[at.index]));
+    if (at.arc < 0) return nullptr;
+    return &vertices_[static_cast<std::size_t>(face)][static_cast<std::size_t>(at.arc)]
+                .vertices[at.index];
+  }
+
+  /// Node p, and what is between it and q on a side inside the tetrahedron.
+  bool append_side(std::uint32_t p, std::uint32_t q, std::vector<Corner>& corners) {
+    if (mesh_.nodes[p].faces == 0) {
+      corners.push_back(inner_corner(p));
+      return true;
+    }
+    const auto* from = rim_vertex(p);
+    if (!from) return false;
+    corners.push_back(rim_corner(*from));
+    if (mesh_.nodes[q].faces == 0) return true;
+    const auto* to = rim_vertex(q);
+    if (!to) return false;
+    // Samples of a rim that fell together can put both ends on one face, where the neighbour might
+    // draw the same side: a vertex on it tells them apart.
+    if (from->id != to->id && (from->faces & to->faces) != 0) corners.push_back(side_corner(p, q));
     return true;
   }
 
-  bool cut(const LeafMesh::Polygon& polygon, const std::vector<Corner>& corners) {
+  /// A vertex inside the triangle of the cell that holds the side between two nodes.
+  Corner side_corner(std::uint32_t p, std::uint32_t q) {
+    auto& known = sides_[std::minmax(p, q)];
+    if (known == 0) {
+      const auto& vertices = plan_.leaves->refinement.vertices();
+      const auto &m = mesh_.nodes[p], &n = mesh_.nodes[q];
+      const auto tip = m.first == n.first || m.first == n.second ? m.first : m.second;
+      const auto &u = vertices[m.first + m.second - tip], &v = vertices[n.first + n.second - tip];
+      const auto& w = vertices[tip];
+      const auto base = u.tensor + v.tensor;
+      const Scalar f = w.above ? segment_root(base, w.tensor, level_)
+                               : Scalar(1) - segment_root(w.tensor, base, level_);
+      InnerVertex<Scalar> point;
+      point.tensor = base + f * (w.tensor - base);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Scalar below = Scalar(u.weights[i]) + Scalar(v.weights[i]);
+        point.weights[i] = below + f * (Scalar(w.weights[i]) - below);
+      }
+      out_.inner.push_back(point);
+      known = -static_cast<std::int32_t>(out_.inner.size());
+    }
+    const auto& point = out_.inner[static_cast<std::size_t>(-1 - known)];
+    return {known, {position_at(point.weights, tet_.simplex.exponents, tet_.points), 0}};
+  }
+
+  void cut(const LeafMesh::Polygon& polygon, const std::vector<Corner>& corners) {
     std::vector<PolygonCorner> outline;
     for (const auto& c : corners) outline.push_back(c.corner);
     const auto triangles = cut_polygon(outline);
@@ -141,14 +181,11 @@ class LeafTriangles {
       out_.triangles.push_back({corners[static_cast<std::size_t>(t[0])].id,
                                 corners[static_cast<std::size_t>(t[1])].id,
                                 corners[static_cast<std::size_t>(t[2])].id});
-    if (!triangles.empty()) return true;
-    const auto middle = middle_of(polygon);
-    if (!middle) return false;
-    out_.inner.push_back(*middle);
+    if (!triangles.empty()) return;
+    out_.inner.push_back(middle_of(polygon));
     const auto centre = -static_cast<std::int32_t>(out_.inner.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
       out_.triangles.push_back({corners[i].id, corners[(i + 1) % corners.size()].id, centre});
-    return true;
   }
 
   using Local = std::array<Scalar, 4>;  // homogeneous in a cell
@@ -156,7 +193,7 @@ class LeafTriangles {
   /// A point of the sheet amid the polygon: on the line of the cell's direction through the
   /// middle of its corners or, should the shadow of the sheet not hold that, between the middle of
   /// the cell's corners above the level and that of those below.
-  std::optional<InnerVertex<Scalar>> middle_of(const LeafMesh::Polygon& polygon) const {
+  InnerVertex<Scalar> middle_of(const LeafMesh::Polygon& polygon) const {
     const auto& refinement = plan_.leaves->refinement;
     const auto& cell = refinement.cells()[polygon.cell];
     Local centre{}, above{}, below{};
@@ -188,23 +225,33 @@ class LeafTriangles {
         lower[c] = centre[c] + down * d[c];
         upper[c] = centre[c] + up * d[c];
       }
-      if (const auto point = point_between(cell, lower, upper)) return point;
+      if (is_below(cell, lower) && is_above(cell, upper)) return point_between(cell, lower, upper);
     }
     // Each middle lies on the side of its corners: it is a corner, or in a simple edge or face with
     // all corners on one side, which the level does not meet.
     return point_between(cell, below, above);
   }
 
-  /// A point of the level between two places in the cell, below and above it.
-  std::optional<InnerVertex<Scalar>> point_between(
-      const typename Refinement<Scalar, 4>::Cell& cell, const Local& below,
-      const Local& above) const {
+  using Cell = typename Refinement<Scalar, 4>::Cell;
+
+  Deviator<Scalar> field_at(const Cell& cell, const Local& place) const {
     const auto& vertices = plan_.leaves->refinement.vertices();
     std::array<Deviator<Scalar>, 4> tensors;
     for (std::size_t c = 0; c < 4; ++c) tensors[c] = vertices[cell.vertices[c]].tensor;
-    const auto lower = tensor_at(tensors, below), upper = tensor_at(tensors, above);
-    if (!(level_function(lower, level_) < Scalar(0) && level_function(upper, level_) > Scalar(0)))
-      return std::nullopt;
+    return tensor_at(tensors, place);
+  }
+  bool is_below(const Cell& cell, const Local& place) const {
+    return level_function(field_at(cell, place), level_) < Scalar(0);
+  }
+  bool is_above(const Cell& cell, const Local& place) const {
+    return level_function(field_at(cell, place), level_) > Scalar(0);
+  }
+
+  /// A point of the level between two places in the cell, below and above it.
+  InnerVertex<Scalar> point_between(const Cell& cell, const Local& below,
+                                    const Local& above) const {
+    const auto& vertices = plan_.leaves->refinement.vertices();
+    const auto lower = field_at(cell, below), upper = field_at(cell, above);
     const Scalar f = segment_root(lower, upper, level_);
     InnerVertex<Scalar> point;
     point.tensor = lower + f * (upper - lower);
@@ -226,6 +273,7 @@ class LeafTriangles {
   TetTriangles<Scalar>& out_;
   std::map<std::uint32_t, CrossingKey> crossings_;
   std::vector<std::int32_t> inner_;  ///< corner of a node inside, 0 if not made yet
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::int32_t> sides_;  ///< corner on a side
 };
 
 }  // namespace
