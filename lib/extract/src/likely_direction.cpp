@@ -55,7 +55,7 @@ std::array<double, Vertices> likely_direction(
     gradients[Vertices] = d;
     // Towards the axis of the narrowest cone around them: lean to the one furthest off, less and
     // less (Badoiu and Clarkson's iteration for the smallest enclosing ball).
-    for (int step = 2; step < 20; ++step) {
+    for (int step = 2; step < 10; ++step) {
       std::size_t furthest = 0;
       double least = 2;
       for (std::size_t i = 0; i <= Vertices; ++i) {

@@ -34,14 +34,20 @@ class ManifoldChart {
 
   std::array<double, 2> operator()(const Vector3<double>& v) const {
     const auto at = manifold_.sphero_conal(v);
+    return at_coordinates(at.theta, at.eta);
+  }
+
+  /// The image of the point with these sphero-conal coordinates, 0 <= eta <= pi.
+  std::array<double, 2> at_coordinates(double theta, double eta) const {
     const double p = manifold_.p(), q = manifold_.q(), c = manifold_.c();
-    const double sin_theta = std::sin(at.theta), sin_eta = std::sin(at.eta);
+    const double sin_theta = std::sin(theta), cos_theta = std::cos(theta);
+    const double sin_eta = std::sin(eta), cos_eta = std::cos(eta);
     if (manifold_.single_loop()) {
       const double sin2_boundary = std::max(0.0, (c - p * sin_theta * sin_theta) / q);
       const double cos_boundary = std::sqrt(std::max(kTiny, 1 - sin2_boundary));
-      const double cosine = std::clamp(std::cos(at.eta) / cos_boundary, -1.0, 1.0);
+      const double cosine = std::clamp(cos_eta / cos_boundary, -1.0, 1.0);
       const double radius = std::exp(std::acos(cosine) - 1.5707963267948966);
-      return {radius * std::cos(at.theta), radius * std::sin(at.theta)};
+      return {radius * cos_theta, radius * sin_theta};
     }
     const double x = std::sqrt(p) * std::abs(sin_theta), y = std::sqrt(q) * std::abs(sin_eta);
     const double e = std::hypot(x, y), root_c = std::sqrt(c);
@@ -57,13 +63,10 @@ class ManifoldChart {
     const double k = e > 0 ? stretched / e : 1.0;
     const double new_sin_theta = p > 0 ? std::min(1.0, k * std::abs(sin_theta)) : 0;
     const double new_sin_eta = std::min(1.0, k * std::abs(sin_eta));
-    const double theta = std::atan2(std::copysign(new_sin_theta, sin_theta),
-                                    std::copysign(std::sqrt(1 - new_sin_theta * new_sin_theta),
-                                                  std::cos(at.theta)));
-    const double eta = std::atan2(new_sin_eta,
-                                  std::copysign(std::sqrt(1 - new_sin_eta * new_sin_eta),
-                                                std::cos(at.eta)));
-    const auto w = manifold_.sphere_point(theta, eta);
+    const auto w = manifold_.sphere_point(
+        std::copysign(new_sin_theta, sin_theta),
+        std::copysign(std::sqrt(1 - new_sin_theta * new_sin_theta), cos_theta), new_sin_eta,
+        std::copysign(std::sqrt(1 - new_sin_eta * new_sin_eta), cos_eta));
     const double height = std::max(kTiny, 1 - dot(w, pole_));
     return {dot(w, first_) / height, dot(w, second_) / height};
   }

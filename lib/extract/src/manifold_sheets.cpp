@@ -269,15 +269,15 @@ class Drawing {
     const QuadGrid grid(on_.manifold, around);
     for (int i = 0; i < around; ++i)
       for (int j = 0; 2 * j < around; ++j) {
+        if (!(grid.F(i, j) > 0)) continue;
         const auto v = grid.vector(i, j);
         if (dot(v, centre) < least) continue;
-        const double theta = (i + 0.5) * step, eta = (j + 0.5) * step;
-        if (!(on_.manifold.F(theta, eta) > 0)) continue;
         const auto tensor = on_.manifold.tensor_at(v);
         if (!is_inside(on_.lift.weights(tensor))) continue;
-        const auto point = chart_(v);
+        const double theta = (i + 0.5) * step, eta = (j + 0.5) * step;
+        const auto point = chart_.at_coordinates(theta, eta);
         const auto spacing = [&](double t, double e) {
-          const auto other = chart_(on_.manifold.sphere_point(t, e));
+          const auto other = chart_.at_coordinates(t, e);
           return std::hypot(other[0] - point[0], other[1] - point[1]);
         };
         const double wanted = 0.5 * std::min(spacing(theta + step / 4, eta) * 4,

@@ -16,7 +16,10 @@ namespace tensortopo {
 class QuadGrid {
  public:
   QuadGrid(const MediumEigenvectorManifold<double>& manifold, int around)
-      : axes_(manifold.characteristic().eigenvectors) {
+      : axes_(manifold.characteristic().eigenvectors),
+        p_(manifold.p()),
+        q_(manifold.q()),
+        c_(manifold.c()) {
     const auto& b = manifold.characteristic().eigenvalues;
     const double a2 = (b[0] - b[1]) / (b[0] - b[2]), b2 = (b[1] - b[2]) / (b[0] - b[2]);
     for (int k = 0; k < around; ++k) {
@@ -33,11 +36,19 @@ class QuadGrid {
            (e.cosine * t.across_theta) * axes_[2];
   }
 
+  /// F at a point of the grid: positive in the real domain.
+  double F(int i, int j) const {
+    const double st = lines_[static_cast<std::size_t>(i)].sine;
+    const double se = lines_[static_cast<std::size_t>(j)].sine;
+    return p_ * st * st + q_ * se * se - c_;
+  }
+
  private:
   struct Line {
     double cosine, sine, across_theta, across_eta;
   };
   std::array<Vector3<double>, 3> axes_;
+  double p_, q_, c_;
   std::vector<Line> lines_;
 };
 

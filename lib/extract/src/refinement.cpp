@@ -20,14 +20,17 @@ namespace {
 /// bits of the weights, which have 52.
 constexpr std::size_t kUnevenCuts = 12;
 
+/// Lengths are squared chords, 4 at most; this is for what has no length.
+constexpr double kLongest = 5;
+
 /// An edge in the way is cut unless its cell has one that is longer by this factor: cells that
 /// only ever have their other edges cut do not become small. (Two such edges, cut by turns, close
 /// in on the longest at a third and two thirds of it.)
-constexpr double kLonger = 1.3;
+constexpr double kLonger = 1.3 * 1.3;
 
 /// No cell is cut across an edge when it has another that is longer by this factor: it would become
 /// a needle.
-constexpr double kMuchLonger = 2;
+constexpr double kMuchLonger = 2 * 2;
 
 /// Cells in the proof that a face of a cell holds no closed curve.
 constexpr std::size_t kFaceBudget = 2000;
@@ -117,7 +120,7 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
   while (true) {
     for (; next < cells_.size(); ++next) {
       const auto longest = longest_edge(cells_[next].vertices);
-      waiting.emplace(angle(longest[0], longest[1]), static_cast<std::uint32_t>(next));
+      waiting.emplace(squared_chord(longest[0], longest[1]), static_cast<std::uint32_t>(next));
     }
     if (waiting.empty()) return true;
     const auto c = waiting.top().second;
@@ -127,7 +130,7 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
     if (!cut) continue;
     while (const auto longer = much_longer_edge((*cut)[0], (*cut)[1])) cut = longer;
     if (cells_.size() > budget || !cut_edge((*cut)[0], (*cut)[1])) return false;
-    if (cells_[c].alive) waiting.emplace(4.0, c);
+    if (cells_[c].alive) waiting.emplace(kLongest, c);
   }
 }
 
@@ -142,7 +145,7 @@ std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners
     for (std::size_t j = i + 1; j < Corners; ++j) {
       const auto u = cell.vertices[i], v = cell.vertices[j];
       if (is_simple_edge(u, v)) continue;
-      if (kLonger * angle(u, v) < angle(longest[0], longest[1])) return longest;
+      if (kLonger * squared_chord(u, v) < squared_chord(longest[0], longest[1])) return longest;
       return std::array<std::uint32_t, 2>{u, v};
     }
   if constexpr (Corners == 4)
@@ -252,13 +255,14 @@ bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-double Refinement<Scalar, Vertices, Corners>::angle(std::uint32_t u, std::uint32_t v) const {
+double Refinement<Scalar, Vertices, Corners>::squared_chord(std::uint32_t u,
+                                                             std::uint32_t v) const {
   const auto &s = vertices_[u].tensor, &t = vertices_[v].tensor;
   const Scalar scale = norm_form(s) * norm_form(t);
-  if (!(scale > Scalar(0))) return 4;
+  if (!(scale > Scalar(0))) return kLongest;
   const double cosine =
       static_cast<double>(norm_form(s, t)) / std::sqrt(static_cast<double>(scale));
-  return std::acos(std::clamp(cosine, -1.0, 1.0));
+  return 2 - 2 * cosine;
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
@@ -269,7 +273,7 @@ std::array<std::uint32_t, 2> Refinement<Scalar, Vertices, Corners>::longest_edge
   double best = -1;
   for (std::size_t i = 0; i < Part; ++i)
     for (std::size_t j = i + 1; j < Part; ++j)
-      if (const double a = angle(part[i], part[j]); a > best)
+      if (const double a = squared_chord(part[i], part[j]); a > best)
         best = a, longest = {part[i], part[j]};
   return longest;
 }
@@ -277,13 +281,13 @@ std::array<std::uint32_t, 2> Refinement<Scalar, Vertices, Corners>::longest_edge
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners>::much_longer_edge(
     std::uint32_t u, std::uint32_t v) const {
-  const double limit = kMuchLonger * angle(u, v);
+  const double limit = kMuchLonger * squared_chord(u, v);
   for (const auto c : cells_at_[u]) {
     const auto& cell = cells_[c];
     if (!cell.alive || std::find(cell.vertices.begin(), cell.vertices.end(), v) == cell.vertices.end())
       continue;
     const auto longest = longest_edge(cell.vertices);
-    if (angle(longest[0], longest[1]) > limit) return longest;
+    if (squared_chord(longest[0], longest[1]) > limit) return longest;
   }
   return std::nullopt;
 }

@@ -20,8 +20,14 @@ Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(const Scalar& th
                                                                 const Scalar& eta) const {
   using std::cos;
   using std::sin;
+  return sphere_point(Scalar(sin(theta)), Scalar(cos(theta)), Scalar(sin(eta)), Scalar(cos(eta)));
+}
+
+template <RealScalar Scalar>
+Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(const Scalar& st, const Scalar& ct,
+                                                                const Scalar& se,
+                                                                const Scalar& ce) const {
   using std::sqrt;
-  const Scalar ct = cos(theta), st = sin(theta), ce = cos(eta), se = sin(eta);
   // 1 - B^2 cos^2 = A^2 + B^2 sin^2, as A^2 + B^2 = 1.
   const Scalar x = ct * sqrt(squared(A_) + squared(Scalar(B_ * se)));
   const Scalar y = st * se;
@@ -127,6 +133,8 @@ BoundaryPosition<Scalar> MediumEigenvectorManifold<Scalar>::boundary_position(
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                           \
   template Vector3<Scalar> MediumEigenvectorManifold<Scalar>::in_frame(const Vector3<Scalar>&)   \
       const;                                                                                     \
+  template Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(                      \
+      const Scalar&, const Scalar&, const Scalar&, const Scalar&) const;                         \
   template Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(const Scalar&,        \
                                                                            const Scalar&) const; \
   template SpheroConal<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal(                  \

@@ -15,7 +15,7 @@ namespace tensortopo {
 /// How densely curves and sheets are sampled.
 struct Sampling {
   /// Samples per unit (radian) of turning of the medium eigenvector.
-  double resolution = 6;
+  double resolution = 4;
   double largest_turn() const { return 1 / resolution; }
 };
 

@@ -87,7 +87,8 @@ class Refinement {
   std::optional<Between> between(int a, const Vertex& u, int b, const Vertex& v) const;
   /// Crossings of the level between two places, 2 for more than one or not known.
   int crossings_between(const Vertex& u, const Vertex& v, int depth) const;
-  double angle(std::uint32_t u, std::uint32_t v) const;  ///< between the tensors, for lengths
+  /// Between the unit tensors at two vertices.
+  double squared_chord(std::uint32_t u, std::uint32_t v) const;
   /// An edge of a cell around (u, v) that should be cut before it.
   std::optional<std::array<std::uint32_t, 2>> much_longer_edge(std::uint32_t u,
                                                                std::uint32_t v) const;

@@ -92,6 +92,9 @@ class MediumEigenvectorManifold {
   /// x = cos theta sqrt(1 - B^2 cos^2 eta), y = sin theta sin eta, z = cos eta sqrt(1 - A^2 cos^2
   /// theta) along the characteristic eigenvectors. The coordinate lines are orthogonal.
   Vector3<Scalar> sphere_point(const Scalar& theta, const Scalar& eta) const;
+  /// The same from the sines and cosines of the coordinates.
+  Vector3<Scalar> sphere_point(const Scalar& sin_theta, const Scalar& cos_theta,
+                               const Scalar& sin_eta, const Scalar& cos_eta) const;
   /// Coordinates of a unit vector. On the cuts eta = 0 and eta = pi, theta in [0, pi] is chosen.
   SpheroConal<Scalar> sphero_conal(const Vector3<Scalar>& v) const;
 
