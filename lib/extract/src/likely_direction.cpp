@@ -41,6 +41,51 @@ Direction<N> unit_gradient(const std::array<Deviator<double>, N>& tensors,
   return d;
 }
 
+/// Leans a direction towards the axis of the narrowest cone around some: to the one furthest off,
+/// less and less (Badoiu and Clarkson's iteration for the smallest enclosing ball). Stops once all
+/// are within a right angle by a margin.
+template <std::size_t N, class Directions>
+void lean_to_axis(Direction<N>& d, const Directions& directions, int steps, double enough) {
+  for (int step = 2; step < steps + 2; ++step) {
+    std::size_t furthest = 0;
+    double least = 2;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const double c = inner_product(d, directions[i]);
+      if (c < least) least = c, furthest = i;
+    }
+    if (least > enough) return;
+    for (std::size_t k = 0; k < N; ++k) d[k] += directions[furthest][k] / step;
+    const double length = std::sqrt(inner_product(d, d));
+    if (!(length > 0)) return;
+    for (auto& x : d) x /= length;
+  }
+}
+
+/// The directions in which each Bernstein coefficient of the mode's increase grows.
+template <std::size_t N>
+auto coefficient_directions(const std::array<Deviator<double>, N>& tensors) {
+  const auto forms = mode_forms(tensors);
+  using Form = decltype(mode_increase_form(forms, Direction<N>{}));
+  std::array<Direction<N>, Form::size> directions{};
+  for (std::size_t i = 0; i < N; ++i) {
+    Direction<N> along{};
+    along[i] = 1;
+    const auto form = mode_increase_form(forms, along);
+    for (std::size_t k = 0; k < Form::size; ++k) directions[k][i] = form.coefficients[k];
+  }
+  for (auto& d : directions) {
+    double mean = 0;
+    for (const double x : d) mean += x / static_cast<double>(N);
+    for (auto& x : d) x -= mean;
+    const double length = std::sqrt(inner_product(d, d));
+    if (length > 0)
+      for (auto& x : d) x /= length;
+  }
+  return directions;
+}
+
+constexpr int kConeSteps = 10, kCoefficientSteps = 30;
+
 }  // namespace
 
 template <std::size_t Vertices>
@@ -49,25 +94,14 @@ std::array<double, Vertices> likely_direction(
   Deviator<double> centre = tensors[0];
   for (std::size_t i = 1; i < Vertices; ++i) centre = centre + tensors[i];
   auto d = unit_gradient(tensors, centre);
-  if (choice == DirectionChoice::cone) {
+  if (choice != DirectionChoice::central) {
     std::array<Direction<Vertices>, Vertices + 1> gradients;
     for (std::size_t i = 0; i < Vertices; ++i) gradients[i] = unit_gradient(tensors, tensors[i]);
     gradients[Vertices] = d;
-    // Towards the axis of the narrowest cone around them: lean to the one furthest off, less and
-    // less (Badoiu and Clarkson's iteration for the smallest enclosing ball).
-    for (int step = 2; step < 10; ++step) {
-      std::size_t furthest = 0;
-      double least = 2;
-      for (std::size_t i = 0; i <= Vertices; ++i) {
-        const double c = inner_product(d, gradients[i]);
-        if (c < least) least = c, furthest = i;
-      }
-      for (std::size_t k = 0; k < Vertices; ++k) d[k] += gradients[furthest][k] / step;
-      const double length = std::sqrt(inner_product(d, d));
-      if (!(length > 0)) break;
-      for (auto& x : d) x /= length;
-    }
+    lean_to_axis(d, gradients, kConeSteps, 2);
   }
+  if (choice == DirectionChoice::coefficients)
+    lean_to_axis(d, coefficient_directions(tensors), kCoefficientSteps, 1e-6);
   double largest = 0;
   for (const double x : d) largest = std::max(largest, std::abs(x));
   if (largest > 0)

@@ -110,12 +110,14 @@ std::array<Deviator<double>, Vertices> rounded(
   return result;
 }
 
-/// Tries the proofs above on a triangle or a tetrahedron; `total` as in `rounding_unit`, the
-/// largest of a vertex.
+/// Tries the proofs above on a triangle or a tetrahedron.
+///
+/// @param total       as in `rounding_unit`, the largest of a vertex
+/// @param last_choice how far to search for a direction
 template <class Scalar, std::size_t Vertices>
 SimplexProof<Scalar, Vertices> prove_simplex(
     const std::array<Deviator<Scalar>, Vertices>& tensors, const Level<Scalar>& level,
-    double total = 1) {
+    double total = 1, DirectionChoice last_choice = DirectionChoice::cone) {
   using Proof = SimplexProof<Scalar, Vertices>;
   Proof proof;
   const auto in_double = rounded(tensors);
@@ -127,7 +129,9 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   if (!(norm > Scalar(0))) return proof;
   const auto forms = mode_forms(tensors);
   Verdict increases = Verdict::negative;
-  for (const auto choice : {DirectionChoice::central, DirectionChoice::cone}) {
+  for (const auto choice :
+       {DirectionChoice::central, DirectionChoice::cone, DirectionChoice::coefficients}) {
+    if (choice > last_choice) break;
     const auto direction = likely_direction(in_double, choice);
     for (std::size_t i = 0; i < Vertices; ++i) proof.direction[i] = Scalar(direction[i]);
     increases = detail::increases_along(forms, proof.direction, norm, total);
