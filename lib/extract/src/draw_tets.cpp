@@ -40,11 +40,14 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
       state.attempts < kAttemptsOnManifold) {
     auto vertices = arc_vertices(t, tet);
     state.requests.clear();
-    if (state.attempts++ > 0)
+    if (state.attempts++ > 1)
       state.requests = denser_rims(tet, *state.plan, vertices, level_);
     const auto crossings =
         boundary_crossings(*state.manifold, tet, *state.plan, vertices, level_);
     state.requests.insert(state.requests.end(), crossings.begin(), crossings.end());
+    const auto between =
+        separating_samples<Scalar>(*state.manifold, tet, *state.plan, vertices, crossings, level_);
+    state.requests.insert(state.requests.end(), between.begin(), between.end());
     return;
   }
   if (state.method == Method::leaves || !add_leaves(tet, level_, *state.plan)) {
@@ -201,7 +204,7 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   const auto vertices = arc_vertices(t, tet);
   if (state.method == Method::manifold) {
     Sampling sampling = options_.sampling;
-    sampling.resolution *= 1 << (state.attempts - 1);
+    if (state.attempts > 2) sampling.resolution *= 2;
     return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
                                     level_, sampling, state.drawn);
   }

@@ -33,7 +33,7 @@ class Pipeline {
   struct TetState {
     std::optional<TetPlan<Scalar>> plan;
     Method method = Method::small_disc;
-    int attempts = 0;  ///< on the manifold, each with twice the samples
+    int attempts = 0;  ///< on the manifold
     std::unique_ptr<TetManifold> manifold;     ///< if drawn there
     std::vector<RimRequest<Scalar>> requests;  ///< samples that the method wants on the faces
     TetTriangles<Scalar> drawn;

@@ -45,6 +45,18 @@ std::vector<RimRequest<Scalar>> denser_rims(const TetWithCurves<Scalar>& tet,
                                             const TetPlan<Scalar>& plan, FaceArcVertices& vertices,
                                             const Level<Scalar>& level);
 
+/// Further samples of the curves so that the chords between samples do not cross in the chart, as
+/// those of two curves close to each other may: where they do, steps are halved.
+///
+/// @param crossings the `boundary_crossings`, which are samples as well
+template <class Scalar>
+std::vector<RimRequest<Scalar>> separating_samples(const TetManifold& manifold,
+                                                   const TetWithCurves<Scalar>& tet,
+                                                   const TetPlan<Scalar>& plan,
+                                                   const FaceArcVertices& vertices,
+                                                   std::span<const RimRequest<Scalar>> crossings,
+                                                   const Level<Scalar>& level);
+
 /// Triangles for all sheets of a tetrahedron, by triangulating the region on the manifold that
 /// its face curves and parts of the complex domain's boundary bound, with samples of a quad grid
 /// inside.
