@@ -224,7 +224,7 @@ Extraction Pipeline<Scalar>::assemble() {
 
   for (const auto& state : tets_) {
     if (!state.plan || state.drawn.triangles.empty()) continue;
-    if (state.plan->leaves)
+    if (state.plan->refined)
       ++statistics_.tets_refined;
     else
       ++statistics_.tets_monotone;

@@ -377,7 +377,8 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
     for (auto& arc : arcs) Sampler<Scalar>(level, sampling).sample(arc);
     return arcs;
   }
-  Refinement<Scalar, 3> refinement(triangle, level);
+  thread_local Refinement<Scalar, 3> refinement;
+  refinement.reset(triangle, level);
   if (!refinement.run(kFaceBudget)) return std::nullopt;
   if (!Assembly<Scalar>(refinement, crossings, level).build(arcs)) return std::nullopt;
   Sampler<Scalar> sampler(level, sampling);

@@ -69,6 +69,35 @@ std::array<RefinementVertex<Scalar, Vertices>, Vertices> corners_of(
 
 }  // namespace
 
+std::size_t KnownSimple::slot_of(std::uint64_t key) const {
+  auto at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 32) & (slots_.size() - 1);
+  while (slots_[at].round == round_ && slots_[at].key != key) at = (at + 1) & (slots_.size() - 1);
+  return at;
+}
+
+signed char& KnownSimple::operator[](std::uint64_t key) {
+  if (2 * (used_ + 1) > slots_.size()) {
+    std::vector<Slot> old(std::max<std::size_t>(64, 2 * slots_.size()));
+    old.swap(slots_);
+    for (const auto& slot : old)
+      if (slot.round == round_) slots_[slot_of(slot.key)] = slot;
+  }
+  Slot& slot = slots_[slot_of(key)];
+  if (slot.round != round_) {
+    slot = {key, round_, 0};
+    ++used_;
+  }
+  return slot.simple;
+}
+
+void KnownSimple::clear() {
+  used_ = 0;
+  if (++round_ == 0) {
+    slots_.clear();
+    round_ = 1;
+  }
+}
+
 template <class Scalar, std::size_t Vertices>
 bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scalar>& tensor,
               const std::array<double, Vertices>& weights, const Level<Scalar>& level) {
@@ -86,13 +115,35 @@ template <class Scalar, std::size_t Vertices, std::size_t Corners>
 Refinement<Scalar, Vertices, Corners>::Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
                                                   const Level<Scalar>& level)
   requires(Vertices == Corners)
-    : Refinement(simplex, level, corners_of(simplex)) {}
+{
+  reset(simplex, level);
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Vertices>& simplex,
+                                                  const Level<Scalar>& level)
+  requires(Vertices == Corners)
+{
+  reset(simplex, level, corners_of(simplex));
+}
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 Refinement<Scalar, Vertices, Corners>::Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
                                                   const Level<Scalar>& level,
-                                                  const std::array<Vertex, Corners>& corners)
-    : simplex_(&simplex), level_(&level) {
+                                                  const std::array<Vertex, Corners>& corners) {
+  reset(simplex, level, corners);
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Vertices>& simplex,
+                                                  const Level<Scalar>& level,
+                                                  const std::array<Vertex, Corners>& corners) {
+  simplex_ = &simplex;
+  level_ = &level;
+  vertices_.clear();
+  cells_.clear();
+  edges_.clear();
+  faces_.clear();
   Cell root;
   for (std::size_t i = 0; i < Corners; ++i) root.vertices[i] = add_vertex(corners[i]);
   add_cell(root);
@@ -101,7 +152,8 @@ Refinement<Scalar, Vertices, Corners>::Refinement(const LevelSimplex<Scalar, Ver
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 std::uint32_t Refinement<Scalar, Vertices, Corners>::add_vertex(const Vertex& v) {
   vertices_.push_back(v);
-  cells_at_.emplace_back();
+  if (cells_at_.size() < vertices_.size()) cells_at_.emplace_back();
+  cells_at_[vertices_.size() - 1].clear();
   return static_cast<std::uint32_t>(vertices_.size() - 1);
 }
 
@@ -202,14 +254,14 @@ int Refinement<Scalar, Vertices, Corners>::crossings_between(const Vertex& u, co
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 bool Refinement<Scalar, Vertices, Corners>::is_simple_edge(std::uint32_t u, std::uint32_t v) {
-  auto& simple = edges_[edge_key(u, v)];
+  signed char& simple = edges_[edge_key(u, v)];
   if (simple == 0) simple = crossings_between(vertices_[u], vertices_[v], 0) < 2 ? 1 : -1;
   return simple > 0;
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 bool Refinement<Scalar, Vertices, Corners>::is_simple_face(const std::array<std::uint32_t, 3>& face) {
-  auto& simple = faces_[face_key(face[0], face[1], face[2])];
+  signed char& simple = faces_[face_key(face[0], face[1], face[2])];
   if (simple == 0)
     simple = prove(face).kind != SimplexProof<Scalar, 3>::Kind::none || has_no_loop(face) ? 1 : -1;
   return simple > 0;
@@ -222,7 +274,8 @@ bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
     const std::array<std::uint32_t, 3>& face) const {
   if constexpr (Corners == 4) {
     const std::array<Vertex, 3> corners{vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
-    Refinement<Scalar, Vertices, 3> triangle(*simplex_, *level_, corners);
+    thread_local Refinement<Scalar, Vertices, 3> triangle;
+    triangle.reset(*simplex_, *level_, corners);
     if (!triangle.run(kFaceBudget)) return false;
     // Each cell holds one piece or none; pieces meet on the edges that the level crosses.
     std::unordered_map<std::uint64_t, std::uint32_t> nodes;
@@ -305,8 +358,10 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
   if (!middle) return false;
   const auto m = add_vertex(middle->vertex);
   const Scalar of_u(u == lower ? middle->a : middle->b), of_v(u == lower ? middle->b : middle->a);
-  if (const auto simple = edges_.find(edge_key(u, v)); simple != edges_.end() && simple->second > 0)
-    edges_[edge_key(u, m)] = edges_[edge_key(m, v)] = 1;
+  if (edges_[edge_key(u, v)] > 0) {
+    edges_[edge_key(u, m)] = 1;
+    edges_[edge_key(m, v)] = 1;
+  }
   // All cells around the edge at once: none is ever left with a vertex on its side.
   const auto around = std::move(cells_at_[u]);
   cells_at_[u].clear();
@@ -326,9 +381,9 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
     if constexpr (Corners == 4)
       for (const auto w : cell.vertices) {
         if (w == u || w == v) continue;
-        const auto simple = faces_.find(face_key(u, v, w));
-        if (simple != faces_.end() && simple->second > 0)
-          faces_[face_key(u, m, w)] = faces_[face_key(m, v, w)] = 1;
+        if (faces_[face_key(u, v, w)] <= 0) continue;
+        faces_[face_key(u, m, w)] = 1;
+        faces_[face_key(m, v, w)] = 1;
       }
     add_child(cell, i, j, m, of_u, of_v);
     add_child(cell, j, i, m, of_v, of_u);

@@ -182,17 +182,27 @@ bool sheets_from_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& l
   return true;
 }
 
+/// One for each thread, to be filled again: refinements are short, their memory is not.
+template <class Scalar>
+std::unique_ptr<typename TetPlan<Scalar>::Leaves>& spare_leaves() {
+  thread_local std::unique_ptr<typename TetPlan<Scalar>::Leaves> spare;
+  return spare;
+}
+
 }  // namespace
 
 template <class Scalar>
 bool add_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                 TetPlan<Scalar>& plan) {
   if (plan.leaves) return true;
-  Refinement<Scalar, 4> refinement(tet.simplex, level);
-  if (!refinement.run(kTetBudget)) return false;
-  auto mesh = leaf_mesh(refinement);
-  plan.leaves.reset(
-      new typename TetPlan<Scalar>::Leaves{std::move(refinement), std::move(mesh)});
+  auto& spare = spare_leaves<Scalar>();
+  plan.leaves = spare ? std::move(spare) : std::make_unique<typename TetPlan<Scalar>::Leaves>();
+  plan.leaves->refinement.reset(tet.simplex, level);
+  if (!plan.leaves->refinement.run(kTetBudget)) {
+    spare = std::move(plan.leaves);
+    return false;
+  }
+  plan.leaves->mesh = leaf_mesh(plan.leaves->refinement);
   return sheets_from_leaves(tet, level, plan);
 }
 
@@ -210,6 +220,9 @@ std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
     return plan;
   }
   if (!add_leaves(tet, level, plan)) return std::nullopt;
+  plan.refined = true;
+  // Hardly any sheet is drawn from its leaves, which are large.
+  spare_leaves<Scalar>() = std::move(plan.leaves);
   return plan;
 }
 

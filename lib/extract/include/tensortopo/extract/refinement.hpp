@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "tensortopo/extract/exact_weights.hpp"
@@ -23,6 +22,26 @@ struct LevelSimplex {
   std::array<bool, Vertices> above;  ///< mode > mu at the vertex (a vertex on the level is below)
   std::array<const SymmetricTensor<double>*, Vertices> exact;  ///< the input's tensors
   std::array<int, Vertices> exponents;  ///< tensors[i] = deviator of exact[i] * 2^exponents[i]
+};
+
+/// What is known of edges or faces of a refinement, by a key made of their vertices: an open hash
+/// table that keeps its memory when cleared.
+class KnownSimple {
+ public:
+  /// 1 if simple, -1 if not, 0 if not known yet. Valid until the next call.
+  signed char& operator[](std::uint64_t key);
+  void clear();
+
+ private:
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t round = 0;  ///< in use if it is the current one
+    signed char simple = 0;
+  };
+  std::size_t slot_of(std::uint64_t key) const;
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
+  std::uint32_t round_ = 1;
 };
 
 /// A place in a simplex of the mesh and the field there.
@@ -56,9 +75,16 @@ class Refinement {
     bool alive = true;  ///< not cut
   };
 
+  Refinement() = default;
   Refinement(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level)
     requires(Vertices == Corners);
   Refinement(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
+             const std::array<Vertex, Corners>& corners);
+
+  /// Starts anew; memory is kept.
+  void reset(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level)
+    requires(Vertices == Corners);
+  void reset(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
              const std::array<Vertex, Corners>& corners);
 
   /// Refines until every cell is simple; false if that takes more than `budget` cells, or cells
@@ -98,12 +124,13 @@ class Refinement {
   void add_child(const Cell& cell, std::size_t kept, std::size_t lost, std::uint32_t m,
                  const Scalar& a, const Scalar& b);
 
-  const LevelSimplex<Scalar, Vertices>* simplex_;
-  const Level<Scalar>* level_;
+  const LevelSimplex<Scalar, Vertices>* simplex_ = nullptr;
+  const Level<Scalar>* level_ = nullptr;
   std::vector<Vertex> vertices_;
   std::vector<Cell> cells_;
-  std::vector<std::vector<std::uint32_t>> cells_at_;  ///< of each vertex; dead ones among them
-  std::unordered_map<std::uint64_t, signed char> edges_, faces_;  ///< simple: 1, not: -1
+  /// Cells of each vertex, dead ones among them.
+  std::vector<std::vector<std::uint32_t>> cells_at_;
+  KnownSimple edges_, faces_;
 };
 
 /// Side of the level for the field of a simplex at exact homogeneous weights; all tiers.

@@ -59,7 +59,8 @@ struct TetPlan {
     Refinement<Scalar, 4> refinement;
     LeafMesh mesh;
   };
-  std::unique_ptr<Leaves> leaves;
+  std::unique_ptr<Leaves> leaves;  ///< while they are needed, see `add_leaves`
+  bool refined = false;            ///< the sheets were found by a refinement
 };
 
 /// Joins the arcs of the faces into loops and decides what sheets they bound.
