@@ -132,7 +132,7 @@ TEST(SimplexProof, SignsThatAreCertainInDoubleAreExact) {
     const double norm = largest_norm(tensors);
     const auto forms = mode_forms(tensors);
     const auto direction =
-        likely_direction(tensors, trial % 2 ? DirectionChoice::cone : DirectionChoice::coefficients);
+        likely_direction(forms, trial % 2 ? DirectionChoice::cone : DirectionChoice::coefficients);
     std::array<Rational, 4> exact_direction;
     for (std::size_t i = 0; i < 4; ++i) exact_direction[i] = Rational(direction[i]);
     const auto exact_increase = mode_increase_form(exact_forms, exact_direction);

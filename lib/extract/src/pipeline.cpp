@@ -82,21 +82,37 @@ void Pipeline<Scalar>::classify_vertices() {
 
 template <class Scalar>
 void Pipeline<Scalar>::screen() {
+  // By vertex, the norm and how far the level is.
+  std::vector<double> norm(mesh_.points.size()), clearance(mesh_.points.size(), 2);
+  std::vector<Deviator<double>> tensors(mesh_.points.size());
+  parallel_stage(options_, "screen", mesh_.points.size(), 4096, [&](std::size_t v) {
+    tensors[v] = rounded(std::array{field_.tensors[v]})[0];
+    norm[v] = std::sqrt(norm_form(tensors[v]));
+    if (!field_.is_zero[v])
+      clearance[v] = screen::clearance_cosine(screen::lode_angle(tensors[v]), level_.lode_angle);
+  });
   std::vector<char> active(mesh_.tets.size(), 0);
   parallel_stage(options_, "screen", mesh_.tets.size(), 4096, [&](std::size_t t) {
     const auto& v = mesh_.tets[t];
     bool zero = false, mixed = false;
-    for (std::size_t i = 0; i < 4; ++i) {
-      zero |= field_.is_zero[as_size(v[i])] != 0;
-      mixed |= above_[as_size(v[i])] != above_[as_size(v[0])];
+    std::size_t clear = as_size(v[0]);
+    for (const Index w : v) {
+      zero |= field_.is_zero[as_size(w)] != 0;
+      mixed |= above_[as_size(w)] != above_[as_size(v[0])];
+      if (clearance[as_size(w)] < clearance[clear]) clear = as_size(w);
     }
     if (mixed || zero) {
       active[t] = 1;
       return;
     }
-    std::array<Deviator<Scalar>, 4> tensors;
-    for (std::size_t i = 0; i < 4; ++i) tensors[i] = field_.tensors[as_size(v[i])];
-    active[t] = !screen::excludes(rounded(tensors), level_.lode_angle);
+    const double limit = clearance[clear] * norm[clear];
+    bool is_clear = true;
+    for (const Index w : v)
+      is_clear &= as_size(w) == clear ||
+                  norm_form(tensors[clear], tensors[as_size(w)]) > limit * norm[as_size(w)];
+    active[t] = !is_clear && !screen::excludes<4>({tensors[as_size(v[0])], tensors[as_size(v[1])],
+                                                   tensors[as_size(v[2])], tensors[as_size(v[3])]},
+                                                  level_.lode_angle);
   });
   std::vector<Index> tets;
   for (std::size_t t = 0; t < active.size(); ++t)

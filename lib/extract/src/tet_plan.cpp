@@ -212,10 +212,10 @@ std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
   TetPlan<Scalar> plan;
   if (!join_arcs(tet, plan.loops)) return std::nullopt;
   if (plan.loops.empty()) return plan;  // every sheet of a linear field reaches a face
-  plan.proof =
-      prove_simplex(tet.simplex.tensors, level, 1, DirectionChoice::coefficients);
   using Kind = typename SimplexProof<Scalar, 4>::Kind;
-  if (plan.proof.kind == Kind::monotone && plan.loops.size() == 1) {
+  if (plan.loops.size() == 1 &&
+      prove_simplex(tet.simplex.tensors, level, 1, DirectionChoice::coefficients).kind ==
+          Kind::monotone) {
     plan.sheets.push_back({{0}, 1, -1});
     return plan;
   }

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "tensortopo/tensor/deviator.hpp"
+#include "tensortopo/extract/mode_forms.hpp"
 
 namespace tensortopo {
 
@@ -22,7 +22,7 @@ enum class DirectionChoice {
 /// On a stress field of half a million tetrahedra the central choice is right for 66 to 79 % of
 /// those that the level crosses, the cone for 80 to 86 %, one of the three for 90 to 92 %.
 template <std::size_t Vertices>
-std::array<double, Vertices> likely_direction(
-    const std::array<Deviator<double>, Vertices>& tensors, DirectionChoice choice);
+std::array<double, Vertices> likely_direction(const ModeForms<double, Vertices>& forms,
+                                              DirectionChoice choice);
 
 }  // namespace tensortopo

@@ -43,6 +43,14 @@ inline bool excludes(double centre, double radius, double level) {
   return radius < 1.57 && std::abs(centre - level) > radius + 3 * kAngleError;
 }
 
+/// Cosine of an angle such that no tensor within it of one with this Lode angle is on the level; 2
+/// if the level is too near. (By the error of that angle, at least 1e-3, the cosine changes by
+/// more than 5e-10, which no rounding of a cosine makes up for.)
+inline double clearance_cosine(double lode, double level) {
+  const double gap = std::min(std::abs(lode - level), 1.57);
+  return gap < 0.001 ? 2 : std::cos(gap - 3 * kAngleError);
+}
+
 /// True only if the level does not meet the simplex: the cone is taken around the sum of the
 /// vertex tensors.
 template <std::size_t Vertices>

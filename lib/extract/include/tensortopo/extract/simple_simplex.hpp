@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "tensortopo/extract/level.hpp"
 #include "tensortopo/extract/likely_direction.hpp"
@@ -110,6 +111,18 @@ std::array<Deviator<double>, Vertices> rounded(
   return result;
 }
 
+/// Whether the level seems to pass between the vertices. Not certain, and need not be: it only
+/// saves the search for a proof of the contrary.
+template <std::size_t Vertices>
+bool is_crossed(const std::array<Deviator<double>, Vertices>& tensors, double mu) {
+  bool above = false, below = false;
+  for (const auto& t : tensors) {
+    const double p = norm_form(t);
+    (1.4142135623730951 * determinant_form(t) > mu * p * std::sqrt(p) ? above : below) = true;
+  }
+  return above && below;
+}
+
 /// Tries the proofs above on a triangle or a tetrahedron.
 ///
 /// @param total       as in `rounding_unit`, the largest of a vertex
@@ -121,7 +134,8 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   using Proof = SimplexProof<Scalar, Vertices>;
   Proof proof;
   const auto in_double = rounded(tensors);
-  if (screen::excludes(in_double, level.lode_angle)) {
+  const bool crossed = is_crossed(in_double, static_cast<double>(level.mu));
+  if (!crossed && screen::excludes(in_double, level.lode_angle)) {
     proof.kind = Proof::Kind::empty;
     return proof;
   }
@@ -132,7 +146,11 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   for (const auto choice :
        {DirectionChoice::central, DirectionChoice::cone, DirectionChoice::coefficients}) {
     if (choice > last_choice) break;
-    const auto direction = likely_direction(in_double, choice);
+    std::array<double, Vertices> direction;
+    if constexpr (std::is_same_v<Scalar, double>)
+      direction = likely_direction(forms, choice);
+    else
+      direction = likely_direction(mode_forms(in_double), choice);
     for (std::size_t i = 0; i < Vertices; ++i) proof.direction[i] = Scalar(direction[i]);
     increases = detail::increases_along(forms, proof.direction, norm, total);
     if (increases == Verdict::positive) {
@@ -140,7 +158,8 @@ SimplexProof<Scalar, Vertices> prove_simplex(
       return proof;
     }
   }
-  const Verdict empty = detail::is_empty(forms, level, norm, total);
+  const Verdict empty =
+      crossed ? Verdict::negative : detail::is_empty(forms, level, norm, total);
   if (empty == Verdict::positive) proof.kind = Proof::Kind::empty;
   proof.hidden_by_rounding = empty != Verdict::positive &&
                              (increases == Verdict::unknown || empty == Verdict::unknown);
@@ -153,7 +172,10 @@ SimplexProof<Scalar, Vertices> prove_simplex(
 template <class Scalar>
 Verdict has_at_most_one_crossing(const std::array<Deviator<Scalar>, 2>& tensors,
                                  const Level<Scalar>& level, double total = 1) {
-  if (screen::excludes(rounded(tensors), level.lode_angle)) return Verdict::positive;
+  const auto in_double = rounded(tensors);
+  if (!is_crossed(in_double, static_cast<double>(level.mu)) &&
+      screen::excludes(in_double, level.lode_angle))
+    return Verdict::positive;
   const Scalar norm = largest_norm(tensors);
   if (!(norm > Scalar(0))) return Verdict::negative;
   const auto forms = mode_forms(tensors);

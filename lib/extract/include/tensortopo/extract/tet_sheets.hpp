@@ -54,7 +54,6 @@ template <class Scalar>
 struct TetPlan {
   std::vector<std::vector<RimPiece>> loops;  ///< directed with the sheet on the left
   std::vector<SheetTopology> sheets;
-  SimplexProof<Scalar, 4> proof;
   struct Leaves {
     Refinement<Scalar, 4> refinement;
     LeafMesh mesh;
