@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "extractor_scalars.hpp"
@@ -90,11 +92,10 @@ void Pipeline<Scalar>::number_edge_vertices() {
 
 /// Numbers the samples of the faces that changed, after all numbers given so far.
 template <class Scalar>
-void Pipeline<Scalar>::number_face_vertices(const std::vector<char>& changed) {
+void Pipeline<Scalar>::number_face_vertices(std::span<const std::size_t> changed) {
   face_vertex_.resize(complex_.faces.size());
   auto next = rim_position_.size();
-  for (std::size_t f = 0; f < complex_.faces.size(); ++f) {
-    if (!changed[f]) continue;
+  for (const auto f : changed) {
     face_vertex_[f] = static_cast<Index>(next);
     if (arcs_[f])
       for (const auto& arc : *arcs_[f]) next += arc.samples.size();
@@ -102,8 +103,9 @@ void Pipeline<Scalar>::number_face_vertices(const std::vector<char>& changed) {
   rim_position_.resize(next);
   rim_medium_.resize(next);
   rim_dominant_.resize(next);
-  parallel_stage(options_, "tetrahedra", complex_.faces.size(), 1024, [&](std::size_t f) {
-    if (!changed[f] || !arcs_[f]) return;
+  parallel_stage(options_, "tetrahedra", changed.size(), 1024, [&](std::size_t k) {
+    const auto f = changed[k];
+    if (!arcs_[f]) return;
     const auto& v = complex_.faces[f];
     auto id = as_size(face_vertex_[f]);
     for (const auto& arc : *arcs_[f])
@@ -120,21 +122,31 @@ void Pipeline<Scalar>::number_face_vertices(const std::vector<char>& changed) {
   });
 }
 
-/// Puts the samples that tetrahedra ask for on their faces; says which faces changed.
+/// Puts the samples that tetrahedra ask for on their faces; lists the faces that changed.
 template <class Scalar>
-std::vector<char> Pipeline<Scalar>::merge_requests(const std::vector<char>& asking) {
-  // By face: all that its tetrahedra ask for, in an order that threads cannot change.
-  std::vector<std::vector<std::pair<int, Scalar>>> wanted(complex_.faces.size());
-  for (std::size_t t = 0; t < tets_.size(); ++t)
-    if (asking[t])
-      for (const auto& request : tets_[t].requests)
-        if (request.arc >= 0)
-          wanted[as_size(complex_.tet_faces[t][static_cast<std::size_t>(request.face)])]
-              .emplace_back(request.arc, request.place);
-  std::vector<char> changed(complex_.faces.size(), 0);
-  parallel_stage(options_, "tetrahedra", wanted.size(), 256, [&](std::size_t f) {
-    if (wanted[f].empty()) return;
-    std::sort(wanted[f].begin(), wanted[f].end());
+std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::size_t> asking) {
+  // All that is asked for, face by face.
+  struct Wanted {
+    std::size_t face;
+    int arc;
+    Scalar place;
+    auto key() const { return std::tie(face, arc, place); }
+  };
+  std::vector<Wanted> wanted;
+  for (const auto t : asking)
+    for (const auto& request : tets_[t].requests)
+      if (request.arc >= 0 && !tets_[t].unresolved)
+        wanted.push_back(
+            {as_size(complex_.tet_faces[t][static_cast<std::size_t>(request.face)]), request.arc,
+             request.place});
+  std::sort(wanted.begin(), wanted.end(),
+            [](const Wanted& a, const Wanted& b) { return a.key() < b.key(); });
+  std::vector<std::size_t> first;  // of each face
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (i == 0 || wanted[i].face != wanted[i - 1].face) first.push_back(i);
+  std::vector<char> changed(first.size(), 0);
+  parallel_stage(options_, "tetrahedra", first.size(), 64, [&](std::size_t k) {
+    const auto f = wanted[first[k]].face;
     // The two neighbours, and the face itself, often cut the curve at the same point, and an edge
     // of the face may be cut there too. Merging samples along a curve changes no topology.
     const auto same = [](const auto& p, const auto& q) {
@@ -144,8 +156,9 @@ std::vector<char> Pipeline<Scalar>::merge_requests(const std::vector<char>& aski
       }
       return true;
     };
-    for (const auto& [a, place] : wanted[f]) {
-      auto& arc = (*arcs_[f])[static_cast<std::size_t>(a)];
+    for (std::size_t i = first[k]; i < wanted.size() && wanted[i].face == f; ++i) {
+      const Scalar& place = wanted[i].place;
+      auto& arc = (*arcs_[f])[static_cast<std::size_t>(wanted[i].arc)];
       const auto point = point_on_arc(arc, place, level_);
       auto after = std::lower_bound(arc.samples.begin(), arc.samples.end(), place,
                                     [](const auto& s, const Scalar& x) { return s.place < x; });
@@ -158,10 +171,13 @@ std::vector<char> Pipeline<Scalar>::merge_requests(const std::vector<char>& aski
       };
       if (same(neighbour(false), point.weights) || same(neighbour(true), point.weights)) continue;
       arc.samples.insert(after, point);
-      changed[f] = 1;
+      changed[k] = 1;
     }
   });
-  return changed;
+  std::vector<std::size_t> faces;
+  for (std::size_t k = 0; k < first.size(); ++k)
+    if (changed[k]) faces.push_back(wanted[first[k]].face);
+  return faces;
 }
 
 template <class Scalar>
@@ -234,24 +250,39 @@ void Pipeline<Scalar>::draw_tets() {
   // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
   // its neighbours then have as well, and are drawn again. Few rounds are needed.
   number_edge_vertices();
-  number_face_vertices(std::vector<char>(complex_.faces.size(), 1));
-  std::vector<char> failed(tets_.size(), 0), redraw(tets_.size(), 1);
-  while (true) {
-    parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {
-      failed[t] = redraw[t] && tets_[t].plan && !tets_[t].unresolved && !draw_one(t);
-    });
+  std::vector<std::size_t> faces(complex_.faces.size());
+  std::iota(faces.begin(), faces.end(), std::size_t{0});
+  number_face_vertices(faces);
+  std::vector<std::array<Index, 2>> face_tets(complex_.faces.size(), {-1, -1});
+  for (std::size_t t = 0; t < tets_.size(); ++t)
+    for (const Index f : complex_.tet_faces[t]) {
+      auto& two = face_tets[as_size(f)];
+      two[two[0] < 0 ? 0 : 1] = static_cast<Index>(t);
+    }
+  std::vector<std::size_t> drawing;
+  for (std::size_t t = 0; t < tets_.size(); ++t)
+    if (tets_[t].plan && !tets_[t].unresolved) drawing.push_back(t);
+  while (!drawing.empty()) {
+    std::vector<char> drawn(drawing.size(), 0);
+    parallel_stage(options_, "tetrahedra", drawing.size(), 16,
+                   [&](std::size_t i) { drawn[i] = draw_one(drawing[i]); });
     // Ends: a tetrahedron fails at most once with each method and number of samples.
-    if (std::none_of(failed.begin(), failed.end(), [](char f) { return f != 0; })) return;
-    parallel_stage(options_, "tetrahedra", tets_.size(), 16, [&](std::size_t t) {
-      if (failed[t]) try_next_method(t);
-    });
+    std::vector<std::size_t> failed;
+    for (std::size_t i = 0; i < drawing.size(); ++i)
+      if (!drawn[i]) failed.push_back(drawing[i]);
+    parallel_stage(options_, "tetrahedra", failed.size(), 16,
+                   [&](std::size_t i) { try_next_method(failed[i]); });
     const auto changed = merge_requests(failed);
     number_face_vertices(changed);
-    for (std::size_t t = 0; t < tets_.size(); ++t) {
-      redraw[t] = failed[t];
-      for (const Index f : complex_.tet_faces[t])
-        redraw[t] = redraw[t] || changed[as_size(f)] != 0;
-    }
+    drawing.clear();
+    for (const auto t : failed)
+      if (!tets_[t].unresolved) drawing.push_back(t);
+    for (const auto f : changed)
+      for (const Index t : face_tets[f])
+        if (t >= 0 && tets_[as_size(t)].plan && !tets_[as_size(t)].unresolved)
+          drawing.push_back(as_size(t));
+    std::sort(drawing.begin(), drawing.end());
+    drawing.erase(std::unique(drawing.begin(), drawing.end()), drawing.end());
   }
 }
 

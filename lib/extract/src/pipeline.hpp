@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tensortopo/extract/extract_mode_surface.hpp"
@@ -48,8 +49,8 @@ class Pipeline {
   bool plan_one(std::size_t t);
   void try_next_method(std::size_t t);
   void number_edge_vertices();
-  void number_face_vertices(const std::vector<char>& changed);
-  std::vector<char> merge_requests(const std::vector<char>& asking);
+  void number_face_vertices(std::span<const std::size_t> changed);
+  std::vector<std::size_t> merge_requests(std::span<const std::size_t> asking);
   void draw_tets();
   bool draw_one(std::size_t t);
   Extraction assemble();
