@@ -15,6 +15,7 @@
 #include "quad_grid.hpp"
 #include "sheet_check.hpp"
 #include "split_triangles.hpp"
+#include "tensortopo/extract/position.hpp"
 
 namespace tensortopo {
 
@@ -89,6 +90,7 @@ class Drawing {
       const std::size_t n = rim.size();
       std::vector<std::size_t> image(n, 0);
       for (std::size_t i = 0; i < n; ++i) {
+        taken_.insert({rim[i].position.x, rim[i].position.y, rim[i].position.z});
         if (on_boundary_.contains(rim[i].id)) continue;
         const double sigma = on_.manifold.sigma(rim[i].medium, rim[i].dominant);
         image[i] =
@@ -116,7 +118,7 @@ class Drawing {
   }
 
   /// The vertex of the level at a tensor of the field, brought onto the level; nothing if that is
-  /// not inside.
+  /// not inside, or where another vertex is.
   std::optional<InnerVertex<Scalar>> inner_vertex(const SymmetricTensor<double>& tensor) const {
     const auto guess = on_.lift.weights(tensor);
     if (!is_inside(guess)) return std::nullopt;
@@ -145,10 +147,17 @@ class Drawing {
       }
     }
     vertex.tensor = tensor_at(tensors, vertex.weights);
+    if (taken_.contains(place_of(vertex))) return std::nullopt;
     return vertex;
   }
 
+  std::array<double, 3> place_of(const InnerVertex<Scalar>& vertex) const {
+    const auto x = position_at(vertex.weights, tet_.simplex.exponents, tet_.points);
+    return {x.x, x.y, x.z};
+  }
+
   std::int32_t add_inner(const InnerVertex<Scalar>& vertex) {
+    taken_.insert(place_of(vertex));
     out_.inner.push_back(vertex);
     return -static_cast<std::int32_t>(out_.inner.size());
   }
@@ -399,6 +408,7 @@ class Drawing {
   double turn_;
   TetTriangles<Scalar>& out_;
 
+  std::set<std::array<double, 3>> taken_;  ///< where vertices are: no two may be one point
   std::set<std::int32_t> on_boundary_;
   std::map<std::int32_t, std::array<std::size_t, 2>> boundary_images_;
   std::vector<Image> images_;
