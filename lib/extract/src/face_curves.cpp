@@ -3,10 +3,10 @@
 #include "tensortopo/extract/face_curves.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
+#include "arc_samples.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/segment_root.hpp"
 
@@ -197,135 +197,6 @@ class Assembly {
   std::vector<ArcPiece<Scalar>> pieces_;
 };
 
-template <class Scalar>
-CurvePoint<Scalar> point_on_piece(const ArcPiece<Scalar>& piece, const Scalar& fraction,
-                                  const Level<Scalar>& level) {
-  std::array<Scalar, 3> base;
-  for (std::size_t i = 0; i < 3; ++i)
-    base[i] = piece.begin[i] + fraction * (piece.end[i] - piece.begin[i]);
-  if (fraction > Scalar(0) && fraction < Scalar(1)) {
-    // Both ends of the line through the triangle.
-    Scalar down(0), up(0);
-    bool first = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (piece.direction[i] == Scalar(0)) continue;
-      const Scalar k = -base[i] / piece.direction[i];
-      if (piece.direction[i] > Scalar(0)) {
-        if (first || k > down) down = k;
-        first = false;
-      }
-    }
-    first = true;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (piece.direction[i] < Scalar(0)) {
-        const Scalar k = -base[i] / piece.direction[i];
-        if (first || k < up) up = k;
-        first = false;
-      }
-    const auto at = [&](const Scalar& k) {
-      std::array<Scalar, 3> w;
-      for (std::size_t i = 0; i < 3; ++i) w[i] = base[i] + k * piece.direction[i];
-      return w;
-    };
-    const auto lower = tensor_at(piece.tensors, at(down)), upper = tensor_at(piece.tensors, at(up));
-    const Scalar root = segment_root(lower, upper, level);
-    base = at(down + root * (up - down));
-    for (auto& w : base)
-      if (w < Scalar(0)) w = Scalar(0);
-  }
-  CurvePoint<Scalar> point;
-  point.tensor = tensor_at(piece.tensors, base);
-  Scalar total(0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    point.weights[i] = Scalar(0);
-    for (std::size_t c = 0; c < 3; ++c)
-      point.weights[i] = point.weights[i] + base[c] * Scalar(piece.corners[c][i]);
-    total = total + point.weights[i];
-  }
-  for (auto& w : point.weights) w = w / total;
-  point.medium = medium_eigenvector(point.tensor, level);
-  return point;
-}
-
-/// Samples the arc so that neither the medium eigenvector nor the tensor turns too far from one
-/// sample to the next.
-template <class Scalar>
-class Sampler {
- public:
-  Sampler(const Level<Scalar>& level, const Sampling& sampling)
-      : level_(level),
-        turn_(std::cos(std::min(sampling.largest_turn(), 1.5))),
-        wide_turn_(std::cos(0.5)) {}
-
-  void sample(FaceArc<Scalar>& arc) {
-    std::vector<CurvePoint<Scalar>> points;
-    for (std::size_t p = 0; p < arc.pieces.size(); ++p) {
-      const auto& piece = arc.pieces[p];
-      auto a = at(piece, p, Scalar(0)), b = at(piece, p, Scalar(1));
-      points.push_back(a);
-      between(piece, p, a, b, 0, points);
-      if (p + 1 == arc.pieces.size()) points.push_back(b);
-    }
-    if (arc.closed) points.pop_back();  // the last point is the first
-    thin(arc, points);
-  }
-
- private:
-  CurvePoint<Scalar> at(const ArcPiece<Scalar>& piece, std::size_t index, const Scalar& fraction) {
-    auto point = point_on_piece(piece, fraction, level_);
-    point.place = Scalar(static_cast<double>(index)) + fraction;
-    return point;
-  }
-
-  bool is_close(const CurvePoint<Scalar>& a, const CurvePoint<Scalar>& b) const {
-    if (!(line_cosine(a.medium, b.medium) > turn_)) return false;
-    const Scalar product = norm_form(a.tensor, b.tensor);
-    return product > Scalar(0) &&
-           product * product >
-               wide_turn_ * wide_turn_ * norm_form(a.tensor) * norm_form(b.tensor);
-  }
-
-  void between(const ArcPiece<Scalar>& piece, std::size_t index, const CurvePoint<Scalar>& a,
-               const CurvePoint<Scalar>& b, int depth, std::vector<CurvePoint<Scalar>>& points) {
-    if (depth > 12 || is_close(a, b)) return;
-    const Scalar middle = (a.place + b.place) / Scalar(2) - Scalar(static_cast<double>(index));
-    const auto m = at(piece, index, middle);
-    between(piece, index, a, m, depth + 1, points);
-    points.push_back(m);
-    between(piece, index, m, b, depth + 1, points);
-  }
-
-  /// Drops samples (mostly ends of pieces) that are closer than they need be.
-  void thin(FaceArc<Scalar>& arc, const std::vector<CurvePoint<Scalar>>& points) {
-    const std::size_t n = points.size();
-    std::vector<char> keep(n, 1);
-    std::size_t kept = n, last = 0;
-    const std::size_t least = arc.closed ? 3 : arc.begin.edge == arc.end.edge ? 3 : 2;
-    for (std::size_t i = 1; i < n && kept > least; ++i) {
-      if (i + 1 == n && !arc.closed) break;
-      if (is_close(points[last], points[(i + 1) % n]))
-        keep[i] = 0, --kept;
-      else
-        last = i;
-    }
-    if (!arc.closed && kept == 2 && least == 3) {  // one piece, both ends on one edge
-      arc.samples.push_back(at(arc.pieces[0], 0, Scalar(1) / Scalar(2)));
-      return;
-    }
-    for (std::size_t i = 0; i < n; ++i)
-      if (keep[i] && (arc.closed || (i > 0 && i + 1 < n))) arc.samples.push_back(points[i]);
-    // A loop is never one piece, since a monotone triangle holds none, but it may be two.
-    for (std::size_t p = 0; arc.closed && arc.samples.size() < 3 && p < arc.pieces.size(); ++p) {
-      arc.samples.push_back(at(arc.pieces[p], p, Scalar(1) / Scalar(2)));
-      std::sort(arc.samples.begin(), arc.samples.end(),
-                [](const auto& a, const auto& b) { return a.place < b.place; });
-    }
-  }
-
-  const Level<Scalar>& level_;
-  Scalar turn_, wide_turn_;
-};
-
 /// Most faces need no refinement: proved as a whole, they hold nothing or one arc of one piece.
 template <class Scalar>
 bool is_simple_at_once(const LevelSimplex<Scalar, 3>& triangle,
@@ -374,75 +245,22 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
     const Level<Scalar>& level, const Sampling& sampling) {
   std::vector<FaceArc<Scalar>> arcs;
   if (is_simple_at_once(triangle, crossings, level, arcs)) {
-    for (auto& arc : arcs) Sampler<Scalar>(level, sampling).sample(arc);
+    for (auto& arc : arcs) sample_arc(arc, level, sampling);
     return arcs;
   }
   thread_local Refinement<Scalar, 3> refinement;
   refinement.reset(triangle, level);
   if (!refinement.run(kFaceBudget)) return std::nullopt;
   if (!Assembly<Scalar>(refinement, crossings, level).build(arcs)) return std::nullopt;
-  Sampler<Scalar> sampler(level, sampling);
-  for (auto& arc : arcs) sampler.sample(arc);
+  for (auto& arc : arcs) sample_arc(arc, level, sampling);
   return arcs;
 }
 
-template <class Scalar>
-CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>& arc, const Scalar& place,
-                                const Level<Scalar>& level) {
-  auto index = static_cast<std::size_t>(static_cast<double>(place));
-  if (index >= arc.pieces.size()) index = arc.pieces.size() - 1;
-  auto point = point_on_piece(arc.pieces[index],
-                              place - Scalar(static_cast<double>(index)), level);
-  point.place = place;
-  return point;
-}
-
-template <class Scalar>
-std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
-                                      const std::array<Scalar, 3>& weights) {
-  int best_arc = -1;
-  Scalar best_place(0), best_margin(0);
-  for (std::size_t a = 0; a < arcs.size(); ++a)
-    for (std::size_t p = 0; p < arcs[a].pieces.size(); ++p) {
-      const auto& piece = arcs[a].pieces[p];
-      // Barycentric coordinates in the monotone triangle, by Cramer's rule.
-      std::array<std::array<Scalar, 3>, 3> c;
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k) c[i][k] = Scalar(piece.corners[i][k]);
-      const auto det = [](const std::array<Scalar, 3>& x, const std::array<Scalar, 3>& y,
-                          const std::array<Scalar, 3>& z) {
-        return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) +
-               x[2] * (y[0] * z[1] - y[1] * z[0]);
-      };
-      std::array<Scalar, 3> local{det(weights, c[1], c[2]), det(c[0], weights, c[2]),
-                                  det(c[0], c[1], weights)};
-      const Scalar whole = local[0] + local[1] + local[2];
-      for (auto& l : local) l = l / whole;
-      const Scalar margin = std::min(local[0], std::min(local[1], local[2]));
-      if (best_arc >= 0 && !(margin > best_margin)) continue;
-      // Across the direction, how far along from begin to end: begin + f (end - begin), the
-      // direction and the place are in one line.
-      const Scalar at_begin = det(local, piece.begin, piece.direction);
-      const Scalar at_end = det(local, piece.end, piece.direction);
-      if (at_begin == at_end) continue;
-      Scalar f = at_begin / (at_begin - at_end);
-      f = f < Scalar(0) ? Scalar(0) : f > Scalar(1) ? Scalar(1) : f;
-      best_arc = static_cast<int>(a);
-      best_margin = margin;
-      best_place = Scalar(static_cast<double>(p)) + f;
-    }
-  return {best_arc, best_place};
-}
-
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                         \
-  template std::optional<std::vector<FaceArc<Scalar>>> face_curves(                            \
-      const LevelSimplex<Scalar, 3>&,                                                          \
-      const std::array<std::span<const EdgeCrossing<Scalar>>, 3>&, const Level<Scalar>&,       \
-      const Sampling&);                                                                        \
-  template CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>&, const Scalar&,              \
-                                           const Level<Scalar>&);                              \
-  template std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>>,             \
-                                                 const std::array<Scalar, 3>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                    \
+  template std::optional<std::vector<FaceArc<Scalar>>> face_curves(                       \
+      const LevelSimplex<Scalar, 3>&,                                                     \
+      const std::array<std::span<const EdgeCrossing<Scalar>>, 3>&, const Level<Scalar>&,  \
+      const Sampling&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -124,7 +124,7 @@ std::array<double, Vertices> likely_direction(const ModeForms<double, Vertices>&
       lean_to_axis(d, all, kConeSteps, 2);
   }
   if (choice == DirectionChoice::coefficients)
-    lean_to_axis(d, coefficient_directions(forms), kCoefficientSteps, 1e-6);
+    lean_to_axis(d, coefficient_directions(forms), kCoefficientSteps, 0);
   double largest = 0;
   for (const double x : d) largest = std::max(largest, std::abs(x));
   if (largest > 0)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tensortopo/extract/exact_weights.hpp"
+#include "tensortopo/extract/known_simple.hpp"
 #include "tensortopo/extract/level.hpp"
 #include "tensortopo/extract/simple_simplex.hpp"
 
@@ -22,26 +23,6 @@ struct LevelSimplex {
   std::array<bool, Vertices> above;  ///< mode > mu at the vertex (a vertex on the level is below)
   std::array<const SymmetricTensor<double>*, Vertices> exact;  ///< the input's tensors
   std::array<int, Vertices> exponents;  ///< tensors[i] = deviator of exact[i] * 2^exponents[i]
-};
-
-/// What is known of edges or faces of a refinement, by a key made of their vertices: an open hash
-/// table that keeps its memory when cleared.
-class KnownSimple {
- public:
-  /// 1 if simple, -1 if not, 0 if not known yet. Valid until the next call.
-  signed char& operator[](std::uint64_t key);
-  void clear();
-
- private:
-  struct Slot {
-    std::uint64_t key = 0;
-    std::uint32_t round = 0;  ///< in use if it is the current one
-    signed char simple = 0;
-  };
-  std::size_t slot_of(std::uint64_t key) const;
-  std::vector<Slot> slots_;
-  std::size_t used_ = 0;
-  std::uint32_t round_ = 1;
 };
 
 /// A place in a simplex of the mesh and the field there.
