@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "run_program.hpp"
 
@@ -102,6 +104,58 @@ TEST(ExtractFailures, AFileThatWasThereStays) {
   std::ofstream(folder / "s.vtp") << "old";
   EXPECT_EQ(extract(folder, {"--mode", "0.5", "--tensor", "strain"}).status, 3);
   EXPECT_EQ(contents(folder / "s.vtp"), "old");
+}
+
+// Two tetrahedra; a vertex of the first has no deviator.
+std::string mesh_with_a_zero(const Folder& folder) {
+  const std::string file = folder / "zero.vtk";
+  std::ofstream(file) << R"(# vtk DataFile Version 3.0
+one vertex without a deviator
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 5 double
+0 0 0  1 0 0  0 1 0  0 0 1  1 1 1
+CELLS 2 10
+4 0 1 2 3
+4 1 2 3 4
+CELL_TYPES 2
+10 10
+POINT_DATA 5
+TENSORS stress double
+7 0 0  0 7 0  0 0 7
+1 2 0  2 -1 3  0 3 0
+0 1 4  1 2 0  4 0 -2
+5 0 1  0 -3 2  1 2 -2
+-1 2 2  2 4 1  2 1 -3
+)";
+  return file;
+}
+
+TEST(ExtractFailures, AnUnresolvedTetrahedronIsNamedAndTheRestIsWritten) {
+  const Folder folder;
+  const std::string out = folder / "s.vtp";
+  const Outcome run =
+      run_program({"extract", mesh_with_a_zero(folder), "-o", out, "--mode", "0.5", "--json"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("1 of 2 tetrahedra unresolved (1 zero_deviator_vertex)"),
+            std::string::npos)
+      << run.err;
+  EXPECT_TRUE(std::filesystem::exists(out));
+  const auto report = nlohmann::json::parse(run.out);
+  ASSERT_EQ(report["unresolved_cells"].size(), 1u);
+  EXPECT_EQ(report["unresolved_cells"][0]["cell"], 0);
+  EXPECT_EQ(report["unresolved_cells"][0]["reason"], "zero_deviator_vertex");
+  EXPECT_EQ(report["surfaces"][0]["unresolved"]["zero_deviator_vertex"], 1);
+  EXPECT_GT(report["surfaces"][0]["triangles"], 0);
+}
+
+TEST(ExtractFailures, StrictRefusesWhatIsUnresolvedAndWritesNothing) {
+  const Folder folder;
+  const Outcome run = run_program({"extract", mesh_with_a_zero(folder), "-o", folder / "s.vtp",
+                                   "--mode", "0.5", "--strict"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("(1 zero_deviator_vertex); nothing written"), std::string::npos) << run.err;
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"zero.vtk"});
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tensortopo/scalar/scalar_traits.hpp"
+
 namespace tensortopo {
 
 /// The answer of a complete predicate.
@@ -20,7 +22,7 @@ constexpr Sign operator*(Sign p, Sign q) {
 }
 
 /// Sign of an ordered number. Not for enclosures: they may not know.
-template <class Scalar>
+template <OrderedField Scalar>
 constexpr Sign sign_of(const Scalar& value) {
   if (value > 0) return Sign::positive;
   if (value < 0) return Sign::negative;
