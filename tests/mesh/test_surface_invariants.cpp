@@ -115,6 +115,7 @@ TEST(SurfaceInvariants, PartsAreNumberedByFirstTriangleAndSumToTheWhole) {
   mixed.push_back({10, 12, 13});
   const auto s = surface_invariants(surface_of(20, mixed));
   EXPECT_EQ(s.component, (std::vector<int>{0, 1, 1, 1, 1, 0}));
+  EXPECT_EQ(surface_components(surface_of(20, mixed)), s.component);
   ASSERT_EQ(s.parts.size(), 2u);
   EXPECT_EQ(s.parts[0].euler_characteristic, 1);
   EXPECT_EQ(s.parts[0].boundary_loops, 1);

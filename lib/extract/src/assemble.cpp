@@ -220,7 +220,7 @@ Extraction Pipeline<Scalar>::assemble() {
     surface.dominant_eigenvector[id] = dominant_eigenvector(t, level);
   });
 
-  surface.component = surface_invariants(surface).component;
+  surface.component = surface_components(surface);
 
   for (const auto& state : tets_) {
     if (!state.plan || state.drawn.triangles.empty()) continue;

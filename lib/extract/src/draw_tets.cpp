@@ -189,6 +189,8 @@ FaceArcVertices Pipeline<Scalar>::arc_vertices(std::size_t t,
     auto next = face_vertex_[face];
     for (const auto& arc : tet.arcs[f]) {
       ArcVertices vertices;
+      vertices.vertices.reserve(arc.samples.size() + 2);
+      vertices.places.reserve(arc.samples.size() + 2);
       const auto add = [&](Index id, std::uint8_t faces, double place) {
         vertices.vertices.push_back({id, faces, rim_position_[as_size(id)],
                                      rim_medium_[as_size(id)], rim_dominant_[as_size(id)]});

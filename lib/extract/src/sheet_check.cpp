@@ -10,7 +10,14 @@ namespace tensortopo {
 
 namespace {
 
-using Edge = std::pair<std::int32_t, std::int32_t>;
+/// A directed edge as one number, which sorts faster than two.
+using Edge = std::uint64_t;
+
+Edge edge(std::int32_t from, std::int32_t to) {
+  return Edge{static_cast<std::uint32_t>(from)} << 32 | static_cast<std::uint32_t>(to);
+}
+std::int32_t from(Edge e) { return static_cast<std::int32_t>(e >> 32); }
+std::int32_t to(Edge e) { return static_cast<std::int32_t>(e & 0xffffffffu); }
 
 /// Union-find over the places of vertices in a sorted list.
 class Components {
@@ -58,8 +65,8 @@ class FacesOfVertices {
   std::vector<std::pair<std::int32_t, std::uint8_t>> faces_;
 };
 
-bool contains(const std::vector<Edge>& sorted, const Edge& edge) {
-  return std::binary_search(sorted.begin(), sorted.end(), edge);
+bool contains(const std::vector<Edge>& sorted, Edge e) {
+  return std::binary_search(sorted.begin(), sorted.end(), e);
 }
 
 /// Sorts; false if an edge occurs twice.
@@ -78,25 +85,26 @@ bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
   for (const auto& t : triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       if (t[i] == t[(i + 1) % 3]) return false;
-      directed.emplace_back(t[i], t[(i + 1) % 3]);
+      directed.push_back(edge(t[i], t[(i + 1) % 3]));
       vertices.push_back(t[i]);
     }
   for (const auto& rim : rims)
     for (std::size_t i = 0; i < rim.size(); ++i)
-      rim_edges.emplace_back(rim[i].id, rim[(i + 1) % rim.size()].id);
+      rim_edges.push_back(edge(rim[i].id, rim[(i + 1) % rim.size()].id));
   if (!sort_distinct(directed) || !sort_distinct(rim_edges)) return false;
-  for (const auto& [a, b] : rim_edges)
-    if (!contains(directed, {a, b}) || contains(directed, {b, a})) return false;
+  for (const Edge e : rim_edges)
+    if (!contains(directed, e) || contains(directed, edge(to(e), from(e)))) return false;
 
   const FacesOfVertices faces(rims);
   Components components(std::move(vertices));
-  for (const auto& [a, b] : directed) components.join(a, b);
+  for (const Edge e : directed) components.join(from(e), to(e));
   std::vector<int> euler(components.count(), 0);
   for (std::size_t v = 0; v < components.count(); ++v) ++euler[components.root(v)];
   for (const auto& t : triangles) ++euler[components.of(t[0])];
-  for (const auto& [a, b] : directed) {
-    const bool paired = contains(directed, {b, a});
-    if (!paired && !contains(rim_edges, {a, b})) return false;
+  for (const Edge e : directed) {
+    const auto a = from(e), b = to(e);
+    const bool paired = contains(directed, edge(b, a));
+    if (!paired && !contains(rim_edges, e)) return false;
     if (paired && (faces.at(a) & faces.at(b)) != 0) return false;
     if (!paired || a < b) --euler[components.of(a)];
   }

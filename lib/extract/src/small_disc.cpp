@@ -10,7 +10,12 @@ namespace tensortopo {
 
 std::vector<RimVertex> loop_vertices(std::span<const RimPiece> loop,
                                      const FaceArcVertices& vertices) {
+  std::size_t size = 0;
+  for (const auto& piece : loop)
+    size += vertices[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)]
+                .vertices.size();
   std::vector<RimVertex> rim;
+  rim.reserve(size);
   for (const auto& piece : loop) {
     const auto& arc =
         vertices[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)].vertices;

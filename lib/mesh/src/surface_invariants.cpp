@@ -50,6 +50,24 @@ double area(const Vector3<double>& p, const Vector3<double>& q, const Vector3<do
   return std::hypot(n.x, n.y, n.z) / 2;
 }
 
+/// Unites the vertices of each triangle, and numbers the classes in the order of the triangles.
+std::vector<Index> label_triangles(const SurfaceMesh& surface, Classes& regions,
+                                   std::vector<Index>& label_of_region) {
+  for (const auto& t : surface.triangles)
+    for (std::size_t k = 1; k < 3; ++k)
+      regions.unite(static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[k]));
+  label_of_region.assign(surface.points.size(), -1);
+  std::vector<Index> component;
+  component.reserve(surface.triangles.size());
+  Index next = 0;
+  for (const auto& t : surface.triangles) {
+    Index& here = label_of_region[regions.find(static_cast<std::uint32_t>(t[0]))];
+    if (here < 0) here = next++;
+    component.push_back(here);
+  }
+  return component;
+}
+
 class Survey {
  public:
   explicit Survey(const SurfaceMesh& surface)
@@ -88,25 +106,16 @@ class Survey {
   }
 
   void label_components() {
-    for (const auto& t : surface_.triangles)
-      for (std::size_t k = 1; k < 3; ++k)
-        regions_.unite(static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[k]));
-    std::vector<Index> label(surface_.points.size(), -1);
-    all_.component.reserve(triangles_);
-    for (const auto& t : surface_.triangles) {
-      Index& here = label[regions_.find(static_cast<std::uint32_t>(t[0]))];
-      if (here < 0) {
-        here = static_cast<Index>(all_.parts.size());
-        all_.parts.emplace_back();
-      }
-      all_.component.push_back(here);
-      Part& part = all_.parts[at(here)];
+    all_.component = label_triangles(surface_, regions_, label_of_region_);
+    for (std::size_t i = 0; i < triangles_; ++i) {
+      const auto& t = surface_.triangles[i];
+      if (at(all_.component[i]) == all_.parts.size()) all_.parts.emplace_back();
+      Part& part = part_of(i);
       ++part.triangles, ++part.euler_characteristic;
       part.area +=
           area(surface_.points[at(t[0])], surface_.points[at(t[1])], surface_.points[at(t[2])]);
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) part.manifold = false;
     }
-    label_of_region_ = std::move(label);
   }
 
   template <class Visit>
@@ -268,5 +277,11 @@ class Survey {
 }  // namespace
 
 SurfaceInvariants surface_invariants(const SurfaceMesh& surface) { return Survey(surface).run(); }
+
+std::vector<SurfaceMesh::Index> surface_components(const SurfaceMesh& surface) {
+  Classes regions(surface.points.size());
+  std::vector<Index> label_of_region;
+  return label_triangles(surface, regions, label_of_region);
+}
 
 }  // namespace tensortopo

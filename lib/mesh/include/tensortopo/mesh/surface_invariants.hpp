@@ -51,4 +51,8 @@ struct SurfaceInvariants {
 /// Cost      linear but for sorting the few edges at each vertex.
 SurfaceInvariants surface_invariants(const SurfaceMesh& surface);
 
+/// The component of each triangle alone, numbered as in `surface_invariants`; for vertex indices
+/// known to be in range.
+std::vector<SurfaceMesh::Index> surface_components(const SurfaceMesh& surface);
+
 }  // namespace tensortopo
