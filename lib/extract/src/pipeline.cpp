@@ -110,9 +110,13 @@ void Pipeline<Scalar>::screen() {
     for (const Index w : v)
       is_clear &= as_size(w) == clear ||
                   norm_form(tensors[clear], tensors[as_size(w)]) > limit * norm[as_size(w)];
-    active[t] = !is_clear && !screen::excludes<4>({tensors[as_size(v[0])], tensors[as_size(v[1])],
-                                                   tensors[as_size(v[2])], tensors[as_size(v[3])]},
-                                                  level_.lode_angle);
+    if (is_clear) return;
+    const std::array<Deviator<double>, 4> corners{tensors[as_size(v[0])], tensors[as_size(v[1])],
+                                                  tensors[as_size(v[2])], tensors[as_size(v[3])]};
+    if (screen::excludes(corners, level_.lode_angle)) return;
+    std::array<Deviator<Scalar>, 4> own_corners;
+    for (std::size_t i = 0; i < 4; ++i) own_corners[i] = field_.tensors[as_size(v[i])];
+    active[t] = !is_proved_empty(own_corners, level_);
   });
   std::vector<Index> tets;
   for (std::size_t t = 0; t < active.size(); ++t)

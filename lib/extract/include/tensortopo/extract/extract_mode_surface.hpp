@@ -37,7 +37,7 @@ struct ExtractOptions {
 
 /// What the extraction did, for reports.
 struct ExtractStatistics {
-  std::size_t tets_screened_out = 0;  ///< proved empty by the Lode angles of their vertices
+  std::size_t tets_screened_out = 0;  ///< proved empty by Lode angles or the degree-six form
   std::size_t tets_crossed = 0;       ///< hold triangles
   std::size_t tets_monotone = 0;      ///< crossed, and one monotone disc each
   std::size_t tets_refined = 0;       ///< needed a refinement for the proof

@@ -166,6 +166,15 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   return proof;
 }
 
+/// Whether the degree-six form alone proves that the level does not meet the simplex.
+template <class Scalar, std::size_t Vertices>
+bool is_proved_empty(const std::array<Deviator<Scalar>, Vertices>& tensors,
+                     const Level<Scalar>& level) {
+  const Scalar norm = largest_norm(tensors);
+  return norm > Scalar(0) &&
+         detail::is_empty(mode_forms(tensors), level, norm, 1) == Verdict::positive;
+}
+
 /// Positive if it is proved that an edge holds at most one point of the level: the mode is monotone
 /// along it, or the degree-six form changes sign at most once (Descartes). Unknown if rounding hides
 /// it.
