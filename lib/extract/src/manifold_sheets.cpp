@@ -11,11 +11,11 @@
 
 #include "chart_triangulation.hpp"
 #include "extractor_scalars.hpp"
+#include "inner_vertices.hpp"
 #include "manifold_chart.hpp"
 #include "quad_grid.hpp"
 #include "sheet_check.hpp"
 #include "split_triangles.hpp"
-#include "tensortopo/extract/position.hpp"
 
 namespace tensortopo {
 
@@ -33,12 +33,11 @@ class Drawing {
           TetTriangles<Scalar>& out)
       : on_(manifold),
         chart_(manifold.manifold),
-        tet_(tet),
         plan_(plan),
         vertices_(vertices),
-        level_(level),
         turn_(sampling.largest_turn()),
-        out_(out) {
+        out_(out),
+        inner_(manifold, tet, level, out) {
     for (const auto& crossing : requests) {
       if (!crossing.on_boundary) continue;
       const auto f = static_cast<std::size_t>(crossing.face);
@@ -90,7 +89,7 @@ class Drawing {
       const std::size_t n = rim.size();
       std::vector<std::size_t> image(n, 0);
       for (std::size_t i = 0; i < n; ++i) {
-        taken_.insert({rim[i].position.x, rim[i].position.y, rim[i].position.z});
+        inner_.take(rim[i].position);
         if (on_boundary_.contains(rim[i].id)) continue;
         const double sigma = on_.manifold.sigma(rim[i].medium, rim[i].dominant);
         image[i] =
@@ -111,60 +110,9 @@ class Drawing {
     return true;
   }
 
-  /// Is the point of the level with this tensor inside the tetrahedron, with the right mode?
-  bool is_inside(const std::array<double, 4>& weights) const {
-    return std::all_of(weights.begin(), weights.end(),
-                       [&](double w) { return on_.sign > 0 ? w > 0 : w < 0; });
-  }
-
-  /// The vertex of the level at a tensor of the field, brought onto the level; nothing if that is
-  /// not inside, or where another vertex is.
-  std::optional<InnerVertex<Scalar>> inner_vertex(const SymmetricTensor<double>& tensor) const {
-    const auto guess = on_.lift.weights(tensor);
-    if (!is_inside(guess)) return std::nullopt;
-    double total = 0;
-    for (const double w : guess) total += w;
-    InnerVertex<Scalar> vertex;
-    for (std::size_t i = 0; i < 4; ++i) vertex.weights[i] = Scalar(guess[i] / total);
-    const auto& tensors = tet_.simplex.tensors;
-    for (int step = 0; step < 4; ++step) {
-      vertex.tensor = tensor_at(tensors, vertex.weights);
-      const auto at = level_slope(vertex.tensor, level_);
-      std::array<Scalar, 4> gradient;
-      Scalar mean(0), square(0);
-      for (std::size_t i = 0; i < 4; ++i) {
-        gradient[i] = inner(at.slope, thrice(tensors[i]));
-        mean = mean + gradient[i] / Scalar(4);
-      }
-      for (auto& g : gradient) {
-        g = g - mean;
-        square = square + g * g;
-      }
-      if (!(square > Scalar(0))) return std::nullopt;
-      for (std::size_t i = 0; i < 4; ++i) {
-        vertex.weights[i] = vertex.weights[i] - at.value / square * gradient[i];
-        if (!(vertex.weights[i] > Scalar(0))) return std::nullopt;
-      }
-    }
-    vertex.tensor = tensor_at(tensors, vertex.weights);
-    if (taken_.contains(place_of(vertex))) return std::nullopt;
-    return vertex;
-  }
-
-  std::array<double, 3> place_of(const InnerVertex<Scalar>& vertex) const {
-    const auto x = position_at(vertex.weights, tet_.simplex.exponents, tet_.points);
-    return {x.x, x.y, x.z};
-  }
-
-  std::int32_t add_inner(const InnerVertex<Scalar>& vertex) {
-    taken_.insert(place_of(vertex));
-    out_.inner.push_back(vertex);
-    return -static_cast<std::int32_t>(out_.inner.size());
-  }
-
   bool boundary_is_inside(int loop, double phi) const {
-    return is_inside(on_.lift.weights(
-        on_.manifold.tensor_at_boundary(on_.manifold.boundary_point(loop, phi))));
+    return inner_.is_inside(
+        on_.manifold.tensor_at_boundary(on_.manifold.boundary_point(loop, phi)));
   }
 
   /// The parts of the complex domain's boundary inside the tetrahedron, between the crossings of
@@ -221,9 +169,9 @@ class Drawing {
 
   std::optional<std::array<std::size_t, 2>> add_boundary_sample(int loop, double phi) {
     const auto v = on_.manifold.boundary_point(loop, phi);
-    const auto vertex = inner_vertex(on_.manifold.tensor_at_boundary(v));
+    const auto vertex = inner_.at(on_.manifold.tensor_at_boundary(v));
     if (!vertex) return std::nullopt;
-    const auto corner = add_inner(*vertex);
+    const auto corner = inner_.add(*vertex);
     return std::array<std::size_t, 2>{add_image(corner, 0, v), add_image(corner, 0, -v)};
   }
 
@@ -282,7 +230,7 @@ class Drawing {
         const auto v = grid.vector(i, j);
         if (dot(v, centre) < least) continue;
         const auto tensor = on_.manifold.tensor_at(v);
-        if (!is_inside(on_.lift.weights(tensor))) continue;
+        if (!inner_.is_inside(tensor)) continue;
         const double theta = (i + 0.5) * step, eta = (j + 0.5) * step;
         const auto point = chart_.at_coordinates(theta, eta);
         const auto spacing = [&](double t, double e) {
@@ -292,9 +240,9 @@ class Drawing {
         const double wanted = 0.5 * std::min(spacing(theta + step / 4, eta) * 4,
                                              spacing(theta, eta + step / 4) * 4);
         if (!(clearance(point) > wanted)) continue;
-        const auto vertex = inner_vertex(tensor);
+        const auto vertex = inner_.at(tensor);
         if (!vertex) continue;
-        add_image(add_inner(*vertex), 0, v);
+        add_image(inner_.add(*vertex), 0, v);
         samples.push_back(point);
       }
     return samples;
@@ -371,9 +319,9 @@ class Drawing {
     if (!(length > 0)) return std::nullopt;
     const auto v = (1 / length) * along;
     if (!on_.manifold.in_real_domain(v)) return std::nullopt;
-    const auto vertex = inner_vertex(on_.manifold.tensor_at(v));
+    const auto vertex = inner_.at(on_.manifold.tensor_at(v));
     if (!vertex) return std::nullopt;
-    return add_image(add_inner(*vertex), 0, v);
+    return add_image(inner_.add(*vertex), 0, v);
   }
 
   /// Gives the triangles the direction that their rims have, and checks them against the plan.
@@ -401,14 +349,12 @@ class Drawing {
 
   const TetManifold& on_;
   ManifoldChart chart_;
-  const TetWithCurves<Scalar>& tet_;
   const TetPlan<Scalar>& plan_;
   const FaceArcVertices& vertices_;
-  const Level<Scalar>& level_;
   double turn_;
   TetTriangles<Scalar>& out_;
+  InnerVertices<Scalar> inner_;
 
-  std::set<std::array<double, 3>> taken_;  ///< where vertices are: no two may be one point
   std::set<std::int32_t> on_boundary_;
   std::map<std::int32_t, std::array<std::size_t, 2>> boundary_images_;
   std::vector<Image> images_;
