@@ -16,5 +16,6 @@ using Action = std::function<ExitStatus()>;
 void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 
 }  // namespace tensortopo

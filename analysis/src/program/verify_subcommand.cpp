@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "program/report_output.hpp"
+#include "program/subcommands.hpp"
+#include "verify/verify_command.hpp"
+
+namespace tensortopo {
+
+void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
+  CLI::App& app = *program.add_subcommand(
+      "verify", "Check the paper's statements on random rational linear fields, exactly");
+  const auto command = std::make_shared<VerifyCommand>();
+  app.add_option("--theorem", command->theorems, "A statement by its id; repeatable (default: all)")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  app.add_option("--fields", command->fields, "Fields to try each on")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--seed", command->seed, "Which fields; the same ones everywhere")
+      ->type_name("S")
+      ->capture_default_str();
+  app.add_option("--scalar", command->scalar, "Numbers to decide with")
+      ->type_name("rational")
+      ->capture_default_str();
+  add_common_options(app, common);
+  app.callback([command, &common, &action] {
+    action = [command, &common] {
+      const VerifyReport report = run_verify(*command);
+      print(common.json ? to_json(report) + '\n' : to_text(report));
+      return report.all_established() ? ExitStatus::done : ExitStatus::undecided;
+    };
+  });
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "verify/verify_command.hpp"
+
+namespace tensortopo {
+namespace {
+
+using theory::StatementVerdict;
+
+std::string_view words(StatementVerdict verdict) {
+  switch (verdict) {
+    case StatementVerdict::holds:
+      return "holds";
+    case StatementVerdict::corrected:
+      return "holds as corrected";
+    case StatementVerdict::refuted:
+      return "refuted with a witness";
+    case StatementVerdict::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+}  // namespace
+
+std::string to_json(const VerifyReport& report) {
+  using Json = nlohmann::ordered_json;
+  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  Json list = Json::array();
+  for (const theory::Verification& v : report.statements) {
+    const theory::Statement& statement = *theory::find_statement(v.id);
+    Json row;
+    row["id"] = v.id;
+    row["paper"] = statement.paper;
+    row["claim"] = statement.claim;
+    row["corrected"] = or_null(statement.corrected);
+    row["verdict"] = theory::name(v.verdict);
+    row["tried"] = v.tried;
+    row["witness"] = or_null(v.witness);
+    row["scalar"] = "rational";
+    row["seconds"] = v.seconds;
+    list.push_back(std::move(row));
+  }
+  Json json;
+  json["statements"] = std::move(list);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string to_text(const VerifyReport& report) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{:<26} {:<22} {:>6} {:>8}  {} | {}\n", "id", "verdict", "fields", "seconds",
+                 "in the paper", "what it says");
+  for (const theory::Verification& v : report.statements) {
+    const theory::Statement& statement = *theory::find_statement(v.id);
+    fmt::format_to(out, "{:<26} {:<22} {:>6} {:>8.3f}  {} | {}\n", v.id, words(v.verdict), v.tried,
+                   v.seconds, statement.paper, statement.claim);
+    if (!statement.corrected.empty()) {
+      fmt::format_to(out, "    corrected: {}\n", statement.corrected);
+    }
+    const bool reason = v.verdict == StatementVerdict::undecided;
+    if (!v.witness.empty()) {
+      fmt::format_to(out, "    {}: {}\n", reason ? "why" : "witness", v.witness);
+    }
+  }
+  return text;
+}
+
+}  // namespace tensortopo

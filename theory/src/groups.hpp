@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "tensortopo/theory/statement.hpp"
+
+namespace tensortopo::theory {
+
+// The groups of statements, in the order of the paper; statements.cpp joins them.
+std::vector<Statement> tensor_statements();
+std::vector<Statement> field_statements();
+std::vector<Statement> matrix_statements();
+std::vector<Statement> domain_statements();
+std::vector<Statement> chart_statements();
+
+}  // namespace tensortopo::theory
