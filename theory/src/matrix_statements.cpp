@@ -62,19 +62,29 @@ bool same_directions(const Matrix& a, const DominantForm& form) {
          -six * a.b == form.last;
 }
 
-Outcome check_eigenvalue_count(const Trial& trial) {
-  const auto n = characteristic_multiple(trial.field);
-  if (!n) return Outcome::not_applicable("rank below 4");
-  Random random = trial.random;
-  const Basis basis = random_basis(random);
-  const Angle angle = random_angle(random);
-  const Matrix a = asymmetric(*n, basis, angle);
-  const DominantForm form = dominant_form(*n, basis, angle.s());
+// Hands a check the characteristic tensor, a random basis and angle, and their matrix.
+using MatrixCheck = Outcome (*)(const Tensor&, const Basis&, const Angle&, const Matrix&);
+
+Check with_matrix(MatrixCheck check) {
+  return [check](const Trial& trial) {
+    const auto n = characteristic_multiple(trial.field);
+    if (!n) return Outcome::not_applicable("rank below 4");
+    Random random = trial.random;
+    const Basis basis = random_basis(random);
+    const Angle angle = random_angle(random);
+    const Matrix a = asymmetric(*n, basis, angle);
+    return check(*n, basis, angle, a);
+  };
+}
+
+Outcome check_eigenvalue_count(const Tensor& n, const Basis& basis, const Angle& angle,
+                               const Matrix& a) {
+  const DominantForm form = dominant_form(n, basis, angle.s());
   const bool scalar = a.b == 0 && a.c == 0 && a.a == a.d;
   const Rational gap = (a.a - a.d) * (a.a - a.d) + Rational(4) * a.b * a.c;
   const bool as_claimed = scalar == form.is_zero() && same_directions(a, form) &&
                           sign_of(gap) == sign_of(form.discriminant());
-  return as_claimed ? Outcome::holds() : Outcome::violated(place(*n, basis, angle));
+  return as_claimed ? Outcome::holds() : Outcome::violated(place(n, basis, angle));
 }
 
 // The characteristic tensor xz vanishes on the plane across z: every direction there is dominant.
@@ -88,17 +98,11 @@ Outcome infinitely_many_points() {
                            ": one real eigenvalue, but a tensor for each direction of the plane");
 }
 
-Outcome check_antipode(const Trial& trial) {
-  const auto n = characteristic_multiple(trial.field);
-  if (!n) return Outcome::not_applicable("rank below 4");
-  Random random = trial.random;
-  const Basis basis = random_basis(random);
-  const Angle angle = random_angle(random);
-  const Matrix a = asymmetric(*n, basis, angle);
+Outcome check_antipode(const Tensor& n, const Basis& basis, const Angle& angle, const Matrix& a) {
   // The right-handed basis of the opposite vector, and what was found there in the first basis.
   const Basis opposite = {basis[1], basis[0], -basis[2]};
-  const bool as_claimed = swapped(asymmetric(*n, opposite, angle)) == adjugate(a);
-  return as_claimed ? Outcome::holds() : Outcome::violated(place(*n, basis, angle));
+  const bool as_claimed = swapped(asymmetric(n, opposite, angle)) == adjugate(a);
+  return as_claimed ? Outcome::holds() : Outcome::violated(place(n, basis, angle));
 }
 
 Outcome transpose_at_witness() {
@@ -122,12 +126,12 @@ std::vector<Statement> matrix_statements() {
        "a field of rank 4; mu of a theta with a rational half angle, v in a rational basis",
        "Points at infinity included, in a basis with e1 x e2 = v, and unless A(v) is a multiple "
        "of the identity: then there is a point for every direction.",
-       check_eigenvalue_count, infinitely_many_points},
+       with_matrix(check_eigenvalue_count), infinitely_many_points},
       {"antipodal-matrix", "Theorem 1, end of the proof",
        "A(-v), whose rotations are reversed, is the transpose of A(v) in the same basis.",
        "a field of rank 4; mu of a theta with a rational half angle, v in a rational basis",
        "It is the adjugate: the same eigenvectors, with the two eigenvalues exchanged.",
-       check_antipode, transpose_at_witness},
+       with_matrix(check_antipode), transpose_at_witness},
   };
 }
 

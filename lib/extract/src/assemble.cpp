@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "extractor_scalars.hpp"
+#include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "tensortopo/extract/position.hpp"
@@ -14,11 +15,6 @@ namespace tensortopo {
 namespace {
 
 std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-template <class Scalar>
-Vector3<double> narrow(const Vector3<Scalar>& u) {
-  return {static_cast<double>(u.x), static_cast<double>(u.y), static_cast<double>(u.z)};
-}
 
 /// The linear field of a tetrahedron in space: barycentric coordinates from a position.
 class TetGeometry {

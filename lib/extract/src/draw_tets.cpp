@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "sheet_check.hpp"
@@ -18,11 +19,6 @@ namespace tensortopo {
 namespace {
 
 std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
-template <class Scalar>
-Vector3<double> narrow(const Vector3<Scalar>& u) {
-  return {static_cast<double>(u.x), static_cast<double>(u.y), static_cast<double>(u.z)};
-}
 
 constexpr int kAttemptsOnManifold = 3;
 

@@ -28,8 +28,7 @@ bool collect(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
   if (edge_is_simple<Scalar, 2>(edge, ends, {from.tensor, to.tensor}, level)) {
     if (from.above == to.above) return true;
     const bool rising = to.above;
-    const Scalar fraction = rising ? segment_root(from.tensor, to.tensor, level)
-                                   : Scalar(1) - segment_root(to.tensor, from.tensor, level);
+    const Scalar fraction = segment_root(from.tensor, to.tensor, rising, level);
     crossings.push_back(
         {Scalar(from.weight) + fraction * Scalar(to.weight - from.weight), rising});
     return true;

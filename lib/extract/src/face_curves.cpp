@@ -110,15 +110,15 @@ class Assembly {
     for (auto& n : nodes_)
       if (n.on_edge.edge < 0) {
         const auto &u = vertices[n.first], &v = vertices[n.second];
-        n.fraction = v.above ? segment_root(u.tensor, v.tensor, level_)
-                             : Scalar(1) - segment_root(v.tensor, u.tensor, level_);
+        n.fraction = segment_root(u.tensor, v.tensor, v.above, level_);
       }
     return true;
   }
 
   /// The end of a side, on the edge (a, b) of the face, that is nearer to a.
   const ExactWeights<3>& first_on_edge(const Node<Scalar>& n, std::size_t a, std::size_t b) const {
-    const auto &u = refinement_.vertices()[n.first].place, &v = refinement_.vertices()[n.second].place;
+    const auto &u = refinement_.vertices()[n.first].place,
+               &v = refinement_.vertices()[n.second].place;
     return u.comes_before(v, a, b) ? u : v;
   }
 
@@ -256,11 +256,10 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
   return arcs;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                    \
-  template std::optional<std::vector<FaceArc<Scalar>>> face_curves(                       \
-      const LevelSimplex<Scalar, 3>&,                                                     \
-      const std::array<std::span<const EdgeCrossing<Scalar>>, 3>&, const Level<Scalar>&,  \
-      const Sampling&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                             \
+  template std::optional<std::vector<FaceArc<Scalar>>> face_curves(                                \
+      const LevelSimplex<Scalar, 3>&, const std::array<std::span<const EdgeCrossing<Scalar>>, 3>&, \
+      const Level<Scalar>&, const Sampling&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -5,16 +5,12 @@
 #include <limits>
 
 #include "extractor_scalars.hpp"
+#include "narrow.hpp"
 #include "tensortopo/extract/manifold_sheets.hpp"
 
 namespace tensortopo {
 
 namespace {
-
-template <class Scalar>
-Vector3<double> narrow(const Vector3<Scalar>& u) {
-  return {static_cast<double>(u.x), static_cast<double>(u.y), static_cast<double>(u.z)};
-}
 
 /// sigma along an arc, with the medium eigenvector continued from a given one.
 template <class Scalar>

@@ -54,8 +54,6 @@ class Pipeline {
   void draw_tets();
   bool draw_one(std::size_t t);
   Extraction assemble();
-  void place_edge_vertices(SurfaceMesh& surface) const;
-  void place_face_vertices(SurfaceMesh& surface) const;
 
   TetWithCurves<Scalar> tet_with_curves(std::size_t t) const;
   FaceArcVertices arc_vertices(std::size_t t, const TetWithCurves<Scalar>& tet) const;

@@ -78,23 +78,20 @@ bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scal
   std::array<SymmetricTensor<double>, Vertices> exact;
   for (std::size_t i = 0; i < Vertices; ++i) exact[i] = *simplex.exact[i];
   // The level is mu + 0: a point exactly on mu counts as below.
-  return exact_side_of_level(exact, simplex.exponents, weights, level.value) ==
-         Sign::positive;
+  return exact_side_of_level(exact, simplex.exponents, weights, level.value) == Sign::positive;
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 Refinement<Scalar, Vertices, Corners>::Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
-                                                  const Level<Scalar>& level)
-  requires(Vertices == Corners)
-{
+                                                  const Level<Scalar>& level) requires(Vertices ==
+                                                                                       Corners) {
   reset(simplex, level);
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Vertices>& simplex,
-                                                  const Level<Scalar>& level)
-  requires(Vertices == Corners)
-{
+                                                  const Level<Scalar>& level) requires(Vertices ==
+                                                                                       Corners) {
   reset(simplex, level, corners_of(simplex));
 }
 
@@ -158,7 +155,8 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners>::edge_to_cut(Cell& cell) {
+std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners>::edge_to_cut(
+    Cell& cell) {
   using Kind = typename SimplexProof<Scalar, Corners>::Kind;
   if (cell.proof.kind == Kind::none) cell.proof = prove(cell.vertices);
   if (cell.proof.kind == Kind::empty) return std::nullopt;
@@ -196,7 +194,8 @@ SimplexProof<Scalar, Part> Refinement<Scalar, Vertices, Corners>::prove(
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 std::optional<typename Refinement<Scalar, Vertices, Corners>::Between>
-Refinement<Scalar, Vertices, Corners>::between(int a, const Vertex& u, int b, const Vertex& v) const {
+Refinement<Scalar, Vertices, Corners>::between(int a, const Vertex& u, int b,
+                                               const Vertex& v) const {
   const auto place = ExactWeights<Vertices>::combination(a, u.place, b, v.place);
   if (!place) return std::nullopt;
   Vertex m;
@@ -211,7 +210,7 @@ Refinement<Scalar, Vertices, Corners>::between(int a, const Vertex& u, int b, co
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 int Refinement<Scalar, Vertices, Corners>::crossings_between(const Vertex& u, const Vertex& v,
-                                                    int depth) const {
+                                                             int depth) const {
   if (edge_is_simple<Scalar, Vertices>(*simplex_, {u.weights, v.weights}, {u.tensor, v.tensor},
                                        *level_))
     return u.above != v.above ? 1 : 0;
@@ -231,7 +230,8 @@ bool Refinement<Scalar, Vertices, Corners>::is_simple_edge(std::uint32_t u, std:
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-bool Refinement<Scalar, Vertices, Corners>::is_simple_face(const std::array<std::uint32_t, 3>& face) {
+bool Refinement<Scalar, Vertices, Corners>::is_simple_face(
+    const std::array<std::uint32_t, 3>& face) {
   signed char& simple = faces_[face_key(face[0], face[1], face[2])];
   if (simple == 0)
     simple = prove(face).kind != SimplexProof<Scalar, 3>::Kind::none || has_no_loop(face) ? 1 : -1;
@@ -272,7 +272,8 @@ bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
     }
     int components = 0;
     for (std::uint32_t n = 0; n < parent.size(); ++n) components += root(n) == n ? 1 : 0;
-    const bool crossed = corners[0].above != corners[1].above || corners[1].above != corners[2].above;
+    const bool crossed =
+        corners[0].above != corners[1].above || corners[1].above != corners[2].above;
     return components == (crossed ? 1 : 0);
   }
   return false;
@@ -280,7 +281,7 @@ bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 double Refinement<Scalar, Vertices, Corners>::squared_chord(std::uint32_t u,
-                                                             std::uint32_t v) const {
+                                                            std::uint32_t v) const {
   const auto &s = vertices_[u].tensor, &t = vertices_[v].tensor;
   const Scalar scale = norm_form(s) * norm_form(t);
   if (!(scale > Scalar(0))) return kLongest;
@@ -308,7 +309,8 @@ std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners
   const double limit = kMuchLonger * squared_chord(u, v);
   for (const auto c : cells_at_[u]) {
     const auto& cell = cells_[c];
-    if (!cell.alive || std::find(cell.vertices.begin(), cell.vertices.end(), v) == cell.vertices.end())
+    if (!cell.alive ||
+        std::find(cell.vertices.begin(), cell.vertices.end(), v) == cell.vertices.end())
       continue;
     const auto longest = longest_edge(cell.vertices);
     if (squared_chord(longest[0], longest[1]) > limit) return longest;
@@ -340,8 +342,8 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
     if (!cells_[c].alive) continue;
     const Cell cell = cells_[c];
     const auto at = [&](std::uint32_t w) {
-      return static_cast<std::size_t>(
-          std::find(cell.vertices.begin(), cell.vertices.end(), w) - cell.vertices.begin());
+      return static_cast<std::size_t>(std::find(cell.vertices.begin(), cell.vertices.end(), w) -
+                                      cell.vertices.begin());
     };
     const auto i = at(u), j = at(v);
     if (j == Corners) {
@@ -365,8 +367,9 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
 /// The part of a cell that keeps its corner `kept` and has the place m = a kept + b lost for its
 /// corner `lost`. What is proved of the cell is proved of its parts.
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell, std::size_t kept, std::size_t lost,
-                                             std::uint32_t m, const Scalar& a, const Scalar& b) {
+void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell, std::size_t kept,
+                                                      std::size_t lost, std::uint32_t m,
+                                                      const Scalar& a, const Scalar& b) {
   Cell child = cell;
   child.alive = true;
   child.vertices[lost] = m;
@@ -380,11 +383,11 @@ void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell, std::siz
   add_cell(child);
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                          \
-  template class Refinement<Scalar, 3>;                                                         \
-  template class Refinement<Scalar, 4>;                                                         \
-  template class Refinement<Scalar, 4, 3>;                                                      \
-  template bool is_above(const LevelSimplex<Scalar, 2>&, const Deviator<Scalar>&,               \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                            \
+  template class Refinement<Scalar, 3>;                                           \
+  template class Refinement<Scalar, 4>;                                           \
+  template class Refinement<Scalar, 4, 3>;                                        \
+  template bool is_above(const LevelSimplex<Scalar, 2>&, const Deviator<Scalar>&, \
                          const std::array<double, 2>&, const Level<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

@@ -5,6 +5,7 @@
 
 #include "extractor_scalars.hpp"
 #include "manifold_chart.hpp"
+#include "narrow.hpp"
 #include "tensortopo/extract/manifold_sheets.hpp"
 
 namespace tensortopo {
@@ -106,10 +107,6 @@ class Separation {
   }
 
  private:
-  static Vector3<double> narrow(const Vector3<Scalar>& u) {
-    return {static_cast<double>(u.x), static_cast<double>(u.y), static_cast<double>(u.z)};
-  }
-
   const FaceArc<Scalar>& arc_of(int face, int arc) const {
     return tet_.arcs[static_cast<std::size_t>(face)][static_cast<std::size_t>(arc)];
   }

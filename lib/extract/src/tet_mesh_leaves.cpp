@@ -158,8 +158,7 @@ class LeafTriangles {
       const auto &u = vertices[m.first + m.second - tip], &v = vertices[n.first + n.second - tip];
       const auto& w = vertices[tip];
       const auto base = u.tensor + v.tensor;
-      const Scalar f = w.above ? segment_root(base, w.tensor, level_)
-                               : Scalar(1) - segment_root(w.tensor, base, level_);
+      const Scalar f = segment_root(base, w.tensor, w.above, level_);
       InnerVertex<Scalar> point;
       point.tensor = base + f * (w.tensor - base);
       for (std::size_t i = 0; i < 4; ++i) {
@@ -201,8 +200,7 @@ class LeafTriangles {
     for (int i = 0; i < polygon.size; ++i) {
       const auto& node = mesh_.nodes[polygon.nodes[static_cast<std::size_t>(i)]];
       const auto &u = refinement.vertices()[node.first], &v = refinement.vertices()[node.second];
-      const Scalar f = v.above ? segment_root(u.tensor, v.tensor, level_)
-                               : Scalar(1) - segment_root(v.tensor, u.tensor, level_);
+      const Scalar f = segment_root(u.tensor, v.tensor, v.above, level_);
       for (std::size_t c = 0; c < 4; ++c) {
         if (cell.vertices[c] == node.first) centre[c] = centre[c] + (Scalar(1) - f);
         if (cell.vertices[c] == node.second) centre[c] = centre[c] + f;

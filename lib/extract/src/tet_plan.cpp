@@ -104,8 +104,7 @@ template <class Scalar>
 InnerVertex<Scalar> node_point(const Refinement<Scalar, 4>& refinement, const LeafMesh::Node& node,
                                const Level<Scalar>& level) {
   const auto &u = refinement.vertices()[node.first], &v = refinement.vertices()[node.second];
-  const Scalar f = v.above ? segment_root(u.tensor, v.tensor, level)
-                           : Scalar(1) - segment_root(v.tensor, u.tensor, level);
+  const Scalar f = segment_root(u.tensor, v.tensor, v.above, level);
   InnerVertex<Scalar> point;
   for (std::size_t i = 0; i < 4; ++i)
     point.weights[i] = Scalar(u.weights[i]) + f * Scalar(v.weights[i] - u.weights[i]);

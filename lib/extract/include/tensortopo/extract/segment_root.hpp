@@ -17,4 +17,12 @@ template <class Scalar>
 Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above,
                     const Level<Scalar>& level);
 
+/// The same on a segment given the other way as well: the parameter from `from` to `to`, the mode
+/// being larger at `to` if `rising`, else at `from`.
+template <class Scalar>
+Scalar segment_root(const Deviator<Scalar>& from, const Deviator<Scalar>& to, bool rising,
+                    const Level<Scalar>& level) {
+  return rising ? segment_root(from, to, level) : Scalar(1) - segment_root(to, from, level);
+}
+
 }  // namespace tensortopo
