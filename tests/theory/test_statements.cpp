@@ -3,37 +3,130 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <set>
 
-#include "tensortopo/tensor/mode.hpp"
-#include "tensortopo/theory/checks.hpp"
-#include "tensortopo/theory/statement.hpp"
+#include "arbitrary_trial.hpp"
+#include "tensortopo/theory/verify.hpp"
 
-namespace tensortopo::theory {
+namespace tensortopo::theory::test {
 namespace {
 
 using Kind = Outcome::Kind;
 
-RC_GTEST_PROP(Statements, HoldOrAreCorrectedOnFieldsOfAnySeed, ()) {
-  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+// Statements whose check is a computation of its own are not tried on everything that is drawn.
+bool is_quick(const Statement& statement) { return statement.most_fields == 0; }
+
+RC_GTEST_PROP(Statements, HoldOrAreCorrectedOverRationals, (const TrialParts& parts)) {
+  const Trial trial = trial_of(parts);
   for (const Statement& statement : statements()) {
-    const Verification result = verify(statement, seed, 10);
-    RC_LOG() << statement.id << ": " << result.witness << '\n';
-    RC_ASSERT(result.verdict != StatementVerdict::refuted);
-    if (result.tried > 0) RC_ASSERT(result.verdict != StatementVerdict::undecided);
+    if (!is_quick(statement)) continue;
+    const Outcome outcome = statement.check(trial);
+    RC_LOG() << statement.id << ": " << outcome.detail << '\n';
+    RC_ASSERT(outcome.kind == Kind::holds || outcome.kind == Kind::not_applicable);
   }
 }
 
-TEST(Statements, AreEstablishedOnManyFields) {
+RC_GTEST_PROP(Statements, AreNotRefutedByEnclosures, (const TrialParts& parts)) {
+  const Trial trial = trial_of(parts);
   for (const Statement& statement : statements()) {
-    const Verification result = verify(statement, 7, 300);
-    EXPECT_GE(result.tried, 50u) << statement.id;
-    EXPECT_EQ(result.tried + result.not_applicable, 300u) << statement.id;
-    EXPECT_EQ(result.verdict,
-              statement.corrected.empty() ? StatementVerdict::holds : StatementVerdict::corrected)
-        << statement.id << ": " << result.witness;
+    for (const Arithmetic arithmetic : kArithmetics) {
+      if (!is_quick(statement) || !statement.check.suffices(arithmetic)) continue;
+      const Outcome outcome = statement.check(trial, arithmetic);
+      RC_LOG() << statement.id << " over " << name(arithmetic) << ": " << outcome.detail << '\n';
+      RC_ASSERT(outcome.kind != Kind::violated);
+    }
   }
 }
+
+RC_GTEST_PROP(Statements, AreLeftOpenByLittleAtAHundredDigits, (const TrialParts& parts)) {
+  const Trial trial = trial_of(parts);
+  for (const Statement& statement : statements()) {
+    if (!is_quick(statement) || !statement.check.suffices(Arithmetic::real100)) continue;
+    const Outcome fine = statement.check(trial, Arithmetic::real100);
+    const Outcome coarse = statement.check(trial, Arithmetic::real53);
+    RC_LOG() << statement.id << ": " << fine.detail << " and " << coarse.detail << '\n';
+    // What is open is rounding: it shrinks with the unit roundoff, by more than eighty digits.
+    if (fine.reach > 0) RC_ASSERT(fine.reach < coarse.reach * 1e-80);
+  }
+}
+
+// One test for each statement, so that a failure names it.
+class EachStatement : public testing::TestWithParam<std::size_t> {
+ protected:
+  const Statement& statement() const { return statements()[GetParam()]; }
+  /// Fields enough for every hypothesis to be met.
+  static constexpr std::size_t kFields = 300;
+};
+
+TEST_P(EachStatement, IsEstablishedOnManyFields) {
+  const Verification result = verify(statement(), random_trials(7, kFields));
+  EXPECT_EQ(result.verdict,
+            statement().corrected.empty() ? StatementVerdict::holds : StatementVerdict::corrected)
+      << result.witness;
+  const std::size_t wanted = is_quick(statement()) ? kFields / 6 : statement().most_fields;
+  EXPECT_GE(result.tried, wanted);
+  if (!is_quick(statement())) return;
+  std::size_t others = 0;
+  for (const auto& [why, count] : result.not_applicable) others += count;
+  EXPECT_EQ(result.tried + others, kFields);
+}
+
+// Each number of a claim is made wrong, by one more and by one less: at least one of the two must
+// be seen, on the fields that the program tries. (A smaller lower bound is still a bound.)
+TEST_P(EachStatement, IsRefutedIfANumberOfItIsWrong) {
+  const std::size_t fields = is_quick(statement()) ? kFields : 80;
+  std::size_t constants = 0;
+  for (std::size_t i = 0; i < 20; ++i) {
+    constants = std::max(constants, statement().check.constants(random_trial(7, i)));
+  }
+  ASSERT_GE(constants, 1u);
+  for (std::size_t c = 0; c < constants; ++c) {
+    bool noticed = false;
+    for (std::size_t i = 0; i < fields && !noticed; ++i) {
+      for (const int change : {1, -1}) {
+        const Outcome outcome =
+            statement().check(random_trial(7, i), Arithmetic::rational, {c, change});
+        noticed = noticed || outcome.kind == Kind::violated;
+      }
+    }
+    EXPECT_TRUE(noticed) << "number " << c;
+  }
+}
+
+TEST_P(EachStatement, HasAWitnessAgainstThePaperIfItCorrectsIt) {
+  EXPECT_EQ(statement().corrected.empty(), !statement().paper_at_witness);
+  if (!statement().paper_at_witness) return;
+  const Outcome outcome = statement().paper_at_witness();
+  EXPECT_EQ(outcome.kind, Kind::violated);
+  EXPECT_FALSE(outcome.detail.empty());
+  EXPECT_EQ(statement().paper_at_witness(), outcome);
+}
+
+TEST_P(EachStatement, GivesTheSameResultAgain) {
+  const auto once = [&] {
+    Verification result = verify(statement(), random_trials(3, 20));
+    return std::tuple(result.verdict, result.tried, result.not_applicable, result.witness);
+  };
+  EXPECT_EQ(once(), once());
+}
+
+std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
+  std::string words;
+  bool start = true;
+  for (const char c : statements()[info.param].id) {
+    if (c == '-') {
+      start = true;
+      continue;
+    }
+    words += start ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    start = false;
+  }
+  return words;
+}
+
+INSTANTIATE_TEST_SUITE_P(Theory, EachStatement, testing::Range<std::size_t>(0, statements().size()),
+                         name_of);
 
 TEST(Statements, HaveIdsOfTheirOwnAndWords) {
   std::set<std::string> ids;
@@ -46,76 +139,53 @@ TEST(Statements, HaveIdsOfTheirOwnAndWords) {
   EXPECT_EQ(find_statement("no-such-statement"), nullptr);
 }
 
-TEST(Statements, HaveAWitnessThatRefutesThePaperIfTheyCorrectIt) {
-  for (const Statement& statement : statements()) {
-    EXPECT_EQ(statement.corrected.empty(), !statement.paper_at_witness) << statement.id;
-    if (!statement.paper_at_witness) continue;
-    const Outcome outcome = statement.paper_at_witness();
-    EXPECT_EQ(outcome.kind, Kind::violated) << statement.id;
-    EXPECT_FALSE(outcome.detail.empty()) << statement.id;
-    EXPECT_EQ(statement.paper_at_witness(), outcome) << statement.id;
-  }
-}
-
-// A statement with a wrong number in it, tried as the right one is.
-Verification verify_wrong(const Check& check) {
-  Statement statement = statements().front();
-  statement.check = check;
-  return verify(statement, 7, 300);
-}
-
-Rational part(int p, int q) { return Rational(p) / Rational(q); }
-
-TEST(Statements, AreRefutedIfTheirNumbersAreWrong) {
-  const std::vector<std::pair<std::string, Check>> wrong = {
-      {"larger range", check_mode_range(part(53, 1))},
-      {"smaller range", check_mode_range(part(5401, 100))},
-      {"discriminant", check_discriminant(part(53, 1))},
-      {"mode parameter", check_mode_parameter(part(901, 100))},
-      {"degree six", check_degree_six_equation(part(27, 1))},
-      {"real domain, small", check_real_domain(part(1, 5))},
-      {"real domain, large", check_real_domain(part(3, 10))},
-      {"bifurcation", check_bifurcation(part(99, 100))},
-  };
-  for (const auto& [name, check] : wrong) {
-    const Verification result = verify_wrong(check);
-    EXPECT_EQ(result.verdict, StatementVerdict::refuted) << name;
-    EXPECT_NE(result.witness.find("of seed 7"), std::string::npos) << name;
-  }
-}
-
-TEST(Statements, AreViolatedAgainByTheFieldOfTheirWitness) {
-  const Check wrong = check_discriminant(part(53, 1));
-  const Trial trial = random_trial(7, 0);
-  const Outcome first = wrong(trial);
-  ASSERT_EQ(first.kind, Kind::violated);
-  EXPECT_EQ(wrong(trial), first);
-}
-
 Verification verify_kind(const Outcome& outcome) {
-  return verify_wrong([outcome](const Trial&) { return outcome; });
+  Statement statement = statements().front();
+  statement.check = Check([outcome](const Trial&, Facts<Rational>& facts) {
+    if (outcome.kind == Kind::undecided) facts.undecided(outcome.detail);
+    if (outcome.kind == Kind::not_applicable) facts.not_applicable(outcome.detail);
+    if (outcome.kind == Kind::violated) facts.holds(outcome.detail, false);
+  });
+  return verify(statement, random_trials(7, 30));
 }
 
 TEST(Statements, AreUndecidedWhereNothingCouldBeTried) {
   EXPECT_EQ(verify_kind(Outcome::undecided("why")).verdict, StatementVerdict::undecided);
-  EXPECT_EQ(verify_kind(Outcome::undecided("why")).witness, "why");
-  EXPECT_EQ(verify_kind(Outcome::not_applicable("no")).verdict, StatementVerdict::undecided);
+  EXPECT_EQ(verify_kind(Outcome::undecided("why")).witness, "why; field 0 of seed 7");
+  const Verification none = verify_kind(Outcome::not_applicable("no"));
+  EXPECT_EQ(none.verdict, StatementVerdict::undecided);
+  EXPECT_EQ(none.not_applicable.at("no"), 30u);
+}
+
+TEST(Statements, AreRefutedByTheFirstFieldThatViolatesThem) {
+  const Verification result = verify_kind(Outcome::violated("what"));
+  EXPECT_EQ(result.verdict, StatementVerdict::refuted);
+  EXPECT_EQ(result.tried, 1u);
+  EXPECT_EQ(result.witness.find("what; field 0 of seed 7: ["), 0u);
 }
 
 TEST(Statements, AreUndecidedIfTheWitnessDoesNotRefuteThePaper) {
   Statement statement = *find_statement("real-domain");
   statement.paper_at_witness = [] { return Outcome::holds(); };
-  EXPECT_EQ(verify(statement, 1, 20).verdict, StatementVerdict::undecided);
+  EXPECT_EQ(verify(statement, random_trials(1, 20)).verdict, StatementVerdict::undecided);
 }
 
-TEST(Statements, GiveTheSameResultAgain) {
-  for (const Statement& statement : statements()) {
-    Verification first = verify(statement, 3, 20), second = verify(statement, 3, 20);
-    EXPECT_EQ(first.verdict, second.verdict);
-    EXPECT_EQ(first.tried, second.tried);
-    EXPECT_EQ(first.witness, second.witness);
+TEST(Statements, OfStrictSignsAreDecidedByEnclosuresToo) {
+  const Statement& statement = *find_statement("real-domain");
+  for (const Arithmetic arithmetic : kArithmetics) {
+    EXPECT_EQ(verify(statement, random_trials(7, 50), arithmetic).verdict,
+              StatementVerdict::corrected)
+        << name(arithmetic);
   }
 }
 
+TEST(Statements, ThatNeedExactSignsSaySo) {
+  const Verification result =
+      verify(*find_statement("boundary-degree"), random_trials(7, 10), Arithmetic::interval);
+  EXPECT_EQ(result.verdict, StatementVerdict::undecided);
+  EXPECT_EQ(result.tried, 0u);
+  EXPECT_NE(result.witness.find("rational"), std::string::npos);
+}
+
 }  // namespace
-}  // namespace tensortopo::theory
+}  // namespace tensortopo::theory::test

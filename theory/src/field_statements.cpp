@@ -1,89 +1,45 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-// The characteristic tensor of a linear field.
+// Linear fields: the characteristic tensor, and the points of space against tensors of the span.
 #include <algorithm>
-#include <array>
 
+#include "complement.hpp"
+#include "dominant_form.hpp"
 #include "groups.hpp"
-#include "tensortopo/field/characteristic_tensor.hpp"
-#include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::theory {
 namespace {
-
-using Tensor = SymmetricTensor<Rational>;
-using Row = std::array<Rational, 5>;
-
-// The linear form <T, .> on traceless tensors, in the coordinates xx, yy, xy, yz, xz.
-Row row_of(const Tensor& t) {
-  return {t.xx - t.zz, t.yy - t.zz, Rational(2) * t.xy, Rational(2) * t.yz, Rational(2) * t.xz};
-}
-
-// Traceless tensors orthogonal to the field: a basis, by elimination to reduced echelon form. It
-// shares nothing with the cross product of lib/field that it is compared to.
-std::vector<Tensor> orthogonal_complement(const TetrahedronField<Rational>& field) {
-  std::array<Row, 4> rows;
-  for (std::size_t i = 0; i < 4; ++i) rows[i] = row_of(to_tensor(field.vertex[i]));
-  std::array<int, 5> pivot_row;
-  pivot_row.fill(-1);
-  std::size_t rank = 0;
-  for (std::size_t column = 0; column < 5 && rank < 4; ++column) {
-    std::size_t pivot = rank;
-    while (pivot < 4 && rows[pivot][column] == 0) ++pivot;
-    if (pivot == 4) continue;
-    std::swap(rows[pivot], rows[rank]);
-    const Rational scale = rows[rank][column];
-    for (Rational& entry : rows[rank]) entry = entry / scale;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Rational factor = rows[i][column];
-      if (i == rank || factor == 0) continue;
-      for (std::size_t j = 0; j < 5; ++j) rows[i][j] = rows[i][j] - factor * rows[rank][j];
-    }
-    pivot_row[column] = static_cast<int>(rank++);
-  }
-  std::vector<Tensor> basis;
-  for (std::size_t free = 0; free < 5; ++free) {
-    if (pivot_row[free] >= 0) continue;
-    Row x{};
-    x[free] = 1;
-    for (std::size_t column = 0; column < 5; ++column) {
-      if (pivot_row[column] >= 0)
-        x[column] = -rows[static_cast<std::size_t>(pivot_row[column])][free];
-    }
-    basis.push_back({x[0], x[1], -(x[0] + x[1]), x[2], x[3], x[4]});
-  }
-  return basis;
-}
 
 bool is_orthogonal(const Tensor& t, const TetrahedronField<Rational>& field) {
   return std::all_of(field.vertex.begin(), field.vertex.end(),
                      [&](const Deviator<Rational>& d) { return inner(t, to_tensor(d)) == 0; });
 }
 
-Outcome check_characteristic_tensor(const Trial& trial) {
+void characteristic_tensor_of(const Trial& trial, Facts<Rational>& facts) {
   const std::vector<Tensor> basis = orthogonal_complement(trial.field);
-  const std::size_t rank = 5 - basis.size();
-  if (static_cast<int>(rank) != field_rank(trial.field)) {
-    return Outcome::violated("rank " + std::to_string(rank));
-  }
+  const int rank = facts.claimed_count(5) - static_cast<int>(basis.size());
+  facts.about([&] { return "rank " + std::to_string(rank); });
+  facts.holds("rank and dimension of the complement", rank == field_rank(trial.field));
   for (const Tensor& t : basis) {
-    if (t == Tensor{} || !is_orthogonal(t, trial.field)) return Outcome::violated(text(t));
+    facts.holds("orthogonality of the complement", t != Tensor{} && is_orthogonal(t, trial.field));
   }
   const Tensor direction = to_tensor(characteristic_direction(trial.field));
+  facts.about([&] { return text(direction); });
   if (rank < 4) {
     // Two independent candidates, and either sign of each: nothing is unique.
-    return basis.size() >= 2 && direction == Tensor{} ? Outcome::holds()
-                                                      : Outcome::violated(text(direction));
+    facts.holds("two candidates below rank 4", basis.size() >= 2 && direction == Tensor{});
+    return;
   }
   // A line of candidates, on which the determinant chooses a half unless it is zero.
   const Rational across = inner(basis[0], direction);
-  const bool parallel = across * across == inner(basis[0], basis[0]) * inner(direction, direction);
+  facts.equal("<T, basis>^2 and the norms, as of parallel tensors", across * across,
+              inner(basis[0], basis[0]) * inner(direction, direction));
   const Rational det = determinant(direction), opposite = determinant(Rational(-1) * direction);
   const int candidates = (det <= 0 ? 1 : 0) + (opposite <= 0 ? 1 : 0);
-  const bool as_claimed = direction != Tensor{} && parallel &&
-                          is_orthogonal(direction, trial.field) && det <= 0 &&
-                          candidates == (det == 0 ? 2 : 1);
-  return as_claimed ? Outcome::holds() : Outcome::violated(text(direction));
+  facts.holds("direction", direction != Tensor{} && is_orthogonal(direction, trial.field));
+  facts.not_positive("determinant", det);
+  facts.holds("signs that satisfy the conditions",
+              candidates == facts.claimed_count(det == 0 ? 2 : 1));
 }
 
 // A field for which both signs of the orthogonal tensor meet the three conditions.
@@ -100,17 +56,69 @@ Outcome two_characteristic_tensors() {
                            text(opposite) + " meet all conditions");
 }
 
+// The tensor t = sum of b_i T_i belongs to the point of weights b_i / c, c their sum.
+const auto points_of_tensors = [](const Trial& trial, auto& facts) {
+  using Scalar = ScalarOf<std::decay_t<decltype(facts)>>;
+  Random random = trial.random;
+  std::array<Rational, 4> b;
+  for (Rational& weight : b) weight = random.fraction();
+  const Rational c = b[0] + b[1] + b[2] + b[3];
+  if (c == 0) return facts.not_applicable("weights of sum 0 were drawn");
+  const Tensor t = to_tensor(trial.field.at(b));
+  const auto sum = facts.number(c);
+  SymmetricTensor<Scalar> at_point = isotropic(Scalar(0));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto vertex = facts.tensor(to_tensor(trial.field.vertex[i]));
+    at_point = at_point + (facts.number(b[i]) / sum) * vertex;
+  }
+  facts.about([&] { return text(t) + ", sum of weights " + c.str(); });
+  const auto scale = facts.claimed(1);
+  facts.equal("the tensor at the point, times the sum", sum * at_point, scale * facts.tensor(t));
+  facts.sign("determinant at the point", determinant(at_point),
+             sign_of(c) * sign_of(determinant(t)));
+  facts.equal("mode^2 at the point, as a form", inner(at_point, at_point) * squared(sum),
+              facts.number(inner(t, t)));
+};
+
+// xy + xz - 2 yz is of the field with weights of sum 0, and of mode^2 1/2.
+Outcome tensor_at_infinity() {
+  const TetrahedronField<Rational> field = witness_field();
+  const Tensor t = to_tensor(field.at({1, 1, -2, 0}));
+  if (field_rank(field) != 4 || mode_squared(t) != fraction(1, 2)) return Outcome::holds();
+  return Outcome::violated(text(t) + " of the span of " + text(field) +
+                           " has mode^2 = 1/2 and weights 1, 1, -2, 0, of sum 0: its medium "
+                           "eigenvector has this tensor and no point in space");
+}
+
 }  // namespace
 
 std::vector<Statement> field_statements() {
   return {
-      {"characteristic-tensor", "3D Linear Tensor Fields, conditions on the characteristic tensor",
-       "A linear field of independent tensors has one unit tensor that is orthogonal to it and "
-       "of determinant at most 0.",
-       "any linear field",
-       "It exists always, but it is unique only if the four tensors have rank 4 and its "
-       "determinant is not 0: at determinant 0 both signs will do, below rank 4 infinitely many.",
-       check_characteristic_tensor, two_characteristic_tensors},
+      {.id = "characteristic-tensor",
+       .paper = "3D Linear Tensor Fields, conditions on the characteristic tensor",
+       .claim =
+           "A linear field of independent tensors has one unit tensor that is orthogonal to it "
+           "and of determinant at most 0.",
+       .hypotheses = "any linear field",
+       .corrected = "It exists always, but it is unique only if the four tensors have rank 4 and "
+                    "its determinant is not 0: at determinant 0 both signs will do, below rank 4 "
+                    "infinitely many.",
+       .strata = "Rank below 4 (planes of symmetry, plane strain, a zero tensor at a vertex); "
+                 "determinant 0.",
+       .check = characteristic_tensor_of,
+       .paper_at_witness = two_characteristic_tensors},
+      {.id = "points-of-vectors",
+       .paper = "Mode Surfaces Analysis, colours of the sphere",
+       .claim = "Two antipodal vectors of the real domain belong to two points of the generalized "
+                "mode surface; their modes, mu or -mu, give the vectors their colour.",
+       .hypotheses = "a linear field, and a tensor of its span whose weights have a sum other "
+                     "than 0",
+       .corrected = "To two tensors of the span: t belongs to the point of weights b / c, where "
+                    "t = sum of b_i T_i and c is the sum of the b_i, and the mode there is that of "
+                    "t if c > 0, the opposite if c < 0. At c = 0 the point is at infinity.",
+       .strata = "The plane at infinity c = 0, which separates the colours.",
+       .check = points_of_tensors,
+       .paper_at_witness = tensor_at_infinity},
   };
 }
 

@@ -13,6 +13,8 @@ std::vector<Statement> tensor_statements();
 std::vector<Statement> field_statements();
 std::vector<Statement> matrix_statements();
 std::vector<Statement> domain_statements();
+std::vector<Statement> lift_statements();
 std::vector<Statement> chart_statements();
+std::vector<Statement> sphere_statements();
 
 }  // namespace tensortopo::theory

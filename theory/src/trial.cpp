@@ -15,12 +15,28 @@ Deviator<Rational> random_deviator(Random& random) {
   return d;
 }
 
+// Eigenvalues 2 B^2 - 2 A^2 apart from multiples of it: all of A^2 + B^2 = 1, B the larger one.
+Frame frame_with_singularities(Random& random) {
+  const Rational t = Rational(random.integer(1, 23)) / Rational(24), one(1);
+  const Rational size = one + t * t;
+  Rational a = (one - t * t) / size, b = (t + t) / size;
+  if (b < a) std::swap(a, b);
+  const Rational g(random.integer(1, 9)), aa = a * a, bb = b * b, three(3);
+  const Rational middle = g * (bb - aa);
+  return {{Rational(middle + three * g * aa), middle, Rational(middle - three * g * bb)},
+          random_basis(random),
+          std::array{a, b}};
+}
+
 Frame random_frame(Random& random, std::size_t kind) {
+  if (kind == 6) return frame_with_singularities(random);
   Rational high(random.integer(1, 9)), middle(random.integer(0, 9));
   if (kind == 7) middle = 0;
   if (kind == 8) middle = high;
   if (high < middle) std::swap(high, middle);
-  return {{high, middle, Rational(-(high + middle))}, random_basis(random)};
+  Frame frame = {{high, middle, Rational(-(high + middle))}, random_basis(random), std::nullopt};
+  if (kind == 8) frame.singular = std::array{Rational(0), Rational(1)};
+  return frame;
 }
 
 // Ranks below 4 as they come in practice: a vanishing tensor at a vertex, a plane of symmetry, a
@@ -70,9 +86,8 @@ TetrahedronField<Rational> field_orthogonal_to(const SymmetricTensor<Rational>& 
   return field;
 }
 
-Basis random_basis(Random& random) {
-  const Rational w(random.nonzero(5)), x(random.integer(-5, 5)), y(random.integer(-5, 5)),
-      z(random.integer(-5, 5)), two(2);
+Basis basis_of_quaternion(const std::array<int, 4>& quaternion) {
+  const Rational w(quaternion[0]), x(quaternion[1]), y(quaternion[2]), z(quaternion[3]), two(2);
   const Rational size = Rational(1) / Rational(w * w + x * x + y * y + z * z);
   const Vector3<Rational> first = {w * w + x * x - y * y - z * z, two * (x * y + w * z),
                                    two * (x * z - w * y)};
@@ -80,6 +95,12 @@ Basis random_basis(Random& random) {
                                     two * (y * z + w * x)};
   const Vector3<Rational> e1 = size * first, e2 = size * second;
   return {e1, e2, cross(e1, e2)};
+}
+
+Basis random_basis(Random& random) {
+  const int w = random.nonzero(5), x = random.integer(-5, 5), y = random.integer(-5, 5),
+            z = random.integer(-5, 5);
+  return basis_of_quaternion({w, x, y, z});
 }
 
 SymmetricTensor<Rational> tensor_of(const std::array<Rational, 3>& eigenvalues,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/theory/statement.hpp"
+#include "tensortopo/theory/verify.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -8,38 +8,48 @@
 namespace tensortopo::theory {
 namespace {
 
-// Everything but the time.
-Verification tried(const Statement& statement, std::uint64_t seed, std::size_t fields) {
-  Verification result;
-  result.id = statement.id;
+// Tries the fields in order; true if the statement has passed all that satisfy its hypotheses.
+bool passes(const Statement& statement, const Trials& trials, Arithmetic arithmetic,
+            Verification& result) {
   bool undecided = false;
-  for (std::size_t i = 0; i < fields; ++i) {
-    const Trial trial = random_trial(seed, i);
-    const Outcome outcome = statement.check(trial);
+  double widest = 0;
+  const std::size_t most = statement.most_fields == 0 ? trials.count : statement.most_fields;
+  for (std::size_t i = 0; i < trials.count && result.tried < most; ++i) {
+    const Trial trial = trials.at(i);
+    const Outcome outcome = statement.check(trial, arithmetic);
     if (outcome.kind == Outcome::Kind::not_applicable) {
-      ++result.not_applicable;
+      ++result.not_applicable[outcome.detail];
       continue;
     }
     ++result.tried;
     if (outcome.kind == Outcome::Kind::violated) {
       result.verdict = StatementVerdict::refuted;
-      result.witness = outcome.detail + "; field " + std::to_string(i) + " of seed " +
-                       std::to_string(seed) + ": " + text(trial.field);
-      return result;
+      result.witness = outcome.detail + "; " + trials.name(i) + ": " + text(trial.field);
+      return false;
     }
-    if (outcome.kind == Outcome::Kind::undecided && !undecided) {
+    if (outcome.kind == Outcome::Kind::undecided && (!undecided || outcome.reach > widest)) {
       undecided = true;
-      result.witness = outcome.detail;
+      widest = outcome.reach;
+      result.witness = outcome.detail + "; " + trials.name(i);
     }
   }
-  if (undecided) return result;
+  if (undecided) return false;
   if (result.tried == 0) {
     result.witness = "no field tried satisfies the hypotheses: " + statement.hypotheses;
-    return result;
   }
+  return result.tried > 0;
+}
+
+void judge(const Statement& statement, const Trials& trials, Arithmetic arithmetic,
+           Verification& result) {
+  if (!statement.check.suffices(arithmetic)) {
+    result.witness = "needs exact signs: " + std::string(name(Arithmetic::rational)) + " only";
+    return;
+  }
+  if (!passes(statement, trials, arithmetic, result)) return;
   if (!statement.paper_at_witness) {
     result.verdict = StatementVerdict::holds;
-    return result;
+    return;
   }
   const Outcome at_witness = statement.paper_at_witness();
   if (at_witness.kind == Outcome::Kind::violated) {
@@ -48,7 +58,6 @@ Verification tried(const Statement& statement, std::uint64_t seed, std::size_t f
   } else {
     result.witness = "the witness does not refute the paper's wording";
   }
-  return result;
 }
 
 }  // namespace
@@ -67,16 +76,18 @@ std::string_view name(StatementVerdict verdict) {
   return "undecided";
 }
 
-const Statement* find_statement(std::string_view id) {
-  const auto& all = statements();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Statement& s) { return s.id == id; });
-  return found == all.end() ? nullptr : &*found;
+Trials random_trials(std::uint64_t seed, std::size_t count) {
+  return {count, [seed](std::size_t i) { return random_trial(seed, i); },
+          [seed](std::size_t i) {
+            return "field " + std::to_string(i) + " of seed " + std::to_string(seed);
+          }};
 }
 
-Verification verify(const Statement& statement, std::uint64_t seed, std::size_t fields) {
+Verification verify(const Statement& statement, const Trials& trials, Arithmetic arithmetic) {
   const auto start = std::chrono::steady_clock::now();
-  Verification result = tried(statement, seed, fields);
+  Verification result;
+  result.id = statement.id;
+  judge(statement, trials, arithmetic, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -22,6 +22,9 @@ using Basis = std::array<Vector3<Rational>, 3>;
 struct Frame {
   std::array<Rational, 3> eigenvalues{};  ///< descending, of sum zero, the medium one >= 0
   Basis eigenvectors{};
+  /// (A, B) with A^2 = (l1 - l2) / (l1 - l3) and B^2 = (l2 - l3) / (l1 - l3), where these are
+  /// rational: A e1 + B e3 and -A e1 + B e3 are then the singularities.
+  std::optional<std::array<Rational, 2>> singular;
 };
 
 /// A linear field on which statements are tried, and a source of further choices.
@@ -36,15 +39,19 @@ struct Trial {
 
 /// Field number `index` of a seed; the same everywhere, whatever else is tried.
 ///
-/// Of ten in a row, four are general, three have a rational frame, one has a neutral and one
-/// a planar degenerate characteristic tensor, and one is deficient: of a rank below 4.
+/// Of ten in a row, four are general, three have a rational frame (one of them with rational
+/// singularities), one has a neutral and one a planar degenerate characteristic tensor, and one is
+/// deficient: of a rank below 4.
 Trial random_trial(std::uint64_t seed, std::size_t index);
 
 /// The field of span orthogonal to `tensor`: a nonzero traceless one.
 TetrahedronField<Rational> field_orthogonal_to(const SymmetricTensor<Rational>& tensor,
                                                Random& random);
 
-/// Columns of the rotation of a random quaternion with integer entries.
+/// Columns of the rotation of a quaternion, which need not be of norm 1. Requires it nonzero.
+Basis basis_of_quaternion(const std::array<int, 4>& quaternion);
+
+/// The same of a random quaternion.
 Basis random_basis(Random& random);
 
 /// Traceless tensor with these eigenvalues, of sum zero, and eigenvectors.

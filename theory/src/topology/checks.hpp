@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tensortopo/theory/facts.hpp"
+#include "tensortopo/theory/trial.hpp"
+
+namespace tensortopo::theory {
+
+// What the statements about topology try, and the witnesses at which the paper's wording fails.
+
+void bifurcation_topology(const Trial& trial, Facts<Rational>& facts);
+Outcome torus_in_space();
+
+void bifurcation_surface(const Trial& trial, Facts<Rational>& facts);
+
+void neutral_surface_topology(const Trial& trial, Facts<Rational>& facts);
+Outcome singular_neutral_surface();
+
+void neutral_surface_orientability(const Trial& trial, Facts<Rational>& facts);
+Outcome orientable_neutral_surface();
+
+void degenerate_curve_circle(const Trial& trial, Facts<Rational>& facts);
+Outcome two_degenerate_conics();
+
+void no_closed_component(const Trial& trial, Facts<Rational>& facts);
+Outcome neutral_tetrahedron();
+
+void interior_boundary_loop(const Trial& trial, Facts<Rational>& facts);
+Outcome handle_in_tetrahedron();
+
+inline constexpr const char* kRankBelow4 = "rank below 4";
+/// Of levels too close to a critical one.
+inline constexpr const char* kBudgetExceeded = "the level takes more cells than the budget has";
+
+}  // namespace tensortopo::theory

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "topology/level_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tensortopo::theory {
+namespace {
+
+// Parameters are fractions of this denominator: a prime, so that none is critical by chance.
+constexpr int kParts = 1009;
+
+// Room on a side, in the same units.
+constexpr int kLeast = 25;
+
+}  // namespace
+
+LevelChoice level_choice(const Tensor& normal, Random& random) {
+  const double of_normal = mode_squared(normal).convert_to<double>();
+  const double critical = std::asin(std::sqrt(std::clamp(1 - of_normal, 0.0, 1.0)));
+  const double s0 = std::sqrt(3.0) * std::tan(critical / 3);
+  const int at = std::clamp(static_cast<int>(std::lround(kParts * s0)), 0, kParts);
+  const int below = random.integer(3, 8), above = random.integer(2, 6);
+  LevelChoice choice;
+  if (at > kLeast) choice.below = fraction(at * below / 10, kParts);
+  if (at < kParts - kLeast) choice.above = fraction(at + (kParts - at) * above / 10, kParts);
+  return choice;
+}
+
+}  // namespace tensortopo::theory
