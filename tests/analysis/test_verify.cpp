@@ -24,7 +24,7 @@ TEST(Verify, ReportsEveryStatementAsJson) {
   ASSERT_GE(json.at("statements").size(), 10u);
   std::size_t corrected = 0;
   for (const Json& row : json.at("statements")) {
-    EXPECT_EQ(row.size(), 9u);
+    EXPECT_EQ(row.size(), 10u);
     for (const std::string key : {"id", "paper", "claim"}) {
       EXPECT_FALSE(row.at(key).get<std::string>().empty());
     }
@@ -86,12 +86,54 @@ TEST(Verify, NamesTheStatementsIfAnIdIsUnknown) {
   EXPECT_NE(run.err.find("real-domain"), std::string::npos);
 }
 
-TEST(Verify, RefusesOtherScalarsAndNoFields) {
-  const Outcome run = run_program({"verify", "--scalar", "double"});
+TEST(Verify, RefusesUnknownScalarsAndNoFields) {
+  const Outcome run = run_program({"verify", "--scalar", "float"});
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("rational"), std::string::npos);
   EXPECT_EQ(run_program({"verify", "--fields", "0"}).status, 2);
   EXPECT_EQ(run_program({"verify", "--fields", "many"}).status, 2);
+}
+
+TEST(Verify, RefutesNothingInOtherArithmetics) {
+  for (const std::string scalar : {"interval", "real100", "double"}) {
+    const Outcome run = run_program({"verify", "--scalar", scalar, "--fields", "20", "--json"});
+    // Equalities stay open: that is not certain.
+    EXPECT_EQ(run.status, 1) << scalar;
+    for (const Json& row : Json::parse(run.out).at("statements")) {
+      EXPECT_EQ(row.at("scalar"), scalar);
+      EXPECT_NE(row.at("verdict"), "refuted") << row;
+    }
+  }
+}
+
+TEST(Verify, CertifiesStrictSignsInIntervals) {
+  const Outcome run = run_program({"verify", "--theorem", "real-domain", "--scalar", "interval"});
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
+TEST(Verify, TriesTheTetrahedraOfAMesh) {
+  const Outcome run = run_program({"verify", "--theorem", "real-domain", "--input",
+                                   field("s3_three"), "--fields", "50", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  const Json& input = json.at("input");
+  std::size_t sum = 0;
+  for (const Json& count : input.at("of_rank")) sum += count.get<std::size_t>();
+  EXPECT_EQ(sum, input.at("tetrahedra"));
+  EXPECT_EQ(input.at("sha256").get<std::string>().size(), 64u);
+  const Json& row = json.at("statements").at(0);
+  EXPECT_EQ(row.at("verdict"), "corrected");
+  std::size_t lacking = 0;
+  for (const auto& [why, count] : row.at("not_applicable").items()) {
+    lacking += count.get<std::size_t>();
+  }
+  EXPECT_EQ(row.at("tried").get<std::size_t>() + lacking, 50u);
+}
+
+TEST(Verify, NamesAMeshThatIsNotThere) {
+  const Outcome run = run_program({"verify", "--input", "no-such.vtu"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_NE(run.err.find("no-such.vtu"), std::string::npos);
 }
 
 }  // namespace

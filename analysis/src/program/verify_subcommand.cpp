@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "verify/verify_command.hpp"
@@ -9,8 +10,8 @@
 namespace tensortopo {
 
 void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
-  CLI::App& app = *program.add_subcommand(
-      "verify", "Check the paper's statements on random rational linear fields, exactly");
+  CLI::App& app =
+      *program.add_subcommand("verify", "Check the paper's statements on linear fields, exactly");
   const auto command = std::make_shared<VerifyCommand>();
   app.add_option("--theorem", command->theorems, "A statement by its id; repeatable (default: all)")
       ->type_name("ID")
@@ -22,13 +23,22 @@ void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& act
   app.add_option("--seed", command->seed, "Which fields; the same ones everywhere")
       ->type_name("S")
       ->capture_default_str();
-  app.add_option("--scalar", command->scalar, "Numbers to decide with")
-      ->type_name("rational")
+  app.add_option("--scalar", command->scalar,
+                 "Numbers to decide with: rational decides everything; interval, real100 and "
+                 "double carry an error bound, certify signs and leave equalities open")
+      ->check(CLI::IsMember({"rational", "interval", "real100", "double"}))
+      ->type_name("NAME")
       ->capture_default_str();
+  app.add_option("--input", command->input, "Try the fields of this mesh's tetrahedra instead")
+      ->type_name("MESH");
+  app.add_option("--tensor", command->read.tensor, "Name of the mesh's tensor array")
+      ->type_name("NAME");
   add_common_options(app, common);
   app.callback([command, &common, &action] {
     action = [command, &common] {
-      const VerifyReport report = run_verify(*command);
+      ProgressBar bar(!common.quiet);
+      const VerifyReport report = run_verify(*command, bar.callback());
+      bar.erase();
       print(common.json ? to_json(report) + '\n' : to_text(report));
       return report.all_established() ? ExitStatus::done : ExitStatus::undecided;
     };

@@ -3,11 +3,17 @@
 #include "verify/verify_command.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/field/field_strata.hpp"
+#include "tensortopo/scalar/rational.hpp"
 
 namespace tensortopo {
 namespace {
+
+using Tensors = std::array<SymmetricTensor<double>, 4>;
 
 void refuse_unknown(const std::vector<std::string>& ids) {
   for (const std::string& id : ids) {
@@ -20,6 +26,61 @@ void refuse_unknown(const std::vector<std::string>& ids) {
   }
 }
 
+theory::Arithmetic arithmetic_of(const std::string& name) {
+  if (const auto arithmetic = theory::arithmetic_called(name)) return *arithmetic;
+  throw UsageError("verify: there is no --scalar '" + name +
+                   "'; there are rational, interval, real100 and double");
+}
+
+Tensors tensors_of(const TetMesh& mesh, std::size_t tet) {
+  Tensors tensors;
+  for (std::size_t i = 0; i < 4; ++i) {
+    tensors[i] = mesh.tensors[static_cast<std::size_t>(mesh.tets[tet][i])];
+  }
+  return tensors;
+}
+
+// A double is a rational number: nothing is rounded here.
+Deviator<Rational> exact_deviator(const SymmetricTensor<double>& t) {
+  return deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
+                                            Rational(t.xy), Rational(t.yz), Rational(t.xz)});
+}
+
+theory::Trials mesh_trials(std::shared_ptr<const TetMesh> mesh, std::uint64_t seed,
+                           std::size_t wanted) {
+  const std::size_t all = mesh->tets.size(), count = std::min(wanted, all);
+  // In the middle of equal parts of the list, so that few of them still come from all over it.
+  const auto tet_at = [all, count](std::size_t i) { return (2 * i + 1) * all / (2 * count); };
+  return {count,
+          [mesh, seed, tet_at](std::size_t i) {
+            theory::Trial trial = theory::random_trial(seed, i);
+            trial.frame.reset();
+            const Tensors tensors = tensors_of(*mesh, tet_at(i));
+            for (std::size_t k = 0; k < 4; ++k) trial.field.vertex[k] = exact_deviator(tensors[k]);
+            return trial;
+          },
+          [mesh, tet_at](std::size_t i) {
+            return "cell " + std::to_string(mesh->cell_ids[tet_at(i)]);
+          }};
+}
+
+MeshStrata strata_of(const TetMesh& mesh, const Progress& progress) {
+  MeshStrata strata;
+  strata.tetrahedra = mesh.tets.size();
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    if (progress && i % 1024 == 0) {
+      progress("strata", static_cast<double>(i) / static_cast<double>(mesh.tets.size()));
+    }
+    const FieldStrata s = field_strata(tensors_of(mesh, i));
+    ++strata.of_rank[static_cast<std::size_t>(s.rank)];
+    strata.with_zero_vertex += s.zero_vertices > 0 ? 1 : 0;
+    strata.with_common_eigenvector += s.common_eigenvector ? 1 : 0;
+    strata.neutral_characteristic += s.neutral_characteristic ? 1 : 0;
+    strata.degenerate_characteristic += s.degenerate_characteristic ? 1 : 0;
+  }
+  return strata;
+}
+
 }  // namespace
 
 bool VerifyReport::all_established() const {
@@ -29,19 +90,31 @@ bool VerifyReport::all_established() const {
   });
 }
 
-VerifyReport run_verify(const VerifyCommand& command) {
-  if (command.scalar != "rational") {
-    throw UsageError("verify: statements are decided over --scalar rational only, not '" +
-                     command.scalar + "'");
-  }
-  refuse_unknown(command.theorems);
-  const std::vector<std::string>& wanted = command.theorems;
+VerifyReport run_verify(const VerifyCommand& command, const Progress& progress) {
   VerifyReport report;
+  report.arithmetic = arithmetic_of(command.scalar);
+  refuse_unknown(command.theorems);
+  theory::Trials trials = theory::random_trials(command.seed, command.fields);
+  if (!command.input.empty()) {
+    if (progress) progress("reading", 0);
+    ReadResult read = read_mesh(command.input, command.read);
+    const auto mesh = std::make_shared<const TetMesh>(std::move(read.mesh));
+    report.mesh = strata_of(*mesh, progress);
+    report.mesh->file = command.input;
+    report.mesh->sha256 = std::move(read.sha256);
+    trials = mesh_trials(mesh, command.seed, command.fields);
+  }
+  std::vector<const theory::Statement*> chosen;
   for (const theory::Statement& statement : theory::statements()) {
-    const bool chosen =
-        wanted.empty() || std::find(wanted.begin(), wanted.end(), statement.id) != wanted.end();
-    if (!chosen) continue;
-    report.statements.push_back(theory::verify(statement, command.seed, command.fields));
+    const auto& wanted = command.theorems;
+    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), statement.id) != wanted.end()) {
+      chosen.push_back(&statement);
+    }
+  }
+  for (const theory::Statement* statement : chosen) {
+    const auto done = static_cast<double>(report.statements.size());
+    if (progress) progress(statement->id, done / static_cast<double>(chosen.size()));
+    report.statements.push_back(theory::verify(*statement, trials, report.arithmetic));
   }
   return report;
 }

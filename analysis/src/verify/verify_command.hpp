@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "tensortopo/theory/statement.hpp"
+#include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/theory/verify.hpp"
 
 namespace tensortopo {
 
@@ -15,18 +20,35 @@ struct VerifyCommand {
   std::vector<std::string> theorems;  ///< ids; none: all statements
   std::size_t fields = 100;           ///< at least 1
   std::uint64_t seed = 1;
-  std::string scalar = "rational";  ///< the only one on offer
+  std::string scalar = "rational";  ///< or interval, real100, double
+  std::filesystem::path input;      ///< a mesh whose tetrahedra are the fields; may be empty
+  ReadOptions read;                 ///< of the mesh
+};
+
+/// How often the linear fields of a mesh lack what the statements ask for.
+struct MeshStrata {
+  std::filesystem::path file;
+  std::string sha256;
+  std::size_t tetrahedra = 0;
+  std::array<std::size_t, 5> of_rank{};
+  std::size_t with_zero_vertex = 0;
+  std::size_t with_common_eigenvector = 0;
+  std::size_t neutral_characteristic = 0;
+  std::size_t degenerate_characteristic = 0;
 };
 
 struct VerifyReport {
+  theory::Arithmetic arithmetic = theory::Arithmetic::rational;
   std::vector<theory::Verification> statements;  ///< in the order of the paper
+  std::optional<MeshStrata> mesh;
   /// Nothing is refuted and nothing undecided.
   bool all_established() const;
 };
 
-/// Tries the statements on the fields of the seed, exactly. Throws UsageError for an id that no
-/// statement has (and names those that there are) and for another scalar.
-VerifyReport run_verify(const VerifyCommand& command);
+/// Tries the statements on the fields of the seed, or on tetrahedra of a mesh that lie evenly in
+/// its order. Throws UsageError for an id that no statement has (and names those that there are)
+/// and for a scalar that there is not, IoError for a mesh that can't be read.
+VerifyReport run_verify(const VerifyCommand& command, const Progress& progress = {});
 
 /// One JSON object. Ends without newline.
 std::string to_json(const VerifyReport& report);

@@ -32,6 +32,18 @@ std::string_view words(StatementVerdict verdict) {
 std::string to_json(const VerifyReport& report) {
   using Json = nlohmann::ordered_json;
   const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  Json json;
+  if (report.mesh) {
+    const MeshStrata& m = *report.mesh;
+    json["input"] = {{"path", m.file.string()},
+                     {"sha256", m.sha256},
+                     {"tetrahedra", m.tetrahedra},
+                     {"of_rank", m.of_rank},
+                     {"with_zero_vertex", m.with_zero_vertex},
+                     {"with_common_eigenvector", m.with_common_eigenvector},
+                     {"neutral_characteristic", m.neutral_characteristic},
+                     {"degenerate_characteristic", m.degenerate_characteristic}};
+  }
   Json list = Json::array();
   for (const theory::Verification& v : report.statements) {
     const theory::Statement& statement = *theory::find_statement(v.id);
@@ -42,12 +54,12 @@ std::string to_json(const VerifyReport& report) {
     row["corrected"] = or_null(statement.corrected);
     row["verdict"] = theory::name(v.verdict);
     row["tried"] = v.tried;
+    row["not_applicable"] = v.not_applicable;
     row["witness"] = or_null(v.witness);
-    row["scalar"] = "rational";
+    row["scalar"] = theory::name(report.arithmetic);
     row["seconds"] = v.seconds;
     list.push_back(std::move(row));
   }
-  Json json;
   json["statements"] = std::move(list);
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -55,11 +67,21 @@ std::string to_json(const VerifyReport& report) {
 std::string to_text(const VerifyReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{:<26} {:<22} {:>6} {:>8}  {} | {}\n", "id", "verdict", "fields", "seconds",
+  if (report.mesh) {
+    const MeshStrata& m = *report.mesh;
+    fmt::format_to(out,
+                   "{}: {} tetrahedra; of rank 4: {}, 3: {}, 2: {}, 1: {}, 0: {}\n"
+                   "    with a zero tensor at a vertex {}, with a common eigenvector {}, with a "
+                   "characteristic tensor of determinant 0 {}, of mode -1 {}\n",
+                   m.file.string(), m.tetrahedra, m.of_rank[4], m.of_rank[3], m.of_rank[2],
+                   m.of_rank[1], m.of_rank[0], m.with_zero_vertex, m.with_common_eigenvector,
+                   m.neutral_characteristic, m.degenerate_characteristic);
+  }
+  fmt::format_to(out, "{:<28} {:<22} {:>6} {:>8}  {} | {}\n", "id", "verdict", "fields", "seconds",
                  "in the paper", "what it says");
   for (const theory::Verification& v : report.statements) {
     const theory::Statement& statement = *theory::find_statement(v.id);
-    fmt::format_to(out, "{:<26} {:<22} {:>6} {:>8.3f}  {} | {}\n", v.id, words(v.verdict), v.tried,
+    fmt::format_to(out, "{:<28} {:<22} {:>6} {:>8.3f}  {} | {}\n", v.id, words(v.verdict), v.tried,
                    v.seconds, statement.paper, statement.claim);
     if (!statement.corrected.empty()) {
       fmt::format_to(out, "    corrected: {}\n", statement.corrected);
@@ -67,6 +89,9 @@ std::string to_text(const VerifyReport& report) {
     const bool reason = v.verdict == StatementVerdict::undecided;
     if (!v.witness.empty()) {
       fmt::format_to(out, "    {}: {}\n", reason ? "why" : "witness", v.witness);
+    }
+    for (const auto& [why, count] : v.not_applicable) {
+      fmt::format_to(out, "    not on {} fields: {}\n", count, why);
     }
   }
   return text;
