@@ -88,7 +88,9 @@ void RealZeros::halve(Interval& interval) const {
   (below ? interval.high : interval.low) = middle;
 }
 
-Sign RealZeros::sign(const Polynomial& q, Interval interval) const {
+// `common` is the greatest common divisor with q; it changes sign at each of its zeros.
+Sign RealZeros::sign(const Polynomial& q, const Polynomial& common, Interval interval) const {
+  if (common.sign_at(interval.low) != common.sign_at(interval.high)) return Sign::zero;
   while (true) {
     const Rational value = q.value_at(interval.low);
     const Rational size = std::max(Rational(abs(interval.low)), Rational(abs(interval.high)));
@@ -99,14 +101,14 @@ Sign RealZeros::sign(const Polynomial& q, Interval interval) const {
   }
 }
 
+Sign RealZeros::sign(const Polynomial& q, std::size_t zero) const {
+  return sign(q, greatest_common_divisor(polynomial_, q), zeros_[zero]);
+}
+
 std::vector<Sign> RealZeros::signs(const Polynomial& q) const {
-  std::vector<Sign> result;
   const Polynomial common = greatest_common_divisor(polynomial_, q);
-  for (const Interval& zero : zeros_) {
-    // A divisor of a square-free polynomial changes sign at each of its zeros.
-    const bool vanishes = common.sign_at(zero.low) != common.sign_at(zero.high);
-    result.push_back(vanishes ? Sign::zero : sign(q, zero));
-  }
+  std::vector<Sign> result;
+  for (const Interval& zero : zeros_) result.push_back(sign(q, common, zero));
   return result;
 }
 

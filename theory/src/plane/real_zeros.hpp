@@ -18,6 +18,8 @@ class RealZeros {
   /// The sign of q at each zero: zero where a common divisor is, and elsewhere that of q on an
   /// interval so short that q keeps its sign there.
   std::vector<Sign> signs(const Polynomial& q) const;
+  /// The sign at one of them.
+  Sign sign(const Polynomial& q, std::size_t zero) const;
 
  private:
   /// It contains one zero, and the polynomial is not zero at its ends.
@@ -25,7 +27,7 @@ class RealZeros {
     Rational low, high;
   };
   void halve(Interval& interval) const;
-  Sign sign(const Polynomial& q, Interval interval) const;
+  Sign sign(const Polynomial& q, const Polynomial& common, Interval interval) const;
 
   Polynomial polynomial_;
   std::vector<Interval> zeros_;
