@@ -130,6 +130,17 @@ TEST(Verify, TriesTheTetrahedraOfAMesh) {
   EXPECT_EQ(row.at("tried").get<std::size_t>() + lacking, 50u);
 }
 
+TEST(Verify, EstablishesWhatNeedsAFrameOnMovedTetrahedra) {
+  const Outcome run = run_program({"verify", "--theorem", "bifurcation-mode", "--theorem",
+                                   "complex-domain-nesting", "--input", field("s2_pushpull"),
+                                   "--fields", "40", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  for (const Json& row : Json::parse(run.out).at("statements")) {
+    EXPECT_GE(row.at("tried"), 15) << row;
+    EXPECT_LE(row.at("tried"), 20) << row;
+  }
+}
+
 TEST(Verify, NamesAMeshThatIsNotThere) {
   const Outcome run = run_program({"verify", "--input", "no-such.vtu"});
   EXPECT_EQ(run.status, 3);

@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/field/field_strata.hpp"
-#include "tensortopo/scalar/rational.hpp"
+#include "verify/mesh_trials.hpp"
 
 namespace tensortopo {
 namespace {
-
-using Tensors = std::array<SymmetricTensor<double>, 4>;
 
 void refuse_unknown(const std::vector<std::string>& ids) {
   for (const std::string& id : ids) {
@@ -32,38 +31,6 @@ theory::Arithmetic arithmetic_of(const std::string& name) {
                    "'; there are rational, interval, real100 and double");
 }
 
-Tensors tensors_of(const TetMesh& mesh, std::size_t tet) {
-  Tensors tensors;
-  for (std::size_t i = 0; i < 4; ++i) {
-    tensors[i] = mesh.tensors[static_cast<std::size_t>(mesh.tets[tet][i])];
-  }
-  return tensors;
-}
-
-// A double is a rational number: nothing is rounded here.
-Deviator<Rational> exact_deviator(const SymmetricTensor<double>& t) {
-  return deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                            Rational(t.xy), Rational(t.yz), Rational(t.xz)});
-}
-
-theory::Trials mesh_trials(std::shared_ptr<const TetMesh> mesh, std::uint64_t seed,
-                           std::size_t wanted) {
-  const std::size_t all = mesh->tets.size(), count = std::min(wanted, all);
-  // In the middle of equal parts of the list, so that few of them still come from all over it.
-  const auto tet_at = [all, count](std::size_t i) { return (2 * i + 1) * all / (2 * count); };
-  return {count,
-          [mesh, seed, tet_at](std::size_t i) {
-            theory::Trial trial = theory::random_trial(seed, i);
-            trial.frame.reset();
-            const Tensors tensors = tensors_of(*mesh, tet_at(i));
-            for (std::size_t k = 0; k < 4; ++k) trial.field.vertex[k] = exact_deviator(tensors[k]);
-            return trial;
-          },
-          [mesh, tet_at](std::size_t i) {
-            return "cell " + std::to_string(mesh->cell_ids[tet_at(i)]);
-          }};
-}
-
 MeshStrata strata_of(const TetMesh& mesh, const Progress& progress) {
   MeshStrata strata;
   strata.tetrahedra = mesh.tets.size();
@@ -71,12 +38,19 @@ MeshStrata strata_of(const TetMesh& mesh, const Progress& progress) {
     if (progress && i % 1024 == 0) {
       progress("strata", static_cast<double>(i) / static_cast<double>(mesh.tets.size()));
     }
-    const FieldStrata s = field_strata(tensors_of(mesh, i));
+    const auto tensors = tensors_of_tet(mesh, i);
+    const FieldStrata s = field_strata(tensors);
     ++strata.of_rank[static_cast<std::size_t>(s.rank)];
     strata.with_zero_vertex += s.zero_vertices > 0 ? 1 : 0;
     strata.with_common_eigenvector += s.common_eigenvector ? 1 : 0;
     strata.neutral_characteristic += s.neutral_characteristic ? 1 : 0;
     strata.degenerate_characteristic += s.degenerate_characteristic ? 1 : 0;
+    if (s.rank < 4) continue;
+    TetrahedronField<double> field;
+    for (std::size_t k = 0; k < 4; ++k) field.vertex[k] = deviator(tensors[k]);
+    const double mode = characteristic_tensor(field)->mode;
+    strata.least_characteristic_mode = std::min(strata.least_characteristic_mode, mode);
+    strata.greatest_characteristic_mode = std::max(strata.greatest_characteristic_mode, mode);
   }
   return strata;
 }

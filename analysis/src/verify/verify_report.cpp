@@ -35,14 +35,16 @@ std::string to_json(const VerifyReport& report) {
   Json json;
   if (report.mesh) {
     const MeshStrata& m = *report.mesh;
-    json["input"] = {{"path", m.file.string()},
-                     {"sha256", m.sha256},
-                     {"tetrahedra", m.tetrahedra},
-                     {"of_rank", m.of_rank},
-                     {"with_zero_vertex", m.with_zero_vertex},
-                     {"with_common_eigenvector", m.with_common_eigenvector},
-                     {"neutral_characteristic", m.neutral_characteristic},
-                     {"degenerate_characteristic", m.degenerate_characteristic}};
+    json["input"] = {
+        {"path", m.file.string()},
+        {"sha256", m.sha256},
+        {"tetrahedra", m.tetrahedra},
+        {"of_rank", m.of_rank},
+        {"with_zero_vertex", m.with_zero_vertex},
+        {"with_common_eigenvector", m.with_common_eigenvector},
+        {"neutral_characteristic", m.neutral_characteristic},
+        {"degenerate_characteristic", m.degenerate_characteristic},
+        {"characteristic_mode", {m.least_characteristic_mode, m.greatest_characteristic_mode}}};
   }
   Json list = Json::array();
   for (const theory::Verification& v : report.statements) {
@@ -69,13 +71,15 @@ std::string to_text(const VerifyReport& report) {
   const auto out = std::back_inserter(text);
   if (report.mesh) {
     const MeshStrata& m = *report.mesh;
-    fmt::format_to(out,
-                   "{}: {} tetrahedra; of rank 4: {}, 3: {}, 2: {}, 1: {}, 0: {}\n"
-                   "    with a zero tensor at a vertex {}, with a common eigenvector {}, with a "
-                   "characteristic tensor of determinant 0 {}, of mode -1 {}\n",
-                   m.file.string(), m.tetrahedra, m.of_rank[4], m.of_rank[3], m.of_rank[2],
-                   m.of_rank[1], m.of_rank[0], m.with_zero_vertex, m.with_common_eigenvector,
-                   m.neutral_characteristic, m.degenerate_characteristic);
+    fmt::format_to(
+        out,
+        "{}: {} tetrahedra; of rank 4: {}, 3: {}, 2: {}, 1: {}, 0: {}\n"
+        "    with a zero tensor at a vertex {}, with a common eigenvector {}, with a "
+        "characteristic tensor of determinant 0 {}, of mode -1 {}; its modes are {:.10f} to "
+        "{:.2e}\n",
+        m.file.string(), m.tetrahedra, m.of_rank[4], m.of_rank[3], m.of_rank[2], m.of_rank[1],
+        m.of_rank[0], m.with_zero_vertex, m.with_common_eigenvector, m.neutral_characteristic,
+        m.degenerate_characteristic, m.least_characteristic_mode, m.greatest_characteristic_mode);
   }
   fmt::format_to(out, "{:<28} {:<22} {:>6} {:>8}  {} | {}\n", "id", "verdict", "fields", "seconds",
                  "in the paper", "what it says");
