@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/scalar/rational.hpp"
@@ -36,13 +37,20 @@ theory::Basis nearby_basis(const std::array<Vector3<double>, 3>& e) {
   return theory::basis_of_quaternion({whole(q.w()), whole(q.x()), whole(q.y()), whole(q.z())});
 }
 
+// With rational singularities too: A = cos(2 x), B = sin(2 x) of an x with a rational tangent.
 theory::Frame nearby_frame(const CharacteristicTensor<double>& characteristic) {
-  const auto whole = [](double x) { return Rational(std::lround(std::ldexp(x, 16))); };
-  const Rational high = whole(characteristic.eigenvalues[0]);
-  const Rational middle = whole(characteristic.eigenvalues[1]);
-  return {{high, middle, Rational(-(high + middle))},
+  const auto& l = characteristic.eigenvalues;
+  const double cosine = std::sqrt(std::clamp((l[0] - l[1]) / (l[0] - l[2]), 0.0, 1.0));
+  const double tangent = std::tan(std::acos(cosine) / 2);
+  const Rational t = Rational(std::lround(std::ldexp(tangent, 16))) / Rational(1 << 16);
+  const Rational size = Rational(1) + t * t;
+  Rational a = (Rational(1) - t * t) / size, b = (t + t) / size;
+  // Next to determinant 0 the rounding may exchange them: the medium eigenvalue is >= 0.
+  if (b < a) std::swap(a, b);
+  const Rational aa = a * a, bb = b * b, middle = bb - aa, three(3);
+  return {{Rational(middle + three * aa), middle, Rational(middle - three * bb)},
           nearby_basis(characteristic.eigenvectors),
-          std::nullopt};
+          std::array{a, b}};
 }
 
 void move_to_rational_frame(const std::array<SymmetricTensor<double>, 4>& tensors,

@@ -17,8 +17,9 @@ std::array<SymmetricTensor<double>, 4> tensors_of_tet(const TetMesh& mesh, std::
 /// Fields of tetrahedra that lie evenly in the order of the mesh.
 ///
 /// Of two in a row the first is the tetrahedron's, exactly. The second is moved, by about a
-/// hundred-thousandth of its size, to one whose characteristic tensor has rational eigenvectors and
-/// eigenvalues, so that statements about those can be tried too. (One of a rank below 4 stays.)
+/// hundred-thousandth of its size, to one whose characteristic tensor has rational eigenvectors,
+/// eigenvalues and singularities, so that statements about those can be tried too. (One of a rank
+/// below 4 stays.)
 theory::Trials mesh_trials(std::shared_ptr<const TetMesh> mesh, std::uint64_t seed,
                            std::size_t wanted);
 

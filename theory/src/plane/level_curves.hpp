@@ -41,6 +41,10 @@ class LevelCurves {
   bool surrounds(std::size_t curve, std::size_t cell) const {
     return closed_[curve].inside[cells_[cell].corner[0]];
   }
+  bool surrounds_a_corner(std::size_t curve) const {
+    const std::vector<bool>& inside = closed_[curve].inside;
+    return inside[0] || inside[1] || inside[2];
+  }
 
  private:
   using Edge = std::array<std::size_t, 2>;  // ascending

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/boundary_curve.hpp"
 
-#include <utility>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "dominant_form.hpp"
@@ -70,7 +71,7 @@ IntervalTensor boundary_tensor(const Curve& curve, const Vector3<Interval>& v) {
          (curve.third_s2 * alpha) * along;
 }
 
-enum class Place { away, inside, outside, unknown };
+enum class Place { away, inside, unknown };
 
 Place place_of(const Curve& curve, const Vector3<Interval>& box) {
   const Verdict off = certified_sign(boundary_form(curve.normal, box, curve.weight));
@@ -82,7 +83,6 @@ Place place_of(const Curve& curve, const Vector3<Interval>& box) {
     positive += sign == Verdict::positive ? 1 : 0;
     negative += sign == Verdict::negative ? 1 : 0;
   }
-  if (positive > 0 && negative > 0) return Place::outside;
   return positive == 4 || negative == 4 ? Place::inside : Place::unknown;
 }
 
@@ -102,55 +102,69 @@ bool is_crossed(const Curve& curve, const Vector3<Interval>& box) {
   return positive && negative;
 }
 
-// The three faces of a cube, which meet every line through its centre.
-std::vector<Vector3<Interval>> all_vectors() {
-  const Interval one(1), side(-1, 1);
-  return {{one, side, side}, {side, one, side}, {side, side, one}};
+// On a cube around the centre, one of each two opposite vectors with x z of the sign given.
+std::vector<Vector3<Interval>> vectors_of(int side) {
+  const Interval one(1), both(-1, 1), up(0, 1), down(-1, 0);
+  const Interval like = side > 0 ? up : down, unlike = side > 0 ? down : up;
+  return {{like, both, one}, {one, both, like}, {up, one, like}, {down, one, unlike}};
+}
+
+// The same with x z = 0.
+std::vector<Vector3<Interval>> vectors_between() {
+  const Interval zero(0), one(1), both(-1, 1);
+  return {{zero, both, one}, {zero, one, both}, {one, both, zero}, {both, one, zero}};
 }
 
 void halve(const Vector3<Interval>& box, std::vector<Vector3<Interval>>& waiting) {
   const auto width = [](const Interval& i) { return i.sup() - i.inf(); };
-  Vector3<Interval> lower = box, upper = box;
-  const auto split = [](const Interval& whole, Interval& below, Interval& above) {
-    const double middle = (whole.inf() + whole.sup()) / 2;
-    below = Interval(whole.inf(), middle), above = Interval(middle, whole.sup());
-  };
-  if (width(box.x) >= width(box.y) && width(box.x) >= width(box.z)) {
-    split(box.x, lower.x, upper.x);
-  } else if (width(box.y) >= width(box.z)) {
-    split(box.y, lower.y, upper.y);
-  } else {
-    split(box.z, lower.z, upper.z);
+  const auto longest = [&] {
+    if (width(box.x) >= width(box.y) && width(box.x) >= width(box.z)) return &Vector3<Interval>::x;
+    return width(box.y) >= width(box.z) ? &Vector3<Interval>::y : &Vector3<Interval>::z;
+  }();
+  const Interval& whole = box.*longest;
+  const double middle = (whole.inf() + whole.sup()) / 2;
+  Vector3<Interval> part = box;
+  part.*longest = Interval(whole.inf(), middle);
+  waiting.push_back(part);
+  part.*longest = Interval(middle, whole.sup());
+  waiting.push_back(part);
+}
+
+// Far more boxes than a loop takes that keeps its distance from the faces.
+constexpr int kBoxes = 100000;
+
+// Halves the boxes until all are away from the curve or, if it may be there, inside; nothing if
+// that fails, and else whether the curve was met for certain.
+std::optional<bool> meets_inside(const Curve& curve, std::vector<Vector3<Interval>> waiting,
+                                 bool may_be_met) {
+  bool met = false;
+  for (int left = kBoxes; !waiting.empty(); --left) {
+    if (left == 0) return std::nullopt;
+    const Vector3<Interval> box = waiting.back();
+    waiting.pop_back();
+    const Place place = place_of(curve, box);
+    if (place == Place::unknown || (place == Place::inside && !may_be_met)) {
+      halve(box, waiting);
+    } else if (place == Place::inside) {
+      met = met || is_crossed(curve, box);
+    }
   }
-  waiting.push_back(lower);
-  waiting.push_back(upper);
+  return met;
 }
 
 }  // namespace
 
-std::optional<BoundaryCurve> boundary_curve(const Tensor& n, const Rational& s,
-                                            const std::array<Tensor, 4>& vertices,
-                                            std::size_t budget) {
+bool loop_is_inside(const std::array<Rational, 3>& values, const Rational& s,
+                    const std::array<Tensor, 4>& vertices, int side) {
   Curve curve;
-  curve.normal = enclosure(n);
+  curve.normal = enclosure(Tensor{values[0], values[1], values[2], 0, 0, 0});
   curve.weight = enclosing<Interval>(boundary_weight(s));
   curve.third_s2 = enclosing<Interval>(Rational(s * s / Rational(3)));
   const std::array<Tensor, 4> dual = dual_basis(vertices);
   for (std::size_t i = 0; i < 4; ++i) curve.dual[i] = enclosure(dual[i]);
-  BoundaryCurve result;
-  std::vector<Vector3<Interval>> waiting = all_vectors();
-  for (; !waiting.empty(); --budget) {
-    if (budget == 0) return std::nullopt;
-    const Vector3<Interval> box = waiting.back();
-    waiting.pop_back();
-    const Place place = place_of(curve, box);
-    if (place == Place::unknown) halve(box, waiting);
-    if (place != Place::inside && place != Place::outside) continue;
-    if (is_crossed(curve, box)) {
-      (place == Place::inside ? result.meets_inside : result.meets_outside) = true;
-    }
-  }
-  return result;
+  const auto between = meets_inside(curve, vectors_between(), false);
+  const auto met = meets_inside(curve, vectors_of(side), true);
+  return between && met && *met;
 }
 
 }  // namespace tensortopo::theory

@@ -3,32 +3,24 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <optional>
 
 #include "tensors.hpp"
 
 namespace tensortopo::theory {
 
-/// Where the points of the complex domain's boundary lie that a linear field has in a tetrahedron.
-struct BoundaryCurve {
-  bool meets_inside = false;   ///< some of them are certainly inside
-  bool meets_outside = false;  ///< some are certainly not in the tetrahedron
-};
-
-/// The curve of tensors whose medium eigenvector is on the boundary of the complex domain, against
-/// a tetrahedron that it does not meet the faces of; that is proved on the way. Nothing if it does
-/// meet a face, or too close to tell.
+/// Proves that one of the two loops of the complex domain's boundary has all of its tensors inside a
+/// tetrahedron of the field, so that it meets no face; false if the proof fails.
 ///
-/// The sphere of medium eigenvectors, up to sign, is covered by boxes, which are halved until in
-/// each the boundary function has a strict sign or the weights of the boundary's tensor show it
-/// inside or outside. In intervals, so that either is certain.
+/// For mu < mu0 the loops lie, in the eigenvectors of the characteristic tensor, among the vectors
+/// with x z > 0 and among those with x z < 0; that this is so, is proved too. The vectors are
+/// covered by boxes, which are halved until the boundary function has a strict sign or the weights
+/// of the boundary's tensor show it inside. In intervals, so that either is certain.
 ///
-/// @param n         orthogonal to the field
+/// @param values    characteristic eigenvalues, descending
 /// @param s         the parameter of the mode
-/// @param vertices  a basis of the field's span
-std::optional<BoundaryCurve> boundary_curve(const Tensor& n, const Rational& s,
-                                            const std::array<Tensor, 4>& vertices,
-                                            std::size_t budget = 1000000);
+/// @param vertices  in the eigenvectors; a basis of the span orthogonal to the values
+/// @param side      1 or -1: the sign of x z
+bool loop_is_inside(const std::array<Rational, 3>& values, const Rational& s,
+                    const std::array<Tensor, 4>& vertices, int side);
 
 }  // namespace tensortopo::theory

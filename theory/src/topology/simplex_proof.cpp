@@ -48,6 +48,14 @@ bool has_strict_sign(const Form<N, Degree>& form, Verdict sign) {
                      [&](const Number& c) { return certified_sign(c) == sign; });
 }
 
+// The coefficient of the highest power of one weight: the value at its vertex.
+template <std::size_t N, std::size_t Degree>
+const Number& corner(const Form<N, Degree>& form, std::size_t vertex) {
+  std::size_t row = 0;
+  while (form.exponents[row][vertex] != Degree) ++row;
+  return form.coefficients[row];
+}
+
 template <std::size_t N>
 bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const Number& square) {
   const Verdict sign = certified_sign(forms.q.coefficients[0]);
@@ -57,12 +65,17 @@ bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const Number& s
     return true;
   }
   if (level.is_neutral()) return false;
-  // Positive where |mode| is beyond mu.
-  const Form<N, 6> excess =
-      Number(2) * (forms.q * forms.q) - square * (forms.p * (forms.p * forms.p));
-  const Verdict first = certified_sign(excess.coefficients[0]);
-  return (first == Verdict::positive || first == Verdict::negative) &&
-         has_strict_sign(excess, first);
+  // Positive where |mode| is beyond mu; first at the vertices alone.
+  const auto excess_at = [&](const Number& p, const Number& q) {
+    return certified_sign(Number(2) * q * q - square * (p * p * p));
+  };
+  const Verdict first = excess_at(forms.p.coefficients[0], forms.q.coefficients[0]);
+  if (first != Verdict::positive && first != Verdict::negative) return false;
+  for (std::size_t i = 1; i < N; ++i) {
+    if (excess_at(corner(forms.p, i), corner(forms.q, i)) != first) return false;
+  }
+  return has_strict_sign(
+      Number(2) * (forms.q * forms.q) - square * (forms.p * (forms.p * forms.p)), first);
 }
 
 // 2 P dQ - 3 Q dP, of the sign of the mode's derivative, for each weight on its own.
