@@ -71,10 +71,9 @@ std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool g
   };
   for (const ModeValue& mode : modes) {
     const std::string text = mode.text();
-    if (text == "0" || text == "1" || text == "-1") {
-      throw UsageError(
-          "--mode " + text +
-          ": neutral surfaces and degenerate curves are not extracted by this version");
+    if (text == "1" || text == "-1") {
+      throw UsageError("--mode " + text +
+                       ": degenerate curves are not extracted by this version");
     }
     add(mode);
     if (generalized) add(mode.opposite());

@@ -18,8 +18,8 @@
 namespace tensortopo::test {
 
 /// The levels at which random fields are extracted.
-inline const std::array<const char*, 8> kLevels{"1/10", "-1/10", "1/2",    "-1/2",
-                                                "9/10", "-9/10", "99/100", "-99/100"};
+inline const std::array<const char*, 10> kLevels{"0",    "1e-6", "1/10",  "-1/10",  "1/2",
+                                                 "-1/2", "9/10", "-9/10", "99/100", "-99/100"};
 
 /// A number of trials times the environment variable TENSORTOPO_TEST_MULTIPLIER.
 int trials(int count);

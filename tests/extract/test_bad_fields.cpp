@@ -16,9 +16,9 @@ using Index = TetMesh::Index;
 
 TEST(BadModes, AreRefused) {
   const TetMesh mesh = reference_tet_mesh(Random(1).tet_tensors());
-  for (const char* mode : {"0", "1", "-1", "0/7", "1.0"})
+  for (const char* mode : {"1", "-1", "1.0"})
     EXPECT_THROW(extract(mesh, mode), std::invalid_argument) << mode;
-  for (const char* mode : {"1e-9", "-0.999999", "143/343"})
+  for (const char* mode : {"0", "0/7", "1e-9", "-0.999999", "143/343"})
     EXPECT_NO_THROW(extract(mesh, mode)) << mode;
 }
 

@@ -60,7 +60,7 @@ TEST(EdgeCrossings, AreTheRootsThatSturmCounts) {
     Ends ends{random.tensor(), random.tensor()};
     if (trial % 4 != 0)  // short numbers are faster
       for (auto& t : ends) t = rounded(t, 10);
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const auto exact = exact_crossings(ends[0], ends[1], mode);
     EXPECT_EQ(differences<double>(ends, mode, exact), "")
         << exact_text(ends[0]) << exact_text(ends[1]) << " at " << mode.text();
@@ -78,7 +78,7 @@ TEST(EdgeCrossings, AreTheRootsThatSturmCountsAtFiftyDigitsToo) {
   Random random(seed);
   for (int trial = 0; trial < trials(200); ++trial) {
     const Ends ends{random.tensor(), random.tensor()};
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     EXPECT_EQ(differences<Real50>(ends, mode, exact_crossings(ends[0], ends[1], mode)), "")
         << exact_text(ends[0]) << exact_text(ends[1]);
   }
@@ -91,7 +91,7 @@ TEST(EdgeCrossings, BothOraclesAgree) {
   Random random(seed);
   for (int trial = 0; trial < trials(600); ++trial) {
     const Ends ends{random.tensor(), random.tensor()};
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const auto corners = corners_of(ends);
     EXPECT_EQ(exact_edge_crossings(LevelQuestion(corners, mode.approx()), 0, 1),
               static_cast<int>(exact_crossings(ends[0], ends[1], mode).size()));
@@ -107,7 +107,7 @@ TEST(EdgeCrossings, AreTheRootsThatSturmCountsNextToTheLevel) {
   for (int trial = 0; trial < trials(600); ++trial) {
     // A tensor on the level up to rounding, from a crossing of a random edge.
     const Ends wide{random.tensor(), random.tensor()};
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const auto crossings = exact_crossings(wide[0], wide[1], mode);
     if (crossings.empty()) continue;
     const double t = crossings[0].low;
@@ -150,7 +150,7 @@ TEST(EdgeCrossings, ReverseWithTheEdge) {
   Random random(seed);
   for (int trial = 0; trial < trials(300); ++trial) {
     const Ends ends{random.tensor(), random.tensor()};
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const SimplexCase<double, 2> forth(ends, mode), back({ends[1], ends[0]}, mode);
     const auto f = edge_crossings(forth.simplex, forth.level),
                b = edge_crossings(back.simplex, back.level);

@@ -78,7 +78,7 @@ TEST(FaceCurves, AreWhatBruteForceSeesOnRandomTriangles) {
   for (int trial = 0; trial < count; ++trial) {
     const std::array<SymmetricTensor<double>, 3> tensors{random.tensor(), random.tensor(),
                                                          random.tensor()};
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 6]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
     SCOPED_TRACE("trial " + std::to_string(trial) + " mode " + mode.text());
     const Curves curves(FaceCase(tensors, mode));
     ASSERT_TRUE(curves.arcs);
@@ -101,7 +101,7 @@ TEST(FaceCurves, PolylinesFollowTheLevelWithTheLargerModeOnTheLeft) {
   for (int trial = 0; trial < trials(400); ++trial) {
     const std::array<SymmetricTensor<double>, 3> tensors{random.tensor(), random.tensor(),
                                                          random.tensor()};
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     SCOPED_TRACE("trial " + std::to_string(trial) + " mode " + mode.text());
     const FaceCase face(tensors, mode);
     const Curves curves(face);

@@ -79,7 +79,7 @@ TEST(LeafMesh, IsAnOrientedSurfaceWithTheTopologyThatBruteForceSees) {
   const int count = trials(120);
   for (int trial = 0; trial < count; ++trial) {
     const TetTensors tensors = random.tet_tensors();
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 6]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
     SCOPED_TRACE("mode " + mode.text() + '\n' + exact_text(tensors));
     const SimplexCase<double, 4> tet(tensors, mode);
     Refinement<double, 4> refinement(tet.simplex, tet.level);
@@ -175,7 +175,7 @@ TEST(Refinement, ProofsOfItsCellsHold) {
   Random random(seed);
   int monotone = 0, empty = 0;
   for (int trial = 0; trial < trials(10); ++trial) {
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const SimplexCase<double, 4> tet(random.tet_tensors(), mode);
     Refinement<double, 4> refinement(tet.simplex, tet.level);
     ASSERT_TRUE(refinement.run(kBudget));

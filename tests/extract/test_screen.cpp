@@ -53,7 +53,7 @@ TEST(Screen, NeverExcludesATetrahedronThatBruteForceSeesCrossed) {
   Random random(seed);
   int excluded = 0, crossed = 0;
   for (int trial = 0; trial < trials(6000); ++trial) {
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     TetTensors tensors = random.tet_tensors();
     const double spread = std::ldexp(1.0, -(trial % 5));
     for (std::size_t i = 1; i < 4; ++i) tensors[i] = tensors[0] + spread * tensors[i];

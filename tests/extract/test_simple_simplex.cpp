@@ -54,7 +54,7 @@ void expect_proofs_to_hold(std::uint64_t seed, int count) {
   Random random(seed);
   int empty = 0, monotone = 0;
   for (int trial = 0; trial < count; ++trial) {
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const SimplexCase<double, Vertices> example(
         nearby<Vertices>(random, std::ldexp(2.0, -(trial % 6))), mode);
     const auto& tensors = example.simplex.tensors;
@@ -117,7 +117,7 @@ TEST(SimplexProof, SignsThatAreCertainInDoubleAreExact) {
   Random random(seed);
   int certain = 0, hidden = 0;
   for (int trial = 0; trial < trials(400); ++trial) {
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const SimplexCase<double, 4> example(nearby<4>(random, std::ldexp(1.0, -(trial % 50))), mode);
     const auto& tensors = example.simplex.tensors;
     std::array<Deviator<Rational>, 4> exact;
@@ -168,7 +168,7 @@ TEST(SimplexProof, OneCrossingIsRightToSturm) {
   Random random(seed);
   int proved = 0;
   for (int trial = 0; trial < trials(2000); ++trial) {
-    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % 8]);
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const std::array<SymmetricTensor<double>, 2> ends{random.tensor(), random.tensor()};
     const SimplexCase<double, 2> edge(ends, mode);
     if (has_at_most_one_crossing(edge.simplex.tensors, edge.level) != Verdict::positive) continue;

@@ -16,5 +16,7 @@ std::vector<Statement> domain_statements();
 std::vector<Statement> lift_statements();
 std::vector<Statement> chart_statements();
 std::vector<Statement> sphere_statements();
+std::vector<Statement> topology_statements();
+std::vector<Statement> planar_statements();
 
 }  // namespace tensortopo::theory

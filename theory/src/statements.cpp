@@ -10,8 +10,9 @@ namespace {
 
 std::vector<Statement> all_statements() {
   std::vector<Statement> all;
-  for (auto group : {tensor_statements, field_statements, matrix_statements, domain_statements,
-                     lift_statements, chart_statements, sphere_statements}) {
+  for (auto group :
+       {tensor_statements, field_statements, matrix_statements, domain_statements, lift_statements,
+        chart_statements, sphere_statements, topology_statements, planar_statements}) {
     std::ranges::move(group(), std::back_inserter(all));
   }
   return all;

@@ -244,7 +244,11 @@ vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData
     if (sheet.shape->GetNumberOfLines() > 0) {
       add_curves(*renderer, sheet.shape, look, 0.004 * size);
     }
-    if (sheet.mode) legend.push_back({look, fmt::format("mode {:+g}", *sheet.mode)});
+    if (sheet.mode) {
+      const std::string name =
+          *sheet.mode == 0 ? "mode 0, neutral" : fmt::format("mode {:+g}", *sheet.mode);
+      legend.push_back({look, name});
+    }
   }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);

@@ -42,6 +42,12 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
       state.requests = denser_rims(tet, *state.plan, vertices, level_);
     const auto crossings =
         boundary_crossings(*state.manifold, tet, *state.plan, vertices, level_);
+    if (!crossings.empty() && state.manifold->manifold.complex_domain_empty()) {
+      // A singular line of the neutral surface passes through: all of it has one medium
+      // eigenvector, and the sphere cannot tell its points apart.
+      state.manifold.reset();
+      return try_next_method(t);
+    }
     state.requests.insert(state.requests.end(), crossings.begin(), crossings.end());
     const auto between =
         separating_samples<Scalar>(*state.manifold, tet, *state.plan, vertices, crossings, level_);
@@ -50,7 +56,7 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
   }
   if (state.method == Method::leaves || !add_leaves(tet, level_, *state.plan)) {
     state.unresolved = state.method == Method::leaves ? UnresolvedReason::inconsistent_samples
-                                                      : UnresolvedReason::budget_exhausted;
+                                                      : unproved(t);
     return;
   }
   state.method = Method::leaves;

@@ -15,7 +15,7 @@ Level<Scalar> make_level(const ModeValue& value) {
   const auto parameter = mode_parameter<Scalar>(value);
   Level<Scalar> level;
   level.value = value;
-  level.sign = value.sign();
+  level.sign = value.sign() < 0 ? -1 : 1;
   level.mu = parameter.mu;
   level.mu_squared = parameter.mu_squared;
   level.sqrt2 = sqrt(Scalar(2));

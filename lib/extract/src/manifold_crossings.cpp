@@ -72,7 +72,8 @@ std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>& tet,
   const auto characteristic = characteristic_tensor(field);
   if (!characteristic) return nullptr;
   MediumEigenvectorManifold<double> manifold(*characteristic, level.parameter);
-  if (manifold.complex_domain_empty()) return nullptr;  // its fold would be a point
+  // Its fold would be a point. Neutral surfaces have none but at the singular lines.
+  if (manifold.complex_domain_empty() && level.mu_squared != Scalar(0)) return nullptr;
   return std::unique_ptr<TetManifold>(
       new TetManifold{*characteristic, std::move(manifold), FieldLift<double>(field), level.sign});
 }

@@ -132,6 +132,11 @@ class Drawing {
     for (std::size_t l = 0; l < ends.size(); ++l) {
       const int loop = static_cast<int>(l);
       auto& list = ends[l];
+      if (on_.manifold.complex_domain_empty()) {
+        // Neutral: sheets with a part of a singular line are not drawn here.
+        if (!list.empty()) return false;
+        continue;
+      }
       std::sort(list.begin(), list.end(), [](const End& p, const End& q) { return p.phi < q.phi; });
       if (list.empty()) {
         bool in[3];

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "level_strata.hpp"
 #include "parallel_stage.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tensortopo/extract/position.hpp"
@@ -26,6 +27,14 @@ std::string_view name_of(UnresolvedReason reason) {
   switch (reason) {
     case UnresolvedReason::zero_deviator_vertex:
       return "zero_deviator_vertex";
+    case UnresolvedReason::level_constant_in_cell:
+      return "level_constant_in_cell";
+    case UnresolvedReason::level_constant_on_face:
+      return "level_constant_on_face";
+    case UnresolvedReason::level_constant_on_edge:
+      return "level_constant_on_edge";
+    case UnresolvedReason::critical_value_in_cell:
+      return "critical_value_in_cell";
     case UnresolvedReason::budget_exhausted:
       return "budget_exhausted";
     case UnresolvedReason::inconsistent_samples:
@@ -37,8 +46,8 @@ std::string_view name_of(UnresolvedReason reason) {
 template <class Scalar>
 Pipeline<Scalar>::Pipeline(const TetMesh& mesh, const ModeValue& mu, const ExtractOptions& options)
     : mesh_(mesh), options_(options), field_(mesh) {
-  if (mu.sign() == 0 || std::abs(mu.approx()) >= 1)
-    throw std::invalid_argument("mode surfaces exist for 0 < |mode| < 1, not for " + mu.text());
+  if (std::abs(mu.approx()) >= 1)
+    throw std::invalid_argument("mode surfaces exist for |mode| < 1, not for " + mu.text());
   level_ = make_level<Scalar>(mu);
 }
 
@@ -185,6 +194,15 @@ TetWithCurves<Scalar> Pipeline<Scalar>::tet_with_curves(std::size_t t) const {
   return tet;
 }
 
+/// The reason why no proof has closed on a tetrahedron.
+template <class Scalar>
+UnresolvedReason Pipeline<Scalar>::unproved(std::size_t t) const {
+  std::array<SymmetricTensor<double>, 4> tensors;
+  const auto& v = mesh_.tets[as_size(complex_.tets[t])];
+  for (std::size_t i = 0; i < 4; ++i) tensors[i] = mesh_.tensors[as_size(v[i])];
+  return level_stratum(tensors, level_.value);
+}
+
 template <class Scalar>
 bool Pipeline<Scalar>::plan_one(std::size_t t) {
   auto& state = tets_[t];
@@ -192,7 +210,7 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   bool any = false;
   for (const Index f : complex_.tet_faces[t]) {
     if (!arcs_[as_size(f)]) {
-      state.unresolved = UnresolvedReason::budget_exhausted;
+      state.unresolved = unproved(t);
       return false;
     }
     any |= !arcs_[as_size(f)]->empty();
@@ -200,7 +218,7 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   if (!any) return false;
   const auto tet = tet_with_curves(t);
   state.plan = plan_tet(tet, level_);
-  if (!state.plan) state.unresolved = UnresolvedReason::budget_exhausted;
+  if (!state.plan) state.unresolved = unproved(t);
   return state.plan.has_value();
 }
 

@@ -46,6 +46,7 @@ class Pipeline {
   void find_crossings();
   void trace_faces();
   void plan_tets();
+  UnresolvedReason unproved(std::size_t t) const;
   bool plan_one(std::size_t t);
   void try_next_method(std::size_t t);
   void number_edge_vertices();

@@ -27,8 +27,8 @@ bool of_one_sign(const Form<Degree>& form) {
 
 // Forms in the weights of the corners, for T their combination.
 struct Cell {
-  Form<2> size;                                // |T|^2
-  Form<3> cube;                                // tr T^3
+  Form<2> size;                               // |T|^2
+  Form<3> cube;                               // tr T^3
   std::array<IntegerTensor, 6> square_terms;  // of T^2, in the order of a quadratic form
   const std::array<IntegerTensor, 3>& corners;
 
@@ -37,10 +37,10 @@ struct Cell {
     const auto mixed = [&](std::size_t i, std::size_t j) {
       return square(c[i] + c[j]) - square(c[i]) - square(c[j]);
     };
-    square_terms = {square(c[0]), mixed(0, 1),  mixed(0, 2),
+    square_terms = {square(c[0]), mixed(0, 1), mixed(0, 2),
                     square(c[1]), mixed(1, 2), square(c[2])};
-    size = {{inner(c[0], c[0]), two * inner(c[0], c[1]), two * inner(c[0], c[2]),
-             inner(c[1], c[1]), two * inner(c[1], c[2]), inner(c[2], c[2])}};
+    size = {{inner(c[0], c[0]), two * inner(c[0], c[1]), two * inner(c[0], c[2]), inner(c[1], c[1]),
+             two * inner(c[1], c[2]), inner(c[2], c[2])}};
     for (std::size_t i = 0; i < 3; ++i) cube = cube + variable(i) * squared_along(c[i]);
   }
 
@@ -91,8 +91,7 @@ Level::Level(const Rational& mode_squared)
 
 Sign Level::at(const IntegerTensor& t) const {
   const Integer size = inner(t, t), cube = inner(square(t), t);
-  const Integer value =
-      Integer(6) * denominator * cube * cube - numerator * size * size * size;
+  const Integer value = Integer(6) * denominator * cube * cube - numerator * size * size * size;
   return static_cast<Sign>(value.sign());
 }
 

@@ -12,17 +12,18 @@ namespace {
 // The columns of an invertible matrix: a basis in terms of another one.
 using Change = std::array<Vector3<Integer>, 3>;
 
-constexpr int kCharts = 12;
+constexpr int kCharts = 24;
 
 // Number `index` of some charts without any relation to a field. The entries are small, so that
-// the resultants are.
+// the resultants are; symmetric fields may need larger ones.
 Change chart(int index) {
   Random random(static_cast<std::uint64_t>(index) + 1);
+  const int bound = 1 + index / 4;
   while (true) {
     Change change;
     for (auto& column : change) {
-      column = {Integer(random.integer(-1, 1)), Integer(random.integer(-1, 1)),
-                Integer(random.integer(-1, 1))};
+      column = {Integer(random.integer(-bound, bound)), Integer(random.integer(-bound, bound)),
+                Integer(random.integer(-bound, bound))};
     }
     if (dot(change[0], cross(change[1], change[2])) != 0) return change;
   }
@@ -64,8 +65,8 @@ std::string words(Position position) {
       return "a curve of critical points";
     case Position::coincident:
       return "critical points coincide in every chart tried";
-    case Position::degenerate_normals:
-      return "two degenerate tensors are orthogonal to the plane";
+    case Position::isotropic:
+      return "a complex tensor of square zero is orthogonal to the plane and belongs to a zero";
     case Position::general:
       break;
   }
@@ -118,6 +119,7 @@ DegenerateSystem degenerate_system(const Plane& plane) {
 }
 
 std::vector<CriticalKind> real_points(const Plane& plane, const PointFamily& family) {
+  if (family.count() <= 0) return {};
   const RealZeros zeros(family.parameters);
   const auto tensor = family.tensor(plane);
   const auto morse = zeros.signs(morse_form(plane.basis, tensor));

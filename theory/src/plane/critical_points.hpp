@@ -17,7 +17,7 @@ struct PointFamily {
   /// Of the plane's three basis tensors; not all zero at a zero of `parameters`.
   Vector3<Polynomial> weights;
 
-  /// The number of points over the complex numbers.
+  /// The number of points over the complex numbers; -1 if nothing is known.
   int count() const { return parameters.degree(); }
   SymmetricTensor<Polynomial> tensor(const Plane& plane) const {
     return combined(plane.basis, weights);
@@ -27,10 +27,10 @@ struct PointFamily {
 
 /// Why a family is not there.
 enum class Position : unsigned char {
-  general,             ///< it is there
-  not_isolated,        ///< a curve of complex solutions
-  coincident,          ///< solutions that are not simple, or not apart in any chart tried
-  degenerate_normals,  ///< two degenerate tensors are orthogonal to the plane
+  general,       ///< it is there
+  not_isolated,  ///< a curve of complex solutions
+  coincident,    ///< solutions that are not simple, or not apart in any chart tried
+  isotropic,     ///< a complex N at which the cubic of the pencil and tr N^2 are zero
 };
 
 /// The same up to a positive factor, with the smallest integers.
@@ -62,6 +62,7 @@ struct CriticalKind {
   Sign degeneracy = Sign::zero;  ///< zero for degenerate tensors, otherwise positive
   Sign weight_sum = Sign::zero;  ///< zero for points at infinity
 };
+/// Those of a family, in the order of their parameters.
 std::vector<CriticalKind> real_points(const Plane& plane, const PointFamily& family);
 
 /// How many real points of each sort there are.

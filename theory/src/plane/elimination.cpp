@@ -83,8 +83,8 @@ Elimination eliminate(const std::array<IntegerTensor, 3>& basis) {
   result.solution = {Polynomial::variable() * minors.xx, minors.xy, minors.xx};
   const auto line = powers_of_t(p[2]);
   const auto conic = powers_of_t(f[2]);
-  result.spurious = conic[0] * line[1] * line[1] - conic[1] * line[0] * line[1] +
-                    conic[2] * line[0] * line[0];
+  result.spurious =
+      conic[0] * line[1] * line[1] - conic[1] * line[0] * line[1] + conic[2] * line[0] * line[0];
   return result;
 }
 

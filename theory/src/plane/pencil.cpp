@@ -5,40 +5,29 @@
 namespace tensortopo::theory {
 namespace {
 
-bool is_zero(const IntegerTensor& t) { return t == IntegerTensor{}; }
-
 Integer squared(const Integer& x) { return x * x; }
 
-// N at the zero of a polynomial of degree one.
-IntegerTensor normal_at(const Polynomial& linear, const std::array<IntegerTensor, 2>& basis) {
-  return -linear.coefficient(0) * basis[0] + linear.coefficient(1) * basis[1];
+// Whether the weights are not all zero, at each of the parameters.
+bool has_points(const PointFamily& family) {
+  const auto& w = family.weights;
+  const Polynomial common = greatest_common_divisor(greatest_common_divisor(w.x, w.y), w.z);
+  return greatest_common_divisor(family.parameters, common).degree() <= 0;
+}
+
+// The neutral tensors for the zeros of `degenerate`. A vector that is orthogonal to none of their
+// eigenvectors is found among a few.
+bool find_neutral(const Plane& plane, const Polynomial& degenerate, PencilSystem& system) {
+  const auto normal = system.normal(), other = lifted<Polynomial>(system.basis[0]);
+  for (int i = 0; i < 8; ++i) {
+    const Vector3<Polynomial> v = {Polynomial(1), Polynomial(i), Polynomial(i * i)};
+    const auto t = neutral_companion(dominant_direction(normal, v), other);
+    system.neutral = {degenerate, primitive(coordinates(plane, t))};
+    if (has_points(system.neutral)) return true;
+  }
+  return false;
 }
 
 }  // namespace
-
-IntegerTensor neutral_companion(const Vector3<Integer>& e, const IntegerTensor& other) {
-  const Integer size = dot(e, e), zero(0);
-  const IntegerTensor across = {size - e.x * e.x, size - e.y * e.y, size - e.z * e.z,
-                                -e.x * e.y,       -e.y * e.z,       -e.x * e.z};
-  const std::array<Vector3<Integer>, 3> unit = {
-      {{Integer(1), zero, zero}, {zero, Integer(1), zero}, {zero, zero, Integer(1)}}};
-  const auto image = [&](std::size_t i) { return across * (other * (across * unit[i])); };
-  const Integer part = image(0).x + image(1).y + image(2).z;
-  const auto column = [&](std::size_t i) {
-    return cross(e, Integer(2) * size * image(i) - part * (across * unit[i]));
-  };
-  const Vector3<Integer> x = column(0), y = column(1), z = column(2);
-  return {x.x, y.y, z.z, x.y, y.z, x.z};
-}
-
-Vector3<Integer> dominant_direction(const IntegerTensor& n) {
-  const Integer size = inner(n, n), shift = Integer(3) * determinant(n);
-  const Integer zero(0);
-  const IntegerTensor rank_one = size * n + IntegerTensor{shift, shift, shift, zero, zero, zero};
-  if (rank_one.xx != 0) return {rank_one.xx, rank_one.xy, rank_one.xz};
-  if (rank_one.yy != 0) return {rank_one.xy, rank_one.yy, rank_one.yz};
-  return {rank_one.xz, rank_one.yz, rank_one.zz};
-}
 
 PencilSystem pencil_system(const Plane& plane) {
   PencilSystem system;
@@ -56,29 +45,13 @@ PencilSystem pencil_system(const Plane& plane) {
     return system;
   }
   const auto normal = system.normal();
-  const Polynomial degenerate =
-      greatest_common_divisor(system.cubic, degeneracy_form(normal));
-  system.regular = {quotient(system.cubic, degenerate), primitive(coordinates(plane, companion(normal)))};
-  if (degenerate.degree() == 1) {
-    const IntegerTensor n = normal_at(degenerate, system.basis);
-    const IntegerTensor t = neutral_companion(dominant_direction(n), system.basis[0]);
-    const IntegerTensor u = neutral_companion(dominant_direction(n), system.basis[1]);
-    system.neutral.push_back(is_zero(t) ? u : t);
-  } else if (degenerate.degree() > 1) {
-    system.position = Position::degenerate_normals;
-  }
+  const Polynomial isotropic = greatest_common_divisor(system.cubic, inner(normal, normal));
+  const Polynomial rest = quotient(system.cubic, isotropic);
+  const Polynomial degenerate = greatest_common_divisor(rest, degeneracy_form(normal));
+  system.regular = {quotient(rest, degenerate), primitive(coordinates(plane, companion(normal)))};
+  if (isotropic.degree() > 0) system.position = Position::isotropic;
+  if (!find_neutral(plane, degenerate, system)) system.position = Position::coincident;
   return system;
-}
-
-std::vector<CriticalKind> real_points(const Plane& plane, const PencilSystem& pencil) {
-  std::vector<CriticalKind> points = real_points(plane, pencil.regular);
-  const auto sign = [](const Integer& x) { return static_cast<Sign>(x.sign()); };
-  for (const IntegerTensor& t : pencil.neutral) {
-    const Vector3<Integer> weights = coordinates(plane, t);
-    points.push_back({sign(morse_form(plane.basis, t)), sign(degeneracy_form(t)),
-                      sign(weights.x + weights.y + weights.z)});
-  }
-  return points;
 }
 
 int neutral_normals(const Plane& plane) {

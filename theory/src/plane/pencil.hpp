@@ -28,14 +28,36 @@ Scalar pencil_cubic(const SymmetricTensor<Scalar>& n, const SymmetricTensor<Scal
   return inner(squared, n1) * inner(n, n2) - inner(squared, n2) * inner(n, n1);
 }
 
-/// For a degenerate N, N' and a multiple e of its dominant eigenvector: the tensor with kernel e
-/// that is orthogonal to N and N'; zero only if it is not unique.
+/// For a degenerate N with a multiple e of its dominant eigenvector, and another tensor: the one
+/// with kernel e that is orthogonal to both; zero only if it is not unique.
 ///
-/// It is N' on the plane across e, without its trace there and turned by an eighth of a turn.
-IntegerTensor neutral_companion(const Vector3<Integer>& e, const IntegerTensor& other);
+/// It is the other tensor on the plane across e, without its trace there and turned by an eighth of
+/// a turn.
+template <class Scalar>
+SymmetricTensor<Scalar> neutral_companion(const Vector3<Scalar>& e,
+                                          const SymmetricTensor<Scalar>& other) {
+  const Scalar size = dot(e, e), zero(0), one(1), two(2);
+  const SymmetricTensor<Scalar> across = {size - e.x * e.x, size - e.y * e.y, size - e.z * e.z,
+                                          -(e.x * e.y),     -(e.y * e.z),     -(e.x * e.z)};
+  const Vector3<Scalar> unit[] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  const Vector3<Scalar> image[] = {across * (other * (across * unit[0])),
+                                   across * (other * (across * unit[1])),
+                                   across * (other * (across * unit[2]))};
+  const Scalar part = image[0].x + image[1].y + image[2].z;
+  const auto column = [&](std::size_t i) {
+    return cross(e, two * size * image[i] - part * (across * unit[i]));
+  };
+  const Vector3<Scalar> x = column(0), y = column(1), z = column(2);
+  return {x.x, y.y, z.z, x.y, y.z, x.z};
+}
 
-/// A column of the rank-one tensor that a degenerate N is apart from a multiple of the identity.
-Vector3<Integer> dominant_direction(const IntegerTensor& degenerate);
+/// A multiple of the dominant eigenvector of a degenerate N: the image of v by the tensor of rank
+/// one that N is apart from a multiple of the identity. Zero if v is orthogonal to it.
+template <class Scalar>
+Vector3<Scalar> dominant_direction(const SymmetricTensor<Scalar>& n, const Vector3<Scalar>& v) {
+  const Scalar shift = Scalar(3) * determinant(n);
+  return inner(n, n) * (n * v) + shift * v;
+}
 
 /// The non-degenerate critical points, from the complement.
 struct PencilSystem {
@@ -44,11 +66,10 @@ struct PencilSystem {
   /// at neither end; square-free.
   Polynomial cubic;
   std::array<IntegerTensor, 2> basis{};
-  /// The zeros of the cubic at which N is not degenerate, and the companions there.
-  PointFamily regular;
-  /// Critical tensors that belong to a degenerate N; there is none in general. Nothing is said about
-  /// pairs of such N of which neither is rational: then `position` is not general.
-  std::vector<IntegerTensor> neutral;
+  /// The companions at those of its zeros at which N is not degenerate, and the neutral ones at the
+  /// others; of the latter there are none in general. All real points are among these if `position`
+  /// is general or isotropic.
+  PointFamily regular, neutral;
 
   /// N at the zeros of the cubic.
   SymmetricTensor<Polynomial> normal() const {
@@ -56,9 +77,6 @@ struct PencilSystem {
   }
 };
 PencilSystem pencil_system(const Plane& plane);
-
-/// What the real ones are.
-std::vector<CriticalKind> real_points(const Plane& plane, const PencilSystem& pencil);
 
 /// The number of real zeros of det(k1 N1 + k2 N2) on the projective line, by the sign of its
 /// discriminant; 0 if two coincide or all are zeros.

@@ -10,7 +10,9 @@ namespace {
 
 using Row = std::array<Rational, 5>;
 
-std::array<Rational*, 5> entries(Deviator<Rational>& d) { return {&d.a, &d.b, &d.xy, &d.yz, &d.xz}; }
+std::array<Rational*, 5> entries(Deviator<Rational>& d) {
+  return {&d.a, &d.b, &d.xy, &d.yz, &d.xz};
+}
 
 // The inner product with d as a linear function of the five entries.
 Row functional(const Deviator<Rational>& d) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "plane/integer.hpp"
+#include "integer.hpp"
 #include "plane/polynomial.hpp"
 #include "tensortopo/field/linear_field.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"

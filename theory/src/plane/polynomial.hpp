@@ -4,7 +4,7 @@
 
 #include <flint/fmpz_poly.h>
 
-#include "plane/integer.hpp"
+#include "integer.hpp"
 #include "tensortopo/scalar/sign.hpp"
 
 namespace tensortopo::theory {

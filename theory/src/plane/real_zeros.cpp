@@ -50,9 +50,8 @@ constexpr int kBits = 48;
 
 RealZeros::RealZeros(const Polynomial& squarefree) : polynomial_(squarefree) {
   const auto sequence = sturm_sequence(squarefree);
-  const int at_plus = sign_changes(sequence, [](const Polynomial& p) {
-    return p.sign_at_infinity();
-  });
+  const int at_plus =
+      sign_changes(sequence, [](const Polynomial& p) { return p.sign_at_infinity(); });
   const int at_minus = sign_changes(sequence, [](const Polynomial& p) {
     return p.degree() % 2 == 0 ? p.sign_at_infinity() : -p.sign_at_infinity();
   });

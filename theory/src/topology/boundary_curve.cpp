@@ -47,7 +47,7 @@ IntervalTensor enclosure(const Tensor& t) {
 
 struct Curve {
   IntervalTensor normal;
-  Interval weight;   // (1 - s^2) / 4
+  Interval weight;    // (1 - s^2) / 4
   Interval third_s2;  // s^2 / 3
   std::array<IntervalTensor, 4> dual;
 };
@@ -63,8 +63,7 @@ IntervalTensor boundary_tensor(const Curve& curve, const Vector3<Interval>& v) {
   const IntervalTensor mixed = {v.x * image.x + v.x * image.x, v.y * image.y + v.y * image.y,
                                 v.z * image.z + v.z * image.z, v.x * image.y + v.y * image.x,
                                 v.y * image.z + v.z * image.y, v.x * image.z + v.z * image.x};
-  const IntervalTensor across =
-      size * (size * curve.normal) - size * mixed + alpha * along;
+  const IntervalTensor across = size * (size * curve.normal) - size * mixed + alpha * along;
   const IntervalTensor plane = isotropic(size) - along;
   const Interval half = alpha / Interval(2);
   return across + (half * (Interval(1) + curve.third_s2)) * plane -

@@ -8,8 +8,8 @@
 
 namespace tensortopo::theory {
 
-/// Proves that one of the two loops of the complex domain's boundary has all of its tensors inside a
-/// tetrahedron of the field, so that it meets no face; false if the proof fails.
+/// Proves that one of the two loops of the complex domain's boundary has all of its tensors inside
+/// a tetrahedron of the field, so that it meets no face; false if the proof fails.
 ///
 /// For mu < mu0 the loops lie, in the eigenvectors of the characteristic tensor, among the vectors
 /// with x z > 0 and among those with x z < 0; that this is so, is proved too. The vectors are

@@ -100,8 +100,7 @@ void no_closed_component(const Trial& trial, Facts<Rational>& facts) {
   facts.about([&] {
     return "s = " + s.str() + (level.sign > 0 ? ": " : ", negative mode: ") + text(*surface);
   });
-  facts.holds("components that meet no face",
-              surface->closed_components == facts.claimed_count(0));
+  facts.holds("components that meet no face", surface->closed_components == facts.claimed_count(0));
 }
 
 // Antiplane shear: all tensors of the field have determinant 0.
@@ -119,10 +118,18 @@ Outcome neutral_tetrahedron() {
                            ": mode 0 in the whole tetrahedron, which no curves in its faces bound");
 }
 
+// Inside a tetrahedron, where the surface is not made of discs only: a cylinder.
+Outcome orientable_neutral_surface() {
+  const std::array<Tensor, 4> corners = tensors_at_corners(kHandleFields[1], kAxes);
+  const auto surface = tetrahedron_surface(deviators(corners), ModeLevel::neutral());
+  if (!surface || surface->euler != 0 || !surface->orientable) return Outcome::holds();
+  return Outcome::violated(handle_place(corners, Rational(0), *surface));
+}
+
 void interior_boundary_loop(const Trial& trial, Facts<Rational>& facts) {
   if (!trial.frame) return facts.not_applicable("no rational eigenvectors");
   Random random = trial.random;
-  const HandleField& kind = kHandleFields[static_cast<std::size_t>(random.integer(0, 1))];
+  const auto& kind = kHandleFields[static_cast<std::size_t>(random.integer(0, 1))];
   const auto& l = kind.eigenvalues;
   const Basis& e = trial.frame->eigenvectors;
   const std::array<Rational, 3> values = {Rational(l[0]), Rational(l[1]), Rational(l[2])};

@@ -11,8 +11,8 @@ namespace {
 // Parameters are fractions of this denominator: a prime, so that none is critical by chance.
 constexpr int kParts = 1009;
 
-// Room on a side, in the same units.
-constexpr int kLeast = 25;
+// Room needed on either side, in the same units: tubes around degenerate curves get thin.
+constexpr int kLeastBelow = 25, kLeastAbove = 150;
 
 }  // namespace
 
@@ -23,8 +23,8 @@ LevelChoice level_choice(const Tensor& normal, Random& random) {
   const int at = std::clamp(static_cast<int>(std::lround(kParts * s0)), 0, kParts);
   const int below = random.integer(3, 8), above = random.integer(2, 6);
   LevelChoice choice;
-  if (at > kLeast) choice.below = fraction(at * below / 10, kParts);
-  if (at < kParts - kLeast) choice.above = fraction(at + (kParts - at) * above / 10, kParts);
+  if (at > kLeastBelow) choice.below = fraction(at * below / 10, kParts);
+  if (at < kParts - kLeastAbove) choice.above = fraction(at + (kParts - at) * above / 10, kParts);
   return choice;
 }
 

@@ -71,6 +71,18 @@ LevelComplex::Index LevelComplex::add_vertex(const Deviator<Integer>& tensor) {
   return static_cast<Index>(vertices_.size() - 1);
 }
 
+LevelComplex LevelComplex::antipodal() {
+  LevelComplex complex(ModeLevel::neutral());
+  complex.antipodal_ = true;
+  return complex;
+}
+
+LevelComplex::Index LevelComplex::add_twins(const Deviator<Integer>& tensor) {
+  const Index first = add_vertex(tensor), second = add_vertex(Integer(-1) * tensor);
+  vertices_[second].above = !vertices_[first].above;
+  return first;
+}
+
 void LevelComplex::add_cell(const Cell& cell) { add_piece({cell, SimplexProof::none, true}); }
 
 void LevelComplex::add_piece(const Piece& piece) {
@@ -125,9 +137,9 @@ LevelComplex::Edge LevelComplex::longest_edge(const Cell& cell) const {
 std::optional<LevelComplex::Edge> LevelComplex::edge_to_cut(Piece& piece) {
   const Cell& c = piece.vertices;
   if (piece.proof == SimplexProof::none) {
-    piece.proof = prove<4>({vertices_[c[0]].near, vertices_[c[1]].near, vertices_[c[2]].near,
-                            vertices_[c[3]].near},
-                           level_, square_);
+    piece.proof = prove<4>(
+        {vertices_[c[0]].near, vertices_[c[1]].near, vertices_[c[2]].near, vertices_[c[3]].near},
+        level_, square_);
   }
   if (piece.proof == SimplexProof::empty) return std::nullopt;
   const Edge longest = longest_edge(c);
@@ -158,9 +170,9 @@ bool LevelComplex::is_simple(const Edge& edge) {
 bool LevelComplex::is_simple(const Face& face) {
   const auto [at, added] = faces_.try_emplace(simplex_key(face), false);
   if (added) {
-    at->second = prove<3>({vertices_[face[0]].near, vertices_[face[1]].near,
-                           vertices_[face[2]].near},
-                          level_, square_) != SimplexProof::none;
+    at->second =
+        prove<3>({vertices_[face[0]].near, vertices_[face[1]].near, vertices_[face[2]].near},
+                 level_, square_) != SimplexProof::none;
   }
   return at->second;
 }
@@ -177,55 +189,63 @@ std::optional<LevelComplex::Edge> LevelComplex::much_longer_edge(const Edge& edg
 }
 
 // A simple combination of the ends that about halves the angle between them.
-std::optional<LevelComplex::Index> LevelComplex::cut_point(const Edge& edge) {
-  if (vertices_.size() >= kMostVertices) return std::nullopt;
+Deviator<Integer> LevelComplex::cut_point(const Edge& edge) const {
   const auto [first, second] = std::minmax(edge[0], edge[1]);
   const Vertex &u = vertices_[first], &v = vertices_[second];
-  const std::size_t cuts = vertices_.size();
   const double of_u = kParts * v.norm / (u.norm + v.norm);
   int part = std::isfinite(of_u) ? static_cast<int>(std::lround(of_u)) : kParts / 2;
-  if (cuts < kUnevenCuts) part += cuts % 2 == 0 ? 1 : -1;
+  const std::size_t cuts = vertices_.size();
+  if (cuts < kUnevenCuts) part += cuts / 2 % 2 == 0 ? 1 : -1;
   part = std::clamp(part, 1, kParts - 1);
   // The ends as they are near unit size, that is divided by a power of two each.
   const Integer a = shifted(part, v.size - u.size), b = shifted(kParts - part, u.size - v.size);
-  return add_vertex(a * u.tensor + b * v.tensor);
+  return a * u.tensor + b * v.tensor;
 }
 
 bool LevelComplex::cut(const Edge& edge) {
-  const auto point = cut_point(edge);
-  if (!point) return false;
-  const Index m = *point;
+  if (vertices_.size() >= kMostVertices) return false;
+  const Deviator<Integer> point = cut_point(edge);
+  if (!antipodal_) {
+    cut(edge, add_vertex(point));
+    return true;
+  }
+  const Index at = add_twins(point);
+  cut(edge, at);
+  cut({twin(edge[0]), twin(edge[1])}, twin(at));
+  return true;
+}
+
+void LevelComplex::cut(const Edge& edge, Index at) {
   const auto [u, v] = edge;
   // Parts of what is proved simple are.
   if (const auto known = edges_.find(simplex_key(edge)); known != edges_.end() && known->second) {
-    edges_[simplex_key(Edge{u, m})] = true;
-    edges_[simplex_key(Edge{m, v})] = true;
+    edges_[simplex_key(Edge{u, at})] = true;
+    edges_[simplex_key(Edge{at, v})] = true;
   }
   const std::vector<Index> around = std::move(pieces_at_[u]);
   pieces_at_[u].clear();
-  for (const Index at : around) {
-    if (!pieces_[at].alive) continue;
-    if (!contains(pieces_[at].vertices, v)) {
-      pieces_at_[u].push_back(at);
+  for (const Index index : around) {
+    if (!pieces_[index].alive) continue;
+    if (!contains(pieces_[index].vertices, v)) {
+      pieces_at_[u].push_back(index);
       continue;
     }
-    pieces_[at].alive = false;
-    const Piece whole = pieces_[at];
+    pieces_[index].alive = false;
+    const Piece whole = pieces_[index];
     for (const Index w : whole.vertices) {
       if (w == u || w == v) continue;
       const auto known = faces_.find(simplex_key(Face{u, v, w}));
       if (known == faces_.end() || !known->second) continue;
-      faces_[simplex_key(Face{u, m, w})] = true;
-      faces_[simplex_key(Face{m, v, w})] = true;
+      faces_[simplex_key(Face{u, at, w})] = true;
+      faces_[simplex_key(Face{at, v, w})] = true;
     }
     for (const Index lost : {u, v}) {
       Piece part = whole;
       part.alive = true;
-      std::replace(part.vertices.begin(), part.vertices.end(), lost, m);
+      std::replace(part.vertices.begin(), part.vertices.end(), lost, at);
       add_piece(part);
     }
   }
-  return true;
 }
 
 }  // namespace tensortopo::theory

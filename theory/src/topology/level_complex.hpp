@@ -36,7 +36,13 @@ class LevelComplex {
 
   explicit LevelComplex(const ModeLevel& level);
 
+  /// For mode 0: a complex in which -t is a vertex for each vertex t, and so for cells, and stays
+  /// so. Its vertices come in twins 2 k, 2 k + 1; of two on the level, the second counts as above.
+  static LevelComplex antipodal();
+
   Index add_vertex(const Deviator<Integer>& tensor);
+  /// The tensor and its opposite; the index of the first.
+  Index add_twins(const Deviator<Integer>& tensor);
   /// Cells that share a face must share its three vertices.
   void add_cell(const Cell& cell);
 
@@ -44,6 +50,8 @@ class LevelComplex {
   /// than `budget` cells, or too deep a refinement.
   bool refine(std::size_t budget);
 
+  bool is_antipodal() const { return antipodal_; }
+  static Index twin(Index vertex) { return vertex ^ 1; }
   bool is_above(Index vertex) const { return vertices_[vertex].above; }
   const Deviator<Integer>& tensor(Index vertex) const { return vertices_[vertex].tensor; }
   /// The present cells.
@@ -71,15 +79,17 @@ class LevelComplex {
   std::optional<Edge> much_longer_edge(const Edge& edge) const;
   bool is_simple(const Edge& edge);
   bool is_simple(const Face& face);
-  std::optional<Index> cut_point(const Edge& edge);
+  Deviator<Integer> cut_point(const Edge& edge) const;
   bool cut(const Edge& edge);
+  void cut(const Edge& edge, Index at);
   void add_piece(const Piece& piece);
 
   ModeLevel level_;
   Bounded<double> square_;
+  bool antipodal_ = false;
   std::vector<Vertex> vertices_;
   std::vector<Piece> pieces_;
-  std::vector<std::vector<Index>> pieces_at_;  ///< of each vertex, dead ones among them
+  std::vector<std::vector<Index>> pieces_at_;              ///< of each vertex, dead ones among them
   std::unordered_map<std::uint64_t, bool> edges_, faces_;  ///< whether proved simple
 };
 

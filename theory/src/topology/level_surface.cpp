@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/level_surface.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
@@ -50,7 +51,14 @@ class TurnedSets {
   std::vector<bool> turned_;
 };
 
-// The loop of the level around a cell: points on its edges, in order. Empty if it is not crossed.
+// Of a cell and its twin, one.
+bool is_counted(const LevelComplex& complex, const LevelComplex::Cell& cell) {
+  if (!complex.is_antipodal()) return true;
+  const auto lowest =
+      *std::min_element(cell.begin(), cell.end(), [](auto u, auto v) { return u / 2 < v / 2; });
+  return lowest % 2 == 0;
+}
+
 std::vector<LevelComplex::Index> sides(const LevelComplex& complex, const LevelComplex::Cell& cell,
                                        bool above) {
   std::vector<LevelComplex::Index> result;
@@ -61,6 +69,7 @@ std::vector<LevelComplex::Index> sides(const LevelComplex& complex, const LevelC
 
 using Edge = std::array<LevelComplex::Index, 2>;
 
+// The loop of the level around a cell: points on its edges, in order. Empty if it is not crossed.
 std::vector<Edge> loop_around(const LevelComplex& complex, const LevelComplex::Cell& cell) {
   const auto up = sides(complex, cell, true), down = sides(complex, cell, false);
   if (up.empty() || down.empty()) return {};
@@ -74,6 +83,8 @@ std::vector<Edge> loop_around(const LevelComplex& complex, const LevelComplex::C
 
 class Counter {
  public:
+  explicit Counter(const LevelComplex& complex) : antipodal_(complex.is_antipodal()) {}
+
   void add_disc(const std::vector<Edge>& loop) {
     const std::size_t disc = discs_.add();
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -112,7 +123,12 @@ class Counter {
   };
 
   std::size_t point(const Edge& edge) {
-    const auto [at, added] = points_.try_emplace(simplex_key(edge), points_.size());
+    std::uint64_t key = simplex_key(edge);
+    if (antipodal_) {
+      const Edge opposite{LevelComplex::twin(edge[0]), LevelComplex::twin(edge[1])};
+      key = std::min(key, simplex_key(opposite));
+    }
+    const auto [at, added] = points_.try_emplace(key, points_.size());
     if (added) rim_.add();
     return at->second;
   }
@@ -132,14 +148,16 @@ class Counter {
   std::unordered_map<std::uint64_t, std::size_t> points_;
   std::unordered_map<std::uint64_t, Arc> arcs_;
   TurnedSets discs_, rim_;
+  bool antipodal_;
   bool orientable_ = true;
 };
 
 }  // namespace
 
 LevelSurface level_surface(const LevelComplex& complex) {
-  Counter counter;
+  Counter counter(complex);
   for (const auto& cell : complex.cells()) {
+    if (!is_counted(complex, cell)) continue;
     const auto loop = loop_around(complex, cell);
     if (!loop.empty()) counter.add_disc(loop);
   }

@@ -10,7 +10,7 @@ namespace tensortopo::theory {
 
 /// The topology of a level in a complex of simple cells.
 struct LevelSurface {
-  int euler = 0;       ///< points on edges - arcs in faces + discs in cells
+  int euler = 0;  ///< points on edges - arcs in faces + discs in cells
   int components = 0;
   int closed_components = 0;  ///< those that do not meet the boundary of the complex
   int boundary_loops = 0;
@@ -21,7 +21,8 @@ struct LevelSurface {
   friend bool operator==(const LevelSurface&, const LevelSurface&) = default;
 };
 
-/// Requires that `complex` was refined.
+/// Of an antipodal complex, the level in the projective space that it covers twice. Requires that
+/// `complex` was refined.
 LevelSurface level_surface(const LevelComplex& complex);
 
 /// For witnesses.

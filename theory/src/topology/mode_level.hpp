@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "plane/integer.hpp"
+#include "integer.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 #include "tensortopo/theory/bounded.hpp"

@@ -39,12 +39,13 @@ Tensor random_tensor(const SpanBasis& basis, Random& random) {
 void neutral_surface_topology(const Trial& trial, Facts<Rational>& facts) {
   const auto n = regular_normal(trial, facts);
   if (!n) return;
-  const auto cover = sphere_surface(span_basis(deviator(*n)), ModeLevel::neutral());
-  if (!cover) return facts.undecided(kBudgetExceeded);
-  facts.about([&] { return normal_place(*n) + ", double cover: " + text(*cover); });
-  facts.holds("no boundary", cover->boundary_loops == 0);
-  facts.holds("number of components", cover->components == facts.claimed_count(1));
-  facts.holds("Euler characteristic", cover->euler == 2 * facts.claimed_count(-1));
+  const auto surface = projective_neutral_surface(span_basis(deviator(*n)));
+  if (!surface) return facts.undecided(kBudgetExceeded);
+  facts.about([&] { return normal_place(*n) + ": " + text(*surface); });
+  facts.holds("no boundary", surface->boundary_loops == 0);
+  facts.holds("number of components", surface->components == facts.claimed_count(1));
+  facts.holds("Euler characteristic", surface->euler == facts.claimed_count(-1));
+  facts.holds("not orientable", !surface->orientable);
 }
 
 // Characteristic tensor diag(1, 1, -2): all of a line of neutral tensors is singular.
@@ -59,8 +60,9 @@ Outcome singular_neutral_surface() {
       if (inner(square(t), tensor_of(b)) != 0) return Outcome::holds();
     }
   }
-  return Outcome::violated(normal_place(n) + ": the determinant and all its derivatives in the "
-                                             "span vanish at p " +
+  return Outcome::violated(normal_place(n) +
+                           ": the determinant and all its derivatives in the "
+                           "span vanish at p " +
                            text(first) + " + q " + text(second) +
                            ", so the neutral surface crosses itself along a line");
 }
@@ -70,17 +72,18 @@ void neutral_surface_orientability(const Trial& trial, Facts<Rational>& facts) {
   if (!n) return;
   Random random = trial.random;
   const SpanBasis basis = span_basis(deviator(*n));
-  // The determinant changes its sign with the tensor's. So over the neutral surface the sides are
-  // the sheets of the double cover on the sphere: where the cover is connected, a path leads from
-  // one side to the other.
+  const auto neutral = projective_neutral_surface(basis);
+  if (!neutral) return facts.undecided(kBudgetExceeded);
+  facts.about([&] { return normal_place(*n) + ", mode 0: " + text(*neutral); });
+  facts.holds("the neutral surface is not orientable", !neutral->orientable);
+  // A second reason: the determinant changes its sign with the tensor's. So over the neutral
+  // surface the sides are the sheets of its double cover on the sphere; the cover is connected, and
+  // a path in it leads from one side to the other.
   const auto cover = sphere_surface(basis, ModeLevel::neutral());
   if (!cover) return facts.undecided(kBudgetExceeded);
   facts.about([&] { return normal_place(*n) + ", double cover: " + text(*cover); });
-  facts.holds("components of the cover of the neutral surface",
-              cover->components == facts.claimed_count(1));
-  // A second reason: an orientable closed surface has an even Euler characteristic.
-  facts.holds("Euler characteristic of the neutral surface is odd",
-              cover->euler % 4 == 2 || cover->euler % 4 == -2);
+  facts.holds("components of the cover", cover->components == facts.claimed_count(1));
+  facts.holds("Euler characteristic of the cover", cover->euler == 2 * neutral->euler);
   const Tensor t = random_tensor(basis, random), opposite = Rational(-1) * t;
   facts.equal("determinant of the opposite tensor", determinant(opposite), -determinant(t));
   const LevelChoice choice = level_choice(*n, random);
@@ -89,26 +92,12 @@ void neutral_surface_orientability(const Trial& trial, Facts<Rational>& facts) {
     const ModeLevel level = ModeLevel::of_parameter(*parameter);
     const auto surface = sphere_surface(basis, level);
     if (!surface) return facts.undecided(kBudgetExceeded);
-    facts.about([&] {
-      return normal_place(*n) + ", s = " + parameter->str() + ": " + text(*surface);
-    });
+    facts.about(
+        [&] { return normal_place(*n) + ", s = " + parameter->str() + ": " + text(*surface); });
     // Of t and -t one has mode mu if the other has -mu: this is the surface itself, no cover.
     facts.holds("orientable", surface->orientable);
     facts.equal("mode^2 of the opposite tensor", mode_squared(opposite), mode_squared(t));
   }
-}
-
-// diag(4, -5, 1) + x xy + y xz + z yz on a tetrahedron around the origin.
-Outcome orientable_neutral_surface() {
-  const Tensor origin = {4, -5, 1, 0, 0, 0};
-  std::array<Deviator<Rational>, 4> field;
-  const std::array<Tensor, 4> corners = {Tensor{0, 0, 0, 6, 6, 6}, Tensor{0, 0, 0, 6, -6, -6},
-                                         Tensor{0, 0, 0, -6, -6, 6}, Tensor{0, 0, 0, -6, 6, -6}};
-  for (std::size_t i = 0; i < 4; ++i) field[i] = deviator(origin + corners[i]);
-  const auto surface = tetrahedron_surface(field, ModeLevel::neutral());
-  if (!surface || surface->components == 0 || !surface->orientable) return Outcome::holds();
-  return Outcome::violated("field " + text(TetrahedronField<Rational>{field}) +
-                           ", its neutral surface in the tetrahedron: " + text(*surface));
 }
 
 void degenerate_curve_circle(const Trial& trial, Facts<Rational>& facts) {
@@ -117,8 +106,8 @@ void degenerate_curve_circle(const Trial& trial, Facts<Rational>& facts) {
   if (determinant(*n) == 0) return facts.not_applicable("characteristic determinant 0");
   // A degenerate tensor is a multiple of e e^T - |e|^2 / 3 for one line e, and in the span if and
   // only if e.N e = 0: a conic. With real points and not degenerate, it is a circle.
-  const Signature form = signature({{n->xx, n->xy, n->xz}, {n->xy, n->yy, n->yz},
-                                    {n->xz, n->yz, n->zz}});
+  const Signature form =
+      signature({{n->xx, n->xy, n->xz}, {n->xy, n->yy, n->yz}, {n->xz, n->yz, n->zz}});
   facts.about([&] { return normal_place(*n); });
   facts.holds("positive squares of the conic", form.positive == facts.claimed_count(2));
   facts.holds("negative squares of the conic", form.negative == facts.claimed_count(1));

@@ -24,7 +24,7 @@ struct ModeForms {
 
 template <std::size_t N>
 ModeForms<N> mode_forms(const std::array<BoundedDeviator, N>& tensors) {
-  const auto linear = [&](Number BoundedDeviator::* entry) {
+  const auto linear = [&](Number BoundedDeviator::*entry) {
     Form<N, 1> form;
     for (std::size_t i = 0; i < N; ++i) form.coefficients[i] = tensors[i].*entry;
     return form;
@@ -74,8 +74,8 @@ bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const Number& s
   for (std::size_t i = 1; i < N; ++i) {
     if (excess_at(corner(forms.p, i), corner(forms.q, i)) != first) return false;
   }
-  return has_strict_sign(
-      Number(2) * (forms.q * forms.q) - square * (forms.p * (forms.p * forms.p)), first);
+  return has_strict_sign(Number(2) * (forms.q * forms.q) - square * (forms.p * (forms.p * forms.p)),
+                         first);
 }
 
 // 2 P dQ - 3 Q dP, of the sign of the mode's derivative, for each weight on its own.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/tensor_sphere.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -60,15 +61,26 @@ Deviator<double> unit_tensor(const Deviator<Integer>& t) {
   return 1 / std::sqrt(norm_form(d)) * d;
 }
 
-// Of the rows scaled by `unit` and rounded; nothing if they became dependent.
 Integer determinant_of(const std::array<std::array<Integer, 4>, 4>& m) {
-  // By permutations along the first two and the last two rows.
-  const auto minor2 = [&](std::size_t r, std::size_t i, std::size_t j) {
-    return Integer(m[r][i] * m[r + 1][j] - m[r][j] * m[r + 1][i]);
+  // By minors of the first two and of the last two rows.
+  const auto minor = [&](std::size_t row, std::size_t i, std::size_t j) {
+    return Integer(m[row][i] * m[row + 1][j] - m[row][j] * m[row + 1][i]);
   };
-  return minor2(0, 0, 1) * minor2(2, 2, 3) - minor2(0, 0, 2) * minor2(2, 1, 3) +
-         minor2(0, 0, 3) * minor2(2, 1, 2) + minor2(0, 1, 2) * minor2(2, 0, 3) -
-         minor2(0, 1, 3) * minor2(2, 0, 2) + minor2(0, 2, 3) * minor2(2, 0, 1);
+  return minor(0, 0, 1) * minor(2, 2, 3) - minor(0, 0, 2) * minor(2, 1, 3) +
+         minor(0, 0, 3) * minor(2, 1, 2) + minor(0, 1, 2) * minor(2, 0, 3) -
+         minor(0, 1, 3) * minor(2, 0, 2) + minor(0, 2, 3) * minor(2, 0, 1);
+}
+
+// The cells of the 16-cell, of which 2 i and 2 i + 1 are opposite vertices.
+void add_orthants(LevelComplex& complex) {
+  for (unsigned signs = 0; signs < 16; ++signs) {
+    complex.add_cell({signs & 1, 2 + (signs >> 1 & 1), 4 + (signs >> 2 & 1), 6 + (signs >> 3)});
+  }
+}
+
+std::optional<LevelSurface> refined_surface(LevelComplex complex, std::size_t budget) {
+  if (!complex.refine(budget)) return std::nullopt;
+  return level_surface(complex);
 }
 
 }  // namespace
@@ -76,18 +88,20 @@ Integer determinant_of(const std::array<std::array<Integer, 4>, 4>& m) {
 SpanBasis span_basis(const Deviator<Rational>& normal) {
   const SpanBasis echelon = echelon_basis(primitive(normal));
   std::array<Deviator<double>, 4> unit;
-  for (std::size_t i = 0; i < 4; ++i) unit[i] = unit_tensor(echelon[i]);
+  std::array<double, 4> size;
+  for (std::size_t k = 0; k < 4; ++k) {
+    unit[k] = unit_tensor(echelon[k]);
+    size[k] = std::sqrt(as_double(norm_form(echelon[k])));
+  }
   const Square rows = orthonormal_rows(unit);
+  const double largest = *std::max_element(size.begin(), size.end());
   // Finer, until the rounded rows are independent; the first is fine enough as a rule.
   for (double parts = 64;; parts *= 64) {
     std::array<std::array<Integer, 4>, 4> whole;
     SpanBasis basis;
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t k = 0; k < 4; ++k) {
-        // Of the echelon tensor itself, of which all entries are whole.
-        const double size = std::sqrt(as_double(norm_form(echelon[k])));
-        const double largest = std::sqrt(as_double(norm_form(echelon[0])));
-        whole[i][k] = Integer(std::round(parts * rows[i][k] * (largest / size)));
+        whole[i][k] = Integer(std::round(parts * rows[i][k] * (largest / size[k])));
         basis[i] = basis[i] + whole[i][k] * echelon[k];
       }
       basis[i] = primitive(basis[i]);
@@ -98,15 +112,18 @@ SpanBasis span_basis(const Deviator<Rational>& normal) {
 
 LevelComplex tensor_sphere(const SpanBasis& basis, const ModeLevel& level) {
   LevelComplex complex(level);
-  std::array<std::array<LevelComplex::Index, 2>, 4> vertex;
-  for (std::size_t i = 0; i < 4; ++i) {
-    vertex[i] = {complex.add_vertex(basis[i]), complex.add_vertex(Integer(-1) * basis[i])};
+  for (const auto& b : basis) {
+    complex.add_vertex(b);
+    complex.add_vertex(Integer(-1) * b);
   }
-  for (unsigned signs = 0; signs < 16; ++signs) {
-    LevelComplex::Cell cell;
-    for (unsigned i = 0; i < 4; ++i) cell[i] = vertex[i][signs >> i & 1];
-    complex.add_cell(cell);
-  }
+  add_orthants(complex);
+  return complex;
+}
+
+LevelComplex antipodal_sphere(const SpanBasis& basis) {
+  LevelComplex complex = LevelComplex::antipodal();
+  for (const auto& b : basis) complex.add_twins(b);
+  add_orthants(complex);
   return complex;
 }
 
@@ -121,16 +138,16 @@ LevelComplex tensor_tetrahedron(const std::array<Deviator<Rational>, 4>& vertice
 
 std::optional<LevelSurface> sphere_surface(const SpanBasis& basis, const ModeLevel& level,
                                            std::size_t budget) {
-  LevelComplex complex = tensor_sphere(basis, level);
-  if (!complex.refine(budget)) return std::nullopt;
-  return level_surface(complex);
+  return refined_surface(tensor_sphere(basis, level), budget);
+}
+
+std::optional<LevelSurface> projective_neutral_surface(const SpanBasis& basis, std::size_t budget) {
+  return refined_surface(antipodal_sphere(basis), budget);
 }
 
 std::optional<LevelSurface> tetrahedron_surface(const std::array<Deviator<Rational>, 4>& vertices,
                                                 const ModeLevel& level, std::size_t budget) {
-  LevelComplex complex = tensor_tetrahedron(vertices, level);
-  if (!complex.refine(budget)) return std::nullopt;
-  return level_surface(complex);
+  return refined_surface(tensor_tetrahedron(vertices, level), budget);
 }
 
 }  // namespace tensortopo::theory

@@ -26,8 +26,7 @@ struct ExtractCommand {
 
 /// The modes to extract, in order, each once.
 ///
-/// Throws UsageError for none, and for 0 and +-1: neutral surfaces and degenerate curves are not
-/// mode surfaces of the generic kind.
+/// Throws UsageError for none, and for +-1: degenerate curves are not surfaces.
 std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool generalized);
 
 /// Throws UsageError unless the extension names a format for surfaces.

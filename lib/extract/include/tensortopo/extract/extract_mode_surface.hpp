@@ -16,9 +16,13 @@ namespace tensortopo {
 
 /// Why the level in a tetrahedron was not extracted.
 enum class UnresolvedReason {
-  zero_deviator_vertex,  ///< the deviator vanishes at a vertex: the mode is undefined there
-  budget_exhausted,      ///< no proof within the budget: the level is critical or constant nearby
-  inconsistent_samples,  ///< the proved topology could not be drawn with the samples at hand
+  zero_deviator_vertex,    ///< the deviator vanishes at a vertex: the mode is undefined there
+  level_constant_in_cell,  ///< the mode is mu everywhere in the tetrahedron
+  level_constant_on_face,  ///< the mode is mu everywhere on a face
+  level_constant_on_edge,  ///< the mode is mu everywhere on an edge
+  critical_value_in_cell,  ///< mu is the mode of the one saddle, which is inside
+  budget_exhausted,        ///< no proof within the budget, and none of these
+  inconsistent_samples,    ///< the proved topology could not be drawn with the samples at hand
 };
 
 /// The name that reports use.
@@ -54,14 +58,15 @@ struct Extraction {
   ExtractStatistics statistics;
 };
 
-/// The mode surface {mode = mu} of the piecewise linear field, 0 < |mu| < 1.
+/// The mode surface {mode = mu} of the piecewise linear field, |mu| < 1: for mu = 0 the neutral
+/// surface.
 ///
 /// Its topology in every edge, face and tetrahedron is decided by proofs on exact signs, not by
 /// samples; the level is mu + 0 where a vertex lies on mu. Vertices are shared by construction:
 /// each carries the edge, face or tetrahedron that it lies in.
 /// Tetrahedra for which no proof closes are listed, and the rest is extracted.
 ///
-/// @pre the mesh is valid (see `validate`); mu is neither 0 nor +-1 (throws std::invalid_argument)
+/// @pre the mesh is valid (see `validate`); mu is not +-1 (throws std::invalid_argument)
 /// The result does not depend on the number of threads.
 template <class Scalar>
 Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,

@@ -15,8 +15,10 @@ namespace tensortopo {
 /// The mode asked for, as the numbers that the extraction needs.
 template <class Scalar>
 struct Level {
-  ModeValue value;                      ///< exact; never 0 or +-1
-  int sign = 1;                         ///< of the mode
+  ModeValue value;  ///< exact; never +-1
+  /// Of the mode. Neutral tensors are taken as a limit of positive modes: the level is mu + 0, and
+  /// the dominant eigenvector the major one.
+  int sign = 1;
   Scalar mu{};                          ///< signed
   Scalar mu_squared{};
   Scalar sqrt2{};

@@ -48,6 +48,27 @@ Verdict has_strict_sign(const Polynomial& p, int sign, const Scalar& bound) {
   return verdict;
 }
 
+/// Whether the Bernstein coefficients of a polynomial on an edge change their sign at most once:
+/// positive if they do, negative if they certainly change it more often. `bound` as above.
+template <class Polynomial, class Scalar>
+Verdict changes_at_most_once(const Polynomial& p, const Scalar& bound) {
+  int changes = 0, last = 0;
+  bool certain = true;
+  for (std::size_t i = 0; i < p.size; ++i) {
+    const Scalar limit = Scalar(p.multinomials[i]) * bound;
+    const auto& c = p.coefficients[i];
+    const int sign = c > limit ? 1 : c < -limit ? -1 : 0;
+    if (sign == 0) {
+      certain = false;
+      continue;
+    }
+    if (last != 0 && sign != last) ++changes;
+    last = sign;
+  }
+  if (changes > 1) return Verdict::negative;
+  return certain ? Verdict::positive : Verdict::unknown;
+}
+
 /// Bounds on the rounding error of Bernstein coefficients, in units of `rounding_unit`, for a
 /// largest vertex norm N = sqrt(P) of one. Evaluated in absolute values,
 /// - a polar form P(S, T) stays below 3 N^2: its diagonal part below three times that of P;
@@ -195,23 +216,15 @@ Verdict has_at_most_one_crossing(const std::array<Deviator<Scalar>, 2>& tensors,
   const int direction = increase.coefficients[0] > Scalar(0) ? 1 : -1;
   const Verdict monotone = detail::has_strict_sign(increase, direction, bound);
   if (monotone == Verdict::positive) return monotone;
-  const auto form = generalized_mode_form(forms, level.mu_squared);
-  const Scalar uncertain = Scalar(detail::kGeneralizedBound) * u * n2 * n2 * n2;
-  int changes = 0, last = 0;
-  bool certain = true;
-  for (std::size_t i = 0; i < form.size; ++i) {
-    const Scalar limit = Scalar(form.multinomials[i]) * uncertain;
-    const auto& c = form.coefficients[i];
-    const int sign = c > limit ? 1 : c < -limit ? -1 : 0;
-    if (sign == 0) {
-      certain = false;
-      continue;
-    }
-    if (last != 0 && sign != last) ++changes;
-    last = sign;
-  }
-  if (changes > 1) return monotone == Verdict::unknown ? monotone : Verdict::negative;
-  return certain ? Verdict::positive : Verdict::unknown;
+  // The level of mode 0 is where the determinant vanishes, once; the form of degree six has double
+  // roots there.
+  const Verdict descartes =
+      level.mu_squared == Scalar(0)
+          ? detail::changes_at_most_once(forms.determinant,
+                                         Scalar(detail::kDeterminantBound) * u * n2 * norm)
+          : detail::changes_at_most_once(generalized_mode_form(forms, level.mu_squared),
+                                         Scalar(detail::kGeneralizedBound) * u * n2 * n2 * n2);
+  return descartes == Verdict::negative && monotone == Verdict::unknown ? monotone : descartes;
 }
 
 }  // namespace tensortopo

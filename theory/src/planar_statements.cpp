@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Critical points and closed curves of the mode in a plane.
+#include "groups.hpp"
+#include "plane/checks.hpp"
+
+namespace tensortopo::theory {
+
+std::vector<Statement> planar_statements() {
+  const std::string theorem = "Theorem 6", section = "Mode Curve Extraction inside a Face";
+  const std::string apart =
+      "three independent tensors; the critical points, complex ones and those at infinity "
+      "included, are apart from each other";
+  return {
+      {.id = "planar-extrema",
+       .paper = theorem,
+       .claim = "The mode has at most four extrema in a plane.",
+       .hypotheses = apart,
+       .corrected = "If its critical points are isolated.",
+       .sharper =
+           "With the points at infinity there are two extrema and one saddle, three and two, "
+           "or four and three. All degenerate points are among the extrema, and at most one "
+           "other point.",
+       .strata = "Tensors with a common eigenvector: the degenerate points fill a conic, and the "
+                 "mode is extremal all along it.",
+       .check = check_planar_extrema(),
+       .paper_at_witness = extrema_along_a_circle,
+       .most_fields = 200},
+      {.id = "planar-critical-pairs",
+       .paper = theorem + ", proof; " + section,
+       .claim =
+           "On the sphere of unit tensors of a plane the mode has at most seven antipodal pairs "
+           "of critical points; four are degenerate, and a cubic gives the others.",
+       .hypotheses = apart + "; tr N^2 is not 0 at a complex zero of the cubic",
+       .corrected = "Exactly seven, four of them degenerate, counted over the complex numbers, if "
+                    "the critical points are isolated.",
+       .sharper =
+           "Two or four of the degenerate ones are real; with two of them one or three of the "
+           "others, with four all three.",
+       .strata = "Tensors with a common eigenvector: a conic of critical points.",
+       .check = check_planar_pairs(),
+       .paper_at_witness = critical_points_along_a_circle,
+       .most_fields = 200},
+      {.id = "plane-meets-degenerate-curve",
+       .paper = "none (the extrema that Theorem 6 counts exist)",
+       .claim = "Every plane contains at least two degenerate points, at infinity perhaps.",
+       .hypotheses = "three independent tensors; the degenerate points, complex ones included, are "
+                     "apart from each other",
+       .sharper = "Two or four: four if three neutral tensors are orthogonal to the plane, two if "
+                  "one is.",
+       .strata = "Tensors with a common eigenvector: a conic of degenerate points.",
+       .check = check_degenerate_points()},
+      {.id = "complement-pencil",
+       .paper = "none (a cubic instead of the equations of Theorem 6)",
+       .claim =
+           "Let N be orthogonal to a plane. If T = N^2 - (|N|^2 / 3) I - (tr N^3 / |N|^2) N is "
+           "in the plane then it is critical there, and mode(T)^2 + mode(N)^2 = 1. All "
+           "non-degenerate critical points are such tensors T, or neutral with the dominant "
+           "eigenvector of a degenerate N as their kernel.",
+       .hypotheses = "N and T rational; a plane that contains T",
+       .strata = "Degenerate N: T is 0, and N is a zero of the cubic whatever the plane is.",
+       .check = check_complement_pencil()},
+      {.id = "planar-redundancy",
+       .paper = theorem + ", proof: the third equation",
+       .claim = "Where w and h are not 0, the third equation follows from the other two.",
+       .hypotheses = "any three tensors",
+       .sharper = "Wherever w is not 0: w times the third is a combination of the other two.",
+       .strata = "At w = 0 the two say that h = 0, and the third need not hold.",
+       .check = check_redundancy()},
+      {.id = "planar-spurious-solutions",
+       .paper = section + ", equations in u / w and v / w",
+       .claim = "With w = 1 the system has nine solutions, two of which are spurious; the gradient "
+                "of the determinant is cubic there.",
+       .hypotheses = apart + "; an orthogonal basis, and no critical point with w = 0",
+       .corrected = "Seven solutions, all of them critical: the spurious two are at w = 0. The "
+                    "gradient is quadratic.",
+       .strata = "A critical point with w = 0 is lost in the chart, and cannot be told from the "
+                 "spurious solutions by w and h: six solutions are left, or five. If h is 0 along "
+                 "w = 0, all points there solve the two equations.",
+       .check = check_spurious_solutions(),
+       .paper_at_witness = fewer_than_nine_solutions,
+       .most_fields = 500},
+      {.id = "planar-points-at-infinity",
+       .paper = theorem + ", proof: one-to-one correspondence",
+       .claim = "Pairs of critical points on the sphere of unit tensors are in one-to-one "
+                "correspondence with the critical points in the plane.",
+       .hypotheses = apart,
+       .corrected = "All but those whose weights have the sum 0: these are at infinity.",
+       .check = check_points_at_infinity(),
+       .paper_at_witness = saddles_at_infinity,
+       .most_fields = 500},
+      {.id = "loop-encloses-extremum",
+       .paper = section + ", vertices inserted at extrema",
+       .claim = "A closed mode curve in a triangle encloses an extremum in the triangle, so that "
+                "edges from the corners to all extrema meet every closed curve.",
+       .hypotheses = apart + "; a rational mode parameter s, 0 < s < 1",
+       .sharper = "It encloses one extremum more than saddles.",
+       .strata = "Dependent tensors: the mode is constant along lines. Curves around the same "
+                 "extremum can be nested.",
+       .check = check_enclosed_extremum(),
+       .most_fields = 60},
+  };
+}
+
+}  // namespace tensortopo::theory
