@@ -2,59 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plane/plane.hpp"
 
-#include <utility>
 #include <vector>
+
+#include "complement.hpp"
 
 namespace tensortopo::theory {
 namespace {
 
-using Row = std::array<Rational, 5>;
-
 std::array<Rational*, 5> entries(Deviator<Rational>& d) {
   return {&d.a, &d.b, &d.xy, &d.yz, &d.xz};
-}
-
-// The inner product with d as a linear function of the five entries.
-Row functional(const Deviator<Rational>& d) {
-  Row row;
-  for (std::size_t i = 0; i < 5; ++i) {
-    Deviator<Rational> unit;
-    *entries(unit)[i] = 1;
-    row[i] = norm_form(d, unit);
-  }
-  return row;
-}
-
-// A basis of the vectors on which all rows vanish.
-std::vector<Row> null_space(std::vector<Row> rows) {
-  std::vector<std::size_t> pivots;
-  for (std::size_t column = 0; column < 5; ++column) {
-    const std::size_t next = pivots.size();
-    std::size_t found = next;
-    while (found < rows.size() && rows[found][column] == 0) ++found;
-    if (found == rows.size()) continue;
-    std::swap(rows[next], rows[found]);
-    const Rational pivot = rows[next][column];
-    for (Rational& x : rows[next]) x = x / pivot;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == next) continue;
-      const Rational factor = rows[i][column];
-      for (std::size_t j = 0; j < 5; ++j) rows[i][j] = rows[i][j] - factor * rows[next][j];
-    }
-    pivots.push_back(column);
-  }
-  std::vector<Row> basis;
-  for (std::size_t column = 0, pivot = 0; column < 5; ++column) {
-    if (pivot < pivots.size() && pivots[pivot] == column) {
-      ++pivot;
-      continue;
-    }
-    Row vector;
-    vector[column] = 1;
-    for (std::size_t i = 0; i < pivots.size(); ++i) vector[pivots[i]] = -rows[i][column];
-    basis.push_back(vector);
-  }
-  return basis;
 }
 
 // A positive number that makes the entries of all these integers.
@@ -76,14 +32,14 @@ IntegerTensor integral(const Deviator<Rational>& d, const Integer& factor) {
 
 std::optional<Plane> plane_of(const TriangleField<Rational>& field) {
   const auto& d = field.vertex;
-  const auto normal = null_space({functional(d[0]), functional(d[1]), functional(d[2])});
+  const Tensor tensors[] = {to_tensor(d[0]), to_tensor(d[1]), to_tensor(d[2])};
+  const std::vector<Tensor> normal = orthogonal_complement(tensors);
   if (normal.size() != 2) return std::nullopt;
   Plane plane;
   const Integer factor = common_denominator({d[0], d[1], d[2]});
   for (std::size_t i = 0; i < 3; ++i) plane.basis[i] = integral(d[i], factor);
   for (std::size_t i = 0; i < 2; ++i) {
-    Deviator<Rational> n;
-    for (std::size_t j = 0; j < 5; ++j) *entries(n)[j] = normal[i][j];
+    const Deviator<Rational> n = deviator(normal[i]);
     plane.complement[i] = integral(n, common_denominator({n}));
   }
   return plane;
