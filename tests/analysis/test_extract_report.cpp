@@ -116,6 +116,20 @@ TEST(ExtractReport, RepeatedModesCountOnce) {
   EXPECT_EQ(Json::parse(run.out).at("surfaces").size(), 2u);
 }
 
+TEST(ExtractReport, HasOneNeutralSurfaceWithTheGeneralizedOptionToo) {
+  const Folder folder;
+  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "n.vtp", "--mode",
+                                   "0", "--generalized", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json surfaces = Json::parse(run.out).at("surfaces");
+  ASSERT_EQ(surfaces.size(), 1u);
+  EXPECT_EQ(surfaces.at(0).at("mode"), 0.0);
+  EXPECT_GT(surfaces.at(0).at("triangles"), 0);
+  EXPECT_TRUE(surfaces.at(0).at("manifold"));
+  EXPECT_TRUE(surfaces.at(0).at("orientable"));
+  EXPECT_TRUE(surfaces.at(0).at("unresolved").empty());
+}
+
 TEST(ExtractReport, WithoutJsonIsATableForPeople) {
   const Folder folder;
   const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.stl", "--mode",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "extractor_scalars.hpp"
 #include "narrow.hpp"
@@ -59,6 +60,11 @@ double bracketed_zero(const Function& f, double a, double fa, double b, double f
   return a + (b - a) / 2;
 }
 
+constexpr double kPi = std::numbers::pi;
+
+/// The parameter of a mode that is 0 for all that a chart can show.
+ModeParameter<double> almost_neutral() { return mode_parameter_from_s(std::ldexp(1.0, -30), 1); }
+
 }  // namespace
 
 template <class Scalar>
@@ -71,11 +77,33 @@ std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>& tet,
   field.vertex = rounded(tet.simplex.tensors);
   const auto characteristic = characteristic_tensor(field);
   if (!characteristic) return nullptr;
-  MediumEigenvectorManifold<double> manifold(*characteristic, level.parameter);
-  // Its fold would be a point. Neutral surfaces have none but at the singular lines.
-  if (manifold.complex_domain_empty() && level.mu_squared != Scalar(0)) return nullptr;
-  return std::unique_ptr<TetManifold>(
-      new TetManifold{*characteristic, std::move(manifold), FieldLift<double>(field), level.sign});
+  const bool neutral = level.mu_squared == Scalar(0);
+  MediumEigenvectorManifold<double> manifold(
+      *characteristic, neutral ? almost_neutral() : level.parameter);
+  if (manifold.complex_domain_empty()) return nullptr;  // its fold would be a point
+  return std::unique_ptr<TetManifold>(new TetManifold{*characteristic, std::move(manifold),
+                                                      FieldLift<double>(field), level.sign,
+                                                      neutral});
+}
+
+Vector3<double> TetManifold::boundary_vector(const Vector3<double>& medium,
+                                             const Vector3<double>& dominant) const {
+  if (!neutral) return medium;
+  const auto at = manifold.boundary_position(medium);
+  // Along an oval that shrinks to a point the dominant eigenvector turns evenly, by half a turn, in
+  // the plane across it: so two places tell all others.
+  const auto angle = [&, v = at.sign * medium](const Vector3<double>& d) {
+    const auto& e = manifold.characteristic().eigenvectors[1];
+    return 2 * std::atan2(dot(d, cross(v, e)), dot(d, e));
+  };
+  const auto angle_at = [&](double phi) {
+    return angle(manifold.dominant_eigenvector(manifold.boundary_point(at.loop, phi)));
+  };
+  const double start = angle_at(0);
+  const double sense = std::sin(angle_at(kPi / 2) - start) > 0 ? 1 : -1;
+  const double phi = std::remainder(sense * (angle(dominant) - start), 2 * kPi);
+  const auto v = manifold.boundary_point(at.loop, phi < 0 ? phi + 2 * kPi : phi);
+  return at.sign * v;
 }
 
 template <class Scalar>

@@ -76,11 +76,12 @@ class Drawing {
   std::size_t boundary_image(const RimVertex& vertex, Vector3<double> towards) {
     auto found = boundary_images_.find(vertex.id);
     if (found == boundary_images_.end()) {
-      const std::array<std::size_t, 2> both{add_image(vertex.id, vertex.faces, vertex.medium),
-                                            add_image(vertex.id, vertex.faces, -vertex.medium)};
+      const auto v = on_.boundary_vector(vertex.medium, vertex.dominant);
+      const std::array<std::size_t, 2> both{add_image(vertex.id, vertex.faces, v),
+                                            add_image(vertex.id, vertex.faces, -v)};
       found = boundary_images_.emplace(vertex.id, both).first;
     }
-    return found->second[dot(vertex.medium, towards) > 0 ? 0 : 1];
+    return found->second[dot(images_[found->second[0]].v, towards) > 0 ? 0 : 1];
   }
 
   bool add_rims() {
@@ -132,11 +133,6 @@ class Drawing {
     for (std::size_t l = 0; l < ends.size(); ++l) {
       const int loop = static_cast<int>(l);
       auto& list = ends[l];
-      if (on_.manifold.complex_domain_empty()) {
-        // Neutral: sheets with a part of a singular line are not drawn here.
-        if (!list.empty()) return false;
-        continue;
-      }
       std::sort(list.begin(), list.end(), [](const End& p, const End& q) { return p.phi < q.phi; });
       if (list.empty()) {
         bool in[3];

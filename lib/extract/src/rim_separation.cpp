@@ -64,9 +64,12 @@ class Separation {
     }
     const auto& arc = arc_of(piece.face, piece.arc);
     for (const auto& c : crossings)
-      if (c.face == piece.face && c.arc == piece.arc)
+      if (c.face == piece.face && c.arc == piece.arc) {
+        const auto point = point_on_arc(arc, c.place, level_);
+        const auto dominant = narrow(dominant_eigenvector(point.tensor, level_));
         list.push_back({static_cast<double>(c.place),
-                        narrow(point_on_arc(arc, c.place, level_).medium), true});
+                        on_.boundary_vector(narrow(point.medium), dominant), true});
+      }
     std::sort(list.begin(), list.end(),
               [](const Sample& a, const Sample& b) { return a.place < b.place; });
     const std::size_t n = list.size(), count = arc.closed ? n : n - 1;

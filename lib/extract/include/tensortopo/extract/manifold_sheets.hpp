@@ -16,11 +16,23 @@ namespace tensortopo {
 /// The medium eigenvector manifold of one tetrahedron's linear field, for drawing its sheets as
 /// the paper does (section on extraction inside a tetrahedron). It guides samples and
 /// connectivity only, so double serves; what it draws is checked against the proved topology.
+///
+/// A neutral surface is drawn on the manifold of a mode next to 0. Its complex domain is an oval
+/// around each singularity, too small to hold a sample, and the oval's boundary stands for the
+/// straight line of the surface that has the singularity as medium eigenvector everywhere: the
+/// point is blown up to the line. Vertices are put on the level afterwards.
 struct TetManifold {
   CharacteristicTensor<double> characteristic;
   MediumEigenvectorManifold<double> manifold;
   FieldLift<double> lift;  ///< to weights in the scaled vertex tensors
   int sign;                ///< of the mode
+  bool neutral;            ///< the mode is 0
+
+  /// The medium eigenvector, or its opposite, of a tensor on the boundary of the complex domain, as
+  /// a point of that boundary. For a neutral surface the eigenvector is a singularity, and it is
+  /// the tensor's place on the line, told by its dominant eigenvector, that chooses the point.
+  Vector3<double> boundary_vector(const Vector3<double>& medium,
+                                  const Vector3<double>& dominant) const;
 };
 
 /// Nothing where the parameterization does not apply: fewer than four independent vertex tensors.
