@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/field/uncritical_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "tensortopo/field/characteristic_tensor.hpp"
+#include "tensortopo/scalar/interval.hpp"
+#include "tensortopo/tensor/mode.hpp"
+
+namespace tensortopo {
+namespace {
+
+using Tensor = Deviator<Interval>;
+
+/// Parts of an edge, or of the line of tensors orthogonal to a face, are halved so often at least
+/// before a critical point is believed to be there, and so often at most.
+constexpr int kFirstDepth = 14, kLastDepth = 48;
+/// An enclosure of a gap is narrow if its ends differ by less than this factor.
+constexpr double kNarrow = 1.25;
+constexpr int kMostParts = 4000;
+
+double middle(const Interval& x) { return (x.inf() + x.sup()) / 2; }
+
+Deviator<double> middle(const Tensor& t) {
+  return {middle(t.a), middle(t.b), middle(t.xy), middle(t.yz), middle(t.xz)};
+}
+
+Tensor point(const Deviator<double>& t) {
+  return {Interval(t.a), Interval(t.b), Interval(t.xy), Interval(t.yz), Interval(t.xz)};
+}
+
+/// Times a power of two such that the largest component is about 1; unchanged if it cannot be.
+Tensor normalized(const Tensor& t) {
+  double largest = 0;
+  for (const Interval& x : {t.a, t.b, t.xy, t.yz, t.xz})
+    largest = std::max({largest, std::abs(x.inf()), std::abs(x.sup())});
+  if (!(largest > 0) || !std::isfinite(largest)) return t;
+  const double factor = std::ldexp(1.0, -std::ilogb(largest));
+  return std::isfinite(factor) ? Interval(factor) * t : t;
+}
+
+/// Other tensors with the same span, about orthogonal: where a field varies little, its vertex
+/// tensors are nearly parallel, and products of them would lose all digits.
+template <std::size_t Count>
+std::array<Tensor, Count> spread_out(std::array<Tensor, Count> t) {
+  for (std::size_t i = 0; i < Count; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double factor = middle(norm_form(t[i], t[j])) / middle(norm_form(t[j]));
+      if (std::isfinite(factor)) t[i] = t[i] - Interval(factor) * t[j];
+    }
+    t[i] = normalized(t[i]);
+  }
+  return t;
+}
+
+Tensor orthogonal_to(const std::array<Tensor, 4>& t) {
+  return normalized(characteristic_direction(TetrahedronField<Interval>{t}));
+}
+
+Deviator<double> orthogonal_to(const std::array<Deviator<double>, 4>& t) {
+  return characteristic_direction(TetrahedronField<double>{t});
+}
+
+/// A polynomial of degree 4 or less.
+using Polynomial = std::array<Interval, 5>;
+
+Polynomial times(const Polynomial& p, const Polynomial& q) {
+  Polynomial product;
+  for (auto& c : product) c = Interval(0);
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; i + j < 5; ++j) product[i + j] += p[i] * q[j];
+  return product;
+}
+
+Polynomial minus(Polynomial p, const Polynomial& q) {
+  for (std::size_t i = 0; i < 5; ++i) p[i] -= q[i];
+  return p;
+}
+
+Polynomial derivative(const Polynomial& p) {
+  return {p[1], Interval(2) * p[2], Interval(3) * p[3], Interval(4) * p[4], Interval(0)};
+}
+
+Interval horner(const Polynomial& p, const Interval& x) {
+  return p[0] + x * (p[1] + x * (p[2] + x * (p[3] + x * p[4])));
+}
+
+/// A polynomial over a part of its domain, by the mean value theorem.
+Interval range(const Polynomial& p, const Interval& x) {
+  const Interval m(middle(x));
+  return horner(p, m) + horner(derivative(p), x) * (x - m);
+}
+
+bool is_not_zero(const Interval& x) { return x.inf() > 0 || x.sup() < 0; }
+
+/// The tensors A + x B of a line, and the forms that depend on x.
+struct Line {
+  Line(const Tensor& a, const Tensor& b) : m(thrice(a)), k(thrice(b)) {
+    const Interval zero(0), two(2);
+    const auto mm = square(m), kk = square(k);
+    const auto mixed = square(m + k) - mm - kk;
+    squares = {mm, mixed, kk};
+    norm = {norm_form(a), two * norm_form(a, b), norm_form(b), zero, zero};
+    determinant = {tensortopo::determinant(m), inner(mm, k), inner(kk, m),
+                   tensortopo::determinant(k), zero};
+  }
+
+  /// <M, T> and <M^2, T> for M three times the tensor and a traceless T.
+  Polynomial linear(const SymmetricTensor<Interval>& t) const {
+    return {inner(m, t), inner(k, t), Interval(0), Interval(0), Interval(0)};
+  }
+  Polynomial quadratic(const SymmetricTensor<Interval>& t) const {
+    return {inner(squares[0], t), inner(squares[1], t), inner(squares[2], t), Interval(0),
+            Interval(0)};
+  }
+
+  SymmetricTensor<Interval> m, k;
+  std::array<SymmetricTensor<Interval>, 3> squares;
+  Polynomial norm, determinant;  ///< P and Q
+};
+
+/// Looks at one critical point after the other and keeps what they leave of the gaps.
+class Clearing {
+ public:
+  Clearing(const ModeValue& mode, double widest) : sign_(mode.sign()), open_(widest) {
+    const auto mu = to_scalar<Interval>(mode);
+    own_ = (Interval(1) - mu) * (Interval(1) + mu);
+  }
+
+  double open() const { return open_; }
+  const Interval& own() const { return own_; }
+
+  bool vertex(const Tensor& t) {
+    if (has_other_sign(determinant_form(t))) return true;
+    return take(degenerate_gap(t), kLastDepth) == Answer::settled;
+  }
+
+  bool edge(const Tensor& from, const Tensor& to) {
+    const Tensor step = to - from;
+    const Line line(from, step);
+    Polynomial q_part = times(line.norm, derivative(line.determinant));
+    Polynomial p_part = times(derivative(line.norm), line.determinant);
+    for (auto& c : q_part) c *= Interval(2);
+    for (auto& c : p_part) c *= Interval(3);
+    const Polynomial increase = minus(q_part, p_part);
+    parts_ = 0;
+    return search(Interval(0, 1), 0, [&](const Interval& x, int depth) {
+      if (is_not_zero(range(increase, x))) return Answer::settled;
+      if (has_other_sign(range(line.determinant, x))) return Answer::settled;
+      return take(degenerate_gap(from + x * step), depth);
+    });
+  }
+
+  bool face(const std::array<Tensor, 3>& corners) {
+    const auto own = spread_out(corners);
+    const auto complement = orthogonal_pair(own);
+    const Tensor n1 = orthogonal_to({own[0], own[1], own[2], complement[1]});
+    const Tensor n2 = orthogonal_to({own[0], own[1], own[2], complement[0]});
+    const Interval gram = norm_form(n1) * norm_form(n2) - norm_form(n1, n2) * norm_form(n1, n2);
+    if (certified_sign(gram) != Verdict::positive) return false;
+    std::array<SymmetricTensor<Interval>, 3> dual;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto others =
+          spread_out(std::array{corners[i == 0 ? 1 : 0], corners[i == 2 ? 1 : 2]});
+      Tensor d = orthogonal_to({others[0], others[1], complement[0], complement[1]});
+      const Interval side = norm_form(corners[i], d);
+      if (!is_not_zero(side)) return false;
+      if (side.sup() < 0) d = Interval(-1) * d;
+      dual[i] = thrice(d);
+    }
+    return half_of_face(n1, n2, dual) && half_of_face(n2, n1, dual);
+  }
+
+  bool inside(const std::array<Tensor, 4>& corners) {
+    const auto own = spread_out(corners);
+    const Tensor n = orthogonal_to(own);
+    const Interval p = norm_form(n);
+    if (certified_sign(p) != Verdict::positive) return false;
+    const Interval q = determinant_form(n);
+    const auto m = thrice(n), mm = square(m);
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::array<Tensor, 3> others;
+      for (std::size_t j = 0, k = 0; j < 4; ++j)
+        if (j != i) others[k++] = corners[j];
+      others = spread_out(others);
+      const Tensor d = orthogonal_to({others[0], others[1], others[2], point(middle(n))});
+      const Interval side = norm_form(corners[i], d);
+      const auto k = thrice(d);
+      const Interval weight = p * inner(mm, k) - q * inner(m, k);
+      if (is_outside(side * weight)) return true;
+    }
+    return take(Interval(2) * q * q / (p * p * p), kLastDepth) == Answer::settled;
+  }
+
+ private:
+  enum class Answer { settled, divide };
+
+  /// Part of what is orthogonal to a face: the tensors a + x b, |x| <= 1. The critical tensor that
+  /// belongs to N is G = N^2 - (|N|^2 / 3) I - (tr N^3 / |N|^2) N if it is orthogonal to all of
+  /// them, and |mode G|^2 = 1 - mode(N)^2.
+  bool half_of_face(const Tensor& a, const Tensor& b,
+                    const std::array<SymmetricTensor<Interval>, 3>& dual) {
+    const Line line(a, b);
+    const Polynomial cubic = minus(times(line.quadratic(line.m), line.linear(line.k)),
+                                   times(line.quadratic(line.k), line.linear(line.m)));
+    std::array<Polynomial, 3> weights;
+    for (std::size_t i = 0; i < 3; ++i)
+      weights[i] = minus(times(line.norm, line.quadratic(dual[i])),
+                         times(line.determinant, line.linear(dual[i])));
+    parts_ = 0;
+    return search(Interval(-1, 1), 0, [&](const Interval& x, int depth) {
+      if (is_not_zero(range(cubic, x))) return Answer::settled;
+      const Interval p = range(line.norm, x), q = range(line.determinant, x);
+      for (const auto& w : weights)
+        if (is_outside(range(w, x))) return Answer::settled;
+      return take(Interval(2) * CGAL::square(q) / (p * p * p), depth);
+    });
+  }
+
+  template <class Look>
+  bool search(const Interval& x, int depth, const Look& look) {
+    if (++parts_ > kMostParts) return false;
+    if (look(x, depth) == Answer::settled) return true;
+    if (depth >= kLastDepth) return false;
+    const double m = middle(x);
+    return search(Interval(x.inf(), m), depth + 1, look) &&
+           search(Interval(m, x.sup()), depth + 1, look);
+  }
+
+  /// Where a critical value with this gap leaves the gaps free; divided further while that is
+  /// vague.
+  Answer take(const Interval& gap, int depth) {
+    if (gap.inf() >= open_ || gap.sup() < own_.inf()) return Answer::settled;
+    if (!(gap.inf() > own_.sup()) || depth < kFirstDepth) return Answer::divide;
+    if (depth < kLastDepth && gap.sup() > kNarrow * gap.inf()) return Answer::divide;
+    open_ = gap.inf();
+    return Answer::settled;
+  }
+
+  /// 1 - mode^2 by the discriminant, which does not cancel.
+  static Interval degenerate_gap(const Tensor& t) {
+    const Interval p = norm_form(t);
+    return Interval(54) * discriminant_form(t) / (p * p * p);
+  }
+
+  bool has_other_sign(const Interval& determinant) const {
+    const Verdict sign = certified_sign(determinant);
+    return sign == (sign_ > 0 ? Verdict::negative : Verdict::positive);
+  }
+
+  /// Whether a weight of a critical tensor G puts the point outside. The mode of such a tensor is
+  /// negative: G itself counts for negative modes, -G for positive ones.
+  bool is_outside(const Interval& weight) const {
+    return certified_sign(weight) == (sign_ > 0 ? Verdict::positive : Verdict::negative);
+  }
+
+  /// Two tensors about orthogonal to three and to each other, as exact numbers.
+  static std::array<Tensor, 2> orthogonal_pair(const std::array<Tensor, 3>& t) {
+    const std::array<Deviator<double>, 3> own{middle(t[0]), middle(t[1]), middle(t[2])};
+    Deviator<double> first{};
+    double longest = -1;
+    for (const Deviator<double>& axis :
+         {Deviator<double>{1, 0, 0, 0, 0}, Deviator<double>{0, 1, 0, 0, 0},
+          Deviator<double>{0, 0, 1, 0, 0}, Deviator<double>{0, 0, 0, 1, 0},
+          Deviator<double>{0, 0, 0, 0, 1}}) {
+      const auto candidate = orthogonal_to({own[0], own[1], own[2], axis});
+      if (const double length = norm_form(candidate); length > longest)
+        longest = length, first = candidate;
+    }
+    const auto second = orthogonal_to({own[0], own[1], own[2], first});
+    return {normalized(point(first)), normalized(point(second))};
+  }
+
+  int sign_;
+  double open_;
+  Interval own_;
+  int parts_ = 0;
+};
+
+}  // namespace
+
+std::optional<double> uncritical_gap(const std::array<SymmetricTensor<double>, 4>& tensors,
+                                     const ModeValue& mode, double widest) {
+  std::array<Tensor, 4> t;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& s = tensors[i];
+    t[i] = normalized(deviator(SymmetricTensor<Interval>{Interval(s.xx), Interval(s.yy),
+                                                         Interval(s.zz), Interval(s.xy),
+                                                         Interval(s.yz), Interval(s.xz)}));
+  }
+  Clearing clearing(mode, widest);
+  if (mode.sign() == 0 || !(clearing.own().sup() < widest)) return std::nullopt;
+  for (const auto& corner : t)
+    if (!clearing.vertex(corner)) return std::nullopt;
+  if (!clearing.inside(t)) return std::nullopt;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (!clearing.edge(t[i], t[j])) return std::nullopt;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::array<Tensor, 3> face;
+    for (std::size_t j = 0, k = 0; j < 4; ++j)
+      if (j != i) face[k++] = t[j];
+    if (!clearing.face(face)) return std::nullopt;
+  }
+  return clearing.open();
+}
+
+}  // namespace tensortopo
