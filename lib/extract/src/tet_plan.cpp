@@ -8,7 +8,7 @@
 #include "tensortopo/extract/segment_root.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
-#include "thicker_level.hpp"
+#include "thin_sheets.hpp"
 
 namespace tensortopo {
 
@@ -254,7 +254,7 @@ std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
   auto plan = plan_at_once(tet, level);
   if (!plan || is_complete(*plan)) return plan;
   if (is_thin(level))
-    if (auto sheets = sheets_of_thicker_level(tet, level, plan->loops)) {
+    if (auto sheets = sheets_of_thin_level(tet, level, plan->loops)) {
       plan->sheets = std::move(*sheets);
       plan->refined = true;
       return plan;

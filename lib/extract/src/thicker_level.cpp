@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "thicker_level.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,14 +7,14 @@
 #include <string>
 #include <utility>
 
+#include "closed_curves.hpp"
 #include "extractor_scalars.hpp"
-#include "face_parts.hpp"
 #include "plan_by_leaves.hpp"
 #include "tensortopo/extract/edge_crossings.hpp"
-#include "tensortopo/field/uncritical_gap.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
+#include "thin_sheets.hpp"
 
-namespace tensortopo {
+namespace tensortopo::detail {
 
 namespace {
 
@@ -40,20 +38,6 @@ const Level<Scalar>& thicker_level(int k, int sign) {
                                                 "/" + std::to_string(whole)));
   }
   return level;
-}
-
-template <std::size_t Count, class Scalar>
-LevelSimplex<Scalar, Count> part_of_simplex(const LevelSimplex<Scalar, 4>& tet,
-                                            const std::array<std::uint8_t, Count>& vertices) {
-  LevelSimplex<Scalar, Count> part;
-  for (std::size_t i = 0; i < Count; ++i) {
-    const std::size_t v = vertices[i];
-    part.tensors[i] = tet.tensors[v];
-    part.above[i] = tet.above[v];
-    part.exact[i] = tet.exact[v];
-    part.exponents[i] = tet.exponents[v];
-  }
-  return part;
 }
 
 /// The mode curves of another level on the faces of a tetrahedron. No vertex lies between the
@@ -86,53 +70,6 @@ bool curves_at(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
   return true;
 }
 
-/// For the closed curves of a face at one level, those of the other that bound the same parts.
-template <class Scalar>
-class ClosedCurves {
- public:
-  ClosedCurves(const LevelSimplex<Scalar, 3>& face, const Level<Scalar>& thick,
-               std::span<const FaceArc<Scalar>> arcs)
-      : face_(face) {
-    built_ = parts_.build(face, thick);
-    for (std::size_t a = 0; built_ && a < arcs.size(); ++a) {
-      const auto part = part_beyond(arcs[a], thick);
-      if (!part) {
-        built_ = false;
-        return;
-      }
-      // Of two curves around one part, none is told from the other.
-      const bool alone = curve_.find(*part) == curve_.end();
-      curve_[*part] = alone && arcs[a].closed ? static_cast<int>(a) : -1;
-    }
-  }
-
-  /// The curve that corresponds to one of the thin level; each corresponds to one only.
-  int take(const FaceArc<Scalar>& thin_arc, const Level<Scalar>& thin) {
-    if (!built_) return -1;
-    const auto part = part_beyond(thin_arc, thin);
-    if (!part) return -1;
-    const auto found = curve_.find(*part);
-    return found == curve_.end() ? -1 : std::exchange(found->second, -1);
-  }
-
- private:
-  /// The part, at the thick level, of what lies beyond a curve: any corner there of the first
-  /// triangle that the curve runs through.
-  std::optional<std::uint32_t> part_beyond(const FaceArc<Scalar>& arc,
-                                           const Level<Scalar>& level) {
-    const auto& piece = arc.pieces[0];
-    for (std::size_t i = 0; i < 3; ++i)
-      if (is_above(face_, piece.tensors[i], piece.corners[i], level) == (level.sign > 0))
-        return parts_.part_of(piece.corners[i]);
-    return std::nullopt;
-  }
-
-  const LevelSimplex<Scalar, 3>& face_;
-  FaceParts<Scalar> parts_;
-  bool built_ = false;
-  std::map<std::uint32_t, int> curve_;
-};
-
 /// For each arc of a face at the thin level, the one at the thick level.
 template <class Scalar>
 bool match_arcs(const LevelSimplex<Scalar, 3>& face, std::span<const FaceArc<Scalar>> thin_arcs,
@@ -162,7 +99,9 @@ bool match_arcs(const LevelSimplex<Scalar, 3>& face, std::span<const FaceArc<Sca
       match[a] = closed[0];
     } else {
       if (!curves) curves.emplace(face, thick, thick_arcs);
-      match[a] = curves->take(thin_arcs[a], thin);
+      // A place beyond the thin level is beyond the thick one, on the same side of the curve.
+      const auto place = place_beyond(face, thin_arcs[a], thin);
+      match[a] = place ? curves->take(*place) : -1;
       if (match[a] < 0) return false;
     }
   }
@@ -171,21 +110,14 @@ bool match_arcs(const LevelSimplex<Scalar, 3>& face, std::span<const FaceArc<Sca
 
 }  // namespace
 
-template <class Scalar>
-bool is_thin(const Level<Scalar>& level) {
-  return static_cast<double>(Scalar(1) - level.mu_squared) < gap_of(kThickest) / 2;
-}
+double widest_gap() { return kClearance * gap_of(kThickest); }
 
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops) {
-  std::array<SymmetricTensor<double>, 4> tensors;
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
-  const auto open = uncritical_gap(tensors, level.value, kClearance * gap_of(kThickest));
-  if (!open) return std::nullopt;
+    const std::vector<std::vector<RimPiece>>& loops, double open_until) {
   int k = kThickest;
-  while (k < kThinnest && kClearance * gap_of(k) > *open) ++k;
+  while (k < kThinnest && kClearance * gap_of(k) > open_until) ++k;
   const auto& thick = thicker_level<Scalar>(k, level.sign);
   // Strictly between the critical value and the thin level, whatever rounding does.
   if (!(gap_of(k) / 2 > static_cast<double>(Scalar(1) - level.mu_squared))) return std::nullopt;
@@ -223,11 +155,10 @@ std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                               \
-  template bool is_thin(const Level<Scalar>&);                                       \
   template std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(        \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,                            \
-      const std::vector<std::vector<RimPiece>>&);
+      const std::vector<std::vector<RimPiece>>&, double);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 
-}  // namespace tensortopo
+}  // namespace tensortopo::detail

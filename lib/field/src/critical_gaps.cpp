@@ -1,66 +1,26 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/field/uncritical_gap.hpp"
+#include "tensortopo/field/critical_gaps.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
-#include "tensortopo/field/characteristic_tensor.hpp"
-#include "tensortopo/scalar/interval.hpp"
-#include "tensortopo/tensor/mode.hpp"
+#include "interval_tensors.hpp"
 
 namespace tensortopo {
 namespace {
 
-using Tensor = Deviator<Interval>;
+using namespace detail;
+using Tensor = IntervalTensor;
 
 /// Parts of an edge, or of the line of tensors orthogonal to a face, are halved so often at least
-/// before a critical point is believed to be there, and so often at most.
-constexpr int kFirstDepth = 14, kLastDepth = 48;
+/// before a critical point is believed to be there (or to be beyond the level), and so often at
+/// most.
+constexpr int kFirstDepth = 14, kBeyondDepth = 24, kLastDepth = 48;
 /// An enclosure of a gap is narrow if its ends differ by less than this factor.
 constexpr double kNarrow = 1.25;
 constexpr int kMostParts = 4000;
 
-double middle(const Interval& x) { return (x.inf() + x.sup()) / 2; }
-
-Deviator<double> middle(const Tensor& t) {
-  return {middle(t.a), middle(t.b), middle(t.xy), middle(t.yz), middle(t.xz)};
-}
-
-Tensor point(const Deviator<double>& t) {
-  return {Interval(t.a), Interval(t.b), Interval(t.xy), Interval(t.yz), Interval(t.xz)};
-}
-
-/// Times a power of two such that the largest component is about 1; unchanged if it cannot be.
-Tensor normalized(const Tensor& t) {
-  double largest = 0;
-  for (const Interval& x : {t.a, t.b, t.xy, t.yz, t.xz})
-    largest = std::max({largest, std::abs(x.inf()), std::abs(x.sup())});
-  if (!(largest > 0) || !std::isfinite(largest)) return t;
-  const double factor = std::ldexp(1.0, -std::ilogb(largest));
-  return std::isfinite(factor) ? Interval(factor) * t : t;
-}
-
-/// Other tensors with the same span, about orthogonal: where a field varies little, its vertex
-/// tensors are nearly parallel, and products of them would lose all digits.
-template <std::size_t Count>
-std::array<Tensor, Count> spread_out(std::array<Tensor, Count> t) {
-  for (std::size_t i = 0; i < Count; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double factor = middle(norm_form(t[i], t[j])) / middle(norm_form(t[j]));
-      if (std::isfinite(factor)) t[i] = t[i] - Interval(factor) * t[j];
-    }
-    t[i] = normalized(t[i]);
-  }
-  return t;
-}
-
-Tensor orthogonal_to(const std::array<Tensor, 4>& t) {
-  return normalized(characteristic_direction(TetrahedronField<Interval>{t}));
-}
-
-Deviator<double> orthogonal_to(const std::array<Deviator<double>, 4>& t) {
+Deviator<double> cross_product(const std::array<Deviator<double>, 4>& t) {
   return characteristic_direction(TetrahedronField<double>{t});
 }
 
@@ -94,8 +54,6 @@ Interval range(const Polynomial& p, const Interval& x) {
   return horner(p, m) + horner(derivative(p), x) * (x - m);
 }
 
-bool is_not_zero(const Interval& x) { return x.inf() > 0 || x.sup() < 0; }
-
 /// The tensors A + x B of a line, and the forms that depend on x.
 struct Line {
   Line(const Tensor& a, const Tensor& b) : m(thrice(a)), k(thrice(b)) {
@@ -125,12 +83,10 @@ struct Line {
 /// Looks at one critical point after the other and keeps what they leave of the gaps.
 class Clearing {
  public:
-  Clearing(const ModeValue& mode, double widest) : sign_(mode.sign()), open_(widest) {
-    const auto mu = to_scalar<Interval>(mode);
-    own_ = (Interval(1) - mu) * (Interval(1) + mu);
-  }
+  Clearing(const ModeValue& mode, double widest)
+      : sign_(mode.sign()), open_(widest), own_(gap_of(mode)) {}
 
-  double open() const { return open_; }
+  CriticalGaps gaps() const { return {open_, none_beyond_}; }
   const Interval& own() const { return own_; }
 
   bool vertex(const Tensor& t) {
@@ -182,11 +138,7 @@ class Clearing {
     const Interval q = determinant_form(n);
     const auto m = thrice(n), mm = square(m);
     for (std::size_t i = 0; i < 4; ++i) {
-      std::array<Tensor, 3> others;
-      for (std::size_t j = 0, k = 0; j < 4; ++j)
-        if (j != i) others[k++] = corners[j];
-      others = spread_out(others);
-      const Tensor d = orthogonal_to({others[0], others[1], others[2], point(middle(n))});
+      const Tensor d = dual_tensor(corners, i, n);
       const Interval side = norm_form(corners[i], d);
       const auto k = thrice(d);
       const Interval weight = p * inner(mm, k) - q * inner(m, k);
@@ -230,20 +182,20 @@ class Clearing {
            search(Interval(m, x.sup()), depth + 1, look);
   }
 
-  /// Where a critical value with this gap leaves the gaps free; divided further while that is
-  /// vague.
+  /// What a critical value with this gap, if there is one, leaves free; divided further while that
+  /// is vague.
   Answer take(const Interval& gap, int depth) {
-    if (gap.inf() >= open_ || gap.sup() < own_.inf()) return Answer::settled;
-    if (!(gap.inf() > own_.sup()) || depth < kFirstDepth) return Answer::divide;
+    if (gap.inf() >= open_) return Answer::settled;
+    if (depth < kFirstDepth) return Answer::divide;
+    if (gap.sup() < own_.inf()) {
+      if (depth < kBeyondDepth) return Answer::divide;
+      none_beyond_ = false;
+      return Answer::settled;
+    }
+    if (!(gap.inf() > own_.sup())) return Answer::divide;
     if (depth < kLastDepth && gap.sup() > kNarrow * gap.inf()) return Answer::divide;
     open_ = gap.inf();
     return Answer::settled;
-  }
-
-  /// 1 - mode^2 by the discriminant, which does not cancel.
-  static Interval degenerate_gap(const Tensor& t) {
-    const Interval p = norm_form(t);
-    return Interval(54) * discriminant_form(t) / (p * p * p);
   }
 
   bool has_other_sign(const Interval& determinant) const {
@@ -266,31 +218,27 @@ class Clearing {
          {Deviator<double>{1, 0, 0, 0, 0}, Deviator<double>{0, 1, 0, 0, 0},
           Deviator<double>{0, 0, 1, 0, 0}, Deviator<double>{0, 0, 0, 1, 0},
           Deviator<double>{0, 0, 0, 0, 1}}) {
-      const auto candidate = orthogonal_to({own[0], own[1], own[2], axis});
+      const auto candidate = cross_product({own[0], own[1], own[2], axis});
       if (const double length = norm_form(candidate); length > longest)
         longest = length, first = candidate;
     }
-    const auto second = orthogonal_to({own[0], own[1], own[2], first});
+    const auto second = cross_product({own[0], own[1], own[2], first});
     return {normalized(point(first)), normalized(point(second))};
   }
 
   int sign_;
   double open_;
   Interval own_;
+  bool none_beyond_ = true;
   int parts_ = 0;
 };
 
 }  // namespace
 
-std::optional<double> uncritical_gap(const std::array<SymmetricTensor<double>, 4>& tensors,
-                                     const ModeValue& mode, double widest) {
+std::optional<CriticalGaps> critical_gaps(const std::array<SymmetricTensor<double>, 4>& tensors,
+                                          const ModeValue& mode, double widest) {
   std::array<Tensor, 4> t;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& s = tensors[i];
-    t[i] = normalized(deviator(SymmetricTensor<Interval>{Interval(s.xx), Interval(s.yy),
-                                                         Interval(s.zz), Interval(s.xy),
-                                                         Interval(s.yz), Interval(s.xz)}));
-  }
+  for (std::size_t i = 0; i < 4; ++i) t[i] = normalized(deviator_enclosure(tensors[i]));
   Clearing clearing(mode, widest);
   if (mode.sign() == 0 || !(clearing.own().sup() < widest)) return std::nullopt;
   for (const auto& corner : t)
@@ -305,7 +253,7 @@ std::optional<double> uncritical_gap(const std::array<SymmetricTensor<double>, 4
       if (j != i) face[k++] = t[j];
     if (!clearing.face(face)) return std::nullopt;
   }
-  return clearing.open();
+  return clearing.gaps();
 }
 
 }  // namespace tensortopo

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "tensortopo/field/characteristic_tensor.hpp"
+#include "tensortopo/scalar/interval.hpp"
+#include "tensortopo/tensor/mode.hpp"
+
+namespace tensortopo::detail {
+
+/// A tensor that is known to within rounding.
+using IntervalTensor = Deviator<Interval>;
+
+inline double middle(const Interval& x) { return (x.inf() + x.sup()) / 2; }
+
+inline Deviator<double> middle(const IntervalTensor& t) {
+  return {middle(t.a), middle(t.b), middle(t.xy), middle(t.yz), middle(t.xz)};
+}
+
+inline IntervalTensor point(const Deviator<double>& t) {
+  return {Interval(t.a), Interval(t.b), Interval(t.xy), Interval(t.yz), Interval(t.xz)};
+}
+
+inline bool is_not_zero(const Interval& x) { return x.inf() > 0 || x.sup() < 0; }
+
+/// Times a power of two such that the largest component is about 1; unchanged if it cannot be.
+inline IntervalTensor normalized(const IntervalTensor& t) {
+  double largest = 0;
+  for (const Interval& x : {t.a, t.b, t.xy, t.yz, t.xz})
+    largest = std::max({largest, std::abs(x.inf()), std::abs(x.sup())});
+  if (!(largest > 0) || !std::isfinite(largest)) return t;
+  const double factor = std::ldexp(1.0, -std::ilogb(largest));
+  return std::isfinite(factor) ? Interval(factor) * t : t;
+}
+
+inline IntervalTensor deviator_enclosure(const SymmetricTensor<double>& t) {
+  return deviator(SymmetricTensor<Interval>{Interval(t.xx), Interval(t.yy), Interval(t.zz),
+                                            Interval(t.xy), Interval(t.yz), Interval(t.xz)});
+}
+
+/// Other tensors with the same span, about orthogonal: where a field varies little, its vertex
+/// tensors are nearly parallel, and products of them would lose all digits.
+template <std::size_t Count>
+std::array<IntervalTensor, Count> spread_out(std::array<IntervalTensor, Count> t) {
+  for (std::size_t i = 0; i < Count; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double factor = middle(norm_form(t[i], t[j])) / middle(norm_form(t[j]));
+      if (std::isfinite(factor)) t[i] = t[i] - Interval(factor) * t[j];
+    }
+    t[i] = normalized(t[i]);
+  }
+  return t;
+}
+
+inline IntervalTensor orthogonal_to(const std::array<IntervalTensor, 4>& t) {
+  return normalized(characteristic_direction(TetrahedronField<Interval>{t}));
+}
+
+/// A tensor orthogonal to all vertex tensors but one, and about orthogonal to n.
+inline IntervalTensor dual_tensor(const std::array<IntervalTensor, 4>& corners, std::size_t corner,
+                                  const IntervalTensor& n) {
+  std::array<IntervalTensor, 3> others;
+  for (std::size_t j = 0, k = 0; j < 4; ++j)
+    if (j != corner) others[k++] = corners[j];
+  others = spread_out(others);
+  return orthogonal_to({others[0], others[1], others[2], point(middle(n))});
+}
+
+/// 1 - mode^2 by the discriminant, which does not cancel.
+inline Interval degenerate_gap(const IntervalTensor& t) {
+  const Interval p = norm_form(t);
+  return Interval(54) * discriminant_form(t) / (p * p * p);
+}
+
+/// 1 - mode^2 of a mode.
+inline Interval gap_of(const ModeValue& mode) {
+  const auto mu = to_scalar<Interval>(mode);
+  return (Interval(1) - mu) * (Interval(1) + mu);
+}
+
+}  // namespace tensortopo::detail
