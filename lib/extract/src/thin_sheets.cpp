@@ -9,7 +9,7 @@ namespace tensortopo {
 
 template <class Scalar>
 bool is_thin(const Level<Scalar>& level) {
-  return 4 * static_cast<double>(Scalar(1) - level.mu_squared) < detail::widest_gap();
+  return 8 * static_cast<double>(Scalar(1) - level.mu_squared) < detail::widest_gap();
 }
 
 template <class Scalar>

@@ -13,7 +13,7 @@ namespace tensortopo {
 namespace {
 
 using namespace detail;
-using Vector = Vector3<Interval>;
+using Vector = Vector3<Range>;
 
 /// How often a side of the square of directions is divided at most, and where: not in the middle,
 /// so that what is symmetric is not met exactly.
@@ -32,40 +32,40 @@ class Cone {
     const std::size_t alone = system.values[1] > 0 ? 2 : 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto& v = system.vectors[(alone + 1 + i) % 3];
-      frame_[i] = {Interval(v.x), Interval(v.y), Interval(v.z)};
+      frame_[i] = {Range(v.x), Range(v.y), Range(v.z)};
     }
     n_ = thrice(n);
-    if (form(frame_[2], frame_[2]).sup() < 0) n_ = Interval(-1) * n_;
+    if (form(frame_[2], frame_[2]).sup() < 0) n_ = Range(-1) * n_;
     h_ = form(frame_[2], frame_[2]);
-    const Interval f = form(frame_[0], frame_[0]), g = form(frame_[1], frame_[1]);
-    const Interval mixed = form(frame_[0], frame_[1]);
+    const Range f = form(frame_[0], frame_[0]), g = form(frame_[1], frame_[1]);
+    const Range mixed = form(frame_[0], frame_[1]);
     return h_.inf() > 0 && f.sup() < 0 && (f * g - CGAL::square(mixed)).inf() > 0 &&
            is_not_zero(dot(frame_[0], cross(frame_[1], frame_[2])));
   }
 
   /// e and its derivative for the direction that runs along one side of the square |x|, |y| <= 1.
-  std::pair<Vector, Vector> at(int side, const Interval& s) const {
-    const Interval one(side < 2 ? 1 : -1), zero(0);
+  std::pair<Vector, Vector> at(int side, const Range& s) const {
+    const Range one(side < 2 ? 1 : -1), zero(0);
     // Counter-clockwise: (1, s), (-s, 1), (-1, -s), (s, -1).
     const bool upright = side % 2 == 0;
-    const Interval x = upright ? one : -(one * s), y = upright ? one * s : one;
-    const Interval dx = upright ? zero : -one, dy = upright ? one : zero;
+    const Range x = upright ? one : -(one * s), y = upright ? one * s : one;
+    const Range dx = upright ? zero : -one, dy = upright ? one : zero;
     const Vector flat = x * frame_[0] + y * frame_[1], step = dx * frame_[0] + dy * frame_[1];
-    const Interval b = form(flat, frame_[2]), c = form(flat, flat);
-    Interval inside = CGAL::square(b) - h_ * c;  // positive, since c is negative
-    if (inside.inf() < 0) inside = Interval(0, inside.sup());
-    const Interval z = (CGAL::sqrt(inside) - b) / h_;
+    const Range b = form(flat, frame_[2]), c = form(flat, flat);
+    Range inside = CGAL::square(b) - h_ * c;  // positive, since c is negative
+    if (inside.inf() < 0) inside = Range(0, inside.sup());
+    const Range z = (CGAL::sqrt(inside) - b) / h_;
     const Vector e = flat + z * frame_[2];
-    const Interval dz = -form(e, step) / form(e, frame_[2]);
+    const Range dz = -form(e, step) / form(e, frame_[2]);
     return {e, step + dz * frame_[2]};
   }
 
  private:
-  Interval form(const Vector& u, const Vector& v) const { return dot(u, n_ * v); }
+  Range form(const Vector& u, const Vector& v) const { return dot(u, n_ * v); }
 
-  SymmetricTensor<Interval> n_;
+  SymmetricTensor<Range> n_;
   std::array<Vector, 3> frame_;
-  Interval h_;
+  Range h_;
 };
 
 /// The conic from place to place, in the order in which it runs.
@@ -79,12 +79,12 @@ class Walk {
     if (!cone_.build(n)) return std::nullopt;
     for (std::size_t i = 0; i < 4; ++i) {
       const IntervalTensor d = dual_tensor(corners_, i, n);
-      const Interval side = norm_form(corners_[i], d);
+      const Range side = norm_form(corners_[i], d);
       if (!is_not_zero(side)) return std::nullopt;
-      dual_[i] = (Interval(sign_) / side) * thrice(d);
+      dual_[i] = (Range(sign_) / side) * thrice(d);
     }
     for (int side = 0; side < 4; ++side)
-      if (!walk(side, Interval(-1, 1), 0)) return std::nullopt;
+      if (!walk(side, Range(-1, 1), 0)) return std::nullopt;
     return paired();
   }
 
@@ -93,28 +93,28 @@ class Walk {
     int face;
     bool entering;
     int side;
-    Interval part;
+    Range part;
   };
 
-  Interval weight(std::size_t i, const Vector& e, const Vector& f) const {
+  Range weight(std::size_t i, const Vector& e, const Vector& f) const {
     return dot(e, dual_[i] * f);
   }
 
   /// Weight i over a part of a side, by the mean value theorem, and its derivative there.
-  std::pair<Interval, Interval> weight_over(std::size_t i, int side, const Interval& s) const {
-    const Interval m(middle(s));
+  std::pair<Range, Range> weight_over(std::size_t i, int side, const Range& s) const {
+    const Range m(middle(s));
     const Vector at_middle = cone_.at(side, m).first;
     const auto [e, step] = cone_.at(side, s);
-    const Interval slope = Interval(2) * weight(i, e, step);
+    const Range slope = Range(2) * weight(i, e, step);
     return {weight(i, at_middle, at_middle) + slope * (s - m), slope};
   }
 
-  Interval weight_at(std::size_t i, int side, double s) const {
-    const Vector e = cone_.at(side, Interval(s)).first;
+  Range weight_at(std::size_t i, int side, double s) const {
+    const Vector e = cone_.at(side, Range(s)).first;
     return weight(i, e, e);
   }
 
-  bool walk(int side, const Interval& s, int depth) {
+  bool walk(int side, const Range& s, int depth) {
     if (++parts_ > kMostParts || depth > kLastDepth) return false;
     int open = -1;
     bool rises = false, divide = false;
@@ -129,7 +129,7 @@ class Walk {
     if (open < 0) return stay(true);
     if (!divide) {
       const auto i = static_cast<std::size_t>(open);
-      const Interval first = weight_at(i, side, s.inf()), last = weight_at(i, side, s.sup());
+      const Range first = weight_at(i, side, s.inf()), last = weight_at(i, side, s.sup());
       if (is_not_zero(first) && is_not_zero(last)) {
         const bool in_first = first.inf() > 0, in_last = last.inf() > 0;
         if (!stay(in_first)) return false;
@@ -139,8 +139,8 @@ class Walk {
       }
     }
     const double cut = s.inf() + kDivision * (s.sup() - s.inf());
-    return walk(side, Interval(s.inf(), cut), depth + 1) &&
-           walk(side, Interval(cut, s.sup()), depth + 1);
+    return walk(side, Range(s.inf(), cut), depth + 1) &&
+           walk(side, Range(cut, s.sup()), depth + 1);
   }
 
   /// From the last part to this one nothing changes unless a crossing was noted.
@@ -178,10 +178,10 @@ class Walk {
     for (int depth = 0; depth < kLastDepth; ++depth) {
       if (const auto end = end_within(c)) return end;
       const double cut = middle(c.part);
-      const Interval w = weight_at(face, c.side, cut);
+      const Range w = weight_at(face, c.side, cut);
       if (!is_not_zero(w)) return std::nullopt;
       const bool before = (w.inf() > 0) == c.entering;
-      c.part = before ? Interval(c.part.inf(), cut) : Interval(cut, c.part.sup());
+      c.part = before ? Range(c.part.inf(), cut) : Range(cut, c.part.sup());
     }
     return std::nullopt;
   }
@@ -190,13 +190,13 @@ class Walk {
   std::optional<DegenerateEnd> end_within(const Crossing& c) const {
     DegenerateEnd end;
     end.face = c.face;
-    IntervalTensor t = Interval(0) * corners_[0];
+    IntervalTensor t = Range(0) * corners_[0];
     for (std::size_t i = 0; i < 4; ++i) {
       if (static_cast<int>(i) == c.face) continue;
-      const Interval w = weight_over(i, c.side, c.part).first;
+      const Range w = weight_over(i, c.side, c.part).first;
       end.weights[i] = middle(weight_at(i, c.side, middle(c.part)));
       if (!(end.weights[i] > 0)) return std::nullopt;
-      t = t + CGAL::hull(w, Interval(end.weights[i])) * corners_[i];
+      t = t + CGAL::hull(w, Range(end.weights[i])) * corners_[i];
     }
     if (!(degenerate_gap(t).sup() < gap_.inf()) ||
         (sign_ > 0 ? determinant_form(t).inf() <= 0 : determinant_form(t).sup() >= 0))
@@ -206,9 +206,9 @@ class Walk {
 
   const std::array<IntervalTensor, 4>& corners_;
   int sign_;
-  Interval gap_;
+  Range gap_;
   Cone cone_;
-  std::array<SymmetricTensor<Interval>, 4> dual_;
+  std::array<SymmetricTensor<Range>, 4> dual_;
   std::vector<Crossing> crossings_;
   std::size_t noted_ = 0;
   bool known_ = false, inside_ = false, first_inside_ = false;
@@ -220,11 +220,12 @@ class Walk {
 std::optional<std::vector<DegenerateArc>> degenerate_arcs(
     const std::array<SymmetricTensor<double>, 4>& tensors, const std::array<int, 4>& exponents,
     const ModeValue& mode) {
+  const UpwardRounding upward;
   std::array<IntervalTensor, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
     const double factor = std::ldexp(1.0, exponents[i]);
     if (!std::isfinite(factor) || !(factor > 0)) return std::nullopt;
-    corners[i] = Interval(factor) * deviator_enclosure(tensors[i]);
+    corners[i] = Range(factor) * deviator_enclosure(tensors[i]);
   }
   if (mode.sign() == 0) return std::nullopt;
   return Walk(corners, mode).arcs();
