@@ -388,7 +388,9 @@ void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell, std::siz
   template class Refinement<Scalar, 4>;                                           \
   template class Refinement<Scalar, 4, 3>;                                        \
   template bool is_above(const LevelSimplex<Scalar, 2>&, const Deviator<Scalar>&, \
-                         const std::array<double, 2>&, const Level<Scalar>&);
+                         const std::array<double, 2>&, const Level<Scalar>&);     \
+  template bool is_above(const LevelSimplex<Scalar, 3>&, const Deviator<Scalar>&, \
+                         const std::array<double, 3>&, const Level<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "plan_by_leaves.hpp"
 #include "tensortopo/extract/segment_root.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
+#include "thin_sheets.hpp"
 
 namespace tensortopo {
 
@@ -205,23 +207,59 @@ bool add_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
   return sheets_from_leaves(tet, level, plan);
 }
 
+namespace {
+
+/// The loops, and the sheets if the whole tetrahedron is monotone.
 template <class Scalar>
-std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
-                                        const Level<Scalar>& level) {
+std::optional<TetPlan<Scalar>> plan_at_once(const TetWithCurves<Scalar>& tet,
+                                            const Level<Scalar>& level) {
   TetPlan<Scalar> plan;
   if (!join_arcs(tet, plan.loops)) return std::nullopt;
-  if (plan.loops.empty()) return plan;  // every sheet of a linear field reaches a face
   using Kind = typename SimplexProof<Scalar, 4>::Kind;
   if (plan.loops.size() == 1 &&
       prove_simplex(tet.simplex.tensors, level, 1, DirectionChoice::coefficients).kind ==
-          Kind::monotone) {
+          Kind::monotone)
     plan.sheets.push_back({{0}, 1, -1});
-    return plan;
-  }
-  if (!add_leaves(tet, level, plan)) return std::nullopt;
+  return plan;
+}
+
+/// Whether there is no more to find: every sheet of a linear field reaches a face.
+template <class Scalar>
+bool is_complete(const TetPlan<Scalar>& plan) {
+  return plan.loops.empty() || !plan.sheets.empty();
+}
+
+template <class Scalar>
+bool refine(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, TetPlan<Scalar>& plan) {
   plan.refined = true;
+  if (!add_leaves(tet, level, plan)) return false;
   // Hardly any sheet is drawn from its leaves, which are large.
   spare_leaves<Scalar>() = std::move(plan.leaves);
+  return true;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>& tet,
+                                              const Level<Scalar>& level) {
+  auto plan = plan_at_once(tet, level);
+  if (plan && !is_complete(*plan) && !refine(tet, level, *plan)) return std::nullopt;
+  return plan;
+}
+
+template <class Scalar>
+std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
+                                        const Level<Scalar>& level) {
+  auto plan = plan_at_once(tet, level);
+  if (!plan || is_complete(*plan)) return plan;
+  if (is_thin(level))
+    if (auto sheets = sheets_of_thin_level(tet, level, plan->loops)) {
+      plan->sheets = std::move(*sheets);
+      plan->refined = true;
+      return plan;
+    }
+  if (!refine(tet, level, *plan)) return std::nullopt;
   return plan;
 }
 
@@ -250,6 +288,8 @@ std::vector<RimRequest<Scalar>> leaf_requests(const TetWithCurves<Scalar>& tet,
   template InnerVertex<Scalar> node_point(const Refinement<Scalar, 4>&, const LeafMesh::Node&,   \
                                           const Level<Scalar>&);                                 \
   template bool add_leaves(const TetWithCurves<Scalar>&, const Level<Scalar>&, TetPlan<Scalar>&); \
+  template std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>&,           \
+                                                         const Level<Scalar>&);                  \
   template std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>&,                 \
                                                    const Level<Scalar>&);                        \
   template std::vector<RimRequest<Scalar>> leaf_requests(                                        \

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "tensortopo/extract/tet_sheets.hpp"
+
+namespace tensortopo {
+
+/// `plan_tet` at this very level: from one monotone tetrahedron or from a refinement.
+template <class Scalar>
+std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>& tet,
+                                              const Level<Scalar>& level);
+
+}  // namespace tensortopo

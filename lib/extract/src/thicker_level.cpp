@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "closed_curves.hpp"
+#include "extractor_scalars.hpp"
+#include "plan_by_leaves.hpp"
+#include "tensortopo/extract/edge_crossings.hpp"
+#include "tensortopo/mesh/tet_complex.hpp"
+#include "thin_sheets.hpp"
+
+namespace tensortopo::detail {
+
+namespace {
+
+/// Thicker levels are +-(1 - 2^-k), the thickest and the thinnest of them.
+constexpr int kThickest = 5, kThinnest = 60;
+
+/// Next to a critical value cells are small as well: the gap of the level that is taken stays this
+/// factor away from it.
+constexpr double kClearance = 1.3;
+
+/// About 1 - mode^2 of the level of number k.
+double gap_of(int k) { return std::ldexp(2.0, -k); }
+
+template <class Scalar>
+const Level<Scalar>& thicker_level(int k, int sign) {
+  thread_local std::map<int, Level<Scalar>> made;
+  auto& level = made[k * sign];
+  if (level.value.sign() == 0) {
+    const std::int64_t whole = std::int64_t{1} << k;
+    level = make_level<Scalar>(ModeValue::parse((sign < 0 ? "-" : "") + std::to_string(whole - 1) +
+                                                "/" + std::to_string(whole)));
+  }
+  return level;
+}
+
+/// The mode curves of another level on the faces of a tetrahedron. No vertex lies between the
+/// levels, so its sides stay.
+template <class Scalar>
+bool curves_at(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+               std::array<std::vector<FaceArc<Scalar>>, 4>& arcs) {
+  std::array<std::vector<EdgeCrossing<Scalar>>, 6> crossings;
+  for (std::size_t e = 0; e < 6; ++e) {
+    auto from = static_cast<std::uint8_t>(kTetEdges[e][0]);
+    auto to = static_cast<std::uint8_t>(kTetEdges[e][1]);
+    if (!tet.edge_forward[e]) std::swap(from, to);
+    auto found = edge_crossings(part_of_simplex<2>(tet.simplex, {from, to}), level);
+    if (!found) return false;
+    crossings[e] = std::move(*found);
+  }
+  Sampling sparse;
+  sparse.resolution = 1;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto& v = tet.face_vertices[f];
+    const auto on = [&](std::size_t i, std::size_t j) {
+      return std::span<const EdgeCrossing<Scalar>>(
+          crossings[static_cast<std::size_t>(tet_edge(v[i], v[j]))]);
+    };
+    auto found = face_curves(part_of_simplex<3>(tet.simplex, v), {on(0, 1), on(0, 2), on(1, 2)},
+                             level, sparse);
+    if (!found) return false;
+    arcs[f] = std::move(*found);
+  }
+  return true;
+}
+
+/// For each arc of a face at the thin level, the one at the thick level.
+template <class Scalar>
+bool match_arcs(const LevelSimplex<Scalar, 3>& face, std::span<const FaceArc<Scalar>> thin_arcs,
+                const Level<Scalar>& thin, std::span<const FaceArc<Scalar>> thick_arcs,
+                const Level<Scalar>& thick, std::vector<int>& match) {
+  if (thin_arcs.size() != thick_arcs.size()) return false;
+  const auto ends = [](const FaceArc<Scalar>& arc) {
+    return std::array{arc.begin.edge, arc.begin.crossing, arc.end.edge, arc.end.crossing};
+  };
+  std::map<std::array<int, 4>, int> by_ends;
+  std::vector<int> closed;
+  for (std::size_t a = 0; a < thick_arcs.size(); ++a)
+    if (thick_arcs[a].closed)
+      closed.push_back(static_cast<int>(a));
+    else
+      by_ends[ends(thick_arcs[a])] = static_cast<int>(a);
+  std::optional<ClosedCurves<Scalar>> curves;
+  std::size_t open = 0;
+  match.assign(thin_arcs.size(), -1);
+  for (std::size_t a = 0; a < thin_arcs.size(); ++a) {
+    if (!thin_arcs[a].closed) {
+      const auto found = by_ends.find(ends(thin_arcs[a]));
+      if (found == by_ends.end()) return false;
+      match[a] = found->second;
+      ++open;
+    } else if (closed.size() == 1) {
+      match[a] = closed[0];
+    } else {
+      if (!curves) curves.emplace(face, thick, thick_arcs);
+      // A place beyond the thin level is beyond the thick one, on the same side of the curve.
+      const auto place = place_beyond(face, thin_arcs[a], thin);
+      match[a] = place ? curves->take(*place) : -1;
+      if (match[a] < 0) return false;
+    }
+  }
+  return open == by_ends.size();
+}
+
+}  // namespace
+
+double widest_gap() { return kClearance * gap_of(kThickest); }
+
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops, double open_until) {
+  int k = kThickest;
+  while (k < kThinnest && kClearance * gap_of(k) > open_until) ++k;
+  const auto& thick = thicker_level<Scalar>(k, level.sign);
+  // Strictly between the critical value and the thin level, whatever rounding does.
+  if (!(gap_of(k) / 2 > static_cast<double>(Scalar(1) - level.mu_squared))) return std::nullopt;
+
+  std::array<std::vector<FaceArc<Scalar>>, 4> arcs;
+  if (!curves_at(tet, thick, arcs)) return std::nullopt;
+  auto thick_tet = tet;
+  std::array<std::vector<int>, 4> match;
+  for (std::size_t f = 0; f < 4; ++f) {
+    thick_tet.arcs[f] = arcs[f];
+    if (!match_arcs(part_of_simplex<3>(tet.simplex, tet.face_vertices[f]), tet.arcs[f], level,
+                    thick_tet.arcs[f], thick, match[f]))
+      return std::nullopt;
+  }
+  auto plan = plan_by_leaves(thick_tet, thick);
+  if (!plan || plan->loops.size() != loops.size()) return std::nullopt;
+  std::map<std::pair<int, int>, int> loop_of_arc;  // at the thick level
+  for (std::size_t l = 0; l < plan->loops.size(); ++l)
+    for (const auto& piece : plan->loops[l])
+      loop_of_arc[{piece.face, piece.arc}] = static_cast<int>(l);
+  std::vector<int> thin_loop(loops.size(), -1);
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (const auto& piece : loops[l]) {
+      const int arc = match[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)];
+      auto& known = thin_loop[static_cast<std::size_t>(loop_of_arc.at({piece.face, arc}))];
+      if (known >= 0 && known != static_cast<int>(l)) return std::nullopt;
+      known = static_cast<int>(l);
+    }
+  for (auto& sheet : plan->sheets)
+    for (int& l : sheet.loops) {
+      l = thin_loop[static_cast<std::size_t>(l)];
+      if (l < 0) return std::nullopt;
+    }
+  return std::move(plan->sheets);
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                               \
+  template std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(        \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,                            \
+      const std::vector<std::vector<RimPiece>>&, double);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo::detail

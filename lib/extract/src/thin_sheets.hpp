@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tensortopo/extract/tet_sheets.hpp"
+
+namespace tensortopo {
+
+/// Whether surfaces of the level are thin tubes around degenerate curves: cells of a refinement
+/// must be as small as a tube is thin, and other proofs pay.
+template <class Scalar>
+bool is_thin(const Level<Scalar>& level);
+
+/// The sheets that boundary loops of a thin level bound, without a refinement at that level.
+///
+/// 1. If nothing but the degenerate curve lies beyond the level, every sheet is a tube around one
+///    arc of that curve, whose ends are known.
+/// 2. Otherwise the sheets are proved at a thicker level, with no critical value in between.
+///
+/// @param loops the boundary loops at this level
+/// @return nothing if neither applies
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> sheets_of_thin_level(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops);
+
+namespace detail {
+
+/// The first way, for a level with nothing but the degenerate curve beyond it. Tubes do not touch
+/// edges: each ends in two closed curves on faces, around the two ends of its arc.
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> tubes(const TetWithCurves<Scalar>& tet,
+                                                const Level<Scalar>& level,
+                                                const std::vector<std::vector<RimPiece>>& loops);
+
+/// The second way. Isotopies keep edges and faces: crossings of an edge correspond in their order,
+/// arcs by their ends, and a closed curve to the one that bounds the same part of its face.
+///
+/// @param open_until there is no critical gap from the level's own to this one
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops, double open_until);
+
+/// The gap 1 - mode^2 up to which it is of use to be free of critical values.
+double widest_gap();
+
+}  // namespace detail
+}  // namespace tensortopo
