@@ -94,11 +94,15 @@ std::vector<SeenPoint> order_around(const FieldForms<E, 4>& forms, Verdict conic
   std::sort(seen.begin(), seen.end(), [](const SeenPoint& p, const SeenPoint& q) {
     return p.upper != q.upper ? p.upper : p.angle < q.angle;
   });
-  for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
-    if (seen[i].upper != seen[i + 1].upper) continue;
-    const auto plane = cross(c, turned[seen[i].index]);
-    if (sign_in(dot(plane, turned[seen[i + 1].index])) != Verdict::positive) return {};
-  }
+  // Angles are rounded: what they say of neighbours is proved, or put right by insertion.
+  for (std::size_t i = 1; i < seen.size(); ++i)
+    for (std::size_t k = i; k > 0 && seen[k].upper == seen[k - 1].upper; --k) {
+      const auto plane = cross(c, turned[seen[k - 1].index]);
+      const Verdict order = sign_in(dot(plane, turned[seen[k].index]));
+      if (!is_strict(order)) return {};
+      if (order == Verdict::positive) break;
+      std::swap(seen[k - 1], seen[k]);
+    }
   return seen;
 }
 
