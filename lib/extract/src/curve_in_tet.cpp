@@ -13,6 +13,7 @@
 #include "exact_face_points.hpp"
 #include "tensortopo/scalar/constants.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
+#include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 
 namespace tensortopo {
@@ -123,44 +124,27 @@ std::vector<SeenPoint> order_in_doubles(const std::array<ScaledTensor, 4>& tenso
   return order_around(forms, sign, frame, rim, directions);
 }
 
-/// The forms of a tetrahedron as intervals of one rational number each.
-FieldForms<RationalInterval, 4> enclosed(const FieldForms<Rational, 4>& forms) {
-  const auto wide = [](const SymmetricTensor<Rational>& t) {
-    using R = RationalInterval;
-    return SymmetricTensor<R>{R(t.xx), R(t.yy), R(t.zz), R(t.xy), R(t.yz), R(t.xz)};
-  };
-  FieldForms<RationalInterval, 4> result;
-  for (std::size_t i = 0; i < 4; ++i) result.weight[i] = wide(forms.weight[i]);
-  result.across[0] = wide(forms.across[0]);
-  result.determinant = RationalInterval(forms.determinant);
-  return result;
+/// Why 150 digits do not settle a tetrahedron.
+CurveObstacle obstacle_of(const std::array<ScaledTensor, 4>& tensors) {
+  const auto rows = coordinate_rows<Rational>(tensors);
+  const auto forms = field_forms(rows, best_columns(rows));
+  if (forms.determinant == 0) return CurveObstacle::dependent_tensors_in_cell;
+  if (determinant(forms.across[0]) == 0) return CurveObstacle::neutral_characteristic;
+  return CurveObstacle::points_not_told_apart;
 }
 
-std::vector<SeenPoint> order_in_rationals(const std::array<ScaledTensor, 4>& tensors,
-                                          const std::array<std::size_t, 5>& columns,
-                                          const ConicFrame& frame, const std::vector<RimPoint>& rim,
-                                          std::optional<CurveObstacle>& obstacle) {
-  obstacle = CurveObstacle::points_not_told_apart;
-  auto forms = field_forms(coordinate_rows<Rational>(tensors), columns);
-  if (forms.determinant == 0) {
-    forms = field_forms(coordinate_rows<Rational>(tensors),
-                        best_columns(coordinate_rows<Rational>(tensors)));
-    if (forms.determinant == 0) obstacle = CurveObstacle::dependent_tensors_in_cell;
-    // Otherwise doubles are no guide to so deficient a field.
-    return {};
-  }
-  const Rational det = determinant(forms.across[0]);
-  if (det == 0) {
-    obstacle = CurveObstacle::neutral_characteristic;
-    return {};
-  }
-  std::vector<Vector3<RationalInterval>> directions;
+std::vector<SeenPoint> order_in_long(const std::array<ScaledTensor, 4>& tensors,
+                                     const std::array<std::size_t, 5>& columns,
+                                     const ConicFrame& frame, const std::vector<RimPoint>& rim) {
+  const auto forms = field_forms(coordinate_rows<LongInterval>(tensors), columns);
+  const Verdict sign = sign_in(determinant(forms.across[0]));
+  if (!is_strict(sign)) return {};
+  std::vector<Vector3<LongInterval>> directions;
   for (const auto& p : rim) {
-    const ExactFace face({tensors[p.corners[0]], tensors[p.corners[1]], tensors[p.corners[2]]});
+    const LongFace face({tensors[p.corners[0]], tensors[p.corners[1]], tensors[p.corners[2]]});
     directions.push_back(refined(face, p.point.box));
   }
-  return order_around(enclosed(forms), det > 0 ? Verdict::positive : Verdict::negative, frame, rim,
-                      directions);
+  return order_around(forms, sign, frame, rim, directions);
 }
 
 }  // namespace
@@ -178,9 +162,11 @@ CurveInTet degenerate_curve_in_tet(const std::array<ScaledTensor, 4>& tensors,
 
   auto seen = order_in_doubles(tensors, columns, frame, rim);
   if (seen.empty()) {
-    seen = order_in_rationals(tensors, columns, frame, rim, result.obstacle);
-    if (seen.empty()) return result;
-    result.obstacle.reset();
+    seen = order_in_long(tensors, columns, frame, rim);
+    if (seen.empty()) {
+      result.obstacle = obstacle_of(tensors);
+      return result;
+    }
   }
   const std::size_t count = seen.size();
   for (std::size_t i = 0; i < count; ++i)

@@ -151,7 +151,7 @@ void locate(FacePoints& face, const std::array<ScaledTensor, 3>& tensors,
     const DirectionChart chart{box.centre, box.first, box.second};
     std::array<long double, 2> x;
     for (std::size_t k = 0; k < 2; ++k) x[k] = (0.5L * box.low[k]) + 0.5L * box.high[k];
-    // A box of rationals is already narrower than this would get.
+    // A box from the other tier is already narrower than this would get.
     if (!face.exact) x = newton_zero<long double>({forms.across, chart}, x, 2);
     point.dominant = direction_at(chart, x[0], x[1]);
     long double sum = 0;

@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "tensortopo/scalar/interval.hpp"
-#include "tensortopo/scalar/rational.hpp"
+#include "tensortopo/scalar/real.hpp"
 #include "tensortopo/tensor/vector3.hpp"
 
 /// \file
 /// Two enclosures with one interface: intervals of doubles for almost everything, intervals of
-/// rationals for what these leave open. Sources that include this are compiled with
+/// 150 digits for what these leave open. Sources that include this are compiled with
 /// -frounding-math.
 
 namespace tensortopo {
@@ -21,29 +21,49 @@ namespace tensortopo {
 using FastInterval = CGAL::Interval_nt<false>;
 using FastIntervalScope = FastInterval::Protector;
 
-/// An interval with rational ends: no operation rounds.
-struct RationalInterval {
-  Rational low, high;
+/// An interval with ends of 150 digits, each rounded outward.
+struct LongInterval {
+  using End = Real<150>;
+  End low, high;
 
-  RationalInterval() : low(0), high(0) {}
-  explicit RationalInterval(double x) : low(x), high(x) {}
-  explicit RationalInterval(const Rational& x) : low(x), high(x) {}
-  RationalInterval(const Rational& l, const Rational& h) : low(l), high(h) {}
+  LongInterval() : low(0), high(0) {}
+  explicit LongInterval(double x) : low(x), high(x) {}
+  explicit LongInterval(const Real100& x) : low(x), high(x) {}
+  LongInterval(const End& l, const End& h) : low(l), high(h) {}
 
-  friend RationalInterval operator+(const RationalInterval& x, const RationalInterval& y) {
-    return {x.low + y.low, x.high + y.high};
+  friend LongInterval operator+(const LongInterval& x, const LongInterval& y) {
+    LongInterval sum;
+    mpfr_add(raw(sum.low), raw(x.low), raw(y.low), MPFR_RNDD);
+    mpfr_add(raw(sum.high), raw(x.high), raw(y.high), MPFR_RNDU);
+    return sum;
   }
-  friend RationalInterval operator-(const RationalInterval& x, const RationalInterval& y) {
-    return {x.low - y.high, x.high - y.low};
+  friend LongInterval operator-(const LongInterval& x, const LongInterval& y) {
+    LongInterval difference;
+    mpfr_sub(raw(difference.low), raw(x.low), raw(y.high), MPFR_RNDD);
+    mpfr_sub(raw(difference.high), raw(x.high), raw(y.low), MPFR_RNDU);
+    return difference;
   }
-  friend RationalInterval operator-(const RationalInterval& x) { return {-x.high, -x.low}; }
-  friend RationalInterval operator*(const RationalInterval& x, const RationalInterval& y) {
-    if (x.low == x.high && y.low == y.high) return RationalInterval(Rational(x.low * y.low));
-    const std::array<Rational, 4> ends{x.low * y.low, x.low * y.high, x.high * y.low,
-                                       x.high * y.high};
-    const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
-    return {*least, *most};
+  friend LongInterval operator-(const LongInterval& x) { return {End(-x.high), End(-x.low)}; }
+  friend LongInterval operator*(const LongInterval& x, const LongInterval& y) {
+    LongInterval product;
+    mpfr_mul(raw(product.low), raw(x.low), raw(y.low), MPFR_RNDD);
+    mpfr_mul(raw(product.high), raw(x.low), raw(y.low), MPFR_RNDU);
+    const auto extend = [&](const End& p, const End& q) {
+      End end;
+      mpfr_mul(raw(end), raw(p), raw(q), MPFR_RNDD);
+      mpfr_min(raw(product.low), raw(product.low), raw(end), MPFR_RNDD);
+      mpfr_mul(raw(end), raw(p), raw(q), MPFR_RNDU);
+      mpfr_max(raw(product.high), raw(product.high), raw(end), MPFR_RNDU);
+    };
+    extend(x.low, y.high);
+    extend(x.high, y.low);
+    extend(x.high, y.high);
+    return product;
   }
+
+ private:
+  static mpfr_ptr raw(End& x) { return x.backend().data(); }
+  static mpfr_srcptr raw(const End& x) { return x.backend().data(); }
 };
 
 // What certificates ask of an enclosure; `Bound` is the type of its ends.
@@ -61,13 +81,13 @@ struct EnclosureOf<FastInterval> {
 };
 
 template <>
-struct EnclosureOf<RationalInterval> {
-  using Bound = Rational;
-  static RationalInterval between(const Rational& low, const Rational& high) { return {low, high}; }
-  static const Bound& low(const RationalInterval& x) { return x.low; }
-  static const Bound& high(const RationalInterval& x) { return x.high; }
-  static double middle(const RationalInterval& x) {
-    return static_cast<double>(Rational((x.low + x.high) / 2));
+struct EnclosureOf<LongInterval> {
+  using Bound = LongInterval::End;
+  static LongInterval between(const Bound& low, const Bound& high) { return {low, high}; }
+  static const Bound& low(const LongInterval& x) { return x.low; }
+  static const Bound& high(const LongInterval& x) { return x.high; }
+  static double middle(const LongInterval& x) {
+    return static_cast<double>(Bound((x.low + x.high) / 2));
   }
 };
 

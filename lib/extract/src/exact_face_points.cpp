@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exact_face_points.hpp"
 
-#include <limits>
-
 #include "tensortopo/extract/screen.hpp"
 #include "tensortopo/field/planar_critical_points.hpp"
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
 
 namespace tensortopo {
@@ -34,25 +33,6 @@ bool is_excluded(const Corners& corners, int depth) {
   return is_excluded({corners[0], m01, m02}, depth - 1) &&
          is_excluded({corners[1], m01, m12}, depth - 1) &&
          is_excluded({corners[2], m02, m12}, depth - 1) && is_excluded({m01, m02, m12}, depth - 1);
-}
-
-Rational to_rational(const Real100& x) {
-  Rational result;
-  mpfr_get_q(result.backend().data(), x.backend().data());
-  return result;
-}
-
-SymmetricTensor<RationalInterval> enclosed(const SymmetricTensor<Rational>& t) {
-  using R = RationalInterval;
-  return {R(t.xx), R(t.yy), R(t.zz), R(t.xy), R(t.yz), R(t.xz)};
-}
-
-/// Rounded towards one end; the numbers are far from the smallest doubles, or zero.
-double rounded_down(const Rational& x) {
-  double result = static_cast<double>(x);
-  while (Rational(result) > x)
-    result = std::nextafter(result, -std::numeric_limits<double>::infinity());
-  return result;
 }
 
 bool is_zero(const Vector3<Rational>& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -95,63 +75,71 @@ std::array<double, 2> coordinates_in(const DirectionChart& chart, const Vector3<
 
 }  // namespace
 
-ExactFace::ExactFace(const std::array<ScaledTensor, 3>& input) : tensors(input) {
-  const auto rows = coordinate_rows<Rational>(tensors);
-  columns = best_columns(rows);
-  forms = field_forms(rows, columns);
-  rank = forms.determinant == 0 ? 2 : 3;
-}
+LongFace::LongFace(const std::array<ScaledTensor, 3>& input)
+    : tensors(input),
+      columns(best_columns(coordinate_rows<Real100>(input))),
+      forms(field_forms(coordinate_rows<LongInterval>(input), columns)) {}
 
-std::array<SymmetricTensor<RationalInterval>, 2> ExactFace::across() const {
-  return {enclosed(forms.across[0]), enclosed(forms.across[1])};
-}
-
-std::array<SymmetricTensor<RationalInterval>, 3> ExactFace::weight() const {
-  return {enclosed(forms.weight[0]), enclosed(forms.weight[1]), enclosed(forms.weight[2])};
-}
-
-std::optional<std::array<RationalInterval, 2>> ExactFace::zero_near(
+std::optional<std::array<LongInterval, 2>> LongFace::zero_near(
     const DirectionChart& chart, const std::array<double, 2>& at) const {
   const auto rounded = field_forms(coordinate_rows<Real100>(tensors), columns);
   const ChartForms<Real100> approximate(rounded.across, chart);
   const auto place = newton_zero<Real100>(approximate, {Real100(at[0]), Real100(at[1])}, 8);
   const auto inverse = inverse_of(approximate.jacobian(place));
   if (!inverse) return std::nullopt;
-  std::array<RationalInterval, 2> centre;
-  std::array<std::array<RationalInterval, 2>, 2> y;
+  std::array<LongInterval, 2> centre;
+  std::array<std::array<LongInterval, 2>, 2> y;
   for (std::size_t i = 0; i < 2; ++i) {
-    centre[i] = RationalInterval(to_rational(place[i]));
-    for (std::size_t j = 0; j < 2; ++j) y[i][j] = RationalInterval(to_rational((*inverse)[i][j]));
+    centre[i] = LongInterval(place[i]);
+    for (std::size_t j = 0; j < 2; ++j) y[i][j] = LongInterval((*inverse)[i][j]);
   }
-  Rational slack(1);
-  mpq_div_2exp(slack.backend().data(), slack.backend().data(), 300);
-  return certified_zero<RationalInterval>(ChartForms<RationalInterval>(across(), chart), centre, y,
-                                          slack);
+  return certified_zero<LongInterval>(ChartForms<LongInterval>(forms.across, chart), centre, y,
+                                      ldexp(LongInterval::End(1), -300));
 }
+
+namespace {
+
+/// The number of degenerate points in the projective plane, or what keeps them from being counted.
+struct PlaneCount {
+  int points = 0;
+  std::optional<CurveObstacle> obstacle;
+};
+
+PlaneCount count_in_plane(const LongFace& face) {
+  const auto sign =
+      sign_in(cubic_discriminant(pencil_cubic(face.forms.across[0], face.forms.across[1])));
+  if (is_strict(sign_in(face.forms.determinant)) && is_strict(sign))
+    return {sign == Verdict::positive ? 4 : 2, std::nullopt};
+  const auto rows = coordinate_rows<Rational>(face.tensors);
+  const auto forms = field_forms(rows, best_columns(rows));
+  if (forms.determinant == 0) return {0, CurveObstacle::dependent_tensors_on_face};
+  const auto cubic = pencil_cubic(forms.across[0], forms.across[1]);
+  const Rational discriminant = cubic_discriminant(cubic);
+  if (discriminant == 0) return {0, obstacle_of(forms, cubic)};
+  return {discriminant > 0 ? 4 : 2, std::nullopt};
+}
+
+}  // namespace
 
 FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
   FacePoints result;
   Corners corners;
   for (std::size_t i = 0; i < 3; ++i) corners[i] = exact_deviator<double>(tensors[i]);
   if (is_excluded(corners, kDepth)) return result;
-  const auto with = [&](CurveObstacle obstacle) {
-    result.points.clear();
-    result.obstacle = obstacle;
-    result.in_plane = 0;
-    return result;
+  const auto with = [](CurveObstacle obstacle) {
+    FacePoints none;
+    none.obstacle = obstacle;
+    return none;
   };
-  const ExactFace face(tensors);
-  if (face.rank < 3) return with(CurveObstacle::dependent_tensors_on_face);
-  const auto cubic = pencil_cubic(face.forms.across[0], face.forms.across[1]);
-  const Rational discriminant = cubic_discriminant(cubic);
-  if (discriminant == 0) return with(obstacle_of(face.forms, cubic));
-  const std::size_t count = discriminant > 0 ? 4 : 2;
+  const LongFace face(tensors);
+  const PlaneCount counted = count_in_plane(face);
+  if (counted.obstacle) return with(*counted.obstacle);
+  const Verdict orientation = sign_in(face.forms.determinant);
+  if (!is_strict(orientation)) return with(CurveObstacle::points_not_told_apart);
 
   TriangleField<Real100> field;
   for (std::size_t i = 0; i < 3; ++i) field.vertex[i] = exact_deviator<Real100>(tensors[i]);
-  std::vector<Vector3<RationalInterval>> found;
-  const auto weight = face.weight();
-  const bool turned = face.forms.determinant < 0;
+  std::vector<Vector3<LongInterval>> found;
   bool on_edge = false;
   for (const auto& start : degenerate_points(field).points) {
     const auto e = dominant_direction(start);
@@ -164,9 +152,9 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
       if (!are_apart(former, box)) return with(CurveObstacle::points_not_told_apart);
     found.push_back(box);
     int positive = 0, negative = 0;
-    for (const auto& form : weight) {
+    for (const auto& form : face.forms.weight) {
       const Verdict sign = sign_in(polar(form, box, box));
-      if (is_strict(sign)) ++((sign == Verdict::positive) != turned ? positive : negative);
+      if (is_strict(sign)) ++(sign == orientation ? positive : negative);
     }
     if (positive > 0 && negative > 0) continue;
     if (positive + negative < 3) {
@@ -177,29 +165,29 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
     point.linear = positive > 0;
     point.box = {chart.centre, chart.first, chart.second, {}, {}};
     for (std::size_t k = 0; k < 2; ++k) {
-      point.box.low[k] = rounded_down((*zero)[k].low);
-      point.box.high[k] = -rounded_down(-(*zero)[k].high);
+      point.box.low[k] = mpfr_get_d((*zero)[k].low.backend().data(), MPFR_RNDD);
+      point.box.high[k] = mpfr_get_d((*zero)[k].high.backend().data(), MPFR_RNDU);
     }
     result.points.push_back(point);
   }
-  if (found.size() != count) return with(CurveObstacle::points_not_told_apart);
+  if (static_cast<int>(found.size()) != counted.points)
+    return with(CurveObstacle::points_not_told_apart);
   if (on_edge) return with(CurveObstacle::degenerate_point_on_edge);
-  result.in_plane = static_cast<int>(count);
+  result.in_plane = counted.points;
   return result;
 }
 
-Vector3<RationalInterval> refined(const ExactFace& face, const DirectionBox& box) {
+Vector3<LongInterval> refined(const LongFace& face, const DirectionBox& box) {
   const DirectionChart chart{box.centre, box.first, box.second};
   const std::array<double, 2> middle{0.5 * box.low[0] + 0.5 * box.high[0],
                                      0.5 * box.low[1] + 0.5 * box.high[1]};
-  const auto inside = [&](const RationalInterval& x, std::size_t k) {
-    return x.low >= Rational(box.low[k]) && x.high <= Rational(box.high[k]);
+  const auto inside = [&](const LongInterval& x, std::size_t k) {
+    return x.low >= box.low[k] && x.high <= box.high[k];
   };
-  if (face.rank == 3)
-    if (const auto zero = face.zero_near(chart, middle))
-      if (inside((*zero)[0], 0) && inside((*zero)[1], 1))
-        return direction_at(chart, (*zero)[0], (*zero)[1]);
-  return directions_in<RationalInterval>(box);
+  if (const auto zero = face.zero_near(chart, middle))
+    if (inside((*zero)[0], 0) && inside((*zero)[1], 1))
+      return direction_at(chart, (*zero)[0], (*zero)[1]);
+  return directions_in<LongInterval>(box);
 }
 
 }  // namespace tensortopo

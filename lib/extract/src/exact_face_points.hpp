@@ -9,29 +9,25 @@
 
 namespace tensortopo {
 
-/// The tensors of a triangle as rationals, and its forms by the columns given.
-struct ExactFace {
-  explicit ExactFace(const std::array<ScaledTensor, 3>& input);
+/// A triangle in intervals of 150 digits, its forms by the columns that suit best.
+struct LongFace {
+  explicit LongFace(const std::array<ScaledTensor, 3>& input);
+
+  /// The zero of the forms near a place of a chart, in a tiny box.
+  std::optional<std::array<LongInterval, 2>> zero_near(const DirectionChart& chart,
+                                                       const std::array<double, 2>& at) const;
 
   std::array<ScaledTensor, 3> tensors;
-  int rank = 0;  ///< of the three deviators; the forms are there if it is 3
   std::array<std::size_t, 5> columns{};
-  FieldForms<Rational, 3> forms;
-
-  /// The forms as enclosures of one number each.
-  std::array<SymmetricTensor<RationalInterval>, 2> across() const;
-  std::array<SymmetricTensor<RationalInterval>, 3> weight() const;
-
-  /// The zero of the forms near a place of a chart, in a tiny box with rational ends.
-  std::optional<std::array<RationalInterval, 2>> zero_near(const DirectionChart& chart,
-                                                           const std::array<double, 2>& at) const;
+  FieldForms<LongInterval, 3> forms;
 };
 
-/// Degenerate points by rationals and 100 digits; see `degenerate_points_on_face`.
+/// Degenerate points by 100 digits, intervals of 150 and, where it is about zero, rationals; see
+/// `degenerate_points_on_face`.
 FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors);
 
 /// Directions with the same zero among them as in the box given: far fewer if 100 digits suffice
 /// for that, else those of the box.
-Vector3<RationalInterval> refined(const ExactFace& face, const DirectionBox& box);
+Vector3<LongInterval> refined(const LongFace& face, const DirectionBox& box);
 
 }  // namespace tensortopo

@@ -43,7 +43,7 @@ struct CurveInTet {
 /// enters or leaves the tetrahedron where the conic passes a rim point, as the derivative of the
 /// one weight that changes sign tells, so each entering point is joined to the next one. Every
 /// sign (of det N, c.N c, the orientation of neighbours around c, the derivatives) is certain:
-/// intervals of doubles first, then rationals. A loop that meets no face does not exist: two
+/// intervals of doubles first, then of 150 digits. A loop that meets no face does not exist: two
 /// traceless forms in three variables have a common zero, hence the conic meets every plane.
 ///
 /// Samples between rim points are placed on the conic by projection from c, at most

@@ -59,7 +59,7 @@ struct FacePoints {
   /// Degenerate points in the projective plane of the triangle, counted exactly: 2 or 4; 0 if an
   /// earlier test has excluded points in the triangle, or with an obstacle.
   int in_plane = 0;
-  /// Whether intervals of doubles left it to rationals.
+  /// Whether intervals of doubles left it to more digits.
   bool exact = false;
 };
 
@@ -71,7 +71,7 @@ struct FacePoints {
 /// box around it into itself, so that it holds exactly one zero of the two quadratic forms e.M e
 /// and e.N e. The boxes are disjoint and as many as counted, and in them the three weights have
 /// strict signs. First in intervals of doubles; what these leave open goes to 100 digits and
-/// intervals with rational ends.
+/// intervals of 150.
 ///
 /// Laws      (1) without an obstacle the points are exactly those in the triangle, none on its
 ///           sides; (2) changing all signs exchanges linear and planar points; (3) the result
