@@ -28,7 +28,7 @@ struct CurveStatistics {
   std::size_t tets_screened_out = 0;  ///< proved empty by Lode angles
   std::size_t tets_crossed = 0;       ///< hold lines
   std::size_t faces = 0;              ///< counted without screening
-  std::size_t faces_exact = 0;        ///< of these, left to rationals
+  std::size_t faces_exact = 0;        ///< of these, left to more digits
   std::size_t face_points = 0;        ///< found on them
   double seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;
 };
