@@ -63,7 +63,7 @@ TEST_P(CurvesOfRealFields, RunInsideTheTubesOfTheNearestModes) {
       for (const Index v : mesh.tets[static_cast<std::size_t>(t)])
         least =
             std::min(least, GetParam() * mode(deviator(mesh.tensors[static_cast<std::size_t>(v)])));
-      if (least < 0.9989) EXPECT_TRUE(crossed.contains(t)) << "tetrahedron " << t;
+      EXPECT_TRUE(least >= 0.9989 || crossed.contains(t)) << "tetrahedron " << t;
     }
   }
 }

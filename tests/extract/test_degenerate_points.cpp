@@ -11,6 +11,7 @@
 #include "extract_case.hpp"
 #include "support/generators.hpp"
 #include "tensortopo/extract/curve_points.hpp"
+#include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::test {
 namespace {
