@@ -45,7 +45,7 @@ void require_folder(const std::filesystem::path& output) {
   }
 }
 
-using UnresolvedModes = std::map<std::pair<std::int64_t, UnresolvedReason>, std::vector<ModeValue>>;
+using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vector<ModeValue>>;
 
 SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction) {
   SurfaceReport report;
@@ -57,12 +57,31 @@ SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction
   for (const double r : extraction.surface.residual) {
     report.max_abs_residual = std::max(report.max_abs_residual, std::abs(r));
   }
-  for (const UnresolvedCell& cell : extraction.unresolved) ++report.unresolved[cell.reason];
+  for (const UnresolvedCell& cell : extraction.unresolved) ++report.unresolved[std::string(name_of(cell.reason))];
+  report.statistics = extraction.statistics;
+  return report;
+}
+
+CurveReport curve_report(const ModeValue& mode, const CurveExtraction& extraction) {
+  CurveReport report;
+  report.mode = mode;
+  report.invariants = curve_invariants(extraction.curves);
+  for (const double r : extraction.curves.residual) {
+    report.max_residual = std::max(report.max_residual, r);
+  }
+  for (const UnresolvedCurve& cell : extraction.unresolved) {
+    ++report.unresolved[std::string(name_of(cell.obstacle))];
+  }
   report.statistics = extraction.statistics;
   return report;
 }
 
 }  // namespace
+
+bool is_degenerate(const ModeValue& mode) {
+  const std::string text = mode.text();
+  return text == "1" || text == "-1";
+}
 
 std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool generalized) {
   std::vector<ModeValue> result;
@@ -70,11 +89,6 @@ std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool g
     if (std::find(result.begin(), result.end(), mode) == result.end()) result.push_back(mode);
   };
   for (const ModeValue& mode : modes) {
-    const std::string text = mode.text();
-    if (text == "1" || text == "-1") {
-      throw UsageError("--mode " + text +
-                       ": degenerate curves are not extracted by this version");
-    }
     add(mode);
     if (generalized) add(mode.opposite());
   }
@@ -82,18 +96,23 @@ std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool g
   return result;
 }
 
-void require_surface_extension(const std::filesystem::path& output) {
+void require_surface_extension(const std::filesystem::path& output, bool curves) {
   constexpr std::array<std::string_view, 5> known{".vtp", ".ply", ".obj", ".off", ".stl"};
   if (std::find(known.begin(), known.end(), output.extension().string()) == known.end()) {
     throw UsageError(output.string() +
                      ": the name must end in .vtp, .ply, .obj, .off or .stl (no format for '" +
                      output.extension().string() + "')");
   }
+  if (curves && (output.extension() == ".off" || output.extension() == ".stl")) {
+    throw UsageError(output.string() +
+                     ": degenerate curves (--mode 1 or -1) need a name in .vtp, .ply or .obj");
+  }
 }
 
 ExtractReport run_extract(const ExtractCommand& command, const Progress& progress) {
   const std::vector<ModeValue> modes = modes_to_extract(command.modes, command.generalized);
-  require_surface_extension(command.output);
+  require_surface_extension(command.output,
+                            std::any_of(modes.begin(), modes.end(), is_degenerate));
   if (!(command.sampling.resolution > 0) || !std::isfinite(command.sampling.resolution)) {
     throw UsageError("--resolution: must be a positive number");
   }
@@ -114,6 +133,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   report.tetrahedra = read.mesh.tets.size();
 
   SurfaceMesh surface;
+  CurveMesh curves;
   UnresolvedModes unresolved;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     ExtractOptions options;
@@ -125,11 +145,23 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       };
     }
     const Clock extract_clock;
+    if (is_degenerate(modes[i])) {
+      const auto kind = modes[i].approx() > 0 ? Degeneracy::linear : Degeneracy::planar;
+      CurveExtraction extraction = extract_degenerate_curves(read.mesh, kind, options);
+      report.seconds_extract += extract_clock.seconds();
+      for (const UnresolvedCurve& cell : extraction.unresolved) {
+        const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];
+        unresolved[{id, std::string(name_of(cell.obstacle))}].push_back(modes[i]);
+      }
+      report.curves.push_back(curve_report(modes[i], extraction));
+      append_curves(curves, std::move(extraction.curves));
+      continue;
+    }
     Extraction extraction = extract_mode_surface<double>(read.mesh, modes[i], options);
     report.seconds_extract += extract_clock.seconds();
     for (const UnresolvedCell& cell : extraction.unresolved) {
       const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];
-      unresolved[{id, cell.reason}].push_back(modes[i]);
+      unresolved[{id, std::string(name_of(cell.reason))}].push_back(modes[i]);
     }
     const Clock invariants_clock;
     report.surfaces.push_back(surface_report(modes[i], extraction));
@@ -143,7 +175,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (command.strict && !report.unresolved.empty()) return report;
   tell(progress, "writing", 0);
   const Clock write_clock;
-  report.bytes = write_surface(surface, read.mesh, command.output).bytes;
+  report.bytes = write_surface(surface, curves, read.mesh, command.output).bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
   return report;

@@ -11,9 +11,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kListedCells = 100;
 
-Json counts(const std::map<UnresolvedReason, std::size_t>& unresolved) {
+Json counts(const std::map<std::string, std::size_t>& unresolved) {
   Json json = Json::object();
-  for (const auto& [reason, count] : unresolved) json[std::string(name_of(reason))] = count;
+  for (const auto& [reason, count] : unresolved) json[reason] = count;
   return json;
 }
 
@@ -48,8 +48,24 @@ Json surface_json(const SurfaceReport& surface) {
   return json;
 }
 
+Json curve_json(const CurveReport& curve) {
+  const CurveStatistics& s = curve.statistics;
+  return {{"mode", curve.mode.approx()},
+          {"mode_exact", curve.mode.text()},
+          {"vertices", curve.invariants.vertices},
+          {"length", curve.invariants.length},
+          {"components", curve.invariants.components},
+          {"closed_components", curve.invariants.closed_components},
+          {"max_residual", curve.max_residual},
+          {"tets_crossed", s.tets_crossed},
+          {"tets_screened_out", s.tets_screened_out},
+          {"faces_counted", s.faces},
+          {"faces_counted_with_more_digits", s.faces_exact},
+          {"unresolved", counts(curve.unresolved)}};
+}
+
 Json unresolved_json(const UnresolvedReport& cell) {
-  Json json{{"cell", cell.cell}, {"reason", name_of(cell.reason)}, {"modes", Json::array()}};
+  Json json{{"cell", cell.cell}, {"reason", cell.reason}, {"modes", Json::array()}};
   for (const ModeValue& mode : cell.modes) json["modes"].push_back(mode.text());
   return json;
 }
@@ -90,6 +106,7 @@ std::string to_json(const ExtractReport& report) {
     json["surfaces"].push_back(surface_json(surface));
   }
   json["curves"] = Json::array();
+  for (const CurveReport& curve : report.curves) json["curves"].push_back(curve_json(curve));
   json["unresolved"] = counts(count_unresolved(report));
   json["unresolved_cells"] = Json::array();
   for (std::size_t i = 0; i < std::min(report.unresolved.size(), kListedCells); ++i) {

@@ -9,8 +9,8 @@
 
 namespace tensortopo {
 
-std::map<UnresolvedReason, std::size_t> count_unresolved(const ExtractReport& report) {
-  std::map<UnresolvedReason, std::size_t> counts;
+std::map<std::string, std::size_t> count_unresolved(const ExtractReport& report) {
+  std::map<std::string, std::size_t> counts;
   for (const UnresolvedReport& cell : report.unresolved) ++counts[cell.reason];
   return counts;
 }
@@ -32,6 +32,11 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.seconds_tets += s.seconds_tets;
     total.seconds_stitch += s.seconds_stitch;
   }
+  for (const CurveReport& curve : report.curves) {
+    total.seconds_faces += curve.statistics.seconds_faces;
+    total.seconds_tets += curve.statistics.seconds_tets;
+    total.seconds_stitch += curve.statistics.seconds_stitch;
+  }
   return total;
 }
 
@@ -41,7 +46,7 @@ std::string unresolved_line(const ExtractReport& report) {
   for (const UnresolvedReport& cell : report.unresolved) cells.insert(cell.cell);
   std::string reasons;
   for (const auto& [reason, count] : count_unresolved(report)) {
-    reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", count, name_of(reason));
+    reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", count, reason);
   }
   return fmt::format("{} of {} tetrahedra unresolved ({})", cells.size(), report.tetrahedra,
                      reasons);
@@ -52,15 +57,26 @@ std::string to_text(const ExtractReport& report) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{}: {} vertices, {} tetrahedra, tensor '{}'\n", report.input.string(),
                  report.vertices, report.tetrahedra, report.tensor_name);
-  fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n", "mode",
-                 "vertices", "triangles", "parts", "loops", "euler", "area", "residual", "manifold",
-                 "tets");
+  if (!report.surfaces.empty()) {
+    fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n", "mode",
+                   "vertices", "triangles", "parts", "loops", "euler", "area", "residual",
+                   "manifold", "tets");
+  }
   for (const SurfaceReport& s : report.surfaces) {
     const SurfaceInvariants& known = s.invariants;
     fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8} {:>8}\n",
                    s.mode.text(), s.vertices, s.triangles, known.components, known.boundary_loops,
                    known.euler_characteristic, known.area, s.max_abs_residual,
                    known.manifold ? "yes" : "no", s.statistics.tets_crossed);
+  }
+  if (!report.curves.empty()) {
+    fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13} {:>9} {:>8}\n", "curves", "vertices",
+                   "parts", "closed", "length", "residual", "tets");
+  }
+  for (const CurveReport& c : report.curves) {
+    fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8}\n", c.mode.text(),
+                   c.invariants.vertices, c.invariants.components, c.invariants.closed_components,
+                   c.invariants.length, c.max_residual, c.statistics.tets_crossed);
   }
   if (report.written) {
     fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",

@@ -42,8 +42,6 @@ TEST(ExtractFailures, BadUsageIsTwoAndLeavesNoFile) {
       {{"--mode", "-11/10"}, "-11/10"},
       {{"--mode", "nan"}, "nan"},
       {{"--mode", "1/0"}, "1/0"},
-      {{"--mode", "1"}, "not extracted by this version"},
-      {{"--mode", "-1"}, "not extracted by this version"},
       {{"--mode", "0.5", "--threads", "0"}, "--threads"},
       {{"--mode", "0.5", "--resolution", "-1"}, "--resolution"},
       {{"--mode", "0.5", "--resolution", "nan"}, "--resolution"},
@@ -65,6 +63,21 @@ TEST(ExtractFailures, UnknownExtensionIsBadUsage) {
   EXPECT_EQ(run.status, 2);
   expect_error_line(run, "s.xyz");
   EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(ExtractFailures, CurvesNeedAFormatWithPolylines) {
+  for (const char* name : {"c.stl", "c.off"}) {
+    for (const std::vector<std::string>& modes :
+         {std::vector<std::string>{"--mode", "1"}, {"--mode", "0.5", "--mode", "-1"}}) {
+      const Folder folder;
+      std::vector<std::string> words{"extract", field("s4_slab"), "-o", folder / name};
+      words.insert(words.end(), modes.begin(), modes.end());
+      const Outcome run = run_program(words);
+      EXPECT_EQ(run.status, 2);
+      expect_error_line(run, name);
+      EXPECT_TRUE(folder.files().empty());
+    }
+  }
 }
 
 TEST(ExtractFailures, BadInputIsThree) {

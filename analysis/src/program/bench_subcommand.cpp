@@ -10,6 +10,7 @@
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
 
 namespace tensortopo {
 namespace {
@@ -22,6 +23,11 @@ struct Options {
 ExitStatus bench(const Options& options, const CommonOptions& common) {
   BenchCommand command = options.command;
   command.modes = modes_to_extract(parse_modes(options.modes), false);
+  for (const ModeValue& mode : command.modes) {
+    if (is_degenerate(mode)) {
+      throw UsageError("--mode " + mode.text() + ": VTK has no counterpart to degenerate curves");
+    }
+  }
   ProgressBar bar(!common.quiet);
   const BenchReport report = run_bench(command, bar.callback());
   bar.erase();

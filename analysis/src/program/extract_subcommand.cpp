@@ -50,19 +50,19 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
 }  // namespace
 
 void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
-  CLI::App& app = *program.add_subcommand("extract", "Extract mode surfaces of a tensor field");
+  CLI::App& app = *program.add_subcommand("extract", "Extract mode surfaces and degenerate curves (modes 1 and -1) of a tensor field");
   const auto options = std::make_shared<Options>();
   ExtractCommand& command = options->command;
   app.add_option("INPUT", command.input, "Tetrahedral mesh with tensors: .vtu, .pvtu, legacy .vtk")
       ->required();
   app.add_option("-o,--output", command.output,
-                 "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl")
+                 "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl; curves: the first three")
       ->type_name("FILE")
       ->required();
   add_mode_option(app, options->modes);
   app.add_flag("--generalized", command.generalized, "With each mode M, also -M");
   app.add_option("--resolution", command.sampling.resolution,
-                 "Samples per radian of turning of the medium eigenvector")
+                 "Samples per radian of turning of the medium eigenvector (curves: dominant)")
       ->type_name("R")
       ->capture_default_str();
   app.add_option("--method", options->method, "How to extract")

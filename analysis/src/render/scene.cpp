@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkLightKit.h>
 #include <vtkMatrix4x4.h>
@@ -106,10 +107,35 @@ void add_triangles(vtkRenderer& renderer, vtkPolyData* shape, const Look& look, 
   add_edges(renderer, shape, false, mix(look.colour, kInk, 0.55), line);
 }
 
+// A file has a line for each tetrahedron; those that follow each other become one tube.
+vtkSmartPointer<vtkCellArray> joined(vtkCellArray* lines) {
+  const auto result = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<vtkIdType> chain;
+  const auto end_chain = [&] {
+    if (chain.size() > 1)
+      result->InsertNextCell(static_cast<vtkIdType>(chain.size()), chain.data());
+    chain.clear();
+  };
+  vtkIdType size = 0;
+  const vtkIdType* points = nullptr;
+  for (vtkIdType i = 0; i < lines->GetNumberOfCells(); ++i) {
+    lines->GetCellAtId(i, size, points);
+    if (size == 0) continue;
+    if (!chain.empty() && chain.back() == points[0]) {
+      chain.pop_back();
+    } else {
+      end_chain();
+    }
+    chain.insert(chain.end(), points, points + size);
+  }
+  end_chain();
+  return result;
+}
+
 void add_curves(vtkRenderer& renderer, vtkPolyData* shape, const Look& look, double radius) {
   vtkNew<vtkPolyData> lines;
   lines->SetPoints(shape->GetPoints());
-  lines->SetLines(shape->GetLines());
+  lines->SetLines(joined(shape->GetLines()));
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(lines);
   tubes->SetRadius(radius);

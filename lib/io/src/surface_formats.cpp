@@ -45,28 +45,48 @@ Vector3<double> unit_normal(const Vector3<double>& p, const Vector3<double>& q,
 
 }  // namespace
 
-std::string to_ply(const SurfaceMesh& surface) {
+std::string to_ply(const SurfaceMesh& surface, const CurveMesh& curves) {
+  std::size_t segments = 0;
+  for (const auto& line : curves.lines) segments += line.size() - 1;
+  const std::size_t points = surface.points.size() + curves.points.size();
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double "
       "y\n"
-      "property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      surface.points.size(), surface.triangles.size());
-  bytes.reserve(bytes.size() + 24 * surface.points.size() + 13 * surface.triangles.size());
-  for (const auto& p : surface.points)
-    for (const double x : {p.x, p.y, p.z}) append(bytes, x);
+      "property double z\nelement face {}\nproperty list uchar int vertex_indices\n",
+      points, surface.triangles.size());
+  if (segments > 0)
+    bytes += fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", segments);
+  bytes += "end_header\n";
+  bytes.reserve(bytes.size() + 24 * points + 13 * surface.triangles.size() + 8 * segments);
+  for (const auto* list : {&surface.points, &curves.points})
+    for (const auto& p : *list)
+      for (const double x : {p.x, p.y, p.z}) append(bytes, x);
   for (const auto& t : surface.triangles) {
     append(bytes, std::uint8_t{3});
     for (const auto v : t) append(bytes, v);
   }
+  const auto first = static_cast<CurveMesh::Index>(surface.points.size());
+  for (const auto& line : curves.lines)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      append(bytes, first + line[i]);
+      append(bytes, first + line[i + 1]);
+    }
   return bytes;
 }
 
-std::string to_obj(const SurfaceMesh& surface) {
+std::string to_obj(const SurfaceMesh& surface, const CurveMesh& curves) {
   std::string text;
   const auto out = std::back_inserter(text);
-  for (const auto& p : surface.points) fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
+  for (const auto* list : {&surface.points, &curves.points})
+    for (const auto& p : *list) fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
   for (const auto& t : surface.triangles)
     fmt::format_to(out, "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  const auto first = static_cast<CurveMesh::Index>(surface.points.size()) + 1;
+  for (const auto& line : curves.lines) {
+    text += 'l';
+    for (const auto v : line) fmt::format_to(out, " {}", first + v);
+    text += '\n';
+  }
   return text;
 }
 

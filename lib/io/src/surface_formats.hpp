@@ -5,20 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo::detail {
 
 // Geometry in simple formats, as bytes.
-std::string to_ply(const SurfaceMesh& surface);
-std::string to_obj(const SurfaceMesh& surface);
+std::string to_ply(const SurfaceMesh& surface, const CurveMesh& curves);
+std::string to_obj(const SurfaceMesh& surface, const CurveMesh& curves);
 std::string to_off(const SurfaceMesh& surface);
 /// Throws std::range_error if a coordinate is too large for float32.
 std::string to_stl(const SurfaceMesh& surface);
 
 /// Geometry and arrays, whose names it appends to `names`.
-std::string to_vtp(const SurfaceMesh& surface, const TetMesh& mesh,
+std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
                    std::vector<std::string>& names);
 
 }  // namespace tensortopo::detail

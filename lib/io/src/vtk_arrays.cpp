@@ -41,6 +41,20 @@ vtkSmartPointer<vtkCellArray> vtk_cells(
 template vtkSmartPointer<vtkCellArray> vtk_cells(const std::vector<std::array<std::int32_t, 3>>&);
 template vtkSmartPointer<vtkCellArray> vtk_cells(const std::vector<std::array<std::int32_t, 4>>&);
 
+vtkSmartPointer<vtkCellArray> vtk_lines(const std::vector<std::vector<std::int32_t>>& lines,
+                                        std::size_t first_point) {
+  vtkNew<vtkTypeInt64Array> offsets, connectivity;
+  offsets->InsertNextValue(0);
+  for (const auto& line : lines) {
+    for (const std::int32_t v : line)
+      connectivity->InsertNextValue(static_cast<vtkTypeInt64>(first_point) + v);
+    offsets->InsertNextValue(connectivity->GetNumberOfValues());
+  }
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  result->SetData(offsets, connectivity);
+  return result;
+}
+
 std::string run_vtk_writer(vtkXMLWriter& writer) {
   writer.WriteToOutputStringOn();  // a disk cannot fail it, and its messages stay unsaid
   writer.SetDataModeToAppended();

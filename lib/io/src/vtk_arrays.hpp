@@ -24,6 +24,10 @@ template <std::size_t Corners>
 vtkSmartPointer<vtkCellArray> vtk_cells(
     const std::vector<std::array<std::int32_t, Corners>>& cells);
 
+/// Polylines; their points are counted from `first_point`.
+vtkSmartPointer<vtkCellArray> vtk_lines(const std::vector<std::vector<std::int32_t>>& lines,
+                                        std::size_t first_point);
+
 /// What a VTK writer writes: little endian, raw appended zlib with 64-bit headers.
 std::string run_vtk_writer(vtkXMLWriter& writer);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -40,16 +41,43 @@ void check(const SurfaceMesh& s, const TetMesh& mesh) {
     require(below(t, mesh.cell_ids.size()), "a triangle names a tetrahedron that does not exist");
 }
 
+void check(const CurveMesh& c, std::size_t surface_points, const TetMesh& mesh) {
+  const std::size_t points = c.points.size();
+  require(fits(c.dominant_eigenvector, points) && fits(c.mode, points) &&
+              fits(c.separation, points) && fits(c.residual, points),
+          "an array of the curves is not one for each point");
+  require(fits(c.tet, c.lines.size()) && fits(c.component, c.lines.size()),
+          "an array is not one for each line");
+  require(points <= static_cast<std::size_t>(std::numeric_limits<CurveMesh::Index>::max()) -
+                        std::min(surface_points, points),
+          "more points than 32 bits can number");
+  const auto below = [](auto index, std::size_t size) {
+    return index >= 0 && static_cast<std::size_t>(index) < size;
+  };
+  for (const auto& line : c.lines) {
+    require(line.size() > 1, "a line has fewer than two points");
+    for (const auto v : line) require(below(v, points), "a line names a point that does not exist");
+  }
+  for (const auto t : c.tet)
+    require(below(t, mesh.cell_ids.size()), "a line names a tetrahedron that does not exist");
+}
+
 }  // namespace
 
 WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
                           const std::filesystem::path& file) {
-  using Format = std::string (*)(const SurfaceMesh&);
-  static const std::map<std::string, Format> formats{{".obj", detail::to_obj},
-                                                     {".off", detail::to_off},
-                                                     {".ply", detail::to_ply},
-                                                     {".stl", detail::to_stl},
-                                                     {".vtp", nullptr}};
+  return write_surface(surface, CurveMesh{}, mesh, file);
+}
+
+WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
+                          const std::filesystem::path& file) {
+  using Format = std::string (*)(const SurfaceMesh&, const CurveMesh&);
+  static const std::map<std::string, Format> formats{
+      {".obj", detail::to_obj},
+      {".off", [](const SurfaceMesh& s, const CurveMesh&) { return detail::to_off(s); }},
+      {".ply", detail::to_ply},
+      {".stl", [](const SurfaceMesh& s, const CurveMesh&) { return detail::to_stl(s); }},
+      {".vtp", nullptr}};
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -61,12 +89,15 @@ WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
                   "has the unknown extension \"" + extension + "\"; known are " + known);
   }
   check(surface, mesh);
+  check(curves, surface.points.size(), mesh);
+  if (!curves.lines.empty() && (extension == ".off" || extension == ".stl"))
+    throw IoError(IoError::Kind::unwritable, file, "cannot hold curves: use .vtp, .ply or .obj");
 
   WriteReport report;
   std::string bytes;
   try {
-    bytes = format->second != nullptr ? format->second(surface)
-                                      : detail::to_vtp(surface, mesh, report.arrays);
+    bytes = format->second != nullptr ? format->second(surface, curves)
+                                      : detail::to_vtp(surface, curves, mesh, report.arrays);
   } catch (const std::range_error& error) {
     throw IoError(IoError::Kind::unwritable, file,
                   std::string("cannot be written: ") + error.what());

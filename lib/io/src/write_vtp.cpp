@@ -9,6 +9,9 @@
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "surface_formats.hpp"
 #include "vtk_arrays.hpp"
 
@@ -43,25 +46,62 @@ void add(vtkDataSetAttributes& data, Arrays& names, const char* name, const Valu
   names.emplace_back(name);
 }
 
+/// One array for the points of surface and curves: zero where only the other kind has values.
+template <class Value>
+std::vector<Value> joined(const std::vector<Value>& of_surface, std::size_t surface_points,
+                          const std::vector<Value>& of_curves, std::size_t curve_points) {
+  if (of_surface.empty() && of_curves.empty()) return {};
+  std::vector<Value> result = of_surface;
+  result.resize(surface_points);
+  result.insert(result.end(), of_curves.begin(), of_curves.end());
+  result.resize(surface_points + curve_points);
+  return result;
+}
+
+template <class Value>
+std::vector<Value> chain(std::vector<Value> first, const std::vector<Value>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// Components of the curves are numbered after those of the surface.
+std::vector<SurfaceMesh::Index> components(const SurfaceMesh& surface, const CurveMesh& curves) {
+  SurfaceMesh::Index first = 0;
+  for (const auto c : surface.component) first = std::max(first, c + 1);
+  std::vector<SurfaceMesh::Index> result;
+  for (const auto c : curves.component) result.push_back(first + c);
+  return chain(std::move(result), surface.component);
+}
+
 }  // namespace
 
-std::string to_vtp(const SurfaceMesh& surface, const TetMesh& mesh, Arrays& names) {
+std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
+                   Arrays& names) {
   vtkNew<vtkPolyData> data;
-  data->SetPoints(vtk_points(surface.points));
+  data->SetPoints(vtk_points(chain(surface.points, curves.points)));
   data->SetPolys(vtk_cells(surface.triangles));
+  if (!curves.lines.empty()) data->SetLines(vtk_lines(curves.lines, surface.points.size()));
 
   const auto same = [](auto value) { return value; };
+  const std::size_t before = surface.points.size(), after = curves.points.size();
+  const auto of_both = [&]<class Value>(const std::vector<Value>& of_surface,
+                                        const std::vector<Value>& of_curves) {
+    return joined(of_surface, before, of_curves, after);
+  };
   vtkDataSetAttributes& points = *data->GetPointData();
-  add<vtkDoubleArray>(points, names, "mode", surface.mode, same);
-  add(points, names, "medium_eigenvector", surface.medium_eigenvector);
-  add(points, names, "dominant_eigenvector", surface.dominant_eigenvector);
-  add(points, names, "normal", surface.normal);
-  add<vtkDoubleArray>(points, names, "residual", surface.residual, same);
+  add<vtkDoubleArray>(points, names, "mode", of_both(surface.mode, curves.mode), same);
+  add(points, names, "medium_eigenvector", of_both(surface.medium_eigenvector, {}));
+  add(points, names, "dominant_eigenvector",
+      of_both(surface.dominant_eigenvector, curves.dominant_eigenvector));
+  add(points, names, "normal", of_both(surface.normal, {}));
+  add<vtkDoubleArray>(points, names, "separation",
+                      joined<double>({}, before, curves.separation, after), same);
+  add<vtkDoubleArray>(points, names, "residual", of_both(surface.residual, curves.residual), same);
   vtkDataSetAttributes& cells = *data->GetCellData();
-  add<vtkTypeInt64Array>(cells, names, "tet", surface.tet, [&](SurfaceMesh::Index t) {
-    return mesh.cell_ids[static_cast<std::size_t>(t)];
-  });
-  add<vtkTypeInt32Array>(cells, names, "component", surface.component, same);
+  add<vtkTypeInt64Array>(
+      cells, names, "tet", chain(curves.tet, surface.tet),
+      [&](SurfaceMesh::Index t) { return mesh.cell_ids[static_cast<std::size_t>(t)]; });
+  add<vtkTypeInt32Array>(cells, names, "component", components(surface, curves), same);
 
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 
 namespace tensortopo {
@@ -16,5 +17,9 @@ namespace tensortopo {
 /// Requires  the same arrays filled in both, unless one is empty; else throws
 ///           std::invalid_argument. More than 2^31 - 1 vertices: std::length_error.
 void append_surface(SurfaceMesh& surface, SurfaceMesh part);
+
+/// Adds curves in the same tetrahedral mesh to other ones; the same laws hold, with lines for
+/// triangles.
+void append_curves(CurveMesh& curves, CurveMesh part);
 
 }  // namespace tensortopo

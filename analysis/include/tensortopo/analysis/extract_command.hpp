@@ -13,26 +13,28 @@
 
 namespace tensortopo {
 
-/// From a field in a file to the mode surfaces in another.
+/// From a field in a file to the mode surfaces and degenerate curves in another.
 struct ExtractCommand {
   std::filesystem::path input;
   std::filesystem::path output;  ///< .vtp, .ply, .obj, .off or .stl
-  std::vector<ModeValue> modes;  ///< surfaces in this order; repetitions count once
+  std::vector<ModeValue> modes;  ///< in this order; 1 and -1 are curves; repetitions count once
   bool generalized = false;      ///< after each mode its opposite
   bool strict = false;           ///< write nothing if a tetrahedron stays unresolved
   ReadOptions read;
   Sampling sampling;
 };
 
-/// The modes to extract, in order, each once.
-///
-/// Throws UsageError for none, and for +-1: degenerate curves are not surfaces.
+/// Whether the mode is 1 or -1, exactly: where the field has it there are curves, not surfaces.
+bool is_degenerate(const ModeValue& mode);
+
+/// The modes to extract, in order, each once. Throws UsageError for none.
 std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool generalized);
 
-/// Throws UsageError unless the extension names a format for surfaces.
-void require_surface_extension(const std::filesystem::path& output);
+/// Throws UsageError unless the extension names a format for surfaces, and for curves if they are
+/// asked for.
+void require_surface_extension(const std::filesystem::path& output, bool curves);
 
-/// Reads, extracts each mode's surface, and writes all of them to one file.
+/// Reads, extracts each mode's surface or curves, and writes all of them to one file.
 ///
 /// Laws      (1) the file depends on the input's bytes and the command only, not on the number of
 ///           threads; (2) on failure no file is left, and one that was there is untouched.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
@@ -21,14 +22,23 @@ struct SurfaceReport {
   std::size_t triangles = 0;
   SurfaceInvariants invariants;  ///< `component` is left empty
   double max_abs_residual = 0;   ///< largest |mode at a vertex - mode|
-  std::map<UnresolvedReason, std::size_t> unresolved;
+  std::map<std::string, std::size_t> unresolved;  ///< by the name of the reason
   ExtractStatistics statistics;
 };
 
-/// A tetrahedron that some mode's surface leaves out.
+/// What is known of the degenerate curves of one kind.
+struct CurveReport {
+  ModeValue mode;
+  CurveInvariants invariants;
+  double max_residual = 0;  ///< largest sqrt(1 - mode^2) at a vertex
+  std::map<std::string, std::size_t> unresolved;
+  CurveStatistics statistics;
+};
+
+/// A tetrahedron that some mode's surface or curve leaves out.
 struct UnresolvedReport {
   std::int64_t cell = 0;  ///< id in the input file
-  UnresolvedReason reason{};
+  std::string reason;
   std::vector<ModeValue> modes;  ///< for which it is unresolved
 };
 
@@ -41,7 +51,8 @@ struct ExtractReport {
   std::size_t tetrahedra = 0;
   std::vector<std::string> notes;  ///< what reading repaired or skipped
 
-  std::vector<SurfaceReport> surfaces;       ///< one for each mode
+  std::vector<SurfaceReport> surfaces;       ///< one for each mode between -1 and 1
+  std::vector<CurveReport> curves;           ///< one for each of the modes 1 and -1
   std::vector<UnresolvedReport> unresolved;  ///< by cell id, then reason
 
   std::filesystem::path output;
@@ -53,9 +64,9 @@ struct ExtractReport {
 };
 
 /// The number of tetrahedra unresolved for each reason, each counted once whatever the modes.
-std::map<UnresolvedReason, std::size_t> count_unresolved(const ExtractReport& report);
+std::map<std::string, std::size_t> count_unresolved(const ExtractReport& report);
 
-/// The statistics of all surfaces, added up.
+/// The statistics of all surfaces, added up; the seconds are those of curves too.
 ExtractStatistics total_statistics(const ExtractReport& report);
 
 /// One JSON object, with the keys that the command line's contract names. Ends without newline.

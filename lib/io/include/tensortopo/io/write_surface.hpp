@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
@@ -36,6 +37,17 @@ struct WriteReport {
 /// Requires  each array empty or of full length, and indices in range.
 /// Throws    IoError (`unwritable`; an unknown extension is one), std::invalid_argument.
 WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
+                          const std::filesystem::path& file);
+
+/// The same with curves, as polylines of their own vertices after those of the surface.
+///
+/// .vtp and .obj hold a polyline for each line, .ply an edge for each segment; .off and .stl hold
+/// none. In a .vtp the curves add point data `separation`; arrays that only the surface has are
+/// zero at vertices of curves, and `separation` at vertices of the surface. Cell data come in VTK's
+/// order, lines before triangles. Without curves the bytes are those of the surface alone.
+///
+/// Throws    also IoError if there are curves and the format holds no polylines.
+WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
                           const std::filesystem::path& file);
 
 }  // namespace tensortopo

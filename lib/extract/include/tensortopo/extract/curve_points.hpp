@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "tensortopo/tensor/symmetric_tensor.hpp"
+
+namespace tensortopo {
+
+/// Why the degenerate curve in a tetrahedron was not extracted.
+enum class CurveObstacle {
+  zero_deviator_vertex,       ///< the deviator vanishes at a vertex: the mode is undefined there
+  dependent_tensors_on_face,  ///< the deviators at three vertices are dependent
+  degenerate_conic_on_face,   ///< a conic in a face's plane is degenerate, as in planes of symmetry
+  coincident_points_on_face,  ///< two degenerate points in a face's plane coincide
+  degenerate_point_on_edge,   ///< one is on an edge or vertex, or no 100 digits tell that it is not
+  dependent_tensors_in_cell,  ///< the deviators at the four vertices are dependent
+  neutral_characteristic,     ///< the characteristic tensor is neutral: the curve crosses itself
+  points_not_told_apart,      ///< 100 digits did not suffice, and none of these
+};
+
+/// The name that reports use.
+std::string_view name_of(CurveObstacle obstacle);
+
+/// A tensor of the input that stands for its deviator times 2^exponent, exactly.
+///
+/// Each vertex has a power of its own, which brings the deviator to the order of one; the weights
+/// below refer to these. That moves no point and no sign.
+struct ScaledTensor {
+  SymmetricTensor<double> tensor{};
+  int exponent = 0;
+};
+
+/// Directions centre + u first + v second with (u, v) in a box: a neighbourhood in the projective
+/// plane. The vectors are taken as exact numbers; they are orthonormal up to rounding.
+struct DirectionBox {
+  Vector3<double> centre{}, first{}, second{};
+  std::array<double, 2> low{}, high{};
+};
+
+/// A point in the interior of a triangle at which the field is degenerate.
+struct FacePoint {
+  bool linear = true;  ///< mode 1, else mode -1
+  /// Proved to contain the direction of the dominant eigenvector of this point and of no other
+  /// degenerate point in the triangle's plane.
+  DirectionBox box;
+  std::array<long double, 3> weights{};  ///< positive, with sum 1; rounded
+  Vector3<long double> dominant{};       ///< rounded, of length about 1
+};
+
+/// The degenerate points of the field in a triangle, or why they are not known.
+struct FacePoints {
+  std::vector<FacePoint> points;
+  std::optional<CurveObstacle> obstacle;
+  /// Degenerate points in the projective plane of the triangle, counted exactly: 2 or 4; 0 if an
+  /// earlier test has excluded points in the triangle, or with an obstacle.
+  int in_plane = 0;
+  /// Whether intervals of doubles left it to more digits.
+  bool exact = false;
+};
+
+/// All points in the interior of a triangle at which the mode is 1 or -1, and no others.
+///
+/// In the projective plane that the triangle spans there are two such points, or four if the binary
+/// cubic det(x M + y N) has three real zeros, M and N spanning the tensors across; the sign of its
+/// discriminant tells. Each is found in floating point and then proved: Krawczyk's operator maps a
+/// box around it into itself, so that it holds exactly one zero of the two quadratic forms e.M e
+/// and e.N e. The boxes are disjoint and as many as counted, and in them the three weights have
+/// strict signs. First in intervals of doubles; what these leave open goes to 100 digits and
+/// intervals of 150.
+///
+/// Laws      (1) without an obstacle the points are exactly those in the triangle, none on its
+///           sides; (2) changing all signs exchanges linear and planar points; (3) the result
+///           depends on the three tensors in their order only: order them by global ids.
+/// Requires  finite entries.
+FacePoints degenerate_points_on_face(const std::array<ScaledTensor, 3>& tensors);
+
+}  // namespace tensortopo

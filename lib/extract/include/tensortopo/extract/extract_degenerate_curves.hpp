@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tensortopo/extract/curve_points.hpp"
+#include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/mesh/curve_mesh.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo {
+
+/// The two kinds of degenerate tensors.
+enum class Degeneracy {
+  linear,  ///< mode 1: the two smaller eigenvalues are equal
+  planar,  ///< mode -1: the two larger ones
+};
+
+struct UnresolvedCurve {
+  TetMesh::Index tet;
+  CurveObstacle obstacle;
+};
+
+/// What the extraction did, for reports.
+struct CurveStatistics {
+  std::size_t tets_screened_out = 0;  ///< proved empty by Lode angles
+  std::size_t tets_crossed = 0;       ///< hold lines
+  std::size_t faces = 0;              ///< counted without screening
+  std::size_t faces_exact = 0;        ///< of these, left to more digits
+  std::size_t face_points = 0;        ///< found on them
+  double seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;
+};
+
+struct CurveExtraction {
+  CurveMesh curves;
+  std::vector<UnresolvedCurve> unresolved;  ///< by tetrahedron
+  CurveStatistics statistics;
+};
+
+/// The curves of linear (or planar) degenerate points of the piecewise linear field.
+///
+/// On every face all degenerate points are found and no others, and in every tetrahedron they are
+/// joined as the curve joins them; both by proofs, see `degenerate_points_on_face` and
+/// `degenerate_curve_in_tet`. Vertices are shared by construction: each carries the face or
+/// tetrahedron that it lies in. Tetrahedra in special position are listed with the reason, and the
+/// rest is extracted; there a curve may end inside the mesh. Elsewhere each component is closed or
+/// ends on the boundary.
+///
+/// Sampling is by the turning of the dominant eigenvector.
+/// Requires  a valid mesh (see `validate`).
+/// The result does not depend on the number of threads.
+CurveExtraction extract_degenerate_curves(const TetMesh& mesh, Degeneracy kind,
+                                          const ExtractOptions& options = {});
+
+}  // namespace tensortopo

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "exact_face_points.hpp"
+
+#include "tensortopo/extract/screen.hpp"
+#include "tensortopo/field/planar_critical_points.hpp"
+#include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/rational.hpp"
+#include "tensortopo/scalar/real.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Corners = std::array<Deviator<double>, 3>;
+
+/// Halvings of the sides after which a triangle is no longer cut to exclude points in it.
+constexpr int kDepth = 6;
+
+/// Whether the triangle holds no degenerate tensor, by the screen on its parts. Rounding moves the
+/// corners of these by a few units of 2^-53, so corners that are not much smaller than the first
+/// ones are as good as exact: an angle may be wrong by far less than the screen allows for.
+bool is_excluded(const Corners& corners, int depth) {
+  bool large = true;
+  for (const auto& t : corners) large = large && norm_form(t) > 0.01;
+  if (large && screen::excludes(corners, 0) && screen::excludes(corners, pi<double>() / 3))
+    return true;
+  if (depth == 0) return false;
+  const auto middle = [&](std::size_t i, std::size_t j) {
+    return 0.5 * corners[i] + 0.5 * corners[j];
+  };
+  const auto m01 = middle(0, 1), m02 = middle(0, 2), m12 = middle(1, 2);
+  return is_excluded({corners[0], m01, m02}, depth - 1) &&
+         is_excluded({corners[1], m01, m12}, depth - 1) &&
+         is_excluded({corners[2], m02, m12}, depth - 1) && is_excluded({m01, m02, m12}, depth - 1);
+}
+
+bool is_zero(const Vector3<Rational>& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// A vector that a singular form maps to zero; zero if there are several.
+Vector3<Rational> kernel(const SymmetricTensor<Rational>& t) {
+  const Vector3<Rational> x{t.xx, t.xy, t.xz}, y{t.xy, t.yy, t.yz}, z{t.xz, t.yz, t.zz};
+  for (const auto& k : {cross(x, y), cross(y, z), cross(z, x)})
+    if (!is_zero(k)) return k;
+  return {};
+}
+
+/// Of conics that meet in infinitely many points, or in fewer than four complex ones.
+CurveObstacle obstacle_of(const FieldForms<Rational, 3>& forms, const std::array<Rational, 4>& f) {
+  for (const Rational& c : f)
+    if (c != 0) return CurveObstacle::coincident_points_on_face;
+  // All forms of the pencil are singular: they share a line of zeros, or a singular point.
+  const auto k = kernel(forms.across[0]);
+  if (!is_zero(k) && is_zero(forms.across[1] * k)) return CurveObstacle::coincident_points_on_face;
+  return CurveObstacle::degenerate_conic_on_face;
+}
+
+/// The dominant eigenvector of a degenerate point; see the same in doubles.
+Vector3<Real100> dominant_direction(const PlanarCriticalPoint<Real100>& point) {
+  const auto t = thrice(Real100(point.mode < 0 ? -1 : 1) * point.tensor);
+  const Real100 shift = sqrt(Real100(inner(t, t) / 6));
+  const Real100 x = t.xx + shift, y = t.yy + shift, z = t.zz + shift;
+  if (x >= y && x >= z) return {x, t.xy, t.xz};
+  if (y >= z) return {t.xy, y, t.yz};
+  return {t.xz, t.yz, z};
+}
+
+/// The coordinates of a direction in a chart whose vectors are orthonormal up to rounding: good
+/// enough for Newton's method.
+std::array<double, 2> coordinates_in(const DirectionChart& chart, const Vector3<Real100>& e) {
+  const Real100 along = dot(widened<Real100>(chart.centre), e);
+  return {static_cast<double>(Real100(dot(widened<Real100>(chart.first), e) / along)),
+          static_cast<double>(Real100(dot(widened<Real100>(chart.second), e) / along))};
+}
+
+}  // namespace
+
+LongFace::LongFace(const std::array<ScaledTensor, 3>& input)
+    : tensors(input),
+      columns(best_columns(coordinate_rows<Real100>(input))),
+      forms(field_forms(coordinate_rows<LongInterval>(input), columns)) {}
+
+std::optional<std::array<LongInterval, 2>> LongFace::zero_near(
+    const DirectionChart& chart, const std::array<double, 2>& at) const {
+  const auto rounded = field_forms(coordinate_rows<Real100>(tensors), columns);
+  const ChartForms<Real100> approximate(rounded.across, chart);
+  const auto place = newton_zero<Real100>(approximate, {Real100(at[0]), Real100(at[1])}, 8);
+  const auto inverse = inverse_of(approximate.jacobian(place));
+  if (!inverse) return std::nullopt;
+  std::array<LongInterval, 2> centre;
+  std::array<std::array<LongInterval, 2>, 2> y;
+  for (std::size_t i = 0; i < 2; ++i) {
+    centre[i] = LongInterval(place[i]);
+    for (std::size_t j = 0; j < 2; ++j) y[i][j] = LongInterval((*inverse)[i][j]);
+  }
+  return certified_zero<LongInterval>(ChartForms<LongInterval>(forms.across, chart), centre, y,
+                                      ldexp(LongInterval::End(1), -300));
+}
+
+namespace {
+
+/// The number of degenerate points in the projective plane, or what keeps them from being counted.
+struct PlaneCount {
+  int points = 0;
+  std::optional<CurveObstacle> obstacle;
+};
+
+PlaneCount count_in_plane(const LongFace& face) {
+  const auto sign =
+      sign_in(cubic_discriminant(pencil_cubic(face.forms.across[0], face.forms.across[1])));
+  if (is_strict(sign_in(face.forms.determinant)) && is_strict(sign))
+    return {sign == Verdict::positive ? 4 : 2, std::nullopt};
+  const auto rows = coordinate_rows<Rational>(face.tensors);
+  const auto forms = field_forms(rows, best_columns(rows));
+  if (forms.determinant == 0) return {0, CurveObstacle::dependent_tensors_on_face};
+  const auto cubic = pencil_cubic(forms.across[0], forms.across[1]);
+  const Rational discriminant = cubic_discriminant(cubic);
+  if (discriminant == 0) return {0, obstacle_of(forms, cubic)};
+  return {discriminant > 0 ? 4 : 2, std::nullopt};
+}
+
+}  // namespace
+
+FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
+  FacePoints result;
+  Corners corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = exact_deviator<double>(tensors[i]);
+  if (is_excluded(corners, kDepth)) return result;
+  const auto with = [](CurveObstacle obstacle) {
+    FacePoints none;
+    none.obstacle = obstacle;
+    return none;
+  };
+  const LongFace face(tensors);
+  const PlaneCount counted = count_in_plane(face);
+  if (counted.obstacle) return with(*counted.obstacle);
+  const Verdict orientation = sign_in(face.forms.determinant);
+  if (!is_strict(orientation)) return with(CurveObstacle::points_not_told_apart);
+
+  TriangleField<Real100> field;
+  for (std::size_t i = 0; i < 3; ++i) field.vertex[i] = exact_deviator<Real100>(tensors[i]);
+  std::vector<Vector3<LongInterval>> found;
+  bool on_edge = false;
+  for (const auto& start : degenerate_points(field).points) {
+    const auto e = dominant_direction(start);
+    const DirectionChart chart = chart_around(
+        {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)});
+    const auto zero = face.zero_near(chart, coordinates_in(chart, e));
+    if (!zero) return with(CurveObstacle::points_not_told_apart);
+    const auto box = direction_at(chart, (*zero)[0], (*zero)[1]);
+    for (const auto& former : found)
+      if (!are_apart(former, box)) return with(CurveObstacle::points_not_told_apart);
+    found.push_back(box);
+    int positive = 0, negative = 0;
+    for (const auto& form : face.forms.weight) {
+      const Verdict sign = sign_in(polar(form, box, box));
+      if (is_strict(sign)) ++(sign == orientation ? positive : negative);
+    }
+    if (positive > 0 && negative > 0) continue;
+    if (positive + negative < 3) {
+      on_edge = true;
+      continue;
+    }
+    FacePoint point;
+    point.linear = positive > 0;
+    point.box = {chart.centre, chart.first, chart.second, {}, {}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      point.box.low[k] = mpfr_get_d((*zero)[k].low.backend().data(), MPFR_RNDD);
+      point.box.high[k] = mpfr_get_d((*zero)[k].high.backend().data(), MPFR_RNDU);
+    }
+    result.points.push_back(point);
+  }
+  if (static_cast<int>(found.size()) != counted.points)
+    return with(CurveObstacle::points_not_told_apart);
+  if (on_edge) return with(CurveObstacle::degenerate_point_on_edge);
+  result.in_plane = counted.points;
+  return result;
+}
+
+Vector3<LongInterval> refined(const LongFace& face, const DirectionBox& box) {
+  const DirectionChart chart{box.centre, box.first, box.second};
+  const std::array<double, 2> middle{0.5 * box.low[0] + 0.5 * box.high[0],
+                                     0.5 * box.low[1] + 0.5 * box.high[1]};
+  const auto inside = [&](const LongInterval& x, std::size_t k) {
+    return x.low >= box.low[k] && x.high <= box.high[k];
+  };
+  if (const auto zero = face.zero_near(chart, middle))
+    if (inside((*zero)[0], 0) && inside((*zero)[1], 1))
+      return direction_at(chart, (*zero)[0], (*zero)[1]);
+  return directions_in<LongInterval>(box);
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "curve_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "support/high_precision_mode.hpp"
+#include "tensortopo/scalar/real.hpp"
+#include "tensortopo/tensor/mode.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Index = TetMesh::Index;
+using Face = std::array<Index, 3>;
+
+std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
+
+struct PreciseTensor {
+  double residual = 0;   ///< sqrt(1 - mode^2)
+  double rounding = 0;   ///< what one unit in the last place of each coordinate explains
+  bool positive = true;  ///< the determinant
+};
+
+double last_place(double x) {
+  const double size = std::abs(x);
+  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+}
+
+PreciseTensor precise_tensor(const TetMesh& mesh, Index tet, const Vector3<double>& x) {
+  using Vector = Vector3<Real50>;
+  const auto wide = [](const Vector3<double>& v) {
+    return Vector{Real50(v.x), Real50(v.y), Real50(v.z)};
+  };
+  const auto& corners = mesh.tets[as_size(tet)];
+  std::array<Vector, 4> p;
+  std::array<Deviator<Real50>, 4> tensors;
+  for (std::size_t i = 0; i < 4; ++i) {
+    p[i] = wide(mesh.points[as_size(corners[i])]);
+    const auto& t = mesh.tensors[as_size(corners[i])];
+    tensors[i] = deviator(SymmetricTensor<Real50>{Real50(t.xx), Real50(t.yy), Real50(t.zz),
+                                                  Real50(t.xy), Real50(t.yz), Real50(t.xz)});
+  }
+  const Vector u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
+  const Real50 scale = Real50(1) / dot(cross(u, v), w);
+  const std::array<Vector, 3> gradient{scale * cross(v, w), scale * cross(w, u),
+                                       scale * cross(u, v)};
+  const auto along = [&](const Vector& direction) {
+    Deviator<Real50> d{};
+    for (std::size_t i = 0; i < 3; ++i)
+      d = d + dot(gradient[i], direction) * (tensors[i + 1] - tensors[0]);
+    return d;
+  };
+  const auto t = tensors[0] + along(wide(x) - p[0]);
+  const Real50 size = norm_form(t);
+  PreciseTensor result;
+  result.residual =
+      static_cast<double>(Real50(sqrt(Real50(54 * discriminant_form(t) / (size * size * size)))));
+  result.positive = determinant_form(t) > 0;
+  const std::array<Vector3<double>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const std::array<double, 3> steps{last_place(x.x), last_place(x.y), last_place(x.z)};
+  for (std::size_t k = 0; k < 3; ++k)
+    result.rounding +=
+        3 * std::acos(-1.0) / 2 * steps[k] *
+        static_cast<double>(Real50(sqrt(Real50(norm_form(along(wide(axes[k]))) / size))));
+  return result;
+}
+
+class Checker {
+ public:
+  Checker(const CurveExtraction& extraction, const TetMesh& mesh, double mode)
+      : extraction_(extraction), curves_(extraction.curves), mesh_(mesh), mode_(mode) {}
+
+  std::string run() {
+    check_lengths();
+    if (!complaints_.str().empty()) return complaints_.str();
+    check_lines();
+    check_components();
+    check_ends();
+    for (std::size_t l = 0; l < curves_.lines.size(); ++l)
+      for (const Index v : curves_.lines[l]) check_place(v, curves_.tet[l]);
+    return complaints_.str();
+  }
+
+ private:
+  template <class First, class... Rest>
+  void complain(const First& first, const Rest&... rest) {
+    if (++count_ > 5) return;
+    complaints_ << first;
+    (complaints_ << ... << rest) << '\n';
+  }
+
+  void check_lengths() {
+    const std::size_t points = curves_.points.size(), lines = curves_.lines.size();
+    for (const std::size_t size : {curves_.carrier.size(), curves_.carrier_vertices.size(),
+                                   curves_.dominant_eigenvector.size(), curves_.mode.size(),
+                                   curves_.separation.size(), curves_.residual.size()})
+      if (size != points) complain("an array has ", size, " entries for ", points, " points");
+    for (const std::size_t size : {curves_.tet.size(), curves_.component.size()})
+      if (size != lines) complain("an array has ", size, " entries for ", lines, " lines");
+    for (const double m : curves_.mode)
+      if (m != mode_) complain("mode ", m);
+    for (const double s : curves_.separation)
+      if (!std::isfinite(s)) complain("separation ", s);
+    for (const auto& e : curves_.dominant_eigenvector)
+      if (!(std::abs(dot(e, e) - 1) < 1e-14)) complain("an eigenvector of length ", dot(e, e));
+  }
+
+  std::array<Index, 4> corners(Index tet) const {
+    auto result = mesh_.tets[as_size(tet)];
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void check_lines() {
+    std::set<Index> used;
+    for (std::size_t l = 0; l < curves_.lines.size(); ++l) {
+      const auto& line = curves_.lines[l];
+      const auto tet = corners(curves_.tet[l]);
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        const auto v = as_size(line[i]);
+        const bool end = i == 0 || i + 1 == line.size();
+        used.insert(line[i]);
+        const auto& key = curves_.carrier_vertices[v];
+        if (end != (curves_.carrier[v] == Carrier::face)) complain("line ", l, ": wrong carrier");
+        if (!end && key != tet) complain("line ", l, ": inner vertex of another tetrahedron");
+        if (end &&
+            !(key[3] == -1 && std::includes(tet.begin(), tet.end(), key.begin(), key.begin() + 3)))
+          complain("line ", l, ": ends in a face of another tetrahedron");
+      }
+      if (std::set<Index>(line.begin(), line.end()).size() != line.size())
+        complain("line ", l, " repeats a vertex");
+    }
+    if (used.size() != curves_.points.size()) complain("vertices that no line uses");
+  }
+
+  void check_components() {
+    for (std::size_t l = 1; l < curves_.lines.size(); ++l) {
+      const Index last = curves_.component[l - 1], next = curves_.component[l];
+      if (next != last && next != last + 1) complain("component ", next, " after ", last);
+      if (next == last && curves_.lines[l].front() != curves_.lines[l - 1].back())
+        complain("line ", l, " does not follow the one before");
+    }
+    const auto invariants = curve_invariants(curves_);
+    const std::size_t counted =
+        curves_.component.empty() ? 0 : as_size(curves_.component.back()) + 1;
+    if (invariants.components != counted)
+      complain(counted, " components for ", invariants.components);
+  }
+
+  // A closed component passes each vertex twice, so it needs no rule of its own.
+  void check_ends() {
+    std::set<Index> unresolved;
+    for (const auto& cell : extraction_.unresolved) unresolved.insert(cell.tet);
+    std::map<Face, int> tets_at;
+    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+      if (unresolved.contains(static_cast<Index>(t))) continue;
+      const auto tet = corners(static_cast<Index>(t));
+      for (std::size_t i = 0; i < 4; ++i) {
+        Face face;
+        for (std::size_t k = 0, n = 0; k < 4; ++k)
+          if (k != i) face[n++] = tet[k];
+        ++tets_at[face];
+      }
+    }
+    std::map<Index, int> ends;
+    for (const auto& line : curves_.lines) ++ends[line.front()], ++ends[line.back()];
+    for (const auto& [v, count] : ends) {
+      const auto& key = curves_.carrier_vertices[as_size(v)];
+      if (count != tets_at[{key[0], key[1], key[2]}])
+        complain("vertex ", v, " ends ", count, " lines");
+    }
+    for (std::size_t l = 0; l < curves_.lines.size(); ++l)
+      if (unresolved.contains(curves_.tet[l])) complain("a line in an unresolved tetrahedron");
+  }
+
+  void check_place(Index v, Index tet) {
+    const auto& x = curves_.points[as_size(v)];
+    const auto t = precise_tensor(mesh_, tet, x);
+    if (!(t.residual <= t.rounding))
+      complain("vertex ", v, ": residual ", t.residual, ", rounding explains ", t.rounding);
+    if (t.positive != (mode_ > 0)) complain("vertex ", v, " is of the other kind");
+    const auto place = precise_mode(mesh_, tet, x, mode_);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (place.barycentric[i] < -2 * place.barycentric_rounding[i])
+        complain("vertex ", v, " is outside by ", place.barycentric[i]);
+  }
+
+  const CurveExtraction& extraction_;
+  const CurveMesh& curves_;
+  const TetMesh& mesh_;
+  const double mode_;
+  std::ostringstream complaints_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+std::string flaws(const CurveExtraction& extraction, const TetMesh& mesh, double mode) {
+  return Checker(extraction, mesh, mode).run();
+}
+
+}  // namespace tensortopo::test
