@@ -220,6 +220,10 @@ template <class Scalar>
 bool Pipeline<Scalar>::draw_one(std::size_t t) {
   auto& state = tets_[t];
   state.drawn = {};
+  if (state.method == Method::cone) {
+    draw_cone(t);
+    return true;
+  }
   const auto tet = tet_with_curves(t);
   const auto vertices = arc_vertices(t, tet);
   if (state.method == Method::manifold) {
@@ -254,6 +258,7 @@ void Pipeline<Scalar>::draw_tets() {
   // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
   // its neighbours then have as well, and are drawn again. Few rounds are needed.
   number_edge_vertices();
+  number_zero_vertices();
   std::vector<std::size_t> faces(complex_.faces.size());
   std::iota(faces.begin(), faces.end(), std::size_t{0});
   number_face_vertices(faces);

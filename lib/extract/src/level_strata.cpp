@@ -11,6 +11,7 @@
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/sign.hpp"
 #include "tensortopo/tensor/mode.hpp"
+#include "zero_inside.hpp"
 
 namespace tensortopo {
 
@@ -83,8 +84,9 @@ std::optional<std::array<Rational, 4>> weights_of(const Deviator<Rational>& t, C
 
 // The only non-degenerate critical point of the mode is where the tensor commutes with the
 // characteristic tensor N and is orthogonal to it: N^2 - (|N|^2 / 3) I - (tr N^3 / |N|^2) N.
-bool is_at_saddle(const std::array<Deviator<Rational>, 4>& corners, const Rational& mu) {
-  const Deviator<Rational> direction = characteristic_direction(TetrahedronField<Rational>{corners});
+bool is_at_saddle(Corners corners, const Rational& mu) {
+  const Deviator<Rational> direction = characteristic_direction(
+      TetrahedronField<Rational>{{corners[0], corners[1], corners[2], corners[3]}});
   const SymmetricTensor<Rational> n = to_tensor(direction);
   const Rational size = inner(n, n);
   if (size == 0) return false;
@@ -103,20 +105,19 @@ bool is_at_saddle(const std::array<Deviator<Rational>, 4>& corners, const Ration
 
 }  // namespace
 
-UnresolvedReason level_stratum(const std::array<SymmetricTensor<double>, 4>& tensors,
+UnresolvedReason level_stratum(std::span<const SymmetricTensor<double>> tensors,
                                const ModeValue& mode) {
-  std::array<Deviator<Rational>, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& t = tensors[i];
-    corners[i] = deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                                    Rational(t.xy), Rational(t.yz),
-                                                    Rational(t.xz)});
-  }
+  if (has_zero_inside(tensors)) return UnresolvedReason::zero_deviator_inside;
+  const auto corners = exact_deviators(tensors);
   const auto mu = to_scalar<Rational>(mode);
-  if (is_constant(corners, mu)) return UnresolvedReason::level_constant_in_cell;
-  if (is_constant_on_some(corners, 3, mu)) return UnresolvedReason::level_constant_on_face;
-  if (is_constant_on_some(corners, 2, mu)) return UnresolvedReason::level_constant_on_edge;
-  if (is_at_saddle(corners, mu)) return UnresolvedReason::critical_value_in_cell;
+  // What is constant on some vertices is so on the simplex of these and of those without deviator.
+  const std::size_t zeros = 4 - corners.size();
+  if (is_constant_on_some(corners, 4 - zeros, mu)) return UnresolvedReason::level_constant_in_cell;
+  if (zeros < 2 && is_constant_on_some(corners, 3 - zeros, mu))
+    return UnresolvedReason::level_constant_on_face;
+  if (zeros < 1 && is_constant_on_some(corners, 2, mu))
+    return UnresolvedReason::level_constant_on_edge;
+  if (zeros == 0 && is_at_saddle(corners, mu)) return UnresolvedReason::critical_value_in_cell;
   return UnresolvedReason::budget_exhausted;
 }
 
