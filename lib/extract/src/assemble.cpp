@@ -245,7 +245,7 @@ Extraction Pipeline<Scalar>::assemble() {
     ++(state.method == Method::cone ? statistics_.tets_coned
        : state.plan->refined        ? statistics_.tets_refined
                                     : statistics_.tets_monotone);
-    (state.method == Method::leaves     ? statistics_.sheets_leaves
+    (state.method == Method::leaves || state.method == Method::fan ? statistics_.sheets_leaves
      : state.method == Method::manifold ? statistics_.sheets_manifold
      : state.method == Method::cone     ? statistics_.sheets_cones
                                         : statistics_.sheets_small) += state.plan->sheets.size();

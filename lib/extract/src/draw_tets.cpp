@@ -25,7 +25,7 @@ constexpr int kAttemptsOnManifold = 3;
 }  // namespace
 
 /// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
-/// then the leaves of the proof.
+/// then the leaves of the proof, then plain fans.
 template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
@@ -54,9 +54,17 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.requests.insert(state.requests.end(), between.begin(), between.end());
     return;
   }
-  if (state.method == Method::leaves || !add_leaves(tet, level_, *state.plan)) {
-    state.unresolved = state.method == Method::leaves ? UnresolvedReason::inconsistent_samples
-                                                      : unproved(t);
+  if (state.method == Method::fan) {
+    state.unresolved = UnresolvedReason::inconsistent_samples;
+    return;
+  }
+  if (state.method == Method::leaves) {
+    state.method = Method::fan;
+    state.requests.clear();
+    return;
+  }
+  if (!add_leaves(tet, level_, *state.plan)) {
+    state.unresolved = unproved(t);
     return;
   }
   state.method = Method::leaves;
@@ -242,6 +250,11 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     std::vector<std::vector<RimVertex>> rims;
     for (const auto& loop : state.plan->loops) rims.push_back(loop_vertices(loop, vertices));
     return are_planned_sheets(state.drawn.triangles, rims, state.plan->sheets);
+  }
+  if (state.method == Method::fan) {
+    for (const auto& sheet : state.plan->sheets)
+      if (!mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_, state.drawn)) return false;
+    return true;
   }
   for (const auto& sheet : state.plan->sheets) {
     if (sheet.loops.size() != 1) return false;

@@ -235,10 +235,6 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
     any |= !arcs_[as_size(f)]->empty();
   }
   if (!any) return false;
-  if (vanishes_inside(vertices_of(t))) {
-    state.unresolved = UnresolvedReason::zero_deviator_inside;
-    return false;
-  }
   const auto tet = tet_with_curves(t);
   state.plan = plan_tet(tet, level_);
   if (!state.plan) state.unresolved = unproved(t);

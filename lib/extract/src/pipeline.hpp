@@ -28,7 +28,7 @@ class Pipeline {
   using Index = TetMesh::Index;
 
   /// How the sheets of a tetrahedron are drawn; tried in this order.
-  enum class Method { small_disc, manifold, leaves, cone };
+  enum class Method { small_disc, manifold, leaves, fan, cone };
 
   /// What becomes of one tetrahedron of the complex.
   struct TetState {
@@ -47,8 +47,7 @@ class Pipeline {
   void find_crossings();
   void trace_faces();
   void plan_tets();
-  template <std::size_t Vertices>
-  bool vanishes_inside(const std::array<Index, Vertices>& vertices) const;
+  bool vanishes_inside(const std::array<Index, 3>& face) const;
   UnresolvedReason unproved(std::size_t t) const;
   bool plan_one(std::size_t t);
   bool plan_cone(std::size_t t);

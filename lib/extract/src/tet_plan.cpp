@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "level_strata.hpp"
 #include "tensortopo/extract/segment_root.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
+#include "zero_inside.hpp"
 
 namespace tensortopo {
 
@@ -181,6 +183,19 @@ bool sheets_from_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& l
   return true;
 }
 
+/// Whether no refinement can end: the deviator vanishes inside, or the level is that of a saddle.
+template <class Scalar>
+bool is_hopeless(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level) {
+  const auto corners = rounded(tet.simplex.tensors);
+  const bool may_vanish = may_have_zero_inside(corners),
+             may_be_critical = may_be_level_at_saddle(corners, level.value.approx());
+  if (!may_vanish && !may_be_critical) return false;
+  std::array<SymmetricTensor<double>, 4> tensors;
+  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  return (may_vanish && has_zero_inside(tensors)) ||
+         (may_be_critical && is_level_at_saddle(tensors, level.value));
+}
+
 /// One for each thread, to be filled again: refinements are short, their memory is not.
 template <class Scalar>
 std::unique_ptr<typename TetPlan<Scalar>::Leaves>& spare_leaves() {
@@ -218,7 +233,7 @@ std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
     plan.sheets.push_back({{0}, 1, -1});
     return plan;
   }
-  if (!add_leaves(tet, level, plan)) return std::nullopt;
+  if (is_hopeless(tet, level) || !add_leaves(tet, level, plan)) return std::nullopt;
   plan.refined = true;
   // Hardly any sheet is drawn from its leaves, which are large.
   spare_leaves<Scalar>() = std::move(plan.leaves);

@@ -57,15 +57,14 @@ bool Pipeline<Scalar>::may_be_crossed_from_zero(const std::array<Index, 4>& tet)
          !is_proved_empty(corners, level_);
 }
 
-/// Whether the deviator vanishes in the simplex, whose vertices have one.
+/// Whether the deviator vanishes in a face, whose vertices have one.
 template <class Scalar>
-template <std::size_t Vertices>
-bool Pipeline<Scalar>::vanishes_inside(const std::array<Index, Vertices>& vertices) const {
-  std::array<Deviator<Scalar>, Vertices> scaled;
-  for (std::size_t i = 0; i < Vertices; ++i) scaled[i] = field_.tensors[as_size(vertices[i])];
+bool Pipeline<Scalar>::vanishes_inside(const std::array<Index, 3>& face) const {
+  std::array<Deviator<Scalar>, 3> scaled;
+  for (std::size_t i = 0; i < 3; ++i) scaled[i] = field_.tensors[as_size(face[i])];
   if (!may_have_zero_inside(rounded(scaled))) return false;
-  std::array<SymmetricTensor<double>, Vertices> tensors;
-  for (std::size_t i = 0; i < Vertices; ++i) tensors[i] = mesh_.tensors[as_size(vertices[i])];
+  std::array<SymmetricTensor<double>, 3> tensors;
+  for (std::size_t i = 0; i < 3; ++i) tensors[i] = mesh_.tensors[as_size(face[i])];
   return has_zero_inside(tensors);
 }
 
@@ -238,7 +237,6 @@ void Pipeline<Scalar>::add_cone_points(SurfaceMesh& surface, std::vector<char>& 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                           \
   template bool Pipeline<Scalar>::may_be_crossed_from_zero(const std::array<Index, 4>&) const;   \
   template bool Pipeline<Scalar>::vanishes_inside(const std::array<Index, 3>&) const;            \
-  template bool Pipeline<Scalar>::vanishes_inside(const std::array<Index, 4>&) const;            \
   template bool Pipeline<Scalar>::plan_cone(std::size_t);                                        \
   template void Pipeline<Scalar>::number_zero_vertices();                                        \
   template void Pipeline<Scalar>::draw_cone(std::size_t);                                        \
