@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <set>
 
@@ -27,6 +28,13 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.sheets_manifold += s.sheets_manifold;
     total.sheets_leaves += s.sheets_leaves;
     total.vertices_on_level += s.vertices_on_level;
+    total.tets_coned += s.tets_coned;
+    total.sheets_cones += s.sheets_cones;
+    total.cone_points += s.cone_points;
+    // Of the field, not of a mode: the same in all.
+    total.tets_undefined = std::max(total.tets_undefined, s.tets_undefined);
+    total.zero_deviator_vertices =
+        std::max(total.zero_deviator_vertices, s.zero_deviator_vertices);
     total.seconds_edges += s.seconds_edges;
     total.seconds_faces += s.seconds_faces;
     total.seconds_tets += s.seconds_tets;
@@ -77,6 +85,13 @@ std::string to_text(const ExtractReport& report) {
     fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8}\n", c.mode.text(),
                    c.invariants.vertices, c.invariants.components, c.invariants.closed_components,
                    c.invariants.length, c.max_residual, c.statistics.tets_crossed);
+  }
+  const ExtractStatistics total = total_statistics(report);
+  if (total.zero_deviator_vertices > 0) {
+    fmt::format_to(out,
+                   "without deviator, where the mode is undefined: {} vertices ({} cone points on "
+                   "surfaces), {} whole tetrahedra\n",
+                   total.zero_deviator_vertices, total.cone_points, total.tets_undefined);
   }
   if (report.written) {
     fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",

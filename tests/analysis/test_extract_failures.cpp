@@ -118,11 +118,12 @@ TEST(ExtractFailures, AFileThatWasThereStays) {
   EXPECT_EQ(contents(folder / "s.vtp"), "old");
 }
 
-// Two tetrahedra; a vertex of the first has no deviator.
-std::string mesh_with_a_zero(const Folder& folder) {
+// Two tetrahedra; the deviator vanishes inside an edge of the first, or at one of its vertices.
+std::string mesh_with_a_zero(const Folder& folder, const char* first_tensor = R"(
+-1 -2 0  -2 1 -3  0 -3 0)") {
   const std::string file = folder / "zero.vtk";
   std::ofstream(file) << R"(# vtk DataFile Version 3.0
-one vertex without a deviator
+one point without a deviator
 ASCII
 DATASET UNSTRUCTURED_GRID
 POINTS 5 double
@@ -133,8 +134,7 @@ CELLS 2 10
 CELL_TYPES 2
 10 10
 POINT_DATA 5
-TENSORS stress double
-7 0 0  0 7 0  0 0 7
+TENSORS stress double)" << first_tensor << R"(
 1 2 0  2 -1 3  0 3 0
 0 1 4  1 2 0  4 0 -2
 5 0 1  0 -3 2  1 2 -2
@@ -149,16 +149,35 @@ TEST(ExtractFailures, AnUnresolvedTetrahedronIsNamedAndTheRestIsWritten) {
   const Outcome run =
       run_program({"extract", mesh_with_a_zero(folder), "-o", out, "--mode", "0.5", "--json"});
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_NE(run.err.find("1 of 2 tetrahedra unresolved (1 zero_deviator_vertex)"),
+  EXPECT_NE(run.err.find("1 of 2 tetrahedra unresolved (1 zero_deviator_inside)"),
             std::string::npos)
       << run.err;
   EXPECT_TRUE(std::filesystem::exists(out));
   const auto report = nlohmann::json::parse(run.out);
   ASSERT_EQ(report["unresolved_cells"].size(), 1u);
   EXPECT_EQ(report["unresolved_cells"][0]["cell"], 0);
-  EXPECT_EQ(report["unresolved_cells"][0]["reason"], "zero_deviator_vertex");
-  EXPECT_EQ(report["surfaces"][0]["unresolved"]["zero_deviator_vertex"], 1);
+  EXPECT_EQ(report["unresolved_cells"][0]["reason"], "zero_deviator_inside");
+  EXPECT_EQ(report["surfaces"][0]["unresolved"]["zero_deviator_inside"], 1);
   EXPECT_GT(report["surfaces"][0]["triangles"], 0);
+}
+
+TEST(ExtractFailures, AVertexWithoutDeviatorIsNoFailureAndIsCounted) {
+  const Folder folder;
+  const std::string file = mesh_with_a_zero(folder, "\n7 0 0  0 7 0  0 0 7");
+  const std::vector<std::string> arguments{"extract", file,   "-o",  folder / "s.vtp",
+                                           "--mode",  "0.5", "--strict"};
+  const Outcome text = run_program(arguments);
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("without deviator, where the mode is undefined: 1 vertices"),
+            std::string::npos)
+      << text.out;
+  auto with_json = arguments;
+  with_json.push_back("--json");
+  const auto report = nlohmann::json::parse(run_program(with_json).out);
+  EXPECT_EQ(report["statistics"]["zero_deviator_vertices"], 1);
+  EXPECT_EQ(report["statistics"]["tets_undefined"], 0);
+  EXPECT_EQ(report["statistics"]["cone_points"], report["statistics"]["sheets_cones"]);
+  EXPECT_GT(report["statistics"]["cone_points"], 0);
 }
 
 TEST(ExtractFailures, StrictRefusesWhatIsUnresolvedAndWritesNothing) {
@@ -166,7 +185,7 @@ TEST(ExtractFailures, StrictRefusesWhatIsUnresolvedAndWritesNothing) {
   const Outcome run = run_program({"extract", mesh_with_a_zero(folder), "-o", folder / "s.vtp",
                                    "--mode", "0.5", "--strict"});
   EXPECT_EQ(run.status, 1);
-  EXPECT_NE(run.err.find("(1 zero_deviator_vertex); nothing written"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("(1 zero_deviator_inside); nothing written"), std::string::npos) << run.err;
   EXPECT_EQ(folder.files(), std::vector<std::string>{"zero.vtk"});
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "support/surface_check_parts.hpp"
 #include "support/surface_checks.hpp"
 
 namespace tensortopo::test {
@@ -63,9 +64,12 @@ void check_carriers(const Extraction& extraction, const TetMesh& mesh, std::ostr
     const auto& key = surface.carrier_vertices[v];
     const auto count = static_cast<std::size_t>(
         std::count_if(key.begin(), key.end(), [](Index k) { return k >= 0; }));
-    const std::size_t expected = surface.carrier[v] == Carrier::edge   ? 2
+    const std::size_t expected = surface.carrier[v] == Carrier::vertex ? 1
+                                 : surface.carrier[v] == Carrier::edge ? 2
                                  : surface.carrier[v] == Carrier::face ? 3
                                                                        : 4;
+    if (expected == 1 && !has_no_mode(surface, mesh, v))
+      out << "vertex " << v << " lies at a vertex of the mesh that has a mode\n";
     if (count != expected) out << "vertex " << v << " has a carrier of " << count << " vertices\n";
     if (!std::is_sorted(key.begin(), key.begin() + static_cast<std::ptrdiff_t>(count)))
       out << "the carrier of vertex " << v << " is not in ascending order\n";
@@ -78,8 +82,27 @@ void check_carriers(const Extraction& extraction, const TetMesh& mesh, std::ostr
   }
 }
 
+bool is_zero(const TetMesh& mesh, Index v) {
+  const auto& t = mesh.tensors[at(v)];
+  return t.xx == t.yy && t.yy == t.zz && t.xy == 0 && t.yz == 0 && t.xz == 0;
+}
+
+// Whether a surface may end at an edge between two vertices without deviator: some face at the edge
+// bounds the domain, or has no deviator either.
+bool may_end_at(const std::vector<Index>& edge, const std::map<FaceKey, std::vector<Index>>& faces,
+                const TetMesh& mesh) {
+  for (const auto& [face, tets] : faces) {
+    if (std::find(face.begin(), face.end(), edge[0]) == face.end() ||
+        std::find(face.begin(), face.end(), edge[1]) == face.end())
+      continue;
+    if (tets.size() == 1) return true;
+    if (is_zero(mesh, face[0]) && is_zero(mesh, face[1]) && is_zero(mesh, face[2])) return true;
+  }
+  return false;
+}
+
 // Edges of the surface that lie in a face: one triangle from each of its tetrahedra.
-void check_faces(const Extraction& extraction,
+void check_faces(const Extraction& extraction, const TetMesh& mesh,
                  const std::map<FaceKey, std::vector<Index>>& faces, std::ostream& out) {
   const SurfaceMesh& surface = extraction.surface;
   std::map<std::pair<Index, Index>, std::vector<Index>> tets_of_edge;
@@ -90,7 +113,10 @@ void check_faces(const Extraction& extraction,
   for (auto& [edge, tets] : tets_of_edge) {
     const auto carrier = common_carrier(surface, edge.first, edge.second);
     std::sort(tets.begin(), tets.end());
-    if (carrier.size() < 3) {
+    if (carrier.size() < 3 && has_no_mode(surface, mesh, at(edge.first)) &&
+        has_no_mode(surface, mesh, at(edge.second))) {
+      continue;  // between two vertices without deviator, where any number of sheets may meet
+    } else if (carrier.size() < 3) {
       out << "edge " << edge.first << "-" << edge.second << " runs along an edge of the mesh\n";
     } else if (carrier.size() == 3) {
       const auto found = faces.find({carrier[0], carrier[1], carrier[2]});
@@ -102,6 +128,12 @@ void check_faces(const Extraction& extraction,
           << " inside a tetrahedron does not have two triangles in it\n";
     }
   }
+}
+
+// A vertex between two vertices without deviator: on an edge, but no crossing.
+bool is_halfway(const SurfaceMesh& surface, std::size_t v) {
+  const auto& medium = surface.medium_eigenvector[v];
+  return surface.carrier[v] == Carrier::edge && dot(medium, medium) == 0;
 }
 
 }  // namespace
@@ -138,7 +170,7 @@ LocalTopology topology_in_tet(const Extraction& extraction) {
   constexpr std::array<std::array<Index, 2>, 6> edges{
       {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
-    if (surface.carrier[v] != Carrier::edge) continue;
+    if (surface.carrier[v] != Carrier::edge || is_halfway(surface, v)) continue;
     const auto& key = surface.carrier_vertices[v];
     for (std::size_t e = 0; e < 6; ++e)
       result.edge_crossings[e] += key[0] == edges[e][0] && key[1] == edges[e][1];
@@ -147,9 +179,10 @@ LocalTopology topology_in_tet(const Extraction& extraction) {
 }
 
 SurfaceSummary summary(const SurfaceMesh& surface) {
-  return {surface_topology(surface),
-          static_cast<std::size_t>(
-              std::count(surface.carrier.begin(), surface.carrier.end(), Carrier::edge))};
+  std::size_t on_edges = 0;
+  for (std::size_t v = 0; v < surface.points.size(); ++v)
+    on_edges += surface.carrier[v] == Carrier::edge && !is_halfway(surface, v);
+  return {surface_topology(surface), on_edges};
 }
 
 std::ostream& operator<<(std::ostream& out, const SurfaceSummary& s) {
@@ -165,11 +198,12 @@ std::string flaws(const Extraction& extraction, const TetMesh& mesh,
   check_carriers(extraction, mesh, out);
   if (!out.str().empty()) return out.str();
   const auto faces = tets_of_faces(extraction, mesh);
-  check_faces(extraction, faces, out);
+  check_faces(extraction, mesh, faces, out);
   SurfaceCheckOptions checks;
   checks.check_residuals = options.residuals;
   checks.on_domain_boundary = [&](Index u, Index v) {
     const auto carrier = common_carrier(surface, u, v);
+    if (carrier.size() == 2) return may_end_at(carrier, faces, mesh);
     if (carrier.size() != 3) return false;
     const auto found = faces.find({carrier[0], carrier[1], carrier[2]});
     return found != faces.end() && found->second.size() == 1;

@@ -67,7 +67,17 @@ bool BoundaryOracle::operator()(SurfaceMesh::Index u, SurfaceMesh::Index v,
   return false;
 }
 
-bool check_finite(const SurfaceMesh& surface, Complaints& complaints) {
+bool has_no_mode(const SurfaceMesh& surface, const TetMesh& mesh, std::size_t vertex) {
+  if (surface.carrier_vertices.size() != surface.points.size()) return false;
+  for (const auto k : surface.carrier_vertices[vertex]) {
+    if (k < 0) continue;
+    const auto& t = mesh.tensors[at(k)];
+    if (t.xx != t.yy || t.yy != t.zz || t.xy != 0 || t.yz != 0 || t.xz != 0) return false;
+  }
+  return surface.carrier_vertices[vertex][0] >= 0;
+}
+
+bool check_finite(const SurfaceMesh& surface, const TetMesh& mesh, Complaints& complaints) {
   bool usable = true;
   const std::array<std::pair<const char*, const std::vector<Vector3<double>>*>, 3> directions{
       {{"medium eigenvector", &surface.medium_eigenvector},
@@ -81,6 +91,9 @@ bool check_finite(const SurfaceMesh& surface, Complaints& complaints) {
     for (const auto& [name, values] : directions) {
       const auto& direction = (*values)[v];
       const double length = std::sqrt(dot(direction, direction));
+      if (has_no_mode(surface, mesh, v) && (length == 0 || values == &surface.normal)) {
+        if (length == 0 || std::abs(length - 1) < 1e-9) continue;
+      }
       if (!(std::abs(length - 1) < 1e-9)) {
         complaints.add("not a unit vector", "the ", name, " of vertex ", v, " has length ", length);
       }
@@ -112,7 +125,8 @@ void check_modes(const SurfaceMesh& surface, const TetMesh& mesh,
                  SurfaceReport& report) {
   std::vector<std::pair<SurfaceMesh::Index, TetMesh::Index>> places;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    for (const auto v : surface.triangles[t]) places.emplace_back(v, surface.tet[t]);
+    for (const auto v : surface.triangles[t])
+      if (!has_no_mode(surface, mesh, at(v))) places.emplace_back(v, surface.tet[t]);
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());

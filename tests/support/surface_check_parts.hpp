@@ -51,8 +51,13 @@ class BoundaryOracle {
   std::set<std::array<TetMesh::Index, 3>> boundary_faces_;  // corners in order
 };
 
-/// Coordinates and directions are finite, directions are of unit length.
-bool check_finite(const SurfaceMesh& surface, Complaints& complaints);
+/// Whether the mode is undefined at a vertex: its carrier is a vertex of the mesh without deviator,
+/// or lies between such vertices. False for surfaces without carriers.
+bool has_no_mode(const SurfaceMesh& surface, const TetMesh& mesh, std::size_t vertex);
+
+/// Coordinates and directions are finite, directions are of unit length: where the mode is
+/// undefined eigenvectors are zero, and a normal may be.
+bool check_finite(const SurfaceMesh& surface, const TetMesh& mesh, Complaints& complaints);
 
 /// Triangles are counter-clockwise seen from where the vertex normals point.
 void check_normals(const SurfaceMesh& surface, const SurfaceCheckOptions& options,

@@ -179,9 +179,10 @@ void check_labels(const SurfaceMesh& surface, Complaints& complaints) {
   }
 }
 
-void check_coincidence(const SurfaceMesh& surface, Complaints& complaints) {
+void check_coincidence(const SurfaceMesh& surface, const TetMesh& mesh, Complaints& complaints) {
   std::map<std::tuple<double, double, double>, std::size_t> seen;
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
+    if (has_no_mode(surface, mesh, v)) continue;  // one vertex for each fan
     const auto& p = surface.points[v];
     const auto [entry, is_new] = seen.try_emplace({p.x, p.y, p.z}, v);
     if (!is_new) {
@@ -229,8 +230,8 @@ SurfaceReport check_surface(const SurfaceMesh& surface, const TetMesh& mesh,
     check_edges(surface, sorted_sides(surface), on_boundary, complaints, report);
     check_links(surface, complaints);
     check_labels(surface, complaints);
-    if (check_finite(surface, complaints)) {
-      check_coincidence(surface, complaints);
+    if (check_finite(surface, mesh, complaints)) {
+      check_coincidence(surface, mesh, complaints);
       check_normals(surface, options, complaints, report);
       if (options.check_residuals) check_modes(surface, mesh, options, complaints, report);
     }

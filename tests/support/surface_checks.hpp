@@ -63,7 +63,8 @@ std::ostream& operator<<(std::ostream& out, const SurfaceReport& report);
 /// directions or in one triangle and on the boundary of the domain, vertex links paths or cycles,
 /// component labels in order of first triangle and constant exactly on components.
 /// Geometric: finite coordinates, no two vertices at one point, unit normals and eigenvectors,
-/// triangles counter-clockwise seen from the larger mode.
+/// triangles counter-clockwise seen from the larger mode. (Where the mode is undefined several
+/// vertices may be at one point, and eigenvectors are zero.)
 /// Numerical (50 digits): the mode of the linear field of each triangle's tetrahedron at its
 /// corners is the mode asked for, up to the tolerance or the rounding of the coordinates, and the
 /// corners lie in the tetrahedron up to rounding.

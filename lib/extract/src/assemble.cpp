@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cone_points.hpp"
 #include "extractor_scalars.hpp"
 #include "narrow.hpp"
 #include "parallel_stage.hpp"
@@ -104,7 +105,7 @@ Extraction Pipeline<Scalar>::assemble() {
   std::vector<Index> inner_first(tets_.size() + 1, rim_used);
   for (std::size_t t = 0; t < tets_.size(); ++t)
     inner_first[t + 1] = inner_first[t] + static_cast<Index>(tets_[t].drawn.inner.size());
-  const auto count = as_size(inner_first.back());
+  auto count = as_size(inner_first.back());
 
   surface.points.resize(count);
   surface.carrier.resize(count);
@@ -112,9 +113,6 @@ Extraction Pipeline<Scalar>::assemble() {
   surface.carrier_vertices.resize(count);
   surface.medium_eigenvector.resize(count);
   surface.dominant_eigenvector.resize(count);
-  surface.normal.assign(count, {0, 0, 0});
-  surface.mode.assign(count, level_.value.approx());
-  surface.residual.assign(count, 0);
   surface.triangles.reserve(triangle_count);
   surface.tet.reserve(triangle_count);
 
@@ -140,6 +138,12 @@ Extraction Pipeline<Scalar>::assemble() {
         for (std::size_t k = 0; k < arc.samples.size(); ++k)
           carry(v++, f, complex_.faces[f], Carrier::face);
     }
+  std::vector<char> is_apex(count, 0);
+  for (std::size_t v = 0; v < zero_vertex_.size(); ++v) {
+    if (zero_vertex_[v] < 0 || new_id[as_size(zero_vertex_[v])] < 0) continue;
+    carry(zero_vertex_[v], v, std::array{static_cast<Index>(v)}, Carrier::vertex);
+    is_apex[as_size(new_id[as_size(zero_vertex_[v])])] = 1;
+  }
 
   parallel_stage(options_, "stitch", tets_.size(), 256, [&](std::size_t t) {
     const auto& inner = tets_[t].drawn.inner;
@@ -162,23 +166,29 @@ Extraction Pipeline<Scalar>::assemble() {
     }
   });
 
-  std::vector<Index> first_tet(count, -1);
   for (std::size_t t = 0; t < tets_.size(); ++t) {
     const auto& drawn = tets_[t].drawn;
     if (drawn.triangles.empty()) continue;
     ++statistics_.tets_crossed;
     for (const auto& triangle : drawn.triangles) {
       std::array<Index, 3> corners;
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < 3; ++i)
         corners[i] = triangle[i] >= 0 ? new_id[as_size(triangle[i])]
                                       : inner_first[t] + (-1 - triangle[i]);
-        auto& tet = first_tet[as_size(corners[i])];
-        if (tet < 0) tet = static_cast<Index>(t);
-      }
       surface.triangles.push_back(corners);
       surface.tet.push_back(complex_.tets[t]);
     }
   }
+
+  add_cone_points(surface, is_apex);
+  count = surface.points.size();
+  surface.normal.assign(count, {0, 0, 0});
+  surface.mode.assign(count, level_.value.approx());
+  surface.residual.assign(count, 0);
+  std::vector<Index> first_tet(count, -1);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    for (const Index v : surface.triangles[i])
+      if (first_tet[as_size(v)] < 0) first_tet[as_size(v)] = surface.tet[i];
 
   // Normals: the field is only continuous across faces, so a shared vertex gets the mean of the
   // unit gradients in the tetrahedra whose triangles meet there, each weighted by its triangles.
@@ -188,8 +198,13 @@ Extraction Pipeline<Scalar>::assemble() {
     return rounded(tensors);
   };
   const auto geometry = [&](std::size_t tet) {
+    const auto& v = mesh_.tets[tet];
+    // A vertex without deviator must not decide on the scale.
+    std::size_t other = 0;
+    while (field_.is_zero[as_size(v[other])]) ++other;
     std::array<int, 4> exponents;
-    for (std::size_t i = 0; i < 4; ++i) exponents[i] = field_.exponents[as_size(mesh_.tets[tet][i])];
+    for (std::size_t i = 0; i < 4; ++i)
+      exponents[i] = field_.exponents[as_size(v[field_.is_zero[as_size(v[i])] ? other : i])];
     return TetGeometry(mesh_, tet, exponents);
   };
   std::vector<std::array<Vector3<double>, 3>> gradients(surface.triangles.size());
@@ -197,11 +212,17 @@ Extraction Pipeline<Scalar>::assemble() {
     const auto tet = as_size(surface.tet[i]);
     const auto tensors = narrow_tensors(tet);
     const auto space = geometry(tet);
+    Vector3<double> sum{0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto& x = surface.points[as_size(surface.triangles[i][k])];
-      const auto at = level_slope(space.tensor(x, tensors), level);
+      const auto v = as_size(surface.triangles[i][k]);
+      if (is_apex[v]) continue;
+      const auto at = level_slope(space.tensor(surface.points[v], tensors), level);
       gradients[i][k] = unit(space.gradient(at.slope, tensors));
+      sum += gradients[i][k];
     }
+    // The gradient's direction is the same along a ray.
+    for (std::size_t k = 0; k < 3; ++k)
+      if (is_apex[as_size(surface.triangles[i][k])]) gradients[i][k] = unit(sum);
   });
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
@@ -209,7 +230,8 @@ Extraction Pipeline<Scalar>::assemble() {
 
   parallel_stage(options_, "stitch", count, 1024, [&](std::size_t id) {
     surface.normal[id] = unit(surface.normal[id]);
-    const auto tet = as_size(complex_.tets[as_size(first_tet[id])]);
+    if (is_apex[id]) return;
+    const auto tet = as_size(first_tet[id]);
     const auto t = geometry(tet).tensor(surface.points[id], narrow_tensors(tet));
     const double p = norm_form(t);
     surface.residual[id] = level_function(t, level) / (p * std::sqrt(p));
@@ -220,12 +242,12 @@ Extraction Pipeline<Scalar>::assemble() {
 
   for (const auto& state : tets_) {
     if (!state.plan || state.drawn.triangles.empty()) continue;
-    if (state.plan->refined)
-      ++statistics_.tets_refined;
-    else
-      ++statistics_.tets_monotone;
-    (state.method == Method::leaves     ? statistics_.sheets_leaves
+    ++(state.method == Method::cone ? statistics_.tets_coned
+       : state.plan->refined        ? statistics_.tets_refined
+                                    : statistics_.tets_monotone);
+    (state.method == Method::leaves || state.method == Method::fan ? statistics_.sheets_leaves
      : state.method == Method::manifold ? statistics_.sheets_manifold
+     : state.method == Method::cone     ? statistics_.sheets_cones
                                         : statistics_.sheets_small) += state.plan->sheets.size();
   }
   return result;

@@ -25,7 +25,7 @@ constexpr int kAttemptsOnManifold = 3;
 }  // namespace
 
 /// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
-/// then the leaves of the proof.
+/// then the leaves of the proof, then plain fans.
 template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
@@ -54,9 +54,17 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.requests.insert(state.requests.end(), between.begin(), between.end());
     return;
   }
-  if (state.method == Method::leaves || !add_leaves(tet, level_, *state.plan)) {
-    state.unresolved = state.method == Method::leaves ? UnresolvedReason::inconsistent_samples
-                                                      : unproved(t);
+  if (state.method == Method::fan) {
+    state.unresolved = UnresolvedReason::inconsistent_samples;
+    return;
+  }
+  if (state.method == Method::leaves) {
+    state.method = Method::fan;
+    state.requests.clear();
+    return;
+  }
+  if (!add_leaves(tet, level_, *state.plan)) {
+    state.unresolved = unproved(t);
     return;
   }
   state.method = Method::leaves;
@@ -220,6 +228,10 @@ template <class Scalar>
 bool Pipeline<Scalar>::draw_one(std::size_t t) {
   auto& state = tets_[t];
   state.drawn = {};
+  if (state.method == Method::cone) {
+    draw_cone(t);
+    return true;
+  }
   const auto tet = tet_with_curves(t);
   const auto vertices = arc_vertices(t, tet);
   if (state.method == Method::manifold) {
@@ -239,6 +251,11 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     for (const auto& loop : state.plan->loops) rims.push_back(loop_vertices(loop, vertices));
     return are_planned_sheets(state.drawn.triangles, rims, state.plan->sheets);
   }
+  if (state.method == Method::fan) {
+    for (const auto& sheet : state.plan->sheets)
+      if (!mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_, state.drawn)) return false;
+    return true;
+  }
   for (const auto& sheet : state.plan->sheets) {
     if (sheet.loops.size() != 1) return false;
     const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
@@ -254,6 +271,7 @@ void Pipeline<Scalar>::draw_tets() {
   // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
   // its neighbours then have as well, and are drawn again. Few rounds are needed.
   number_edge_vertices();
+  number_zero_vertices();
   std::vector<std::size_t> faces(complex_.faces.size());
   std::iota(faces.begin(), faces.end(), std::size_t{0});
   number_face_vertices(faces);

@@ -3,16 +3,27 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/tensor/deviator.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo {
 
-/// Why no proof could close on a tetrahedron: the level constant in it, on a face or on an edge of
-/// it, or its value that of the one saddle inside, each decided in rationals; `budget_exhausted` if
-/// none of these. Asked only where a proof has failed. Requires nonzero deviators.
-UnresolvedReason level_stratum(const std::array<SymmetricTensor<double>, 4>& tensors,
+/// Why no proof could close on a tetrahedron: a deviator that vanishes inside, the level constant
+/// in it, on a face or on an edge of it, or its value that of the one saddle inside, each decided
+/// in rationals; `budget_exhausted` if none of these. Asked only where a proof has failed.
+/// @param tensors  at those vertices, two to four, that have a deviator
+UnresolvedReason level_stratum(std::span<const SymmetricTensor<double>> tensors,
                                const ModeValue& mode);
+
+/// Whether mu is the mode of a saddle in the tetrahedron, decided in rationals. Requires four
+/// tensors with nonzero deviators.
+bool is_level_at_saddle(std::span<const SymmetricTensor<double>> tensors, const ModeValue& mode);
+
+/// False for most levels and tetrahedra without such a saddle, at little cost.
+/// Requires deviators scaled to P in [3, 12).
+bool may_be_level_at_saddle(const std::array<Deviator<double>, 4>& tensors, double mu);
 
 }  // namespace tensortopo

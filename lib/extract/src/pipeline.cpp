@@ -25,8 +25,8 @@ std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
 
 std::string_view name_of(UnresolvedReason reason) {
   switch (reason) {
-    case UnresolvedReason::zero_deviator_vertex:
-      return "zero_deviator_vertex";
+    case UnresolvedReason::zero_deviator_inside:
+      return "zero_deviator_inside";
     case UnresolvedReason::level_constant_in_cell:
       return "level_constant_in_cell";
     case UnresolvedReason::level_constant_on_face:
@@ -103,14 +103,17 @@ void Pipeline<Scalar>::screen() {
   std::vector<char> active(mesh_.tets.size(), 0);
   parallel_stage(options_, "screen", mesh_.tets.size(), 4096, [&](std::size_t t) {
     const auto& v = mesh_.tets[t];
-    bool zero = false, mixed = false;
+    if (zero_corners(v) != 0) {
+      active[t] = may_be_crossed_from_zero(v);
+      return;
+    }
+    bool mixed = false;
     std::size_t clear = as_size(v[0]);
     for (const Index w : v) {
-      zero |= field_.is_zero[as_size(w)] != 0;
       mixed |= above_[as_size(w)] != above_[as_size(v[0])];
       if (clearance[as_size(w)] < clearance[clear]) clear = as_size(w);
     }
-    if (mixed || zero) {
+    if (mixed) {
       active[t] = 1;
       return;
     }
@@ -130,12 +133,17 @@ void Pipeline<Scalar>::screen() {
   std::vector<Index> tets;
   for (std::size_t t = 0; t < active.size(); ++t)
     if (active[t]) tets.push_back(static_cast<Index>(t));
-  statistics_.tets_screened_out = mesh_.tets.size() - tets.size();
+  std::vector<char> zero(mesh_.points.size(), 0);
+  for (const auto& tet : mesh_.tets) {
+    const unsigned corners = zero_corners(tet);
+    if (corners == 15u) ++statistics_.tets_undefined;
+    for (std::size_t i = 0; corners != 0 && i < 4; ++i)
+      if (corners >> i & 1) zero[as_size(tet[i])] = 1;
+  }
+  for (const char z : zero) statistics_.zero_deviator_vertices += z != 0;
+  statistics_.tets_screened_out = mesh_.tets.size() - tets.size() - statistics_.tets_undefined;
   complex_ = tet_complex(mesh_, tets);
   tets_ = std::vector<TetState>(tets.size());
-  for (std::size_t t = 0; t < tets.size(); ++t)
-    for (const Index v : mesh_.tets[as_size(tets[t])])
-      if (field_.is_zero[as_size(v)]) tets_[t].unresolved = UnresolvedReason::zero_deviator_vertex;
 }
 
 template <class Scalar>
@@ -143,7 +151,10 @@ void Pipeline<Scalar>::find_crossings() {
   crossings_.assign(complex_.edges.size(), std::nullopt);
   parallel_stage(options_, "edges", complex_.edges.size(), 512, [&](std::size_t e) {
     const auto& v = complex_.edges[e];
-    if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])]) return;
+    if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])]) {
+      crossings_[e].emplace();  // the mode is constant on the edge, or undefined
+      return;
+    }
     crossings_[e] = edge_crossings(field_.template simplex<2>(v, above_), level_);
   });
 }
@@ -163,6 +174,14 @@ void Pipeline<Scalar>::trace_faces() {
       if (!found) return;
       crossings[e] = *found;
     }
+    const auto& v = complex_.faces[f];
+    if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])] ||
+        field_.is_zero[as_size(v[2])]) {
+      arcs_[f].emplace();  // straight lines, which their tetrahedra draw
+      return;
+    }
+    // Where the deviator vanishes no subdivision would end.
+    if (vanishes_inside(v)) return;
     arcs_[f] = face_curves(face_simplex(f), crossings, level_, options_.sampling);
   });
 }
@@ -197,16 +216,16 @@ TetWithCurves<Scalar> Pipeline<Scalar>::tet_with_curves(std::size_t t) const {
 /// The reason why no proof has closed on a tetrahedron.
 template <class Scalar>
 UnresolvedReason Pipeline<Scalar>::unproved(std::size_t t) const {
-  std::array<SymmetricTensor<double>, 4> tensors;
-  const auto& v = mesh_.tets[as_size(complex_.tets[t])];
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = mesh_.tensors[as_size(v[i])];
+  std::vector<SymmetricTensor<double>> tensors;
+  for (const Index v : vertices_of(t))
+    if (!field_.is_zero[as_size(v)]) tensors.push_back(mesh_.tensors[as_size(v)]);
   return level_stratum(tensors, level_.value);
 }
 
 template <class Scalar>
 bool Pipeline<Scalar>::plan_one(std::size_t t) {
+  if (zero_corners(vertices_of(t)) != 0) return plan_cone(t);
   auto& state = tets_[t];
-  if (state.unresolved) return false;
   bool any = false;
   for (const Index f : complex_.tet_faces[t]) {
     if (!arcs_[as_size(f)]) {

@@ -28,7 +28,7 @@ class Pipeline {
   using Index = TetMesh::Index;
 
   /// How the sheets of a tetrahedron are drawn; tried in this order.
-  enum class Method { small_disc, manifold, leaves };
+  enum class Method { small_disc, manifold, leaves, fan, cone };
 
   /// What becomes of one tetrahedron of the complex.
   struct TetState {
@@ -43,19 +43,36 @@ class Pipeline {
 
   void classify_vertices();
   void screen();
+  bool may_be_crossed_from_zero(const std::array<Index, 4>& tet) const;
   void find_crossings();
   void trace_faces();
   void plan_tets();
+  bool vanishes_inside(const std::array<Index, 3>& face) const;
   UnresolvedReason unproved(std::size_t t) const;
   bool plan_one(std::size_t t);
+  bool plan_cone(std::size_t t);
   void try_next_method(std::size_t t);
   void number_edge_vertices();
+  void number_zero_vertices();
   void number_face_vertices(std::span<const std::size_t> changed);
   std::vector<std::size_t> merge_requests(std::span<const std::size_t> asking);
   void draw_tets();
   bool draw_one(std::size_t t);
+  void draw_cone(std::size_t t);
+  std::vector<Index> sectors(std::size_t triangles) const;
+  void add_cone_points(SurfaceMesh& surface, std::vector<char>& is_apex);
   Extraction assemble();
 
+  /// The corners of a tetrahedron without deviator, as bits.
+  unsigned zero_corners(const std::array<Index, 4>& tet) const {
+    unsigned corners = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (field_.is_zero[static_cast<std::size_t>(tet[i])]) corners |= 1u << i;
+    return corners;
+  }
+  const std::array<Index, 4>& vertices_of(std::size_t t) const {
+    return mesh_.tets[static_cast<std::size_t>(complex_.tets[t])];
+  }
   TetWithCurves<Scalar> tet_with_curves(std::size_t t) const;
   FaceArcVertices arc_vertices(std::size_t t, const TetWithCurves<Scalar>& tet) const;
   LevelSimplex<Scalar, 3> face_simplex(std::size_t f) const;
@@ -71,6 +88,7 @@ class Pipeline {
 
   std::vector<std::optional<std::vector<EdgeCrossing<Scalar>>>> crossings_;  ///< of each edge
   std::vector<Index> edge_vertex_;  ///< first vertex of each edge
+  std::vector<Index> zero_vertex_;  ///< of each mesh vertex: its vertex if it has no deviator
 
   std::vector<std::optional<std::vector<FaceArc<Scalar>>>> arcs_;  ///< of each face
   std::vector<Index> face_vertex_;  ///< first vertex of each face; anew when its samples change

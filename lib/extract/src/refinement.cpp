@@ -112,6 +112,7 @@ void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Ver
   cells_.clear();
   edges_.clear();
   faces_.clear();
+  face_cells_ = 0;
   Cell root;
   for (std::size_t i = 0; i < Corners; ++i) root.vertices[i] = add_vertex(corners[i]);
   add_cell(root);
@@ -149,7 +150,7 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
     auto cut = edge_to_cut(cells_[c]);
     if (!cut) continue;
     while (const auto longer = much_longer_edge((*cut)[0], (*cut)[1])) cut = longer;
-    if (cells_.size() > budget || !cut_edge((*cut)[0], (*cut)[1])) return false;
+    if (cells_.size() + face_cells_ / 4 > budget || !cut_edge((*cut)[0], (*cut)[1])) return false;
     if (cells_[c].alive) waiting.emplace(kLongest, c);
   }
 }
@@ -242,12 +243,14 @@ bool Refinement<Scalar, Vertices, Corners>::is_simple_face(
 /// one arc in it if it crosses the edges, and nothing otherwise.
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
-    const std::array<std::uint32_t, 3>& face) const {
+    const std::array<std::uint32_t, 3>& face) {
   if constexpr (Corners == 4) {
     const std::array<Vertex, 3> corners{vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
     thread_local Refinement<Scalar, Vertices, 3> triangle;
     triangle.reset(*simplex_, *level_, corners);
-    if (!triangle.run(kFaceBudget)) return false;
+    const bool is_refined = triangle.run(kFaceBudget);
+    face_cells_ += triangle.cells().size();
+    if (!is_refined) return false;
     // Each cell holds one piece or none; pieces meet on the edges that the level crosses.
     std::unordered_map<std::uint64_t, std::uint32_t> nodes;
     std::vector<std::uint32_t> parent;

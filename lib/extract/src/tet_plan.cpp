@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "level_strata.hpp"
 #include "plan_by_leaves.hpp"
 #include "tensortopo/extract/segment_root.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 #include "thin_sheets.hpp"
+#include "zero_inside.hpp"
 
 namespace tensortopo {
 
@@ -183,6 +185,19 @@ bool sheets_from_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& l
   return true;
 }
 
+/// Whether no refinement can end: the deviator vanishes inside, or the level is that of a saddle.
+template <class Scalar>
+bool is_hopeless(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level) {
+  const auto corners = rounded(tet.simplex.tensors);
+  const bool may_vanish = may_have_zero_inside(corners),
+             may_be_critical = may_be_level_at_saddle(corners, level.value.approx());
+  if (!may_vanish && !may_be_critical) return false;
+  std::array<SymmetricTensor<double>, 4> tensors;
+  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  return (may_vanish && has_zero_inside(tensors)) ||
+         (may_be_critical && is_level_at_saddle(tensors, level.value));
+}
+
 /// One for each thread, to be filled again: refinements are short, their memory is not.
 template <class Scalar>
 std::unique_ptr<typename TetPlan<Scalar>::Leaves>& spare_leaves() {
@@ -231,6 +246,7 @@ bool is_complete(const TetPlan<Scalar>& plan) {
 
 template <class Scalar>
 bool refine(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, TetPlan<Scalar>& plan) {
+  if (is_hopeless(tet, level)) return false;
   plan.refined = true;
   if (!add_leaves(tet, level, plan)) return false;
   // Hardly any sheet is drawn from its leaves, which are large.

@@ -16,7 +16,7 @@ namespace tensortopo {
 
 /// Why the level in a tetrahedron was not extracted.
 enum class UnresolvedReason {
-  zero_deviator_vertex,    ///< the deviator vanishes at a vertex: the mode is undefined there
+  zero_deviator_inside,    ///< the deviator vanishes in the tetrahedron, not at a vertex
   level_constant_in_cell,  ///< the mode is mu everywhere in the tetrahedron
   level_constant_on_face,  ///< the mode is mu everywhere on a face
   level_constant_on_edge,  ///< the mode is mu everywhere on an edge
@@ -45,10 +45,15 @@ struct ExtractStatistics {
   std::size_t tets_crossed = 0;       ///< hold triangles
   std::size_t tets_monotone = 0;      ///< crossed, and one monotone disc each
   std::size_t tets_refined = 0;       ///< needed a refinement for the proof
+  std::size_t tets_coned = 0;         ///< crossed, and have a vertex without deviator
+  std::size_t tets_undefined = 0;     ///< without deviator at all four vertices: no mode, no surface
   std::size_t sheets_small = 0;       ///< drawn without inner samples
   std::size_t sheets_manifold = 0;    ///< drawn on the medium eigenvector manifold
   std::size_t sheets_leaves = 0;      ///< drawn from the proof's leaves
+  std::size_t sheets_cones = 0;       ///< straight lines from vertices without deviator
   std::size_t vertices_on_level = 0;  ///< vertices whose mode is exactly mu (counted as below)
+  std::size_t zero_deviator_vertices = 0;  ///< of tetrahedra: vertices without deviator, or mode
+  std::size_t cone_points = 0;             ///< vertices of the surface there, one for each fan
   double seconds_edges = 0, seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;
 };
 
@@ -65,6 +70,15 @@ struct Extraction {
 /// samples; the level is mu + 0 where a vertex lies on mu. Vertices are shared by construction:
 /// each carries the edge, face or tetrahedron that it lies in.
 /// Tetrahedra for which no proof closes are listed, and the rest is extracted.
+///
+/// At a vertex z of the mesh without deviator the mode is undefined, and in a tetrahedron around
+/// it constant on each ray from z: the level there is the cone with apex z over the level on the
+/// opposite face; with a second such vertex y, the flat triangles from the edge zy to the crossings
+/// of the opposite edge. Fans of triangles that meet at z in nothing but the point have a vertex
+/// each there (`Carrier::vertex`, several at one place), so the surface is a manifold. Along zy two
+/// triangles are joined, at a vertex halfway, if they bound one stretch of larger modes around the
+/// edge. The surface ends at such an edge only where a face there has no deviator at all, or at
+/// the boundary of the mesh or of what is unresolved.
 ///
 /// @pre the mesh is valid (see `validate`); mu is not +-1 (throws std::invalid_argument)
 /// The result does not depend on the number of threads.

@@ -68,8 +68,9 @@ class Refinement {
   void reset(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
              const std::array<Vertex, Corners>& corners);
 
-  /// Refines until every cell is simple; false if that takes more than `budget` cells, or cells
-  /// too small for the coordinates of their corners to be exact.
+  /// Refines until every cell is simple; false if that takes more than `budget` cells, where four
+  /// in the refinement of a face of a cell count as one, or cells too small for the coordinates of
+  /// their corners to be exact.
   bool run(std::size_t budget);
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -82,7 +83,7 @@ class Refinement {
   std::optional<std::array<std::uint32_t, 2>> edge_to_cut(Cell& cell);
   bool is_simple_edge(std::uint32_t u, std::uint32_t v);
   bool is_simple_face(const std::array<std::uint32_t, 3>& face);
-  bool has_no_loop(const std::array<std::uint32_t, 3>& face) const;
+  bool has_no_loop(const std::array<std::uint32_t, 3>& face);
   template <std::size_t Part>
   SimplexProof<Scalar, Part> prove(const std::array<std::uint32_t, Part>& part) const;
   /// The place a u + b v, and a and b as scaled for it; nothing if its coordinates have too many
@@ -112,6 +113,7 @@ class Refinement {
   /// Cells of each vertex, dead ones among them.
   std::vector<std::vector<std::uint32_t>> cells_at_;
   KnownSimple edges_, faces_;
+  std::size_t face_cells_ = 0;  ///< made for faces of cells
 };
 
 /// Side of the level for the field of a simplex at exact homogeneous weights; all tiers.

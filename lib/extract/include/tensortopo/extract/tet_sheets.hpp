@@ -144,6 +144,14 @@ bool is_small_disc(const SheetTopology& sheet, std::span<const RimVertex> rim,
 template <class Scalar>
 bool mesh_small_disc(std::span<const RimVertex> rim, TetTriangles<Scalar>& out);
 
+/// Triangles from the rim of a disc to one point of it inside, taken from the leaf mesh of the plan:
+/// always right as a complex, so the last resort where samples fell together.
+/// @return false if the sheet is no disc, or the leaf mesh has no inner node on it
+template <class Scalar>
+bool mesh_as_fan(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
+                 const FaceArcVertices& vertices, const Level<Scalar>& level,
+                 TetTriangles<Scalar>& out);
+
 /// Triangles for a sheet straight from the leaf mesh; its rim samples must be on the arcs.
 template <class Scalar>
 bool mesh_from_leaves(const TetPlan<Scalar>& plan, const SheetTopology& sheet,

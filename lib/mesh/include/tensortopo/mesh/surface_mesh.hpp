@@ -11,10 +11,15 @@
 namespace tensortopo {
 
 /// Where a vertex of an extracted surface lies in the tetrahedral mesh.
-enum class Carrier : std::uint8_t { edge, face, tet };
+enum class Carrier : std::uint8_t { edge, face, tet, vertex };
 
 /// An extracted surface: triangles over shared vertices, with what is known at each vertex.
 /// Vertices are one for each point: two tetrahedra that meet use the same vertex.
+///
+/// The exception are points where the mode is undefined, vertices of the mesh without deviator
+/// and points between two of them: there each fan of triangles has a vertex of its own. At such a
+/// vertex both eigenvectors and the residual are zero, and the normal is the mean of the gradients
+/// along the fan's triangles (zero if that is).
 struct SurfaceMesh {
   using Index = std::int32_t;
 

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "strata_fields.hpp"
+
+#include <map>
+#include <utility>
+
+namespace tensortopo::test {
+
+namespace {
+
+using Tensor = SymmetricTensor<double>;
+
+constexpr Tensor xy{0, 0, 0, 1, 0, 0}, yz{0, 0, 0, 0, 1, 0}, xz{0, 0, 0, 0, 0, 1};
+constexpr Tensor on_level{11, 2, -13, 0, 0, 0};  // of mode -143/343
+
+Tensor small(Random& random) {
+  const auto entry = [&] { return static_cast<double>(random.integer(-5, 5)); };
+  const double a = entry(), b = entry();
+  // No trace, and not zero.
+  return {a, b == 0 ? 1.0 : b, -(a + (b == 0 ? 1.0 : b)), entry(), entry(), entry()};
+}
+
+double weight(Random& random, int low, int high) {
+  const int w = random.integer(low, high);
+  return w == 0 ? 1 : w;
+}
+
+// Values at four points around the origin of constant + x dx + y dy + z dz.
+TetTensors around_origin(const Tensor& constant, const Tensor& dx, const Tensor& dy,
+                         const Tensor& dz, Random& random) {
+  const double s = random.integer(1, 4);
+  const double p[4][3] = {{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}};
+  TetTensors t;
+  for (std::size_t i = 0; i < 4; ++i)
+    t[i] = constant + p[i][0] * dx + p[i][1] * dy + p[i][2] * dz;
+  return t;
+}
+
+TetTensors combinations(const std::array<Tensor, 4>& basis, Random& random) {
+  TetTensors t;
+  for (auto& corner : t) {
+    corner = {};
+    for (const auto& b : basis) corner = corner + static_cast<double>(random.integer(-3, 3)) * b;
+    corner = corner + 8.0 * basis[static_cast<std::size_t>(random.integer(0, 3))];
+  }
+  return t;
+}
+
+TetTensors upright(Stratum stratum, Random& random) {
+  TetTensors t{small(random), small(random), small(random), small(random)};
+  switch (stratum) {
+    case Stratum::general:
+      return t;
+    case Stratum::cylinder:
+      t[3] = t[1] + t[2] - t[0];
+      return t;
+    case Stratum::cone_apex_outside:
+      t[3] = weight(random, 1, 3) * t[0] + weight(random, 1, 3) * t[1] -
+             weight(random, 1, 2) * t[2];
+      return t;
+    case Stratum::cone_apex_inside:
+      t[3] = -1.0 * (weight(random, 1, 3) * t[0] + weight(random, 1, 3) * t[1] +
+                     weight(random, 1, 3) * t[2]);
+      return t;
+    case Stratum::zero_on_face:
+      t[3] = -1.0 * (weight(random, 1, 3) * t[0] + weight(random, 1, 3) * t[1]);
+      return t;
+    case Stratum::zero_on_edge:
+      t[3] = -weight(random, 1, 4) * t[0];
+      return t;
+    case Stratum::rank_two:
+      t[2] = weight(random, -3, 3) * t[0] + weight(random, -3, 3) * t[1];
+      t[3] = weight(random, -3, 3) * t[0] + weight(random, -3, 3) * t[1];
+      return t;
+    case Stratum::rank_one:
+      for (std::size_t i = 1; i < 4; ++i) t[i] = weight(random, -3, 3) * t[0];
+      return t;
+    case Stratum::rank_zero:
+      t.fill({4, 4, 4, 0, 0, 0});
+      return t;
+    case Stratum::zero_vertex:
+      t[0] = {};
+      return t;
+    case Stratum::two_zero_vertices:
+      t[0] = t[2] = {};
+      return t;
+    case Stratum::three_zero_vertices:
+      t[0] = t[1] = t[3] = {};
+      return t;
+    case Stratum::neutral_complement:
+      return combinations({{{1, -2, 1, 0, 0, 0}, xy, yz, xz}}, random);
+    case Stratum::uniaxial_complement:
+      return combinations({{{1, -1, 0, 0, 0, 0}, xy, yz, xz}}, random);
+    case Stratum::plane_strain:
+      for (auto& corner : t) corner.xz = corner.yz = 0;
+      return t;
+    case Stratum::antiplane_shear:
+      for (auto& corner : t)
+        corner = {0, 0, 0, 0, weight(random, -5, 5), weight(random, -5, 5)};
+      return t;
+    case Stratum::vertex_on_level:
+      t[0] = on_level;
+      return t;
+    case Stratum::tangent_edge:
+      // On the edge from 0 to 1 the largest mode, at sqrt(5/2), is 4/5.
+      t[0] = xy + xz + 2.0 * yz;
+      t[1] = xy + 2.0 * xz + 2.0 * yz;
+      return t;
+    case Stratum::face_saddle:
+      t[0] = xy - 4.0 * xz - 2.0 * yz;
+      t[1] = xy + 4.0 * xz - 2.0 * yz;
+      t[2] = xy + 5.0 * yz;
+      return t;
+    case Stratum::tet_saddle:
+      return around_origin({11, -13, 2, 0, 0, 0}, xy, xz, yz, random);
+    case Stratum::constant_edge:
+      t[0] = on_level, t[1] = weight(random, 1, 3) * on_level;
+      return t;
+    case Stratum::constant_face:
+      for (std::size_t i = 0; i < 3; ++i) t[i] = weight(random, 1, 3) * on_level;
+      return t;
+    case Stratum::constant_cell:
+      for (auto& corner : t) corner = weight(random, 1, 3) * on_level;
+      return t;
+  }
+  return t;
+}
+
+}  // namespace
+
+const std::vector<Stratum>& all_strata() {
+  static const std::vector<Stratum> all = [] {
+    std::vector<Stratum> list;
+    for (int i = 0; i <= static_cast<int>(Stratum::constant_cell); ++i)
+      list.push_back(static_cast<Stratum>(i));
+    return list;
+  }();
+  return all;
+}
+
+std::string name_of(Stratum stratum) {
+  static const std::map<Stratum, const char*> names{
+      {Stratum::general, "general"},
+      {Stratum::cylinder, "cylinder"},
+      {Stratum::cone_apex_outside, "cone_apex_outside"},
+      {Stratum::cone_apex_inside, "cone_apex_inside"},
+      {Stratum::zero_on_face, "zero_on_face"},
+      {Stratum::zero_on_edge, "zero_on_edge"},
+      {Stratum::rank_two, "rank_two"},
+      {Stratum::rank_one, "rank_one"},
+      {Stratum::rank_zero, "rank_zero"},
+      {Stratum::zero_vertex, "zero_vertex"},
+      {Stratum::two_zero_vertices, "two_zero_vertices"},
+      {Stratum::three_zero_vertices, "three_zero_vertices"},
+      {Stratum::neutral_complement, "neutral_complement"},
+      {Stratum::uniaxial_complement, "uniaxial_complement"},
+      {Stratum::plane_strain, "plane_strain"},
+      {Stratum::antiplane_shear, "antiplane_shear"},
+      {Stratum::vertex_on_level, "vertex_on_level"},
+      {Stratum::tangent_edge, "tangent_edge"},
+      {Stratum::face_saddle, "face_saddle"},
+      {Stratum::tet_saddle, "tet_saddle"},
+      {Stratum::constant_edge, "constant_edge"},
+      {Stratum::constant_face, "constant_face"},
+      {Stratum::constant_cell, "constant_cell"}};
+  return names.at(stratum);
+}
+
+std::string special_mode(Stratum stratum) {
+  switch (stratum) {
+    case Stratum::vertex_on_level:
+    case Stratum::tet_saddle:
+    case Stratum::constant_edge:
+    case Stratum::constant_face:
+    case Stratum::constant_cell:
+      return "-143/343";
+    case Stratum::tangent_edge:
+      return "4/5";
+    case Stratum::face_saddle:
+    case Stratum::uniaxial_complement:
+    case Stratum::antiplane_shear:
+      return "0";
+    default:
+      return "";
+  }
+}
+
+SymmetricTensor<double> turned(const Tensor& t, const std::array<int, 4>& q) {
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  const double r[3][3] = {
+      {w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+      {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+      {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+  const double m[3][3] = {{t.xx, t.xy, t.xz}, {t.xy, t.yy, t.yz}, {t.xz, t.yz, t.zz}};
+  double result[3][3] = {};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l) result[i][j] += r[i][k] * m[k][l] * r[j][l];
+  return {result[0][0], result[1][1], result[2][2], result[0][1], result[1][2], result[0][2]};
+}
+
+std::array<int, 4> random_quaternion(Random& random) {
+  std::array<int, 4> q;
+  for (int& entry : q) entry = random.integer(-3, 3);
+  if (q == std::array<int, 4>{}) q[0] = 1;
+  return q;
+}
+
+TetTensors stratum_tensors(Stratum stratum, Random& random) {
+  TetTensors t = upright(stratum, random);
+  const auto q = random_quaternion(random);
+  for (auto& corner : t) corner = turned(corner, q);
+  // Any vertex may be the special one.
+  for (std::size_t i = 3; i > 0; --i)
+    std::swap(t[i], t[static_cast<std::size_t>(random.integer(0, static_cast<int>(i)))]);
+  return t;
+}
+
+}  // namespace tensortopo::test
