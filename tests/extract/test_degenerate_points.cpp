@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <functional>
+#include <iostream>
 #include <set>
 
 #include "exact_degenerate_points.hpp"
@@ -73,6 +73,22 @@ bool agrees(const TetSample& sample) {
 
 RC_GTEST_PROP(DegeneratePoints, AreAsManyAsTheExactCountOnNormalTensors, ()) {
   RC_ASSERT(agrees(*normal_tet()));
+}
+
+TEST(DegeneratePoints, AreAsManyAsTheExactCountOnManyNormalTensors) {
+  const std::uint64_t seed = 20250120;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  std::array<int, 5> seen{};
+  for (int trial = 0; trial < trials(2000); ++trial) {
+    const Corners corners{random.tensor(), random.tensor(), random.tensor()};
+    std::string complaint;
+    agrees(corners, complaint);
+    EXPECT_EQ(complaint, "") << text(corners);
+    ++seen[static_cast<std::size_t>(points_of(corners).in_plane)];
+  }
+  std::cout << seen[2] << " planes with two points, " << seen[4] << " with four\n";
+  EXPECT_EQ(seen[2] + seen[4], trials(2000));
 }
 
 RC_GTEST_PROP(DegeneratePoints, AreAsManyAsTheExactCountOnSmallIntegers, ()) {

@@ -123,12 +123,12 @@ PlaneCount count_in_plane(const LongFace& face) {
 
 FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
   FacePoints result;
-  Corners corners;
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = exact_deviator<double>(tensors[i]);
-  if (is_excluded(corners, kDepth)) return result;
-  const auto with = [](CurveObstacle obstacle) {
+  // What is wrong with the plane may be no concern of the triangle.
+  const auto with = [&](CurveObstacle obstacle) {
+    Corners corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = exact_deviator<double>(tensors[i]);
     FacePoints none;
-    none.obstacle = obstacle;
+    if (!is_excluded(corners, kDepth)) none.obstacle = obstacle;
     return none;
   };
   const LongFace face(tensors);

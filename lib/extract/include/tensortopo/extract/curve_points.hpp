@@ -56,8 +56,8 @@ struct FacePoint {
 struct FacePoints {
   std::vector<FacePoint> points;
   std::optional<CurveObstacle> obstacle;
-  /// Degenerate points in the projective plane of the triangle, counted exactly: 2 or 4; 0 if an
-  /// earlier test has excluded points in the triangle, or with an obstacle.
+  /// Degenerate points in the projective plane of the triangle, counted exactly: 2 or 4; 0 with
+  /// an obstacle, or where the plane has one and the triangle is proved free of points.
   int in_plane = 0;
   /// Whether intervals of doubles left it to more digits.
   bool exact = false;
