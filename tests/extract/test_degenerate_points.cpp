@@ -51,6 +51,8 @@ bool agrees(const Corners& corners, std::string& complaint) {
   }
   if (exact->on_a_side) {
     if (face.obstacle != CurveObstacle::degenerate_point_on_edge) complaint = "a side not noticed";
+    if (!face.concerns_linear && found.linear != exact->linear) complaint = "linear points lost";
+    if (!face.concerns_planar && found.planar != exact->planar) complaint = "planar points lost";
     return true;
   }
   if (face.obstacle) complaint = std::string(name_of(*face.obstacle));
@@ -169,6 +171,8 @@ TEST(DegeneratePoints, SpecialPositionsAreNamed) {
   EXPECT_EQ(points_of({along(1, 2, 3), p, q}).obstacle, CurveObstacle::degenerate_point_on_edge);
   EXPECT_EQ(points_of({along(1, 2, 3) + p, along(1, 2, 3) - p, q}).obstacle,
             CurveObstacle::degenerate_point_on_edge);
+  const FacePoints corner = points_of({along(1, 2, 3), p, q});
+  EXPECT_TRUE(corner.concerns_linear && !corner.concerns_planar);
   // The same planes, but triangles far from these points: nothing is named.
   const double far = 64;
   EXPECT_FALSE(points_of({far * q + along(1, 2, 3), far * q + p, q}).obstacle);
