@@ -77,8 +77,8 @@ struct FacePoints {
 /// intervals of 150.
 ///
 /// Laws      (1) of a kind that no obstacle concerns, the points are exactly those in the triangle,
-///           none on its sides; (2) changing all signs exchanges linear and planar points; (3) the result
-///           depends on the three tensors in their order only: order them by global ids.
+///           none on its sides; (2) changing all signs exchanges linear and planar points; (3) the
+///           result depends on the three tensors in their order only: order them by global ids.
 /// Requires  finite entries.
 FacePoints degenerate_points_on_face(const std::array<ScaledTensor, 3>& tensors);
 
