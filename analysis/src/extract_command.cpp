@@ -57,7 +57,9 @@ SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction
   for (const double r : extraction.surface.residual) {
     report.max_abs_residual = std::max(report.max_abs_residual, std::abs(r));
   }
-  for (const UnresolvedCell& cell : extraction.unresolved) ++report.unresolved[std::string(name_of(cell.reason))];
+  for (const UnresolvedCell& cell : extraction.unresolved) {
+    ++report.unresolved[std::string(name_of(cell.reason))];
+  }
   report.statistics = extraction.statistics;
   return report;
 }

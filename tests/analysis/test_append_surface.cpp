@@ -50,5 +50,34 @@ TEST(AppendSurface, RefusesHalfFilledArrays) {
   EXPECT_THROW(append_surface(surface, part), std::invalid_argument);
 }
 
+CurveMesh two_lines(double mode) {
+  CurveMesh c;
+  c.points = {{0, 0, mode}, {1, 0, mode}, {0, 1, mode}};
+  c.lines = {{0, 1}, {1, 2}};
+  c.mode.assign(3, mode);
+  c.component = {0, 0};
+  c.tet = {7, 8};
+  return c;
+}
+
+TEST(AppendCurves, NumbersVerticesAndComponentsAcrossCurves) {
+  CurveMesh curves;
+  append_curves(curves, two_lines(1));
+  append_curves(curves, {});
+  append_curves(curves, two_lines(-1));
+  ASSERT_EQ(curves.points.size(), 6u);
+  EXPECT_EQ(curves.lines[1], (std::vector<CurveMesh::Index>{1, 2}));
+  EXPECT_EQ(curves.lines[3], (std::vector<CurveMesh::Index>{4, 5}));
+  EXPECT_EQ(curves.component, (std::vector<CurveMesh::Index>{0, 0, 1, 1}));
+  EXPECT_EQ(curves.tet, (std::vector<CurveMesh::Index>{7, 8, 7, 8}));
+  EXPECT_EQ(curves.mode[3], -1);
+}
+
+TEST(AppendCurves, RefusesHalfFilledArrays) {
+  CurveMesh curves = two_lines(1), part = two_lines(-1);
+  part.tet.clear();
+  EXPECT_THROW(append_curves(curves, part), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace tensortopo

@@ -72,6 +72,43 @@ TEST(ExtractReport, KeepsTheOrderAndTheExactModes) {
   EXPECT_EQ(surfaces[1].at("mode_exact"), "-1/2");
 }
 
+// Surfaces and curves in one file.
+struct Mixed {
+  Folder folder;
+  Outcome run = run_program({"extract", field("s1_compress_off"), "-o", folder / "m.vtp", "--mode",
+                             "-1", "--mode", "0.9", "--mode", "1.0", "--json"});
+  Json json = Json::parse(run.out, nullptr, false);
+};
+
+TEST(ExtractReport, ListsCurvesApartFromSurfaces) {
+  const Mixed mixed;
+  ASSERT_EQ(mixed.run.status, 0) << mixed.run.err;
+  ASSERT_EQ(mixed.json.at("surfaces").size(), 1u);
+  const Json& curves = mixed.json.at("curves");
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].at("mode"), -1);
+  EXPECT_EQ(curves[1].at("mode"), 1);
+  EXPECT_EQ(curves[1].at("mode_exact"), "1");
+  for (const Json& curve : curves) {
+    EXPECT_GT(curve.at("vertices").get<int>(), 100);
+    EXPECT_GT(curve.at("length").get<double>(), 0);
+    EXPECT_GT(curve.at("components").get<int>(), curve.at("closed_components").get<int>());
+    EXPECT_LT(curve.at("max_residual").get<double>(), 1e-9);
+    EXPECT_TRUE(curve.at("unresolved").empty());
+  }
+  EXPECT_TRUE(mixed.json.at("unresolved_cells").empty());
+}
+
+TEST(ExtractReport, TextHasARowForEachCurve) {
+  const Folder folder;
+  const Outcome run = run_program({"extract", field("s1_compress_off"), "-o", folder / "c.obj",
+                                   "--mode", "1", "--generalized"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("curves"), std::string::npos);
+  EXPECT_NE(run.out.find("\n        -1 "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("triangles"), std::string::npos);
+}
+
 TEST(ExtractReport, PartsAddUpToTheWhole) {
   for (const Json& surface : shared().json.at("surfaces")) {
     long euler = 0, loops = 0, triangles = 0;

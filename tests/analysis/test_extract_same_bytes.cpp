@@ -23,6 +23,23 @@ TEST_P(ExtractSameBytes, WhateverTheNumberOfThreads) {
   EXPECT_TRUE(bytes == contents(files[1]));
 }
 
+TEST(ExtractCurves, GivesTheSameBytesWhateverTheNumberOfThreads) {
+  for (const std::string extension : {".vtp", ".ply", ".obj"}) {
+    const Folder folder;
+    std::vector<std::string> files;
+    for (const char* threads : {"1", "2"}) {
+      files.push_back(folder / (threads + extension));
+      const Outcome run =
+          run_program({"extract", field("s1_compress_off"), "-o", files.back(), "--mode", "1",
+                       "--generalized", "--threads", threads, "--quiet"});
+      ASSERT_EQ(run.status, 0) << run.err;
+    }
+    const std::string bytes = contents(files[0]);
+    EXPECT_GT(bytes.size(), 10000u);
+    EXPECT_TRUE(bytes == contents(files[1])) << extension;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, ExtractSameBytes,
                          testing::Values(".vtp", ".ply", ".obj", ".off", ".stl"),
                          [](const auto& format) { return std::string(format.param + 1); });

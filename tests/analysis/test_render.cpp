@@ -14,7 +14,7 @@ namespace tensortopo::test {
 namespace {
 
 struct Picture {
-  std::size_t width = 0, height = 0, teal = 0, gold = 0, white = 0, dark = 0;
+  std::size_t width = 0, height = 0, teal = 0, gold = 0, white = 0, dark = 0, green = 0;
 };
 
 Picture look_at(const std::string& file) {
@@ -29,6 +29,7 @@ Picture look_at(const std::string& file) {
     const int r = pixels[i], g = pixels[i + 1], b = pixels[i + 2];
     if (g > r + 60 && b > r + 60) ++picture.teal;
     if (r > b + 80 && g > b + 40) ++picture.gold;
+    if (g > r + 60 && g > b + 40) ++picture.green;
     if (r == 255 && g == 255 && b == 255) ++picture.white;
     if (std::max({r, g, b}) < 100) ++picture.dark;
   }
@@ -51,6 +52,19 @@ TEST(Render, DrawsPositiveModesTealAndNegativeModesGold) {
   EXPECT_GT(picture.gold, 1000u);
   EXPECT_GT(picture.white, 20000u);
   EXPECT_GT(picture.dark, 100u);
+}
+
+TEST(Render, DrawsDegenerateCurvesGreenAndYellow) {
+  const Folder folder;
+  const Outcome extract = run_program({"extract", field("s1_compress_off"), "-o", folder / "c.vtp",
+                                       "--mode", "1", "--generalized", "--quiet"});
+  ASSERT_EQ(extract.status, 0) << extract.err;
+  const Outcome run = run_program(
+      {"render", folder / "c.vtp", "-o", folder / "c.png", "--size", "400x300", "--view", "30,70"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Picture picture = look_at(folder / "c.png");
+  EXPECT_GT(picture.green, 500u);
+  EXPECT_GT(picture.gold, 1000u);
 }
 
 TEST(Render, DrawsAMeshAlone) {

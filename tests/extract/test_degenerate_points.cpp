@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <functional>
+#include <iostream>
 #include <set>
 
 #include "exact_degenerate_points.hpp"
@@ -51,6 +51,8 @@ bool agrees(const Corners& corners, std::string& complaint) {
   }
   if (exact->on_a_side) {
     if (face.obstacle != CurveObstacle::degenerate_point_on_edge) complaint = "a side not noticed";
+    if (!face.concerns_linear && found.linear != exact->linear) complaint = "linear points lost";
+    if (!face.concerns_planar && found.planar != exact->planar) complaint = "planar points lost";
     return true;
   }
   if (face.obstacle) complaint = std::string(name_of(*face.obstacle));
@@ -73,6 +75,22 @@ bool agrees(const TetSample& sample) {
 
 RC_GTEST_PROP(DegeneratePoints, AreAsManyAsTheExactCountOnNormalTensors, ()) {
   RC_ASSERT(agrees(*normal_tet()));
+}
+
+TEST(DegeneratePoints, AreAsManyAsTheExactCountOnManyNormalTensors) {
+  const std::uint64_t seed = 20250120;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  std::array<int, 5> seen{};
+  for (int trial = 0; trial < trials(2000); ++trial) {
+    const Corners corners{random.tensor(), random.tensor(), random.tensor()};
+    std::string complaint;
+    agrees(corners, complaint);
+    EXPECT_EQ(complaint, "") << text(corners);
+    ++seen[static_cast<std::size_t>(points_of(corners).in_plane)];
+  }
+  std::cout << seen[2] << " planes with two points, " << seen[4] << " with four\n";
+  EXPECT_EQ(seen[2] + seen[4], trials(2000));
 }
 
 RC_GTEST_PROP(DegeneratePoints, AreAsManyAsTheExactCountOnSmallIntegers, ()) {
@@ -153,6 +171,8 @@ TEST(DegeneratePoints, SpecialPositionsAreNamed) {
   EXPECT_EQ(points_of({along(1, 2, 3), p, q}).obstacle, CurveObstacle::degenerate_point_on_edge);
   EXPECT_EQ(points_of({along(1, 2, 3) + p, along(1, 2, 3) - p, q}).obstacle,
             CurveObstacle::degenerate_point_on_edge);
+  const FacePoints corner = points_of({along(1, 2, 3), p, q});
+  EXPECT_TRUE(corner.concerns_linear && !corner.concerns_planar);
   // The same planes, but triangles far from these points: nothing is named.
   const double far = 64;
   EXPECT_FALSE(points_of({far * q + along(1, 2, 3), far * q + p, q}).obstacle);

@@ -50,7 +50,8 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
 }  // namespace
 
 void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
-  CLI::App& app = *program.add_subcommand("extract", "Extract mode surfaces and degenerate curves (modes 1 and -1) of a tensor field");
+  CLI::App& app = *program.add_subcommand(
+      "extract", "Extract mode surfaces and degenerate curves (modes 1 and -1) of a tensor field");
   const auto options = std::make_shared<Options>();
   ExtractCommand& command = options->command;
   app.add_option("INPUT", command.input, "Tetrahedral mesh with tensors: .vtu, .pvtu, legacy .vtk")

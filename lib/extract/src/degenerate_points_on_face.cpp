@@ -176,7 +176,7 @@ FacePoints degenerate_points_on_face(const std::array<ScaledTensor, 3>& tensors)
   for (const auto& point : degenerate_points(field).points)
     if (count < 4) starts[count++] = dominant_direction(point);
   if (auto result = points_in_doubles(tensors, columns, starts, count)) {
-    locate(*result, tensors, columns);
+    if (!result->points.empty()) locate(*result, tensors, columns);
     return *result;
   }
   FacePoints result = exact_face_points(tensors);

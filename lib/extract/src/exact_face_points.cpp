@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exact_face_points.hpp"
 
+#include <algorithm>
+
 #include "tensortopo/extract/screen.hpp"
 #include "tensortopo/field/planar_critical_points.hpp"
 #include "tensortopo/scalar/constants.hpp"
@@ -17,22 +19,23 @@ using Corners = std::array<Deviator<double>, 3>;
 /// Halvings of the sides after which a triangle is no longer cut to exclude points in it.
 constexpr int kDepth = 6;
 
-/// Whether the triangle holds no degenerate tensor, by the screen on its parts. Rounding moves the
-/// corners of these by a few units of 2^-53, so corners that are not much smaller than the first
-/// ones are as good as exact: an angle may be wrong by far less than the screen allows for.
-bool is_excluded(const Corners& corners, int depth) {
+/// Whether the triangle holds no degenerate tensor of a kind, by the screen on its parts. Rounding
+/// moves the corners of these by a few units of 2^-53, so corners that are not much smaller than
+/// the first ones are as good as exact: an angle may be wrong by far less than the screen allows
+/// for.
+bool is_excluded(const Corners& corners, double lode_angle, int depth) {
   bool large = true;
   for (const auto& t : corners) large = large && norm_form(t) > 0.01;
-  if (large && screen::excludes(corners, 0) && screen::excludes(corners, pi<double>() / 3))
-    return true;
+  if (large && screen::excludes(corners, lode_angle)) return true;
   if (depth == 0) return false;
   const auto middle = [&](std::size_t i, std::size_t j) {
     return 0.5 * corners[i] + 0.5 * corners[j];
   };
   const auto m01 = middle(0, 1), m02 = middle(0, 2), m12 = middle(1, 2);
-  return is_excluded({corners[0], m01, m02}, depth - 1) &&
-         is_excluded({corners[1], m01, m12}, depth - 1) &&
-         is_excluded({corners[2], m02, m12}, depth - 1) && is_excluded({m01, m02, m12}, depth - 1);
+  const std::array<Corners, 4> parts{
+      {{corners[0], m01, m02}, {corners[1], m01, m12}, {corners[2], m02, m12}, {m01, m02, m12}}};
+  return std::all_of(parts.begin(), parts.end(),
+                     [&](const Corners& part) { return is_excluded(part, lode_angle, depth - 1); });
 }
 
 bool is_zero(const Vector3<Rational>& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -123,12 +126,14 @@ PlaneCount count_in_plane(const LongFace& face) {
 
 FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
   FacePoints result;
-  Corners corners;
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = exact_deviator<double>(tensors[i]);
-  if (is_excluded(corners, kDepth)) return result;
-  const auto with = [](CurveObstacle obstacle) {
+  // What is wrong with the plane may be no concern of the triangle.
+  const auto with = [&](CurveObstacle obstacle) {
+    Corners corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = exact_deviator<double>(tensors[i]);
     FacePoints none;
-    none.obstacle = obstacle;
+    none.concerns_linear = !is_excluded(corners, 0, kDepth);
+    none.concerns_planar = !is_excluded(corners, pi<double>() / 3, kDepth);
+    if (none.concerns_linear || none.concerns_planar) none.obstacle = obstacle;
     return none;
   };
   const LongFace face(tensors);
@@ -140,7 +145,6 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
   TriangleField<Real100> field;
   for (std::size_t i = 0; i < 3; ++i) field.vertex[i] = exact_deviator<Real100>(tensors[i]);
   std::vector<Vector3<LongInterval>> found;
-  bool on_edge = false;
   for (const auto& start : degenerate_points(field).points) {
     const auto e = dominant_direction(start);
     const DirectionChart chart = chart_around(
@@ -158,7 +162,9 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
     }
     if (positive > 0 && negative > 0) continue;
     if (positive + negative < 3) {
-      on_edge = true;
+      // Numbers that 150 digits do not tell from zero: at most two of the three.
+      if (negative == 0) result.concerns_linear = true;
+      if (positive == 0) result.concerns_planar = true;
       continue;
     }
     FacePoint point;
@@ -172,8 +178,14 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
   }
   if (static_cast<int>(found.size()) != counted.points)
     return with(CurveObstacle::points_not_told_apart);
-  if (on_edge) return with(CurveObstacle::degenerate_point_on_edge);
-  result.in_plane = counted.points;
+  if (!result.concerns_linear && !result.concerns_planar) {
+    result.in_plane = counted.points;
+    return result;
+  }
+  result.obstacle = CurveObstacle::degenerate_point_on_edge;
+  std::erase_if(result.points, [&](const FacePoint& point) {
+    return point.linear ? result.concerns_linear : result.concerns_planar;
+  });
   return result;
 }
 

@@ -88,9 +88,9 @@ class CurveExtractor {
         }
       counted[f] = 1;
       found = degenerate_points_on_face(tensors_at<3>(faces[f]));
-      std::erase_if(found.points, [&](const FacePoint& point) {
-        return point.linear != (kind_ == Degeneracy::linear);
-      });
+      const bool linear = kind_ == Degeneracy::linear;
+      std::erase_if(found.points, [&](const FacePoint& point) { return point.linear != linear; });
+      if (!(linear ? found.concerns_linear : found.concerns_planar)) found.obstacle.reset();
     });
     for (std::size_t f = 0; f < faces.size(); ++f) {
       result_.statistics.faces += counted[f] != 0;

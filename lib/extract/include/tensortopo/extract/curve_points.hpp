@@ -56,8 +56,11 @@ struct FacePoint {
 struct FacePoints {
   std::vector<FacePoint> points;
   std::optional<CurveObstacle> obstacle;
-  /// Degenerate points in the projective plane of the triangle, counted exactly: 2 or 4; 0 if an
-  /// earlier test has excluded points in the triangle, or with an obstacle.
+  /// Whether linear or planar points may be missing for that; those of the other kind are all
+  /// there.
+  bool concerns_linear = false, concerns_planar = false;
+  /// Degenerate points in the projective plane of the triangle, counted exactly: 2 or 4; 0 with
+  /// an obstacle, or where the plane has one and the triangle is proved free of points.
   int in_plane = 0;
   /// Whether intervals of doubles left it to more digits.
   bool exact = false;
@@ -73,9 +76,9 @@ struct FacePoints {
 /// strict signs. First in intervals of doubles; what these leave open goes to 100 digits and
 /// intervals of 150.
 ///
-/// Laws      (1) without an obstacle the points are exactly those in the triangle, none on its
-///           sides; (2) changing all signs exchanges linear and planar points; (3) the result
-///           depends on the three tensors in their order only: order them by global ids.
+/// Laws      (1) of a kind that no obstacle concerns, the points are exactly those in the triangle,
+///           none on its sides; (2) changing all signs exchanges linear and planar points; (3) the
+///           result depends on the three tensors in their order only: order them by global ids.
 /// Requires  finite entries.
 FacePoints degenerate_points_on_face(const std::array<ScaledTensor, 3>& tensors);
 
