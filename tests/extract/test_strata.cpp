@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <sstream>
 
 #include "strata_laws.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
@@ -153,8 +154,19 @@ TEST_P(Strata, LeaveTheRestOfAMeshSound) {
       mesh.tensors[static_cast<std::size_t>(mesh.tets[0][i])] = tensors[i];
     const Extraction extraction = extract(mesh, mode);
     const bool on_level = extraction.statistics.vertices_on_level > 0;
-    EXPECT_EQ(flaws(extraction, mesh, {.residuals = false, .coincidences = !on_level}), "");
-    EXPECT_TRUE(surface_invariants(extraction.surface).manifold);
+    const std::string found =
+        flaws(extraction, mesh, {.residuals = false, .coincidences = !on_level});
+    const bool is_manifold = surface_invariants(extraction.surface).manifold;
+    if (extraction.unresolved.empty()) {
+      EXPECT_EQ(found, "");
+      EXPECT_TRUE(is_manifold);
+      return;
+    }
+    // What is left out can leave two fans at a vertex: then the surface is not called a manifold.
+    std::istringstream lines(found);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_EQ(line.rfind("vertex link", 0), 0u) << line;
+    EXPECT_EQ(is_manifold, found.empty());
   });
 }
 
