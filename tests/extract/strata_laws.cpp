@@ -61,8 +61,8 @@ void expect_sound_near_strata(int count, int compared, std::uint64_t seed) {
     std::string mode = modes[static_cast<std::size_t>(random.integer(0, 4))];
     std::string drawn = "general";
     if (trial % 2 == 1) {
-      const Stratum stratum = strata[static_cast<std::size_t>(
-          random.integer(0, static_cast<int>(strata.size()) - 1))];
+      const Stratum stratum =
+          strata[static_cast<std::size_t>(random.integer(0, static_cast<int>(strata.size()) - 1))];
       tensors = stratum_tensors(stratum, random);
       perturb(tensors, factors[static_cast<std::size_t>(random.integer(0, 5))], random);
       if (!special_mode(stratum).empty() && random.integer(0, 1) == 0) mode = special_mode(stratum);

@@ -64,16 +64,15 @@ bool mesh_as_fan(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
   if (!(depth > Scalar(0))) return false;
   const auto centre = -1 - static_cast<std::int32_t>(out.inner.size());
   out.inner.push_back(best);
-  const auto rim =
-      loop_vertices(plan.loops[static_cast<std::size_t>(sheet.loops[0])], vertices);
+  const auto rim = loop_vertices(plan.loops[static_cast<std::size_t>(sheet.loops[0])], vertices);
   for (std::size_t i = 0; i < rim.size(); ++i)
     out.triangles.push_back({rim[i].id, rim[(i + 1) % rim.size()].id, centre});
   return rim.size() > 2;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                               \
-  template bool mesh_as_fan(const TetPlan<Scalar>&, const SheetTopology&,            \
-                            const FaceArcVertices&, const Level<Scalar>&, TetTriangles<Scalar>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                            \
+  template bool mesh_as_fan(const TetPlan<Scalar>&, const SheetTopology&, const FaceArcVertices&, \
+                            const Level<Scalar>&, TetTriangles<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 
