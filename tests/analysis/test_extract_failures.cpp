@@ -185,7 +185,8 @@ TEST(ExtractFailures, StrictRefusesWhatIsUnresolvedAndWritesNothing) {
   const Outcome run = run_program({"extract", mesh_with_a_zero(folder), "-o", folder / "s.vtp",
                                    "--mode", "0.5", "--strict"});
   EXPECT_EQ(run.status, 1);
-  EXPECT_NE(run.err.find("(1 zero_deviator_inside); nothing written"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("(1 zero_deviator_inside); nothing written"), std::string::npos)
+      << run.err;
   EXPECT_EQ(folder.files(), std::vector<std::string>{"zero.vtk"});
 }
 

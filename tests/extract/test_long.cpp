@@ -4,6 +4,7 @@
 
 #include "extract_case.hpp"
 #include "laws.hpp"
+#include "strata_laws.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -28,6 +29,10 @@ TEST_P(LongLaws, IndependentTensorsGiveFlawlessSurfaces) {
 
 TEST_P(LongLaws, SmoothFieldsGiveFlawlessSurfaces) {
   expect_flawless_surfaces(GetParam(), trials(20), 6, true, 20250301);
+}
+
+TEST(LongNearStrata, TetrahedraAreSoundAndTheSameAtFiftyDigits) {
+  expect_sound_near_strata(trials(100000), 20, 20250401);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, LongLaws, testing::ValuesIn(kLevels));

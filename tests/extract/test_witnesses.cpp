@@ -48,6 +48,30 @@ TEST(FieldWitness, TurnsIntoItsMirrorImageWhenTensorsAndModeAreNegated) {
     }
 }
 
+// At mode 0 the witnesses state nothing: brute force does, where it resolves the surface.
+TEST(FieldWitness, HasTheNeutralSurfaceThatBruteForceSees) {
+  int decided = 0;
+  for (const auto& witness : field_witnesses())
+    for (const auto& tet : witness.cases) {
+      SCOPED_TRACE(witness.name);
+      const auto tensors = witness.field.at(tet.points);
+      const TetMesh mesh = single_tet_mesh(tet.points, tensors);
+      const Extraction extraction = extract(mesh, "0");
+      EXPECT_EQ(flaws(extraction, mesh), "");
+      if (!extraction.unresolved.empty()) {
+        // Two singular lines that coincide.
+        EXPECT_EQ(witness.name, "uniaxial_complement");
+        EXPECT_EQ(extraction.unresolved[0].reason, UnresolvedReason::critical_value_in_cell);
+        continue;
+      }
+      const auto expected = brute_force_topology(corners_of(tensors), 0);
+      if (!expected) continue;
+      ++decided;
+      EXPECT_EQ(topology_in_tet(extraction), *expected);
+    }
+  EXPECT_GT(decided, 15);
+}
+
 // At the saddle value the surface has a cone point inside: no proof can close.
 TEST(FieldWitness, CriticalLevelsAreNamed) {
   const auto& witness = field_witness("saddle_origin_rational");
@@ -73,7 +97,6 @@ TEST(FieldWitness, LevelsCloseToCriticalAreDecided) {
 }
 
 // Special position is either named or extracted as brute force sees it.
-// Set aside: right, but some strata take minutes to run out of budget.
 TEST(StratumWitness, IsNamedOrExtractedRight) {
   for (const auto& witness : stratum_witnesses()) {
     const TetMesh mesh = single_tet_mesh(witness.points, witness.tensors);

@@ -45,14 +45,13 @@ TEST(ZeroVertex, OneGivesAConeOverEachCurveOfTheOppositeFace) {
     std::array<Tensor, 3> face;
     for (std::size_t i = 0, k = 0; i < 4; ++i)
       if (i != zero) face[k++] = tensors[i];
-    const auto seen =
-        brute_force_face_topology(corners_of(face), ModeValue::parse(mode).approx());
+    const auto seen = brute_force_face_topology(corners_of(face), ModeValue::parse(mode).approx());
     if (!seen) continue;
     const auto expected = static_cast<std::size_t>(seen->open_arcs + seen->closed_loops);
     const LocalTopology found = topology_in_tet(extraction);
     EXPECT_EQ(found.components, std::vector<ComponentTopology>(expected, disc));
-    EXPECT_EQ(found.crossings(), std::accumulate(seen->edge_crossings.begin(),
-                                                 seen->edge_crossings.end(), 0));
+    EXPECT_EQ(found.crossings(),
+              std::accumulate(seen->edge_crossings.begin(), seen->edge_crossings.end(), 0));
     EXPECT_EQ(extraction.statistics.cone_points, expected);
     EXPECT_EQ(extraction.statistics.sheets_cones, expected);
     for (const auto& triangle : extraction.surface.triangles)
@@ -77,8 +76,7 @@ TEST(ZeroVertex, TwoGiveAFlatSheetForEachCrossingOfTheOppositeEdge) {
     const char* mode = kLevels[static_cast<std::size_t>(trial) % kLevels.size()];
     TetTensors tensors = random.tet_tensors();
     std::array<std::size_t, 4> order{0, 1, 2, 3};
-    for (int turn = trial % 24; turn > 0; --turn)
-      std::next_permutation(order.begin(), order.end());
+    for (int turn = trial % 24; turn > 0; --turn) std::next_permutation(order.begin(), order.end());
     tensors[order[0]] = tensors[order[1]] = kNoDeviator;
     const TetMesh mesh = reference_tet_mesh(tensors);
     const Extraction extraction = extract(mesh, mode);
@@ -197,8 +195,8 @@ TEST(ZeroVertex, NoSurfaceEndsAtAnEdgeBetweenTwoOfThemInside) {
   for (int trial = 0; trial < trials(6); ++trial) {
     TetMesh mesh = cube_mesh(3);
     fill_with_normal_tensors(mesh, seed + static_cast<std::uint64_t>(trial));
-    const Index first = 21, second = std::array{22, 25, 26, 37, 38, 42}[
-        static_cast<std::size_t>(trial) % 6];
+    const Index first = 21,
+                second = std::array{22, 25, 26, 37, 38, 42}[static_cast<std::size_t>(trial) % 6];
     mesh.tensors[first] = mesh.tensors[static_cast<std::size_t>(second)] = kNoDeviator;
     for (const char* mode : {"0", "1/10", "-1/2", "9/10"}) {
       SCOPED_TRACE("trial " + std::to_string(trial) + " at " + mode);

@@ -32,8 +32,7 @@ TetTensors around_origin(const Tensor& constant, const Tensor& dx, const Tensor&
   const double s = random.integer(1, 4);
   const double p[4][3] = {{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}};
   TetTensors t;
-  for (std::size_t i = 0; i < 4; ++i)
-    t[i] = constant + p[i][0] * dx + p[i][1] * dy + p[i][2] * dz;
+  for (std::size_t i = 0; i < 4; ++i) t[i] = constant + p[i][0] * dx + p[i][1] * dy + p[i][2] * dz;
   return t;
 }
 
@@ -56,8 +55,8 @@ TetTensors upright(Stratum stratum, Random& random) {
       t[3] = t[1] + t[2] - t[0];
       return t;
     case Stratum::cone_apex_outside:
-      t[3] = weight(random, 1, 3) * t[0] + weight(random, 1, 3) * t[1] -
-             weight(random, 1, 2) * t[2];
+      t[3] =
+          weight(random, 1, 3) * t[0] + weight(random, 1, 3) * t[1] - weight(random, 1, 2) * t[2];
       return t;
     case Stratum::cone_apex_inside:
       t[3] = -1.0 * (weight(random, 1, 3) * t[0] + weight(random, 1, 3) * t[1] +
@@ -96,8 +95,7 @@ TetTensors upright(Stratum stratum, Random& random) {
       for (auto& corner : t) corner.xz = corner.yz = 0;
       return t;
     case Stratum::antiplane_shear:
-      for (auto& corner : t)
-        corner = {0, 0, 0, 0, weight(random, -5, 5), weight(random, -5, 5)};
+      for (auto& corner : t) corner = {0, 0, 0, 0, weight(random, -5, 5), weight(random, -5, 5)};
       return t;
     case Stratum::vertex_on_level:
       t[0] = on_level;

@@ -13,11 +13,11 @@ namespace tensortopo::test {
 /// with a level.
 enum class Stratum {
   general,
-  cylinder,             ///< rank 3, constant along a direction
-  cone_apex_outside,    ///< rank 3, zero at a point outside
-  cone_apex_inside,     ///< rank 3, zero at a point inside
-  zero_on_face,         ///< three vertices of rank 2, zero between them
-  zero_on_edge,         ///< two vertices with opposite deviators
+  cylinder,           ///< rank 3, constant along a direction
+  cone_apex_outside,  ///< rank 3, zero at a point outside
+  cone_apex_inside,   ///< rank 3, zero at a point inside
+  zero_on_face,       ///< three vertices of rank 2, zero between them
+  zero_on_edge,       ///< two vertices with opposite deviators
   rank_two,
   rank_one,
   rank_zero,
@@ -29,9 +29,9 @@ enum class Stratum {
   plane_strain,
   antiplane_shear,
   vertex_on_level,
-  tangent_edge,         ///< the level touches an edge
-  face_saddle,          ///< the level is the value of a saddle in a face
-  tet_saddle,           ///< the level is the value of the saddle, which is inside
+  tangent_edge,  ///< the level touches an edge
+  face_saddle,   ///< the level is the value of a saddle in a face
+  tet_saddle,    ///< the level is the value of the saddle, which is inside
   constant_edge,
   constant_face,
   constant_cell,

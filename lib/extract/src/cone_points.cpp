@@ -33,7 +33,8 @@ void cut_at_halfway(SurfaceMesh& surface, std::vector<char>& is_zero, std::span<
       triangles.push_back(corners);
       continue;
     }
-    while (is_zero[at(corners[0])]) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+    while (is_zero[at(corners[0])])
+      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     const auto [foot, from, to] = corners;
     if (at(sector[i]) >= halfway.size()) halfway.resize(at(sector[i]) + 1, -1);
     Index& middle = halfway[at(sector[i])];

@@ -21,8 +21,7 @@ namespace tensortopo {
 /// @param is_zero  of each vertex: it is one without deviator; grows with the points
 /// @param sector   of each triangle, -1 unless it has two of them
 /// @return for each new vertex, the vertices that it is a copy of (twice the same) or lies between
-std::vector<std::array<SurfaceMesh::Index, 2>> separate_fans(SurfaceMesh& surface,
-                                                             std::vector<char>& is_zero,
-                                                             std::span<const SurfaceMesh::Index> sector);
+std::vector<std::array<SurfaceMesh::Index, 2>> separate_fans(
+    SurfaceMesh& surface, std::vector<char>& is_zero, std::span<const SurfaceMesh::Index> sector);
 
 }  // namespace tensortopo

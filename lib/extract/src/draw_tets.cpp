@@ -25,7 +25,7 @@ constexpr int kAttemptsOnManifold = 3;
 }  // namespace
 
 /// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
-/// then the leaves of the proof, then plain fans.
+/// then the leaves of the proof, then these with fans for discs.
 template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
@@ -60,7 +60,6 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
   }
   if (state.method == Method::leaves) {
     state.method = Method::fan;
-    state.requests.clear();
     return;
   }
   if (!add_leaves(tet, level_, *state.plan)) {
@@ -240,21 +239,19 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
                                     level_, sampling, state.drawn);
   }
-  if (state.method == Method::leaves) {
-    for (const auto& sheet : state.plan->sheets)
-      if (!mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_,
-                                    state.drawn))
+  if (state.method == Method::leaves || state.method == Method::fan) {
+    for (const auto& sheet : state.plan->sheets) {
+      const bool as_fan = state.method == Method::fan && sheet.euler_characteristic == 1;
+      if (as_fan ? !mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_, state.drawn)
+                 : !mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices,
+                                             level_, state.drawn))
         return false;
+    }
     // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the
     // tetrahedron is named rather than drawn wrongly.
     std::vector<std::vector<RimVertex>> rims;
     for (const auto& loop : state.plan->loops) rims.push_back(loop_vertices(loop, vertices));
     return are_planned_sheets(state.drawn.triangles, rims, state.plan->sheets);
-  }
-  if (state.method == Method::fan) {
-    for (const auto& sheet : state.plan->sheets)
-      if (!mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_, state.drawn)) return false;
-    return true;
   }
   for (const auto& sheet : state.plan->sheets) {
     if (sheet.loops.size() != 1) return false;

@@ -65,7 +65,8 @@ UnresolvedReason level_stratum(std::span<const SymmetricTensor<double>> tensors,
     return UnresolvedReason::level_constant_on_face;
   if (zeros < 1 && is_constant_on_some(corners, 2, mu))
     return UnresolvedReason::level_constant_on_edge;
-  if (zeros == 0 && is_level_at_saddle(tensors, mode)) return UnresolvedReason::critical_value_in_cell;
+  if (zeros == 0 && is_level_at_saddle(tensors, mode))
+    return UnresolvedReason::critical_value_in_cell;
   return UnresolvedReason::budget_exhausted;
 }
 

@@ -290,7 +290,8 @@ double Refinement<Scalar, Vertices, Corners>::squared_chord(std::uint32_t u,
   if (!(scale > Scalar(0))) return kLongest;
   const double cosine =
       static_cast<double>(norm_form(s, t)) / std::sqrt(static_cast<double>(scale));
-  return 2 - 2 * cosine;
+  // Not below zero, where the search for a longer edge around one would never end.
+  return std::max(2 - 2 * cosine, 0.0);
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>

@@ -51,7 +51,8 @@ std::optional<Weights> weights_of(const Deviator<Rational>& t, Corners corners) 
 // Deviators that commute with a uniaxial one, n, and are orthogonal to it: a plane of neutral
 // tensors, given by two of them. With d the axis they are u v^t + v u^t for u, v across d.
 std::array<Deviator<Rational>, 2> neutral_plane(const SymmetricTensor<Rational>& n) {
-  // n = c (3 d d^t - |d|^2 I), and det n > 0 if c > 0: its columns plus a multiple of I are along d.
+  // n = c (3 d d^t - |d|^2 I), and det n > 0 if c > 0: its columns plus a multiple of I are along
+  // d.
   const Rational size = inner(n, n), medium = -Rational(3) * determinant(n) / size;
   const std::array<Vector3<Rational>, 3> columns{
       {{n.xx - medium, n.xy, n.xz}, {n.xy, n.yy - medium, n.yz}, {n.xz, n.yz, n.zz - medium}}};
@@ -64,8 +65,11 @@ std::array<Deviator<Rational>, 2> neutral_plane(const SymmetricTensor<Rational>&
   const Vector3<Rational> u = dot(along_x, along_x) == 0 ? cross(axis, y) : along_x,
                           v = cross(axis, u);
   const auto product = [](const Vector3<Rational>& p, const Vector3<Rational>& q) {
-    return SymmetricTensor<Rational>{p.x * q.x, p.y * q.y, p.z * q.z,
-                                     (p.x * q.y + p.y * q.x) / 2, (p.y * q.z + p.z * q.y) / 2,
+    return SymmetricTensor<Rational>{p.x * q.x,
+                                     p.y * q.y,
+                                     p.z * q.z,
+                                     (p.x * q.y + p.y * q.x) / 2,
+                                     (p.y * q.z + p.z * q.y) / 2,
                                      (p.x * q.z + p.z * q.x) / 2};
   };
   const Rational uu = dot(u, u), vv = dot(v, v);

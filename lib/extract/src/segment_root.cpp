@@ -12,11 +12,26 @@ Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above
   const Deviator<Scalar> step = above - below;
   const auto step3 = thrice(step);
   const Scalar f0 = level_function(below, level), f1 = level_function(above, level);
-  if (!(f0 < Scalar(0))) return Scalar(0);
-  if (!(f1 > Scalar(0))) return Scalar(1);
   const Scalar half = Scalar(1) / Scalar(2), tiny = unit_roundoff<Scalar>();
   Scalar lo(0), hi(1);
+  // An end on the level, to rounding, need not be the crossing: the mode may leave it for the side
+  // that it counts to, and cross the level further on.
+  const auto inward = [&](bool at_below) {
+    const auto at = level_slope(at_below ? below : above, level);
+    if (!(inner(at.slope, step3) < Scalar(0))) return false;
+    for (Scalar k = half; k > tiny; k = half * k) {
+      const Scalar place = at_below ? k : Scalar(1) - k;
+      const Scalar f = level_function(below + place * step, level);
+      if (at_below ? !(f < Scalar(0)) : !(f > Scalar(0))) continue;
+      (at_below ? lo : hi) = place;
+      return true;
+    }
+    return false;
+  };
+  if (!(f0 < Scalar(0)) && !inward(true)) return Scalar(0);
+  if (!(f1 > Scalar(0)) && !inward(false)) return Scalar(1);
   Scalar t = -f0 / (f1 - f0);
+  if (!(t > lo && t < hi)) t = half * (lo + hi);
   for (int iteration = 0; iteration < 400; ++iteration) {
     const auto at = level_slope(below + t * step, level);
     if (at.value < Scalar(0))

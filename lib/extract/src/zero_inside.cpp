@@ -47,9 +47,9 @@ bool depends_on_others(const std::vector<Deviator<Rational>>& deviators,
 std::vector<Deviator<Rational>> exact_deviators(std::span<const SymmetricTensor<double>> tensors) {
   std::vector<Deviator<Rational>> result;
   for (const auto& t : tensors)
-    result.push_back(deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy),
-                                                        Rational(t.zz), Rational(t.xy),
-                                                        Rational(t.yz), Rational(t.xz)}));
+    result.push_back(
+        deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
+                                           Rational(t.xy), Rational(t.yz), Rational(t.xz)}));
   return result;
 }
 

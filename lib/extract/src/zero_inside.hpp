@@ -29,8 +29,7 @@ bool may_have_zero_inside(const std::array<Deviator<double>, Vertices>& tensors)
   Deviator<double> sum = tensors[0];
   for (std::size_t i = 1; i < Vertices; ++i) sum = sum + tensors[i];
   bool is_pointed = true;
-  for (const auto& t : tensors)
-    is_pointed = is_pointed && norm_form(sum, t) > std::ldexp(1.0, -40);
+  for (const auto& t : tensors) is_pointed = is_pointed && norm_form(sum, t) > std::ldexp(1.0, -40);
   if (is_pointed) return false;
   // Independent: the pivots of their Gram matrix, squared distances to the span of those before,
   // are exact to 50 roundings or so of numbers below 12.

@@ -68,8 +68,8 @@ bool Pipeline<Scalar>::vanishes_inside(const std::array<Index, 3>& face) const {
   return has_zero_inside(tensors);
 }
 
-/// A tetrahedron with one or two vertices without deviator: one sheet for each curve of the opposite
-/// face, or for each crossing of the opposite edge.
+/// A tetrahedron with one or two vertices without deviator: one sheet for each curve of the
+/// opposite face, or for each crossing of the opposite edge.
 template <class Scalar>
 bool Pipeline<Scalar>::plan_cone(std::size_t t) {
   auto& state = tets_[t];
@@ -128,8 +128,8 @@ void Pipeline<Scalar>::draw_cone(std::size_t t) {
     const std::array<Index, 2> tips{zero_vertex_[as_size(v[as_size(apex[0])])],
                                     zero_vertex_[as_size(v[as_size(apex[1])])]};
     // Counter-clockwise seen from the second end if this order of the corners is even.
-    const bool even = is_even({ends[0], ends[1], apex[0], apex[1]}) ==
-                      (v[as_size(ends[0])] == vertices[0]);
+    const bool even =
+        is_even({ends[0], ends[1], apex[0], apex[1]}) == (v[as_size(ends[0])] == vertices[0]);
     for (std::size_t k = 0; k < crossings_[e]->size(); ++k) {
       const Index foot = edge_vertex_[e] + static_cast<Index>(k);
       if ((*crossings_[e])[k].rising == even)
@@ -202,8 +202,8 @@ std::vector<TetMesh::Index> Pipeline<Scalar>::sectors(std::size_t triangles) con
   return label;
 }
 
-/// The vertices of the surface where the mode is undefined: one for each fan at a vertex of the mesh
-/// without deviator, and those halfway between two. Marks them all in `is_apex`.
+/// The vertices of the surface where the mode is undefined: one for each fan at a vertex of the
+/// mesh without deviator, and those halfway between two. Marks them all in `is_apex`.
 template <class Scalar>
 void Pipeline<Scalar>::add_cone_points(SurfaceMesh& surface, std::vector<char>& is_apex) {
   if (std::find(is_apex.begin(), is_apex.end(), char{1}) == is_apex.end()) return;
@@ -229,18 +229,17 @@ void Pipeline<Scalar>::add_cone_points(SurfaceMesh& surface, std::vector<char>& 
     surface.carrier_id[id] = static_cast<Index>(edge - complex_.edges.begin());
     surface.carrier_vertices[id] = {ends[0], ends[1], -1, -1};
   }
-  statistics_.cone_points =
-      static_cast<std::size_t>(std::count(surface.carrier.begin(), surface.carrier.end(),
-                                          Carrier::vertex));
+  statistics_.cone_points = static_cast<std::size_t>(
+      std::count(surface.carrier.begin(), surface.carrier.end(), Carrier::vertex));
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                           \
-  template bool Pipeline<Scalar>::may_be_crossed_from_zero(const std::array<Index, 4>&) const;   \
-  template bool Pipeline<Scalar>::vanishes_inside(const std::array<Index, 3>&) const;            \
-  template bool Pipeline<Scalar>::plan_cone(std::size_t);                                        \
-  template void Pipeline<Scalar>::number_zero_vertices();                                        \
-  template void Pipeline<Scalar>::draw_cone(std::size_t);                                        \
-  template std::vector<TetMesh::Index> Pipeline<Scalar>::sectors(std::size_t) const;             \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                         \
+  template bool Pipeline<Scalar>::may_be_crossed_from_zero(const std::array<Index, 4>&) const; \
+  template bool Pipeline<Scalar>::vanishes_inside(const std::array<Index, 3>&) const;          \
+  template bool Pipeline<Scalar>::plan_cone(std::size_t);                                      \
+  template void Pipeline<Scalar>::number_zero_vertices();                                      \
+  template void Pipeline<Scalar>::draw_cone(std::size_t);                                      \
+  template std::vector<TetMesh::Index> Pipeline<Scalar>::sectors(std::size_t) const;           \
   template void Pipeline<Scalar>::add_cone_points(SurfaceMesh&, std::vector<char>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

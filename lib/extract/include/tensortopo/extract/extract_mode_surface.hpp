@@ -46,12 +46,12 @@ struct ExtractStatistics {
   std::size_t tets_monotone = 0;      ///< crossed, and one monotone disc each
   std::size_t tets_refined = 0;       ///< needed a refinement for the proof
   std::size_t tets_coned = 0;         ///< crossed, and have a vertex without deviator
-  std::size_t tets_undefined = 0;     ///< without deviator at all four vertices: no mode, no surface
-  std::size_t sheets_small = 0;       ///< drawn without inner samples
-  std::size_t sheets_manifold = 0;    ///< drawn on the medium eigenvector manifold
-  std::size_t sheets_leaves = 0;      ///< drawn from the proof's leaves
-  std::size_t sheets_cones = 0;       ///< straight lines from vertices without deviator
-  std::size_t vertices_on_level = 0;  ///< vertices whose mode is exactly mu (counted as below)
+  std::size_t tets_undefined = 0;   ///< without deviator at all four vertices: no mode, no surface
+  std::size_t sheets_small = 0;     ///< drawn without inner samples
+  std::size_t sheets_manifold = 0;  ///< drawn on the medium eigenvector manifold
+  std::size_t sheets_leaves = 0;    ///< drawn from the proof's leaves
+  std::size_t sheets_cones = 0;     ///< straight lines from vertices without deviator
+  std::size_t vertices_on_level = 0;       ///< vertices whose mode is exactly mu (counted as below)
   std::size_t zero_deviator_vertices = 0;  ///< of tetrahedra: vertices without deviator, or mode
   std::size_t cone_points = 0;             ///< vertices of the surface there, one for each fan
   double seconds_edges = 0, seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;

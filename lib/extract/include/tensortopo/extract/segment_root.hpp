@@ -12,7 +12,8 @@ namespace tensortopo {
 /// @return the parameter in [0, 1], from `below` to `above`, to the precision of the scalar.
 ///
 /// Newton's method kept inside a bracket. The crossing is known to exist; should rounding hide the
-/// change of sign (an end within rounding of the level), that end is the answer.
+/// change of sign (an end within rounding of the level), that end is the answer, unless the mode
+/// leaves it for the side that it counts to.
 template <class Scalar>
 Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above,
                     const Level<Scalar>& level);

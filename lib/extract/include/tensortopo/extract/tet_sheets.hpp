@@ -144,7 +144,7 @@ bool is_small_disc(const SheetTopology& sheet, std::span<const RimVertex> rim,
 template <class Scalar>
 bool mesh_small_disc(std::span<const RimVertex> rim, TetTriangles<Scalar>& out);
 
-/// Triangles from the rim of a disc to one point of it inside, taken from the leaf mesh of the plan:
+/// Triangles from the rim of a disc to one point of it inside, taken from the plan's leaf mesh:
 /// always right as a complex, so the last resort where samples fell together.
 /// @return false if the sheet is no disc, or the leaf mesh has no inner node on it
 template <class Scalar>

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "extract_case.hpp"
+#include "support/strata_fields.hpp"
+
+namespace tensortopo::test {
+
+/// What an extraction from one tetrahedron says: the reason if it gives up, else the topology.
+struct Outcome {
+  std::string reason;
+  std::vector<ComponentTopology> components;
+  int crossings = 0;
+
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+Outcome outcome(const Extraction& extraction);
+std::ostream& operator<<(std::ostream& out, const Outcome& o);
+
+/// The levels at which the strata are extracted: the special one first, if there is one.
+std::vector<std::string> modes_for(Stratum stratum);
+
+/// Extracts from `count` tetrahedra, half of them of general tensors, half of tensors in a stratum,
+/// exact or off by between a rounding and a thousandth, and expects surfaces without flaws; from
+/// every `compared`-th also at fifty digits, where the topology must be the same.
+void expect_sound_near_strata(int count, int compared, std::uint64_t seed);
+
+}  // namespace tensortopo::test
