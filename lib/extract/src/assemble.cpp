@@ -226,6 +226,7 @@ Extraction Pipeline<Scalar>::assemble() {
       ++statistics_.tets_monotone;
     (state.method == Method::leaves     ? statistics_.sheets_leaves
      : state.method == Method::manifold ? statistics_.sheets_manifold
+     : state.method == Method::tubes    ? statistics_.sheets_tubes
                                         : statistics_.sheets_small) += state.plan->sheets.size();
   }
   return result;

@@ -46,6 +46,7 @@ struct ExtractStatistics {
   std::size_t tets_monotone = 0;      ///< crossed, and one monotone disc each
   std::size_t tets_refined = 0;       ///< needed a refinement for the proof
   std::size_t sheets_small = 0;       ///< drawn without inner samples
+  std::size_t sheets_tubes = 0;       ///< drawn as rings around the degenerate curve
   std::size_t sheets_manifold = 0;    ///< drawn on the medium eigenvector manifold
   std::size_t sheets_leaves = 0;      ///< drawn from the proof's leaves
   std::size_t vertices_on_level = 0;  ///< vertices whose mode is exactly mu (counted as below)

@@ -8,6 +8,7 @@
 
 #include "tensortopo/tensor/mode_parameter.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
+#include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo {
 
@@ -20,7 +21,12 @@ struct DegenerateEnd {
 };
 
 /// A part of the degenerate curve inside a tetrahedron, from one face to another (or the same).
-using DegenerateArc = std::array<DegenerateEnd, 2>;
+struct DegenerateArc {
+  std::array<DegenerateEnd, 2> ends;
+  /// Unit dominant eigenvectors along it, from the first end to the last, at small angles to each
+  /// other; rounded.
+  std::vector<Vector3<double>> dominant;
+};
 
 /// The parts of the curve of mode 1 (-1 if `mode` is negative) inside a tetrahedron: all of them,
 /// and which ends each joins, proved.
