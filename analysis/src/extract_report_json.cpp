@@ -57,8 +57,9 @@ Json unresolved_json(const UnresolvedReport& cell) {
 Json statistics_json(const ExtractStatistics& s) {
   return {{"tets_screened_out", s.tets_screened_out}, {"tets_crossed", s.tets_crossed},
           {"tets_monotone", s.tets_monotone},         {"tets_refined", s.tets_refined},
-          {"sheets_small", s.sheets_small},           {"sheets_manifold", s.sheets_manifold},
-          {"sheets_leaves", s.sheets_leaves},         {"vertices_on_level", s.vertices_on_level}};
+          {"sheets_small", s.sheets_small},           {"sheets_tubes", s.sheets_tubes},
+          {"sheets_manifold", s.sheets_manifold},     {"sheets_leaves", s.sheets_leaves},
+          {"vertices_on_level", s.vertices_on_level}};
 }
 
 Json seconds_json(const ExtractReport& report, const ExtractStatistics& s) {
