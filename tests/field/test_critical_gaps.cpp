@@ -49,9 +49,7 @@ std::vector<double> known_gaps(const Field& field, int sign) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {
       constexpr int n = 400;
-      const auto at = [&](double x) {
-        return Real50(1 - x) * field[i] + Real50(x) * field[j];
-      };
+      const auto at = [&](double x) { return Real50(1 - x) * field[i] + Real50(x) * field[j]; };
       const auto signed_gap = [&](double x) {
         const auto t = at(x);
         return has_sign(t, sign) ? gap_of(t) : 2 - gap_of(t);

@@ -29,10 +29,10 @@ std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
   return ThinSheets{std::move(*sheets), {}};
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                            \
-  template bool is_thin(const Level<Scalar>&);                                    \
-  template std::optional<ThinSheets> sheets_of_thin_level(                        \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                         \
+#define TENSORTOPO_INSTANTIATE(Scalar)                     \
+  template bool is_thin(const Level<Scalar>&);             \
+  template std::optional<ThinSheets> sheets_of_thin_level( \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,  \
       const std::vector<std::vector<RimPiece>>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

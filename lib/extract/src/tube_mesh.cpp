@@ -102,8 +102,8 @@ class TubeDrawing {
     // Frames carried along the curve.
     std::vector<Frame> frames;
     const auto& e = arc.dominant;
-    const Vector3<double> axis = std::abs(e[0].x) < 0.6 ? Vector3<double>{1, 0, 0}
-                                                        : Vector3<double>{0, 1, 0};
+    const Vector3<double> axis =
+        std::abs(e[0].x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0};
     for (std::size_t k = 0; k < e.size(); ++k)
       frames.push_back(frame_next_to(e[k], k == 0 ? axis : frames[k - 1].first));
     bool clockwise = false;
@@ -196,8 +196,8 @@ bool mesh_tubes(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
   return true;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                          \
-  template bool mesh_tubes(const TetManifold&, const TetWithCurves<Scalar>&,                    \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                           \
+  template bool mesh_tubes(const TetManifold&, const TetWithCurves<Scalar>&,                     \
                            const TetPlan<Scalar>&, const FaceArcVertices&, const Level<Scalar>&, \
                            const Sampling&, TetTriangles<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

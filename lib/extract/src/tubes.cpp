@@ -41,8 +41,7 @@ std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>& tet, const Level<Sc
       int curve = 0;
       if (tet.arcs[f].size() > 1) {
         const auto& v = tet.face_vertices[f];
-        if (!curves[f])
-          curves[f].emplace(part_of_simplex<3>(tet.simplex, v), level, tet.arcs[f]);
+        if (!curves[f]) curves[f].emplace(part_of_simplex<3>(tet.simplex, v), level, tet.arcs[f]);
         curve = curves[f]->take({end.weights[v[0]], end.weights[v[1]], end.weights[v[2]]});
       }
       if (curve < 0) return std::nullopt;
@@ -54,7 +53,7 @@ std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>& tet, const Level<Sc
   return result;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                            \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                         \
   template std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>&, const Level<Scalar>&, \
                                            const std::vector<std::vector<RimPiece>>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

@@ -142,8 +142,7 @@ class Walk {
       }
     }
     const double cut = s.inf() + kDivision * (s.sup() - s.inf());
-    return walk(side, Range(s.inf(), cut), depth + 1) &&
-           walk(side, Range(cut, s.sup()), depth + 1);
+    return walk(side, Range(s.inf(), cut), depth + 1) && walk(side, Range(cut, s.sup()), depth + 1);
   }
 
   /// From the last part to this one nothing changes unless a crossing was noted.

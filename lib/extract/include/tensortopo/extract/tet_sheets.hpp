@@ -50,8 +50,8 @@ struct SheetTopology {
 
 /// The sheets of the level in one tetrahedron, decided by proof: either the whole tetrahedron is
 /// monotone and has one boundary loop, which then bounds a disc (every sheet of a linear field
-/// reaches a face), or it follows from critical values that there are none (next to modes -1 and 1),
-/// or the refinement says.
+/// reaches a face), or, next to modes -1 and 1, that no critical value is near, or the refinement
+/// says.
 template <class Scalar>
 struct TetPlan {
   std::vector<std::vector<RimPiece>> loops;  ///< directed with the sheet on the left
