@@ -71,12 +71,19 @@ Json unresolved_json(const UnresolvedReport& cell) {
 }
 
 Json statistics_json(const ExtractStatistics& s) {
-  return {{"tets_screened_out", s.tets_screened_out}, {"tets_crossed", s.tets_crossed},
-          {"tets_monotone", s.tets_monotone},         {"tets_refined", s.tets_refined},
-          {"sheets_small", s.sheets_small},           {"sheets_manifold", s.sheets_manifold},
-          {"sheets_leaves", s.sheets_leaves},         {"vertices_on_level", s.vertices_on_level},
-          {"tets_coned", s.tets_coned},               {"tets_undefined", s.tets_undefined},
-          {"sheets_cones", s.sheets_cones},           {"cone_points", s.cone_points},
+  return {{"tets_screened_out", s.tets_screened_out},
+          {"tets_crossed", s.tets_crossed},
+          {"tets_monotone", s.tets_monotone},
+          {"tets_refined", s.tets_refined},
+          {"sheets_small", s.sheets_small},
+          {"sheets_tubes", s.sheets_tubes},
+          {"sheets_manifold", s.sheets_manifold},
+          {"sheets_leaves", s.sheets_leaves},
+          {"vertices_on_level", s.vertices_on_level},
+          {"tets_coned", s.tets_coned},
+          {"tets_undefined", s.tets_undefined},
+          {"sheets_cones", s.sheets_cones},
+          {"cone_points", s.cone_points},
           {"zero_deviator_vertices", s.zero_deviator_vertices}};
 }
 

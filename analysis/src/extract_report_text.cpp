@@ -25,6 +25,7 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.tets_monotone += s.tets_monotone;
     total.tets_refined += s.tets_refined;
     total.sheets_small += s.sheets_small;
+    total.sheets_tubes += s.sheets_tubes;
     total.sheets_manifold += s.sheets_manifold;
     total.sheets_leaves += s.sheets_leaves;
     total.vertices_on_level += s.vertices_on_level;

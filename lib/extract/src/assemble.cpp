@@ -173,8 +173,8 @@ Extraction Pipeline<Scalar>::assemble() {
     for (const auto& triangle : drawn.triangles) {
       std::array<Index, 3> corners;
       for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = triangle[i] >= 0 ? new_id[as_size(triangle[i])]
-                                      : inner_first[t] + (-1 - triangle[i]);
+        corners[i] =
+            triangle[i] >= 0 ? new_id[as_size(triangle[i])] : inner_first[t] + (-1 - triangle[i]);
       surface.triangles.push_back(corners);
       surface.tet.push_back(complex_.tets[t]);
     }
@@ -246,9 +246,10 @@ Extraction Pipeline<Scalar>::assemble() {
        : state.plan->refined        ? statistics_.tets_refined
                                     : statistics_.tets_monotone);
     (state.method == Method::leaves || state.method == Method::fan ? statistics_.sheets_leaves
-     : state.method == Method::manifold ? statistics_.sheets_manifold
-     : state.method == Method::cone     ? statistics_.sheets_cones
-                                        : statistics_.sheets_small) += state.plan->sheets.size();
+     : state.method == Method::manifold                            ? statistics_.sheets_manifold
+     : state.method == Method::cone                                ? statistics_.sheets_cones
+     : state.method == Method::tubes                               ? statistics_.sheets_tubes
+                                     : statistics_.sheets_small) += state.plan->sheets.size();
   }
   return result;
 }

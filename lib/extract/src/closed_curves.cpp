@@ -44,8 +44,8 @@ int ClosedCurves<Scalar>::take(const std::array<double, 3>& place) {
   return found == curve_.end() ? -1 : std::exchange(found->second, -1);
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                          \
-  template std::optional<std::array<double, 3>> place_beyond(                   \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                               \
+  template std::optional<std::array<double, 3>> place_beyond(                        \
       const LevelSimplex<Scalar, 3>&, const FaceArc<Scalar>&, const Level<Scalar>&); \
   template class ClosedCurves<Scalar>;
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

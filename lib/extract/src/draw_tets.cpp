@@ -12,6 +12,7 @@
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "sheet_check.hpp"
+#include "tube_mesh.hpp"
 #include "tensortopo/extract/position.hpp"
 
 namespace tensortopo {
@@ -30,10 +31,8 @@ template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
   const auto tet = tet_with_curves(t);
-  if (state.method == Method::small_disc) {
-    state.manifold = tet_manifold(tet, level_);
-    state.method = Method::manifold;
-  }
+  if (state.method == Method::small_disc) state.manifold = tet_manifold(tet, level_);
+  if (state.method != Method::leaves) state.method = Method::manifold;
   if (state.method == Method::manifold && state.manifold &&
       state.attempts < kAttemptsOnManifold) {
     auto vertices = arc_vertices(t, tet);
@@ -233,6 +232,9 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   }
   const auto tet = tet_with_curves(t);
   const auto vertices = arc_vertices(t, tet);
+  if (state.method == Method::tubes)
+    return mesh_tubes<Scalar>(*state.manifold, tet, *state.plan, vertices, level_,
+                              options_.sampling, state.drawn);
   if (state.method == Method::manifold) {
     Sampling sampling = options_.sampling;
     if (state.attempts > 2) sampling.resolution *= 2;

@@ -46,8 +46,7 @@ Sign orientation(const Weights& u, const Weights& v, const Weights& w) {
 }  // namespace
 
 template <class Scalar>
-bool FaceParts<Scalar>::build(const LevelSimplex<Scalar, 3>& triangle,
-                              const Level<Scalar>& level) {
+bool FaceParts<Scalar>::build(const LevelSimplex<Scalar, 3>& triangle, const Level<Scalar>& level) {
   refinement_.reset(triangle, level);
   if (!refinement_.run(kFaceBudget)) return false;
   beyond_is_above_ = level.sign > 0;

@@ -238,6 +238,10 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   const auto tet = tet_with_curves(t);
   state.plan = plan_tet(tet, level_);
   if (!state.plan) state.unresolved = unproved(t);
+  if (state.plan && !state.plan->tubes.empty()) {
+    state.manifold = tet_manifold(tet, level_);
+    if (state.manifold) state.method = Method::tubes;
+  }
   return state.plan.has_value();
 }
 

@@ -28,7 +28,7 @@ class Pipeline {
   using Index = TetMesh::Index;
 
   /// How the sheets of a tetrahedron are drawn; tried in this order.
-  enum class Method { small_disc, manifold, leaves, fan, cone };
+  enum class Method { tubes, small_disc, manifold, leaves, fan, cone };
 
   /// What becomes of one tetrahedron of the complex.
   struct TetState {

@@ -270,8 +270,9 @@ std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
   auto plan = plan_at_once(tet, level);
   if (!plan || is_complete(*plan)) return plan;
   if (is_thin(level))
-    if (auto sheets = sheets_of_thin_level(tet, level, plan->loops)) {
-      plan->sheets = std::move(*sheets);
+    if (auto thin = sheets_of_thin_level(tet, level, plan->loops)) {
+      plan->sheets = std::move(thin->sheets);
+      plan->tubes = std::move(thin->tubes);
       plan->refined = true;
       return plan;
     }

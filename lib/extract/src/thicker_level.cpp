@@ -141,7 +141,8 @@ std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
   std::vector<int> thin_loop(loops.size(), -1);
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (const auto& piece : loops[l]) {
-      const int arc = match[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)];
+      const int arc =
+          match[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)];
       auto& known = thin_loop[static_cast<std::size_t>(loop_of_arc.at({piece.face, arc}))];
       if (known >= 0 && known != static_cast<int>(l)) return std::nullopt;
       known = static_cast<int>(l);
@@ -154,9 +155,9 @@ std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
   return std::move(plan->sheets);
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                               \
-  template std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(        \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                            \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                        \
+  template std::optional<std::vector<SheetTopology>> sheets_of_thicker_level( \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,                     \
       const std::vector<std::vector<RimPiece>>&, double);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

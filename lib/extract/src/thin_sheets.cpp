@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "thin_sheets.hpp"
 
+#include <utility>
+
 #include "extractor_scalars.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
 
@@ -13,22 +15,24 @@ bool is_thin(const Level<Scalar>& level) {
 }
 
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> sheets_of_thin_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops) {
+std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
+                                               const Level<Scalar>& level,
+                                               const std::vector<std::vector<RimPiece>>& loops) {
   std::array<SymmetricTensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
   const auto gaps = critical_gaps(tensors, level.value, detail::widest_gap());
   if (!gaps) return std::nullopt;
   if (gaps->none_beyond)
     if (auto sheets = detail::tubes(tet, level, loops)) return sheets;
-  return detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until);
+  auto sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until);
+  if (!sheets) return std::nullopt;
+  return ThinSheets{std::move(*sheets), {}};
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                            \
-  template bool is_thin(const Level<Scalar>&);                                    \
-  template std::optional<std::vector<SheetTopology>> sheets_of_thin_level(        \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                         \
+#define TENSORTOPO_INSTANTIATE(Scalar)                     \
+  template bool is_thin(const Level<Scalar>&);             \
+  template std::optional<ThinSheets> sheets_of_thin_level( \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,  \
       const std::vector<std::vector<RimPiece>>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

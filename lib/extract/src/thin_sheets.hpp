@@ -14,6 +14,11 @@ namespace tensortopo {
 template <class Scalar>
 bool is_thin(const Level<Scalar>& level);
 
+struct ThinSheets {
+  std::vector<SheetTopology> sheets;
+  std::vector<DegenerateArc> tubes;  ///< as in `TetPlan`
+};
+
 /// The sheets that boundary loops of a thin level bound, without a refinement at that level.
 ///
 /// 1. If nothing but the degenerate curve lies beyond the level, every sheet is a tube around one
@@ -23,18 +28,17 @@ bool is_thin(const Level<Scalar>& level);
 /// @param loops the boundary loops at this level
 /// @return nothing if neither applies
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> sheets_of_thin_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops);
+std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
+                                               const Level<Scalar>& level,
+                                               const std::vector<std::vector<RimPiece>>& loops);
 
 namespace detail {
 
 /// The first way, for a level with nothing but the degenerate curve beyond it. Tubes do not touch
 /// edges: each ends in two closed curves on faces, around the two ends of its arc.
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> tubes(const TetWithCurves<Scalar>& tet,
-                                                const Level<Scalar>& level,
-                                                const std::vector<std::vector<RimPiece>>& loops);
+std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+                                const std::vector<std::vector<RimPiece>>& loops);
 
 /// The second way. Isotopies keep edges and faces: crossings of an edge correspond in their order,
 /// arcs by their ends, and a closed curve to the one that bounds the same part of its face.

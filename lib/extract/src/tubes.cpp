@@ -10,9 +10,8 @@
 namespace tensortopo::detail {
 
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> tubes(const TetWithCurves<Scalar>& tet,
-                                                const Level<Scalar>& level,
-                                                const std::vector<std::vector<RimPiece>>& loops) {
+std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+                                const std::vector<std::vector<RimPiece>>& loops) {
   // The loop of each closed curve.
   std::array<std::vector<int>, 4> loop_of_arc;
   for (std::size_t f = 0; f < 4; ++f) loop_of_arc[f].assign(tet.arcs[f].size(), -1);
@@ -24,40 +23,39 @@ std::optional<std::vector<SheetTopology>> tubes(const TetWithCurves<Scalar>& tet
   }
   std::array<SymmetricTensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
-  const auto arcs = degenerate_arcs(tensors, tet.simplex.exponents, level.value);
+  auto arcs = degenerate_arcs(tensors, tet.simplex.exponents, level.value);
   if (!arcs) return std::nullopt;
   std::array<std::size_t, 4> ends{};
   for (const auto& arc : *arcs)
-    for (const auto& end : arc) ++ends[static_cast<std::size_t>(end.face)];
+    for (const auto& end : arc.ends) ++ends[static_cast<std::size_t>(end.face)];
   for (std::size_t f = 0; f < 4; ++f)
     if (ends[f] != tet.arcs[f].size()) return std::nullopt;
 
   std::array<std::optional<ClosedCurves<Scalar>>, 4> curves;
-  std::vector<SheetTopology> sheets;
+  ThinSheets result;
   for (const auto& arc : *arcs) {
     SheetTopology sheet;
     sheet.euler_characteristic = 0;
-    for (const auto& end : arc) {
+    for (const auto& end : arc.ends) {
       const auto f = static_cast<std::size_t>(end.face);
       int curve = 0;
       if (tet.arcs[f].size() > 1) {
         const auto& v = tet.face_vertices[f];
-        if (!curves[f])
-          curves[f].emplace(part_of_simplex<3>(tet.simplex, v), level, tet.arcs[f]);
+        if (!curves[f]) curves[f].emplace(part_of_simplex<3>(tet.simplex, v), level, tet.arcs[f]);
         curve = curves[f]->take({end.weights[v[0]], end.weights[v[1]], end.weights[v[2]]});
       }
       if (curve < 0) return std::nullopt;
       sheet.loops.push_back(loop_of_arc[f][static_cast<std::size_t>(curve)]);
     }
-    sheets.push_back(std::move(sheet));
+    result.sheets.push_back(std::move(sheet));
   }
-  return sheets;
+  result.tubes = std::move(*arcs);
+  return result;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                            \
-  template std::optional<std::vector<SheetTopology>> tubes(                       \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                         \
-      const std::vector<std::vector<RimPiece>>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                         \
+  template std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>&, const Level<Scalar>&, \
+                                           const std::vector<std::vector<RimPiece>>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

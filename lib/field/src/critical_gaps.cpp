@@ -72,8 +72,7 @@ struct Line {
     return {inner(m, t), inner(k, t), Range(0), Range(0), Range(0)};
   }
   Polynomial quadratic(const SymmetricTensor<Range>& t) const {
-    return {inner(squares[0], t), inner(squares[1], t), inner(squares[2], t), Range(0),
-            Range(0)};
+    return {inner(squares[0], t), inner(squares[1], t), inner(squares[2], t), Range(0), Range(0)};
   }
 
   SymmetricTensor<Range> m, k;
@@ -120,8 +119,7 @@ class Clearing {
     if (!(gram.inf() > 0)) return false;
     std::array<SymmetricTensor<Range>, 3> dual;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto others =
-          spread_out(std::array{corners[i == 0 ? 1 : 0], corners[i == 2 ? 1 : 2]});
+      const auto others = spread_out(std::array{corners[i == 0 ? 1 : 0], corners[i == 2 ? 1 : 2]});
       Tensor d = orthogonal_to({others[0], others[1], complement[0], complement[1]});
       const Range side = norm_form(corners[i], d);
       if (!is_not_zero(side)) return false;
@@ -179,8 +177,7 @@ class Clearing {
     if (look(x, depth) == Answer::settled) return true;
     if (depth >= kLastDepth) return false;
     const double m = middle(x);
-    return search(Range(x.inf(), m), depth + 1, look) &&
-           search(Range(m, x.sup()), depth + 1, look);
+    return search(Range(x.inf(), m), depth + 1, look) && search(Range(m, x.sup()), depth + 1, look);
   }
 
   /// What a critical value with this gap, if there is one, leaves free; divided further while that

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/field/degenerate_arcs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -20,6 +21,8 @@ using Vector = Vector3<Range>;
 constexpr int kLastDepth = 60;
 constexpr double kDivision = 0.4921875;
 constexpr int kMostParts = 4000;
+/// Eigenvectors that are given along an arc.
+constexpr int kStepsOfSide = 32;
 
 /// The cone of vectors e with e N e = 0, one of each pair +-e: e = x f + y g + z h with z > 0 for
 /// every direction (x, y).
@@ -139,8 +142,7 @@ class Walk {
       }
     }
     const double cut = s.inf() + kDivision * (s.sup() - s.inf());
-    return walk(side, Range(s.inf(), cut), depth + 1) &&
-           walk(side, Range(cut, s.sup()), depth + 1);
+    return walk(side, Range(s.inf(), cut), depth + 1) && walk(side, Range(cut, s.sup()), depth + 1);
   }
 
   /// From the last part to this one nothing changes unless a crossing was noted.
@@ -162,18 +164,34 @@ class Walk {
     std::vector<DegenerateArc> arcs;
     const std::size_t n = crossings_.size();
     for (std::size_t k = 0; k < n; ++k) {
-      const auto& from = crossings_[k];
-      const auto& to = crossings_[(k + 1) % n];
+      auto& from = crossings_[k];
+      auto& to = crossings_[(k + 1) % n];
       if (from.entering == to.entering) return std::nullopt;
       if (!from.entering) continue;
       const auto first = end_at(from), last = end_at(to);
       if (!first || !last) return std::nullopt;
-      arcs.push_back({*first, *last});
+      arcs.push_back({{*first, *last}, dominant_along(from, to)});
     }
     return arcs;
   }
 
-  std::optional<DegenerateEnd> end_at(Crossing c) const {
+  /// Unit vectors on the cone from one crossing to the next.
+  std::vector<Vector3<double>> dominant_along(const Crossing& from, const Crossing& to) const {
+    const auto place = [](const Crossing& c) { return c.side + (middle(c.part) + 1) / 2; };
+    const double first = place(from), last = place(to) > first ? place(to) : place(to) + 4;
+    const int steps = std::max(2, static_cast<int>(std::ceil((last - first) * kStepsOfSide)));
+    std::vector<Vector3<double>> result;
+    for (int k = 0; k <= steps; ++k) {
+      const double at = first + (last - first) * k / steps, side = std::floor(at);
+      const Vector e = cone_.at(static_cast<int>(side) % 4, Range(2 * (at - side) - 1)).first;
+      const Vector3<double> v{middle(e.x), middle(e.y), middle(e.z)};
+      result.push_back((1 / std::sqrt(dot(v, v))) * v);
+    }
+    return result;
+  }
+
+  /// Narrows the part down until the end is found.
+  std::optional<DegenerateEnd> end_at(Crossing& c) const {
     const auto face = static_cast<std::size_t>(c.face);
     for (int depth = 0; depth < kLastDepth; ++depth) {
       if (const auto end = end_within(c)) return end;

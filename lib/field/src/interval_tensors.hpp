@@ -58,8 +58,8 @@ inline IntervalTensor normalized(const IntervalTensor& t) {
 }
 
 inline IntervalTensor deviator_enclosure(const SymmetricTensor<double>& t) {
-  return deviator(SymmetricTensor<Range>{Range(t.xx), Range(t.yy), Range(t.zz),
-                                            Range(t.xy), Range(t.yz), Range(t.xz)});
+  return deviator(SymmetricTensor<Range>{Range(t.xx), Range(t.yy), Range(t.zz), Range(t.xy),
+                                         Range(t.yz), Range(t.xz)});
 }
 
 /// Other tensors with the same span, about orthogonal: where a field varies little, its vertex

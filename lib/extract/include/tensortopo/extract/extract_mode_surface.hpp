@@ -48,6 +48,7 @@ struct ExtractStatistics {
   std::size_t tets_coned = 0;         ///< crossed, and have a vertex without deviator
   std::size_t tets_undefined = 0;   ///< without deviator at all four vertices: no mode, no surface
   std::size_t sheets_small = 0;     ///< drawn without inner samples
+  std::size_t sheets_tubes = 0;     ///< drawn as rings around the degenerate curve
   std::size_t sheets_manifold = 0;  ///< drawn on the medium eigenvector manifold
   std::size_t sheets_leaves = 0;    ///< drawn from the proof's leaves
   std::size_t sheets_cones = 0;     ///< straight lines from vertices without deviator

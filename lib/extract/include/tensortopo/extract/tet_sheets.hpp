@@ -13,6 +13,7 @@
 
 #include "tensortopo/extract/face_curves.hpp"
 #include "tensortopo/extract/leaf_mesh.hpp"
+#include "tensortopo/field/degenerate_arcs.hpp"
 
 namespace tensortopo {
 
@@ -49,11 +50,15 @@ struct SheetTopology {
 
 /// The sheets of the level in one tetrahedron, decided by proof: either the whole tetrahedron is
 /// monotone and has one boundary loop, which then bounds a disc (every sheet of a linear field
-/// reaches a face), or the refinement says.
+/// reaches a face), or, next to modes -1 and 1, that no critical value is near, or the refinement
+/// says.
 template <class Scalar>
 struct TetPlan {
   std::vector<std::vector<RimPiece>> loops;  ///< directed with the sheet on the left
   std::vector<SheetTopology> sheets;
+  /// If it is proved that all sheets are tubes: the arc of the degenerate curve in each, from its
+  /// first loop to its second.
+  std::vector<DegenerateArc> tubes;
   struct Leaves {
     Refinement<Scalar, 4> refinement;
     LeafMesh mesh;

@@ -8,6 +8,7 @@
 
 #include "tensortopo/tensor/mode_parameter.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
+#include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo {
 
@@ -20,15 +21,20 @@ struct DegenerateEnd {
 };
 
 /// A part of the degenerate curve inside a tetrahedron, from one face to another (or the same).
-using DegenerateArc = std::array<DegenerateEnd, 2>;
+struct DegenerateArc {
+  std::array<DegenerateEnd, 2> ends;
+  /// Unit dominant eigenvectors along it, from the first end to the last, at small angles to each
+  /// other; rounded.
+  std::vector<Vector3<double>> dominant;
+};
 
 /// The parts of the curve of mode 1 (-1 if `mode` is negative) inside a tetrahedron: all of them,
 /// and which ends each joins, proved.
 ///
-/// The curve is a conic seen from the dominant eigenvectors: T = e e^T - |e|^2 I / 3 is in the field
-/// exactly if e N e = 0, N being the characteristic tensor. Along the conic the barycentric weights
-/// of T are quadratic forms of e, and an interval in which all are positive is one arc. At its ends
-/// the curve crosses the face transversally.
+/// The curve is a conic seen from the dominant eigenvectors: T = e e^T - |e|^2 I / 3 is in the
+/// field exactly if e N e = 0, N being the characteristic tensor. Along the conic the barycentric
+/// weights of T are quadratic forms of e, and an interval in which all are positive is one arc. At
+/// its ends the curve crosses the face transversally.
 ///
 /// @param exponents weights refer to `tensors[i] * 2^exponents[i]`
 /// @return nothing if the curve passes too close to an edge or touches a face, so that nothing is
