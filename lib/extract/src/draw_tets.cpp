@@ -32,7 +32,8 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
   const auto tet = tet_with_curves(t);
   if (state.method == Method::small_disc) state.manifold = tet_manifold(tet, level_);
-  if (state.method != Method::leaves) state.method = Method::manifold;
+  if (state.method == Method::small_disc || state.method == Method::tubes)
+    state.method = Method::manifold;
   if (state.method == Method::manifold && state.manifold &&
       state.attempts < kAttemptsOnManifold) {
     auto vertices = arc_vertices(t, tet);
@@ -43,8 +44,8 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
         boundary_crossings(*state.manifold, tet, *state.plan, vertices, level_);
     state.requests.insert(state.requests.end(), crossings.begin(), crossings.end());
     if (state.manifold->neutral && !crossings.empty()) {
-      // A singular line passes through. Where chords cross beside its tiny oval it takes more samples
-      // to part them than the leaves have: no second attempt.
+      // A singular line passes through. Where chords cross beside its tiny oval it takes more
+      // samples to part them than the leaves have: no second attempt.
       state.attempts = kAttemptsOnManifold;
       return;
     }
