@@ -7,29 +7,15 @@
 #include <iostream>
 #include <set>
 
+#include "bundled_fields.hpp"
 #include "curve_checks.hpp"
 #include "extract_case.hpp"
-#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::test {
 namespace {
 
 using Index = TetMesh::Index;
-
-std::vector<std::filesystem::path> bundled_files() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(TENSORTOPO_EXAMPLE_DATA))
-    if (entry.path().extension() == ".vtu") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-TetMesh read(const std::filesystem::path& file) {
-  ReadOptions options;
-  options.tetrahedralize = true;
-  return read_mesh(file, options).mesh;
-}
 
 class CurvesOfRealFields : public testing::TestWithParam<int> {};
 

@@ -6,26 +6,11 @@
 #include <filesystem>
 #include <iostream>
 
+#include "bundled_fields.hpp"
 #include "extract_case.hpp"
-#include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo::test {
 namespace {
-
-// The bundled stress fields: what a finite element program wrote, rounding, symmetries and all.
-std::vector<std::filesystem::path> bundled_files() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(TENSORTOPO_EXAMPLE_DATA))
-    if (entry.path().extension() == ".vtu") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-TetMesh read(const std::filesystem::path& file) {
-  ReadOptions options;
-  options.tetrahedralize = true;
-  return read_mesh(file, options).mesh;
-}
 
 class RealFields : public testing::TestWithParam<const char*> {};
 
