@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "level_strata.hpp"
@@ -17,36 +15,7 @@ namespace tensortopo {
 
 namespace {
 
-using Corners = std::span<const Deviator<Rational>>;
-using Weights = std::array<Rational, 4>;
-
-// Weights with which four independent deviators make up a fifth one; nothing if they do not.
-std::optional<Weights> weights_of(const Deviator<Rational>& t, Corners corners) {
-  // Columns: the deviators, and t.
-  const auto coordinates = [](const Deviator<Rational>& d) {
-    return std::array<Rational, 5>{d.a, d.b, d.xy, d.yz, d.xz};
-  };
-  std::array<std::array<Rational, 5>, 5> rows;
-  for (std::size_t c = 0; c < 5; ++c) {
-    const auto column = coordinates(c < 4 ? corners[c] : t);
-    for (std::size_t r = 0; r < 5; ++r) rows[r][c] = column[r];
-  }
-  for (std::size_t c = 0; c < 4; ++c) {
-    std::size_t pivot = c;
-    while (pivot < 5 && rows[pivot][c] == 0) ++pivot;
-    if (pivot == 5) return std::nullopt;
-    std::swap(rows[pivot], rows[c]);
-    for (std::size_t r = 0; r < 5; ++r) {
-      if (r == c) continue;
-      const Rational factor = rows[r][c] / rows[c][c];
-      for (std::size_t k = 0; k < 5; ++k) rows[r][k] = rows[r][k] - factor * rows[c][k];
-    }
-  }
-  if (rows[4][4] != 0) return std::nullopt;
-  Weights weights;
-  for (std::size_t c = 0; c < 4; ++c) weights[c] = rows[c][4] / rows[c][c];
-  return weights;
-}
+using Weights = std::vector<Rational>;
 
 // Deviators that commute with a uniaxial one, n, and are orthogonal to it: a plane of neutral
 // tensors, given by two of them. With d the axis they are u v^t + v u^t for u, v across d.
@@ -109,11 +78,12 @@ bool is_level_at_saddle(std::span<const SymmetricTensor<double>> tensors, const 
   if (p == 0) {
     if (mu != 0) return false;
     const auto plane = neutral_plane(n);
-    const auto first = weights_of(plane[0], corners), second = weights_of(plane[1], corners);
+    const auto first = weights_making(plane[0], corners),
+               second = weights_making(plane[1], corners);
     return first && second && meets_simplex(*first, *second);
   }
   if (Rational(2) * q * q != mu * mu * p * p * p) return false;
-  const auto weights = weights_of(critical, corners);
+  const auto weights = weights_making(critical, corners);
   if (!weights) return false;
   const Sign first = sign_of((*weights)[0]);
   for (const Rational& w : *weights)

@@ -190,7 +190,7 @@ template <class Scalar>
 bool is_hopeless(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level) {
   const auto corners = rounded(tet.simplex.tensors);
   const bool may_vanish = may_have_zero_inside(corners),
-             may_be_critical = may_be_level_at_saddle(corners, level.value.approx());
+             may_be_critical = may_be_level_at_saddle(corners, level.parameter.mu);
   if (!may_vanish && !may_be_critical) return false;
   std::array<SymmetricTensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace tensortopo {
 
 /// The deviators of tensors, without rounding.
 std::vector<Deviator<Rational>> exact_deviators(std::span<const SymmetricTensor<double>> tensors);
+
+/// The weights with which independent deviators make up another one; nothing if they do not, or are
+/// dependent.
+std::optional<std::vector<Rational>> weights_making(const Deviator<Rational>& t,
+                                                    std::span<const Deviator<Rational>> others);
 
 /// Whether the deviator vanishes somewhere in the simplex with these vertex tensors, decided in
 /// rationals. Requires at most four tensors, whose deviators are not zero.
