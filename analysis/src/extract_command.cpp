@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "certificate.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -119,6 +120,11 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     throw UsageError("--resolution: must be a positive number");
   }
   require_folder(command.output);
+  const bool certifying = !command.certificate.empty();
+  if (certifying) {
+    require_certifiable(command);
+    require_folder(command.certificate);
+  }
 
   ExtractReport report;
   report.input = command.input;
@@ -137,9 +143,12 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   SurfaceMesh surface;
   CurveMesh curves;
   UnresolvedModes unresolved;
+  std::vector<CertifiedLevel> certified;
+  double seconds_certify = 0;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     ExtractOptions options;
     options.sampling = command.sampling;
+    options.keep_topology = certifying;
     if (progress) {
       options.progress = [&, label = "mode " + modes[i].text() + ": "](std::string_view stage,
                                                                        double fraction) {
@@ -168,6 +177,12 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     const Clock invariants_clock;
     report.surfaces.push_back(surface_report(modes[i], extraction));
     report.seconds_invariants += invariants_clock.seconds();
+    if (certifying) {
+      tell(progress, "mode " + modes[i].text() + ": certificate", 0);
+      const Clock certify_clock;
+      certified.push_back(certify(read.mesh, modes[i], extraction));
+      seconds_certify += certify_clock.seconds();
+    }
     append_surface(surface, std::move(extraction.surface));
   }
   for (auto& [key, which] : unresolved) {
@@ -180,6 +195,12 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   report.bytes = write_surface(surface, curves, read.mesh, command.output).bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
+  if (certifying) {
+    const Clock certify_clock;
+    report.certificate =
+        write_certificate(command.certificate, command, read, surface, certified);
+    report.certificate->seconds = seconds_certify + certify_clock.seconds();
+  }
   return report;
 }
 

@@ -87,6 +87,16 @@ Json statistics_json(const ExtractStatistics& s) {
           {"zero_deviator_vertices", s.zero_deviator_vertices}};
 }
 
+Json certificate_json(const std::optional<CertificateReport>& certificate) {
+  if (!certificate) return nullptr;
+  return {{"status", certificate->undecided.empty() ? "certified" : "undecided"},
+          {"certified", certificate->certified},
+          {"refuted", 0},
+          {"undecided", counts(certificate->undecided)},
+          {"path", certificate->path.string()},
+          {"bytes", certificate->bytes}};
+}
+
 Json seconds_json(const ExtractReport& report, const ExtractStatistics& s) {
   return {{"read", report.seconds_read},
           {"edges", s.seconds_edges},
@@ -95,7 +105,7 @@ Json seconds_json(const ExtractReport& report, const ExtractStatistics& s) {
           {"stitch", s.seconds_stitch},
           {"extract", report.seconds_extract},
           {"invariants", report.seconds_invariants},
-          {"certify", 0},
+          {"certify", report.certificate ? report.certificate->seconds : 0},
           {"write", report.seconds_write}};
 }
 
@@ -122,6 +132,7 @@ std::string to_json(const ExtractReport& report) {
   for (std::size_t i = 0; i < std::min(report.unresolved.size(), kListedCells); ++i) {
     json["unresolved_cells"].push_back(unresolved_json(report.unresolved[i]));
   }
+  json["certificate"] = certificate_json(report.certificate);
   json["seconds"] = seconds_json(report, statistics);
   json["statistics"] = statistics_json(statistics);
   // A path may hold bytes that are no UTF-8; JSON must not.

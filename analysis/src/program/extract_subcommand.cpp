@@ -44,6 +44,12 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
               << (report.written ? "" : "; nothing written") << '\n';
   }
   print(common.json ? to_json(report) + '\n' : to_text(report));
+  if (report.certificate && report.certificate->undecided_cells > 0) {
+    if (!common.quiet)
+      std::cerr << "tensortopo: " << command.certificate.string() << ": "
+                << report.certificate->undecided_cells << " tetrahedra stay undecided\n";
+    return ExitStatus::undecided;
+  }
   return command.strict && !unresolved.empty() ? ExitStatus::undecided : ExitStatus::done;
 }
 
@@ -69,6 +75,9 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_option("--method", options->method, "How to extract")
       ->check(CLI::IsMember({"manifold"}))
       ->capture_default_str();
+  app.add_option("--certify", command.certificate,
+                 "Also prove the topology and distances; JSON, or CBOR if named .cbor")
+      ->type_name("CERT");
   app.add_flag("--strict", command.strict,
                "If a tetrahedron stays unresolved, write nothing and exit with 1");
   app.add_option("--tensor", command.read.tensor, "Name of the tensor array")->type_name("NAME");

@@ -9,6 +9,7 @@
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "tensortopo/extract/position.hpp"
+#include "tensortopo/extract/tet_geometry.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo {
@@ -16,55 +17,6 @@ namespace tensortopo {
 namespace {
 
 std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-/// The linear field of a tetrahedron in space: barycentric coordinates from a position.
-class TetGeometry {
- public:
-  TetGeometry(const TetMesh& mesh, std::size_t tet, const std::array<int, 4>& exponents) {
-    for (std::size_t i = 0; i < 4; ++i) points_[i] = mesh.points[as_size(mesh.tets[tet][i])];
-    // Gradient of coordinate i: the inward normal of the face opposite i over six volumes.
-    constexpr std::array<std::array<std::size_t, 3>, 4> inward{
-        {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& p = points_[inward[i][0]];
-      const auto n = cross(points_[inward[i][1]] - p, points_[inward[i][2]] - p);
-      const double height = dot(n, points_[i] - p);
-      gradient_[i] = (1 / height) * n;
-    }
-    // T_i = 2^-exponent U_i; a common power of two keeps the largest at U's scale.
-    int least = exponents[0];
-    for (const int e : exponents) least = std::min(least, e);
-    for (std::size_t i = 0; i < 4; ++i) scale_[i] = std::ldexp(1.0, least - exponents[i]);
-  }
-
-  /// The field at a position, up to a positive factor.
-  Deviator<double> tensor(const Vector3<double>& x,
-                          const std::array<Deviator<double>, 4>& scaled) const {
-    Deviator<double> t{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      // From the nearest vertex of the opposite face would be as good: the differences are exact
-      // or nearly so, and the gradient multiplies them.
-      const auto& p = points_[i == 0 ? 1 : 0];
-      const double lambda = dot(gradient_[i], x - p);
-      t = t + (lambda * scale_[i]) * scaled[i];
-    }
-    return t;
-  }
-
-  /// Gradient, in space, of a function with this slope in the tensor.
-  Vector3<double> gradient(const SymmetricTensor<double>& slope,
-                           const std::array<Deviator<double>, 4>& scaled) const {
-    Vector3<double> g;
-    for (std::size_t i = 0; i < 4; ++i)
-      g += (scale_[i] * inner(slope, thrice(scaled[i]))) * gradient_[i];
-    return g;
-  }
-
- private:
-  std::array<Vector3<double>, 4> points_;
-  std::array<Vector3<double>, 4> gradient_;
-  std::array<double, 4> scale_;
-};
 
 Vector3<double> unit(const Vector3<double>& v) {
   const double length = std::sqrt(dot(v, v));
@@ -102,6 +54,7 @@ Extraction Pipeline<Scalar>::assemble() {
   for (auto& id : new_id)
     if (id == 0) id = next++;
   const auto rim_used = next;
+  if (options_.keep_topology) result.topology = topology(new_id);
   std::vector<Index> inner_first(tets_.size() + 1, rim_used);
   for (std::size_t t = 0; t < tets_.size(); ++t)
     inner_first[t + 1] = inner_first[t] + static_cast<Index>(tets_[t].drawn.inner.size());
@@ -203,9 +156,12 @@ Extraction Pipeline<Scalar>::assemble() {
     std::size_t other = 0;
     while (field_.is_zero[as_size(v[other])]) ++other;
     std::array<int, 4> exponents;
-    for (std::size_t i = 0; i < 4; ++i)
+    std::array<Vector3<double>, 4> points;
+    for (std::size_t i = 0; i < 4; ++i) {
       exponents[i] = field_.exponents[as_size(v[field_.is_zero[as_size(v[i])] ? other : i])];
-    return TetGeometry(mesh_, tet, exponents);
+      points[i] = mesh_.points[as_size(v[i])];
+    }
+    return TetGeometry(points, exponents);
   };
   std::vector<std::array<Vector3<double>, 3>> gradients(surface.triangles.size());
   parallel_stage(options_, "stitch", surface.triangles.size(), 1024, [&](std::size_t i) {

@@ -61,6 +61,7 @@ class Pipeline {
   void draw_cone(std::size_t t);
   std::vector<Index> sectors(std::size_t triangles) const;
   void add_cone_points(SurfaceMesh& surface, std::vector<char>& is_apex);
+  LevelTopology topology(std::span<const Index> new_id) const;
   Extraction assemble();
 
   /// The corners of a tetrahedron without deviator, as bits.

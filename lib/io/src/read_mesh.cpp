@@ -93,6 +93,7 @@ ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
 
   const TensorChoice choice = choose_tensor(grids, options);
   report.tensor_name = choice.name;
+  report.tensor_components = choice.components;
   std::vector<std::vector<SymmetricTensor<double>>> tensors(grids.size());
   std::size_t points = 0;
   for (std::size_t k = 0; k < grids.size(); ++k) {

@@ -17,6 +17,7 @@ namespace tensortopo {
 struct ExtractCommand {
   std::filesystem::path input;
   std::filesystem::path output;  ///< .vtp, .ply, .obj, .off or .stl
+  std::filesystem::path certificate;  ///< JSON, or CBOR if named .cbor; empty for none
   std::vector<ModeValue> modes;  ///< in this order; 1 and -1 are curves; repetitions count once
   bool generalized = false;      ///< after each mode its opposite
   bool strict = false;           ///< write nothing if a tetrahedron stays unresolved
@@ -37,7 +38,8 @@ void require_surface_extension(const std::filesystem::path& output, bool curves)
 /// Reads, extracts each mode's surface or curves, and writes all of them to one file.
 ///
 /// Laws      (1) the file depends on the input's bytes and the command only, not on the number of
-///           threads; (2) on failure no file is left, and one that was there is untouched.
+///           threads; (2) on failure no file is left, and one that was there is untouched (but if
+///           only the certificate cannot be written, the surface is).
 /// Throws    UsageError, IoError.
 ExtractReport run_extract(const ExtractCommand& command, const Progress& progress = {});
 

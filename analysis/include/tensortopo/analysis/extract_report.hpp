@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
@@ -54,6 +56,8 @@ struct ExtractReport {
   std::vector<SurfaceReport> surfaces;       ///< one for each mode between -1 and 1
   std::vector<CurveReport> curves;           ///< one for each of the modes 1 and -1
   std::vector<UnresolvedReport> unresolved;  ///< by cell id, then reason
+
+  std::optional<CertificateReport> certificate;
 
   std::filesystem::path output;
   bool written = false;

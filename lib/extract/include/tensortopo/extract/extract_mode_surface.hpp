@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tensortopo/extract/face_curves.hpp"
+#include "tensortopo/extract/level_topology.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
@@ -35,6 +36,7 @@ struct UnresolvedCell {
 
 struct ExtractOptions {
   Sampling sampling;
+  bool keep_topology = false;  ///< fill `Extraction::topology`
   /// Called now and then, from one thread at a time, with the stage and how much of it is done.
   std::function<void(std::string_view stage, double fraction)> progress;
 };
@@ -61,6 +63,7 @@ struct ExtractStatistics {
 struct Extraction {
   SurfaceMesh surface;
   std::vector<UnresolvedCell> unresolved;
+  LevelTopology topology;  ///< if asked for
   ExtractStatistics statistics;
 };
 

@@ -187,13 +187,14 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   return proof;
 }
 
-/// Whether the degree-six form alone proves that the level does not meet the simplex.
+/// Whether the degree-six form alone proves that the level does not meet the simplex; `total` as in
+/// `rounding_unit`.
 template <class Scalar, std::size_t Vertices>
 bool is_proved_empty(const std::array<Deviator<Scalar>, Vertices>& tensors,
-                     const Level<Scalar>& level) {
+                     const Level<Scalar>& level, double total = 1) {
   const Scalar norm = largest_norm(tensors);
   return norm > Scalar(0) &&
-         detail::is_empty(mode_forms(tensors), level, norm, 1) == Verdict::positive;
+         detail::is_empty(mode_forms(tensors), level, norm, total) == Verdict::positive;
 }
 
 /// Positive if it is proved that an edge holds at most one point of the level: the mode is monotone

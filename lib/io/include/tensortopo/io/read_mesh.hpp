@@ -35,6 +35,7 @@ struct ReadOptions {
 /// What reading did beyond copying; all counts are zero for a plain file.
 struct ReadReport {
   std::string tensor_name;
+  std::size_t tensor_components = 0;  ///< as the file has them: 6 or 9
   std::size_t skipped_cells_2d_1d = 0;  ///< points, lines, faces
   std::size_t skipped_ghost_cells = 0;  ///< marked as another piece's by `vtkGhostType`
   std::size_t split_cells = 0;          ///< cells that became several tetrahedra

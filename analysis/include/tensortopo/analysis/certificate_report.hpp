@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace tensortopo {
+
+/// What a certificate that was written holds.
+struct CertificateReport {
+  std::filesystem::path path;
+  std::uintmax_t bytes = 0;
+  std::size_t certified = 0;  ///< claims: crossed edges, faces and tetrahedra, components, distances
+  std::map<std::string, std::size_t> undecided;  ///< tetrahedra, over all modes, by reason
+  std::size_t undecided_cells = 0;
+  double seconds = 0;  ///< proofs beyond the extraction's, and writing
+};
+
+}  // namespace tensortopo

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "certificate.hpp"
+
+#include <algorithm>
+
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/certify/certificate.hpp"
+#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/io/write_text.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+std::string components_name(const ReadResult& read, const ExtractCommand& command) {
+  if (read.report.tensor_components == 9) return "full";
+  switch (command.read.components.value_or(ComponentOrder::vtk)) {
+    case ComponentOrder::voigt:
+      return "voigt";
+    case ComponentOrder::abaqus:
+      return "abaqus";
+    case ComponentOrder::vtk:
+      break;
+  }
+  return "vtk";
+}
+
+}  // namespace
+
+void require_certifiable(const ExtractCommand& command) {
+  if (command.output.extension() != ".vtp")
+    throw UsageError("--certify: the certificate names vertices and tetrahedra of the surface, "
+                     "which only a .vtp keeps; give -o a name in .vtp");
+  if (std::any_of(command.modes.begin(), command.modes.end(), is_degenerate))
+    throw UsageError("--certify: there are certificates of mode surfaces, not of degenerate "
+                     "curves (--mode 1 or -1)");
+  if (command.read.cell_to_point || command.read.tetrahedralize ||
+      command.input.extension() == ".pvtu")
+    throw UsageError("--certify: the certificate is about the numbers in one file as they are; "
+                     "--cell-to-point, --tetrahedralize and .pvtu make others");
+}
+
+CertificateReport write_certificate(const std::filesystem::path& file, const ExtractCommand& command,
+                                    const ReadResult& read, const SurfaceMesh& surface,
+                                    const std::vector<CertifiedLevel>& levels) {
+  CertificateSubject subject;
+  subject.tensor = read.report.tensor_name;
+  subject.components = components_name(read, command);
+  subject.points = read.mesh.points.size();
+  subject.tetrahedra = read.mesh.tets.size();
+  subject.field_sha256 = field_sha256(read.mesh);
+  subject.vertices = surface.points.size();
+  subject.triangles = surface.triangles.size();
+  subject.surface_sha256 = surface_sha256(surface, read.mesh);
+  const auto encoding = file.extension() == ".cbor" ? CertificateEncoding::cbor
+                                                    : CertificateEncoding::json;
+  const std::string bytes = certificate_bytes(subject, levels, read.mesh, encoding);
+  write_text(file, bytes);
+
+  CertificateReport report;
+  report.path = file;
+  report.bytes = bytes.size();
+  for (const auto& level : levels) {
+    report.certified += level.claims();
+    report.undecided_cells += level.undecided.size();
+    for (const auto& cell : level.undecided) ++report.undecided[cell.reason];
+  }
+  return report;
+}
+
+}  // namespace tensortopo

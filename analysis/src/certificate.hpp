@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "tensortopo/analysis/certificate_report.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/certify/certified_level.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/mesh/surface_mesh.hpp"
+
+namespace tensortopo {
+
+/// Throws UsageError for a command whose surface a certificate cannot describe.
+void require_certifiable(const ExtractCommand& command);
+
+/// Writes the certificate of a surface, whole or not at all. Throws IoError.
+CertificateReport write_certificate(const std::filesystem::path& file, const ExtractCommand& command,
+                                    const ReadResult& read, const SurfaceMesh& surface,
+                                    const std::vector<CertifiedLevel>& levels);
+
+}  // namespace tensortopo

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tensortopo/certify/certified_level.hpp"
+
+namespace tensortopo {
+
+/// Which numbers a certificate is about.
+struct CertificateSubject {
+  std::string tensor;             ///< name of the array
+  std::string components;         ///< "vtk", "voigt", "abaqus" or "full"
+  std::size_t points = 0, tetrahedra = 0;
+  std::string field_sha256;
+  std::size_t vertices = 0, triangles = 0;  ///< of the surface
+  std::string surface_sha256;
+};
+
+enum class CertificateEncoding { json, cbor };
+
+/// The certificate as a file's bytes. The format is described in proofs-check; equal claims give
+/// equal bytes.
+/// @param levels  in the order of the surface's vertices and triangles
+std::string certificate_bytes(const CertificateSubject& subject,
+                              std::span<const CertifiedLevel> levels, const TetMesh& mesh,
+                              CertificateEncoding encoding);
+
+}  // namespace tensortopo

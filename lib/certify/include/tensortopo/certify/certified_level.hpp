@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tensortopo/extract/extract_mode_surface.hpp"
+
+namespace tensortopo {
+
+/// A dyadic interval [place / 2^depth, (place + 1) / 2^depth] of barycentric coordinates on an edge,
+/// from its first vertex to its second.
+struct DyadicBracket {
+  std::uint64_t place = 0;
+  int depth = 0;
+};
+
+/// A connected component of a surface, as claimed.
+struct ComponentClaim {
+  std::int64_t euler_characteristic = 0;
+  std::size_t boundary_loops = 0;
+  bool orientable = true;
+  std::size_t triangles = 0;
+  SurfaceMesh::Index first_vertex = -1;  ///< the smallest
+};
+
+/// How far the triangles are from the level, both ways.
+struct DistanceClaim {
+  /// For each vertex of the surface the length (4 + n mod 4) 2^floor(n/4) by which it, moved along
+  /// the gradient of the mode in the edge, face or tetrahedron that holds it, comes to the other
+  /// side of the level, and with it the triangles around. See `reach_length`.
+  std::vector<int> reach;
+  double bound = 0;  ///< a bound on both distances where `reach` proves one
+  /// Tetrahedra (positions in the mesh) where it does not: there the distances are below
+  /// `coarse_bound`, the longest edge of one of them.
+  std::vector<TetMesh::Index> coarse;
+  double coarse_bound = 0;
+};
+
+/// A tetrahedron about which nothing is claimed.
+struct UndecidedCell {
+  TetMesh::Index tet = -1;
+  std::string reason;
+};
+
+/// Everything that a certificate claims about one mode surface: see proofs-check's description of
+/// the file for what each claim means.
+struct CertifiedLevel {
+  ModeValue mode;
+  std::size_t vertices = 0, triangles = 0;  ///< of the surface
+  std::size_t on_level = 0;                 ///< vertices of the mesh whose mode is exactly `mode`
+  std::vector<UndecidedCell> undecided;     ///< ascending
+  LevelTopology topology;                   ///< of all other tetrahedra
+  /// An interval around each crossing, in the order of `topology.edges` and their crossings, with
+  /// different sides of the level at its ends.
+  std::vector<std::vector<DyadicBracket>> brackets;
+  std::vector<ComponentClaim> components;   ///< by first vertex
+  DistanceClaim distance;
+
+  /// Entities claimed: crossed edges, crossed faces, crossed tetrahedra, components, distance.
+  std::size_t claims() const {
+    return topology.edges.size() + topology.faces.size() + topology.tets.size() +
+           components.size() + 1;
+  }
+};
+
+/// The claims that an extraction supports. Its topology is that of the extraction's own proofs;
+/// crossings get brackets whose ends are decided exactly, distances a proof in double with error
+/// bounds.
+/// @param extraction  made of `mesh` with `ExtractOptions::keep_topology`; its topology is moved
+///                    out
+CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction);
+
+/// The length that a reach of n stands for.
+double reach_length(int n);
+
+/// The smallest n whose length is at least `length` > 0.
+int reach_of(double length);
+
+}  // namespace tensortopo

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/certify/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace tensortopo {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
+
+std::string exact(double x) { return fmt::format("{:a}", x); }
+
+Json edges_json(const CertifiedLevel& level, std::size_t first_vertex) {
+  Json edges = Json::array();
+  for (std::size_t e = 0; e < level.topology.edges.size(); ++e) {
+    const auto& edge = level.topology.edges[e];
+    Json item{edge.vertices[0], edge.vertices[1]};
+    for (std::size_t k = 0; k < edge.crossings.size(); ++k)
+      item.push_back({level.brackets[e][k].place, level.brackets[e][k].depth,
+                      first_vertex + as_size(edge.crossings[k].vertex)});
+    edges.push_back(std::move(item));
+  }
+  return edges;
+}
+
+Json faces_json(const CertifiedLevel& level, std::size_t first_vertex) {
+  Json faces = Json::array();
+  for (const auto& face : level.topology.faces) {
+    Json arcs = Json::array(), loops = Json::array();
+    for (const auto& arc : face.arcs)
+      arcs.push_back({first_vertex + as_size(arc[0]), first_vertex + as_size(arc[1])});
+    for (const auto v : face.loops) loops.push_back(first_vertex + as_size(v));
+    faces.push_back({face.vertices[0], face.vertices[1], face.vertices[2], std::move(arcs),
+                     std::move(loops)});
+  }
+  return faces;
+}
+
+Json tets_json(const CertifiedLevel& level, std::size_t first_vertex, const TetMesh& mesh) {
+  Json tets = Json::array();
+  for (const auto& tet : level.topology.tets) {
+    Json item{mesh.cell_ids[as_size(tet.tet)]};
+    for (const auto& sheet : tet.sheets) {
+      Json sheet_json{sheet.euler_characteristic};
+      for (const auto& loop : sheet.loops) {
+        Json arcs = Json::array();
+        for (const auto& arc : loop) {
+          arcs.push_back(first_vertex + as_size(arc.from));
+          arcs.push_back(arc.opposite);
+        }
+        sheet_json.push_back(std::move(arcs));
+      }
+      item.push_back(std::move(sheet_json));
+    }
+    tets.push_back(std::move(item));
+  }
+  return tets;
+}
+
+Json distance_json(const DistanceClaim& claim, const TetMesh& mesh) {
+  Json coarse = Json::array();
+  for (const auto t : claim.coarse) coarse.push_back(mesh.cell_ids[as_size(t)]);
+  return {{"reach", claim.reach},
+          {"bound", exact(claim.bound)},
+          {"coarse", std::move(coarse)},
+          {"coarse_bound", exact(claim.coarse_bound)}};
+}
+
+Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size_t first_triangle,
+                const TetMesh& mesh) {
+  Json undecided = Json::array();
+  for (const auto& cell : level.undecided)
+    undecided.push_back(Json::array({mesh.cell_ids[as_size(cell.tet)], cell.reason}));
+  Json components = Json::array();
+  for (const auto& c : level.components)
+    components.push_back({{"euler_characteristic", c.euler_characteristic},
+                          {"boundary_loops", c.boundary_loops},
+                          {"orientable", c.orientable},
+                          {"triangles", c.triangles},
+                          {"first_vertex", first_vertex + as_size(c.first_vertex)}});
+  Json json;
+  json["mode"] = level.mode.text();
+  json["vertices"] = {first_vertex, level.vertices};
+  json["triangles"] = {first_triangle, level.triangles};
+  json["on_level"] = level.on_level;
+  json["undecided"] = std::move(undecided);
+  json["edges"] = edges_json(level, first_vertex);
+  json["faces"] = faces_json(level, first_vertex);
+  json["tets"] = tets_json(level, first_vertex, mesh);
+  json["components"] = std::move(components);
+  json["distance"] = distance_json(level.distance, mesh);
+  return json;
+}
+
+}  // namespace
+
+std::string certificate_bytes(const CertificateSubject& subject,
+                              std::span<const CertifiedLevel> levels, const TetMesh& mesh,
+                              CertificateEncoding encoding) {
+  Json json;
+  json["format"] = "tensortopo certificate";
+  json["version"] = 1;
+  json["input"] = {{"tensor", subject.tensor},
+                   {"components", subject.components},
+                   {"points", subject.points},
+                   {"tetrahedra", subject.tetrahedra},
+                   {"sha256", subject.field_sha256}};
+  json["surface"] = {{"vertices", subject.vertices},
+                     {"triangles", subject.triangles},
+                     {"sha256", subject.surface_sha256}};
+  json["levels"] = Json::array();
+  std::size_t vertices = 0, triangles = 0;
+  for (const auto& level : levels) {
+    json["levels"].push_back(level_json(level, vertices, triangles, mesh));
+    vertices += level.vertices;
+    triangles += level.triangles;
+  }
+  if (encoding == CertificateEncoding::json) return json.dump() + '\n';
+  std::string bytes;
+  Json::to_cbor(json, bytes);
+  return bytes;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "tensortopo/certify/certified_level.hpp"
+#include "tensortopo/extract/scaled_field.hpp"
+
+namespace tensortopo {
+
+/// Bounds on the distance between the triangles and the level, both ways.
+///
+/// Each vertex is moved by its reach, forwards and backwards, along the gradient of the mode within
+/// its carrier; the moved triangles stay in the tetrahedron. If the level does not meet either of the
+/// two, and they are on different sides of it, it meets every segment between them: each point of
+/// the triangle is within the reach of the level. The segments over an arc of a face lie in the face
+/// and hold the arc, as its ends do not leave their edges and no other crossing is near; so what the
+/// segments over a sheet hold has degree one over the level's sheet, and covers it: each point of
+/// the level is within the reach of the triangles, too. (That says nothing of a sheet that meets no
+/// edge of the tetrahedron: there the bound is the coarse one.)
+///
+/// @param triangles  those of the surface that the claim is about
+DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
+                             std::span<const std::size_t> triangles,
+                             const LevelTopology& topology, const ScaledField<double>& field,
+                             const Level<double>& level);
+
+}  // namespace tensortopo

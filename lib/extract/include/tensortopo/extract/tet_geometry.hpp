@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/tensor/deviator.hpp"
+
+namespace tensortopo {
+
+/// The linear field of a tetrahedron in space: barycentric coordinates from a position.
+class TetGeometry {
+ public:
+  /// @param exponents of the scaled tensors, see `ScaledField`
+  TetGeometry(const std::array<Vector3<double>, 4>& points, const std::array<int, 4>& exponents)
+      : points_(points) {
+    // Gradient of coordinate i: the inward normal of the face opposite i over six volumes.
+    constexpr std::array<std::array<std::size_t, 3>, 4> inward{
+        {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& p = points_[inward[i][0]];
+      const auto n = cross(points_[inward[i][1]] - p, points_[inward[i][2]] - p);
+      six_volumes_ = dot(n, points_[i] - p);
+      gradient_[i] = (1 / six_volumes_) * n;
+    }
+    // T_i = 2^-exponent U_i; a common power of two keeps the largest at U's scale.
+    const int least = *std::min_element(exponents.begin(), exponents.end());
+    for (std::size_t i = 0; i < 4; ++i) scale_[i] = std::ldexp(1.0, least - exponents[i]);
+  }
+
+  /// Barycentric coordinate i.
+  double weight(std::size_t i, const Vector3<double>& x) const {
+    // From the nearest vertex of the opposite face would be as good: the differences are exact
+    // or nearly so, and the gradient multiplies them.
+    return dot(gradient_[i], x - points_[i == 0 ? 1 : 0]);
+  }
+
+  const Vector3<double>& weight_gradient(std::size_t i) const { return gradient_[i]; }
+
+  /// The field at some weights, up to a positive factor.
+  Deviator<double> tensor(const std::array<double, 4>& weights,
+                          const std::array<Deviator<double>, 4>& scaled) const {
+    Deviator<double> t{};
+    for (std::size_t i = 0; i < 4; ++i) t = t + (weights[i] * scale_[i]) * scaled[i];
+    return t;
+  }
+
+  /// The field at a position, up to the same factor.
+  Deviator<double> tensor(const Vector3<double>& x,
+                          const std::array<Deviator<double>, 4>& scaled) const {
+    return tensor({weight(0, x), weight(1, x), weight(2, x), weight(3, x)}, scaled);
+  }
+
+  /// Gradient, in space, of a function with this slope in the tensor.
+  Vector3<double> gradient(const SymmetricTensor<double>& slope,
+                           const std::array<Deviator<double>, 4>& scaled) const {
+    Vector3<double> g;
+    for (std::size_t i = 0; i < 4; ++i)
+      g += (scale_[i] * inner(slope, thrice(scaled[i]))) * gradient_[i];
+    return g;
+  }
+
+  double longest_edge() const {
+    double longest = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const auto e = points_[j] - points_[i];
+        longest = std::max(longest, std::sqrt(dot(e, e)));
+      }
+    return longest;
+  }
+
+  /// A bound on the error of `weight`, for positions not farther away than the tetrahedron is wide.
+  /// Differences of coordinates have one rounding each; a weight is a determinant of three of them
+  /// over one of three others, both with fewer than 32 roundings of terms below the cube of the
+  /// longest edge.
+  double weight_error() const {
+    const double length = longest_edge();
+    constexpr double kRoundoff = 0x1p-53;
+    return 64 * kRoundoff * (length * length * length / std::abs(six_volumes_));
+  }
+
+ private:
+  std::array<Vector3<double>, 4> points_;
+  std::array<Vector3<double>, 4> gradient_;
+  std::array<double, 4> scale_;
+  double six_volumes_ = 0;
+};
+
+}  // namespace tensortopo

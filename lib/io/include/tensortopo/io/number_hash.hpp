@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "tensortopo/mesh/surface_mesh.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo {
+
+/// SHA-256, in hexadecimal, of the numbers of a field whatever the file that holds them: the number
+/// of points (64 bits), their coordinates (doubles), their tensors XX YY ZZ XY YZ XZ, the number of
+/// tetrahedra, and the vertices of each, ascending (64 bits each); all little-endian.
+std::string field_sha256(const TetMesh& mesh);
+
+/// The same of a surface: the number of vertices, their coordinates, the number of triangles, the
+/// vertices of each, and of each the id in the input of the tetrahedron that holds it.
+std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh);
+
+}  // namespace tensortopo

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/io/number_hash.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "sha256.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "numbers are hashed as they lie");
+
+/// Collects numbers and hashes them in large pieces.
+class NumberHash {
+ public:
+  void add(double x) { append(std::bit_cast<std::uint64_t>(x)); }
+  void add(const Vector3<double>& p) { add(p.x), add(p.y), add(p.z); }
+  void add_count(std::size_t n) { append(n); }
+  void add_id(std::int64_t i) { append(static_cast<std::uint64_t>(i)); }
+  std::string hex() {
+    flush();
+    return sum_.hex();
+  }
+
+ private:
+  void append(std::uint64_t bits) {
+    buffer_.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+    if (buffer_.size() >= 1u << 16) flush();
+  }
+  void flush() {
+    sum_.add(buffer_);
+    buffer_.clear();
+  }
+  detail::Sha256 sum_;
+  std::string buffer_;
+};
+
+}  // namespace
+
+std::string field_sha256(const TetMesh& mesh) {
+  NumberHash hash;
+  hash.add_count(mesh.points.size());
+  for (const auto& p : mesh.points) hash.add(p);
+  for (const auto& t : mesh.tensors)
+    for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}) hash.add(x);
+  hash.add_count(mesh.tets.size());
+  for (auto tet : mesh.tets) {
+    std::sort(tet.begin(), tet.end());
+    for (const auto v : tet) hash.add_id(v);
+  }
+  return hash.hex();
+}
+
+std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh) {
+  NumberHash hash;
+  hash.add_count(surface.points.size());
+  for (const auto& p : surface.points) hash.add(p);
+  hash.add_count(surface.triangles.size());
+  for (const auto& triangle : surface.triangles)
+    for (const auto v : triangle) hash.add_id(v);
+  for (const auto t : surface.tet) hash.add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
+  return hash.hex();
+}
+
+}  // namespace tensortopo
