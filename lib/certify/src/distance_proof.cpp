@@ -18,13 +18,18 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-/// A triangle that is not proved has its reaches multiplied by 2^(kStep/4), at most this often.
+/// A triangle that is not proved has its reaches multiplied by 2^(kStep/4), to no more than
+/// 2^(kGrowth/4) times what it asked for.
 constexpr int kStep = 2;
-constexpr int kRounds = 20;
+constexpr int kGrowth = 10;
+constexpr int kAttempts = 4;
+/// How often a moved triangle is cut in four for the proof that the level does not meet it.
+constexpr int kCuts = 2;
+constexpr int kShortest = -4000;
 /// A reach starts at so much of what the mode at a few places asks for.
 constexpr double kMargin = 1.5;
 /// Of the way to the end of its edge, face or tetrahedron a vertex may go.
-constexpr double kRoom = 0.45;
+constexpr double kRoom = 0.98;
 
 std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
 
@@ -105,22 +110,35 @@ class Cell {
     return std::abs(at.value) / std::sqrt(dot(g, g));
   }
 
-  /// The side of the level on which a triangle lies, if it is proved to lie on one.
-  Verdict side(const std::array<std::array<double, 4>, 3>& corners,
-               const Level<double>& level) const {
+  /// Whether a triangle is proved to lie on one side of the level.
+  bool is_on_side(const std::array<std::array<double, 4>, 3>& corners, Verdict side,
+                  const Level<double>& level) const {
     std::array<Deviator<double>, 3> t;
     for (std::size_t i = 0; i < 3; ++i) {
       for (const double w : corners[i])
-        if (!(w >= 0)) return Verdict::unknown;
+        if (!(w >= 0)) return false;
       t[i] = geometry_.tensor(corners[i], tensors_);
     }
-    const Verdict side = side_of_level(t[0], level, total_);
-    return side != Verdict::unknown && is_proved_empty(t, level, total_) ? side : Verdict::unknown;
+    return is_on_side(t, side, level, kCuts);
   }
 
   double size() const { return geometry_.longest_edge(); }
 
  private:
+  bool is_on_side(const std::array<Deviator<double>, 3>& t, Verdict side,
+                  const Level<double>& level, int cuts) const {
+    for (const auto& corner : t)
+      if (side_of_level(corner, level, total_) != side) return false;
+    if (is_proved_empty(t, level, total_)) return true;
+    if (cuts == 0) return false;
+    const std::array<Deviator<double>, 3> h{0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0]),
+                                            0.5 * (t[0] + t[1])};
+    return is_on_side(h, side, level, cuts - 1) &&
+           is_on_side({t[0], h[2], h[1]}, side, level, cuts - 1) &&
+           is_on_side({t[1], h[0], h[2]}, side, level, cuts - 1) &&
+           is_on_side({t[2], h[1], h[0]}, side, level, cuts - 1);
+  }
+
   std::array<Vector3<double>, 4> points(const TetMesh& mesh) const {
     std::array<Vector3<double>, 4> result;
     for (std::size_t i = 0; i < 4; ++i) result[i] = mesh.points[as_size(vertices_[i])];
@@ -141,77 +159,23 @@ class Cell {
 class Distances {
  public:
   Distances(const TetMesh& mesh, const SurfaceMesh& surface, std::span<const std::size_t> triangles,
-            const ScaledField<double>& field, const Level<double>& level)
-      : mesh_(mesh), surface_(surface), triangles_(triangles), field_(field), level_(level) {}
+            const LevelTopology& topology, const ScaledField<double>& field,
+            const Level<double>& level)
+      : mesh_(mesh), surface_(surface), triangles_(triangles), topology_(topology), field_(field),
+        level_(level) {}
 
-  void start() {
-    const std::size_t count = triangles_.size();
-    std::vector<std::array<double, 4>> asked(count);  // reach, then room of each corner
-    for_each(count, [&](std::size_t i) {
-      const Cell cell(mesh_, field_, surface_.tet[triangles_[i]]);
-      const auto corners = corners_of(cell, triangles_[i]);
-      std::array<double, 4> centre{};
-      double farthest = 0x1p-44 * cell.size();
-      for (std::size_t c = 0; c < 3; ++c) {
-        std::array<double, 4> middle;
-        for (std::size_t k = 0; k < 4; ++k) {
-          middle[k] = 0.5 * (corners[c].weights[k] + corners[(c + 1) % 3].weights[k]);
-          centre[k] += corners[c].weights[k] / 3;
-        }
-        const double d = cell.distance(middle, level_);
-        if (d < cell.size()) farthest = std::max(farthest, d);
-        asked[i][c + 1] = kRoom * corners[c].room();
-      }
-      const double d = cell.distance(centre, level_);
-      if (d < cell.size()) farthest = std::max(farthest, d);
-      asked[i][0] = kMargin * farthest;
-    });
-    const auto vertices = surface_.points.size();
-    std::vector<double> reach(vertices, 0), room(vertices, std::numeric_limits<double>::max());
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto v = as_size(surface_.triangles[triangles_[i]][c]);
-        reach[v] = std::max(reach[v], asked[i][0]);
-        room[v] = std::min(room[v], asked[i][c + 1]);
-      }
-    reach_.resize(vertices);
-    most_.resize(vertices);
-    for (std::size_t v = 0; v < vertices; ++v) {
-      // A vertex in a corner of its carrier can hardly move, or not at all.
-      most_[v] = room[v] > 0 ? reach_of(room[v]) - 1 : reach_of(0x1p-1000);
-      reach_[v] = std::min(reach_of(std::max(reach[v], 0x1p-1000)), most_[v]);
-    }
-  }
-
-  /// Tries all triangles, and those again whose reaches grew. Leaves those that are not proved.
+  /// Finds reaches that prove as many triangles as possible; returns those that are left.
   std::vector<std::size_t> run() {
-    std::vector<std::size_t> trying(triangles_.begin(), triangles_.end());
-    std::vector<char> proved(surface_.triangles.size(), 0), grown(surface_.points.size(), 0);
-    for (int round = 0; round < kRounds && !trying.empty(); ++round) {
-      for_each(trying.size(), [&](std::size_t k) { proved[trying[k]] = is_proved(trying[k]); });
-      std::fill(grown.begin(), grown.end(), 0);
-      bool any = false;
-      for (const auto i : trying)
-        if (!proved[i])
-          for (const Index v : surface_.triangles[i])
-            if (!grown[as_size(v)] && reach_[as_size(v)] < most_[as_size(v)]) {
-              reach_[as_size(v)] = std::min(reach_[as_size(v)] + kStep, most_[as_size(v)]);
-              grown[as_size(v)] = 1;
-              any = true;
-            }
-      if (!any) break;
-      trying.clear();
-      for (const auto i : triangles_)
-        for (const Index v : surface_.triangles[i])
-          if (grown[as_size(v)]) {
-            trying.push_back(i);
-            break;
-          }
+    measure();
+    std::vector<char> given_up(surface_.triangles.size(), 0);
+    // A triangle that is given up has made its neighbours' reaches longer: once more without it.
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      start(given_up);
+      if (!grow(given_up)) break;
     }
-    for_each(trying.size(), [&](std::size_t k) { proved[trying[k]] = is_proved(trying[k]); });
     std::vector<std::size_t> left;
     for (const auto i : triangles_)
-      if (!proved[i]) left.push_back(i);
+      if (given_up[i]) left.push_back(i);
     return left;
   }
 
@@ -234,16 +198,110 @@ class Distances {
       ahead[c] = corners[c].moved(by);
       behind[c] = corners[c].moved(-by);
     }
-    return cell.side(ahead, level_) == Verdict::positive &&
-           cell.side(behind, level_) == Verdict::negative;
+    return cell.is_on_side(ahead, Verdict::positive, level_) &&
+           cell.is_on_side(behind, Verdict::negative, level_);
+  }
+
+  /// What each triangle asks for.
+  void measure() {
+    asked_.resize(surface_.triangles.size());
+    std::vector<std::array<double, 3>> rooms(surface_.triangles.size());
+    for_each(triangles_.size(), [&](std::size_t k) {
+      const auto i = triangles_[k];
+      const Cell cell(mesh_, field_, surface_.tet[i]);
+      const auto corners = corners_of(cell, i);
+      std::array<double, 4> centre{};
+      double farthest = 0x1p-44 * cell.size();
+      const auto look = [&](const std::array<double, 4>& weights) {
+        const double d = cell.distance(weights, level_);
+        if (d < cell.size()) farthest = std::max(farthest, d);
+      };
+      for (std::size_t c = 0; c < 3; ++c) {
+        std::array<double, 4> middle;
+        for (std::size_t j = 0; j < 4; ++j) {
+          middle[j] = 0.5 * (corners[c].weights[j] + corners[(c + 1) % 3].weights[j]);
+          centre[j] += corners[c].weights[j] / 3;
+        }
+        look(middle);
+        rooms[i][c] = kRoom * corners[c].room();
+      }
+      look(centre);
+      asked_[i] = reach_of(kMargin * farthest);
+    });
+    const auto vertices = surface_.points.size();
+    std::vector<double> room(vertices, std::numeric_limits<double>::max());
+    for (const auto i : triangles_)
+      for (std::size_t c = 0; c < 3; ++c) {
+        auto& least = room[as_size(surface_.triangles[i][c])];
+        least = std::min(least, rooms[i][c]);
+      }
+    // Nor may it come to the next crossing of its edge.
+    for (const auto& edge : topology_.edges)
+      for (std::size_t k = 1; k < edge.crossings.size(); ++k) {
+        const auto v = as_size(edge.crossings[k - 1].vertex), w = as_size(edge.crossings[k].vertex);
+        const auto gap = surface_.points[w] - surface_.points[v];
+        const double half = 0.49 * std::sqrt(dot(gap, gap));
+        room[v] = std::min(room[v], half);
+        room[w] = std::min(room[w], half);
+      }
+    most_.resize(vertices);
+    // A vertex in a corner of its carrier can hardly move, or not at all.
+    for (std::size_t v = 0; v < vertices; ++v)
+      most_[v] = room[v] > 0x1p-999 ? reach_of(room[v]) - 1 : kShortest;
+  }
+
+  void start(const std::vector<char>& given_up) {
+    reach_.assign(surface_.points.size(), kShortest);
+    for (const auto i : triangles_)
+      if (!given_up[i])
+        for (const Index v : surface_.triangles[i])
+          reach_[as_size(v)] =
+              std::max(reach_[as_size(v)], std::min(asked_[i], most_[as_size(v)]));
+  }
+
+  /// Tries all triangles, and those again whose reaches grew. Gives up those that a few times what
+  /// they asked for does not help; tells whether there are such.
+  bool grow(std::vector<char>& given_up) {
+    std::vector<std::size_t> trying;
+    for (const auto i : triangles_)
+      if (!given_up[i]) trying.push_back(i);
+    std::vector<char> proved(surface_.triangles.size(), 0), grown(surface_.points.size(), 0);
+    bool any_given_up = false;
+    while (!trying.empty()) {
+      for_each(trying.size(), [&](std::size_t k) { proved[trying[k]] = is_proved(trying[k]); });
+      std::fill(grown.begin(), grown.end(), 0);
+      bool any_grown = false;
+      for (const auto i : trying) {
+        if (proved[i]) continue;
+        bool can_grow = false;
+        for (const Index v : surface_.triangles[i]) {
+          const int limit = std::min(asked_[i] + kGrowth, most_[as_size(v)]);
+          can_grow |= grown[as_size(v)] != 0;
+          if (grown[as_size(v)] || reach_[as_size(v)] >= limit) continue;
+          reach_[as_size(v)] = std::min(reach_[as_size(v)] + kStep, limit);
+          grown[as_size(v)] = 1;
+          any_grown = can_grow = true;
+        }
+        if (!can_grow) given_up[i] = 1, any_given_up = true;
+      }
+      if (!any_grown) break;
+      trying.clear();
+      for (const auto i : triangles_)
+        if (!given_up[i] && std::any_of(surface_.triangles[i].begin(), surface_.triangles[i].end(),
+                                        [&](Index v) { return grown[as_size(v)] != 0; }))
+          trying.push_back(i);
+    }
+    return any_given_up;
   }
 
   const TetMesh& mesh_;
   const SurfaceMesh& surface_;
   std::span<const std::size_t> triangles_;
+  const LevelTopology& topology_;
   const ScaledField<double>& field_;
   const Level<double>& level_;
-  std::vector<int> reach_, most_;
+  std::vector<int> asked_;         ///< by triangle
+  std::vector<int> reach_, most_;  ///< by vertex
 };
 
 bool meets_an_edge(const LevelTopology::Sheet& sheet, const SurfaceMesh& surface) {
@@ -270,8 +328,7 @@ DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                              const LevelTopology& topology, const ScaledField<double>& field,
                              const Level<double>& level) {
   DistanceClaim claim;
-  Distances distances(mesh, surface, triangles, field, level);
-  distances.start();
+  Distances distances(mesh, surface, triangles, topology, field, level);
   for (const auto i : distances.run()) claim.coarse.push_back(surface.tet[i]);
   for (const auto& tet : topology.tets)
     for (const auto& sheet : tet.sheets)

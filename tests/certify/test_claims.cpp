@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "certify_case.hpp"
+#include "tensortopo/extract/exact_side.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+class Claims : public testing::TestWithParam<const char*> {
+ protected:
+  static constexpr std::uint64_t kSeed = 20241101;
+
+  template <class Check>
+  void for_each_case(const Check& check) const {
+    for (int trial = 0; trial < trials(3); ++trial) {
+      const auto seed = kSeed + static_cast<std::uint64_t>(trial);
+      SCOPED_TRACE(std::string("mode ") + GetParam() + ", " + announce(seed));
+      TetMesh mesh = cube_mesh(2);
+      if (trial % 2 == 0)
+        fill_with_normal_tensors(mesh, seed);
+      else
+        fill_with_smooth_tensors(mesh, seed);
+      check(mesh, certified(mesh, GetParam()));
+    }
+  }
+};
+
+bool is_above(const TetMesh& mesh, const LevelTopology::Edge& edge, double t,
+              const ModeValue& mode) {
+  const std::array tensors{mesh.tensors[as_size(edge.vertices[0])],
+                           mesh.tensors[as_size(edge.vertices[1])]};
+  const std::array exponents{0, 0};
+  const std::array weights{1 - t, t};
+  return exact_side_of_level(tensors, exponents, weights, mode) == Sign::positive;
+}
+
+TEST_P(Claims, BracketsPartTheCrossingsOfAnEdge) {
+  for_each_case([](const TetMesh& mesh, const Certified& c) {
+    ASSERT_EQ(c.level.brackets.size(), c.level.topology.edges.size());
+    for (std::size_t e = 0; e < c.level.brackets.size(); ++e) {
+      const auto& edge = c.level.topology.edges[e];
+      ASSERT_EQ(c.level.brackets[e].size(), edge.crossings.size());
+      double free_from = 0;
+      for (std::size_t k = 0; k < edge.crossings.size(); ++k) {
+        const auto& bracket = c.level.brackets[e][k];
+        const double low = std::ldexp(static_cast<double>(bracket.place), -bracket.depth);
+        const double high = std::ldexp(static_cast<double>(bracket.place + 1), -bracket.depth);
+        EXPECT_GE(low, free_from);
+        EXPECT_LE(high, 1);
+        free_from = high;
+        EXPECT_EQ(is_above(mesh, edge, low, c.level.mode), !edge.crossings[k].rising);
+        EXPECT_EQ(is_above(mesh, edge, high, c.level.mode), edge.crossings[k].rising);
+        // The vertex is where the bracket says.
+        const auto &p = mesh.points[as_size(edge.vertices[0])],
+                   &q = mesh.points[as_size(edge.vertices[1])];
+        const auto& x = c.extraction.surface.points[as_size(edge.crossings[k].vertex)];
+        const double t = dot(x - p, q - p) / dot(q - p, q - p);
+        EXPECT_GT(t, low - 1e-12);
+        EXPECT_LT(t, high + 1e-12);
+      }
+    }
+  });
+}
+
+TEST_P(Claims, EulerCharacteristicsOfTheSheetsAddUpToThatOfTheSurface) {
+  for_each_case([](const TetMesh&, const Certified& c) {
+    // Compactly supported: a crossing counts 1, an open arc -1, a closed curve 0, and the inside of
+    // a sheet as the sheet.
+    std::int64_t sum = 0, claimed = 0;
+    for (const auto& edge : c.level.topology.edges)
+      sum += static_cast<std::int64_t>(edge.crossings.size());
+    for (const auto& face : c.level.topology.faces)
+      sum -= static_cast<std::int64_t>(face.arcs.size());
+    for (const auto& tet : c.level.topology.tets)
+      for (const auto& sheet : tet.sheets) sum += sheet.euler_characteristic;
+    for (const auto& component : c.level.components) claimed += component.euler_characteristic;
+    EXPECT_EQ(sum, claimed);
+    EXPECT_EQ(claimed, surface_invariants(c.extraction.surface).euler_characteristic);
+  });
+}
+
+/// A face and, of one of its curves, the ends (or the smallest vertex twice).
+using CurveKey = std::pair<std::array<LevelTopology::Index, 3>, std::array<LevelTopology::Vertex, 2>>;
+
+TEST_P(Claims, SheetsAreBoundedByTheCurvesOfTheirFaces) {
+  for_each_case([](const TetMesh& mesh, const Certified& c) {
+    std::map<CurveKey, int> used;
+    for (const auto& tet : c.level.topology.tets)
+      for (const auto& sheet : tet.sheets)
+        for (const auto& loop : sheet.loops) {
+          for (std::size_t k = 0; k < loop.size(); ++k) {
+            std::array<LevelTopology::Index, 3> face{};
+            std::size_t n = 0;
+            for (const auto v : mesh.tets[as_size(tet.tet)])
+              if (v != loop[k].opposite) face[n++] = v;
+            ASSERT_EQ(n, 3u);
+            std::sort(face.begin(), face.end());
+            const auto v = loop[k].from, w = loop[(k + 1) % loop.size()].from;
+            ++used[{face, {std::min(v, w), std::max(v, w)}}];
+          }
+          EXPECT_TRUE(std::all_of(loop.begin(), loop.end(), [&](const auto& arc) {
+            return loop[0].from <= arc.from;
+          }));
+        }
+    std::map<std::array<LevelTopology::Index, 3>, int> sides;
+    for (auto tet : mesh.tets) {
+      std::sort(tet.begin(), tet.end());
+      for (std::size_t i = 0; i < 4; ++i)
+        ++sides[{tet[i == 0 ? 1 : 0], tet[i < 2 ? 2 : 1], tet[i < 3 ? 3 : 2]}];
+    }
+    std::map<CurveKey, int> expected;
+    for (const auto& face : c.level.topology.faces) {
+      for (const auto& arc : face.arcs) expected[{face.vertices, arc}] += sides[face.vertices];
+      for (const auto v : face.loops) expected[{face.vertices, {v, v}}] += sides[face.vertices];
+    }
+    EXPECT_EQ(used, expected);
+  });
+}
+
+TEST_P(Claims, LoopsRunAsTheTrianglesHaveThem) {
+  for_each_case([](const TetMesh&, const Certified& c) {
+    // Directed edges at the rim of each tetrahedron's triangles.
+    const auto& surface = c.extraction.surface;
+    std::map<LevelTopology::Index, std::set<std::array<LevelTopology::Vertex, 2>>> rim;
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto v = surface.triangles[i][k], w = surface.triangles[i][(k + 1) % 3];
+        if (rim[surface.tet[i]].erase({w, v}) == 0) rim[surface.tet[i]].insert({v, w});
+      }
+    for (const auto& tet : c.level.topology.tets) {
+      std::map<LevelTopology::Vertex, LevelTopology::Vertex> next;
+      for (const auto& [v, w] : rim[tet.tet]) next[v] = w;
+      for (const auto& sheet : tet.sheets)
+        for (const auto& loop : sheet.loops)
+          for (std::size_t k = 0; k < loop.size(); ++k) {
+            const auto end = loop[(k + 1) % loop.size()].from;
+            auto v = loop[k].from;
+            std::size_t steps = 0;
+            do {
+              ASSERT_TRUE(next.contains(v));
+              v = next[v];
+              ASSERT_LT(++steps, surface.points.size() + 1);
+            } while (v != end && surface.carrier[as_size(v)] == Carrier::face);
+            EXPECT_EQ(v, end);
+          }
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Claims, testing::ValuesIn(kLevels));
+
+TEST(Claims, LeaveOutTetrahedraWithAVertexWithoutDeviator) {
+  TetMesh mesh = cube_mesh(2);
+  fill_with_normal_tensors(mesh, 20241105);
+  const std::size_t zero = 13;  // the middle of the cube
+  mesh.tensors[zero] = {3, 3, 3, 0, 0, 0};
+  const auto c = certified(mesh, "1/2");
+  std::set<TetMesh::Index> expected, undecided;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    if (std::count(mesh.tets[t].begin(), mesh.tets[t].end(), TetMesh::Index{zero}))
+      expected.insert(static_cast<TetMesh::Index>(t));
+  ASSERT_FALSE(expected.empty());
+  for (const auto& cell : c.level.undecided) {
+    EXPECT_EQ(cell.reason, "zero_deviator_vertex");
+    undecided.insert(cell.tet);
+  }
+  EXPECT_EQ(undecided, expected);
+  for (const auto& tet : c.level.topology.tets) EXPECT_FALSE(undecided.contains(tet.tet));
+}
+
+}  // namespace
+}  // namespace tensortopo::test
