@@ -14,6 +14,7 @@
 #include "distance_proof.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 
@@ -30,6 +31,7 @@ Brackets brackets_of(const LevelTopology& topology, const ScaledField<double>& f
   Brackets brackets(topology.edges.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, brackets.size(), 256),
                     [&](const auto& range) {
+                      const FloatingPointEnvironment environment;
                       for (std::size_t e = range.begin(); e != range.end(); ++e)
                         brackets[e] = crossing_brackets(topology.edges[e], field, level);
                     });

@@ -11,6 +11,7 @@
 
 #include "tensortopo/extract/simple_simplex.hpp"
 #include "tensortopo/extract/tet_geometry.hpp"
+#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 
@@ -36,6 +37,7 @@ std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
 template <class Body>
 void for_each(std::size_t count, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 512), [&](const auto& range) {
+    const FloatingPointEnvironment environment;
     for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
   });
 }

@@ -11,17 +11,20 @@
 #include <string_view>
 
 #include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 
 /// Runs a body for each index in parallel, and reports how far it is. The bodies write to places
-/// of their own, so the result does not depend on the number of threads.
+/// of their own, so the result does not depend on the number of threads. Error bounds hold for
+/// rounding to nearest, whatever the caller has set.
 template <class Body>
 void parallel_stage(const ExtractOptions& options, std::string_view name, std::size_t count,
                     std::size_t grain, const Body& body) {
   std::atomic<std::size_t> done{0};
   std::mutex mutex;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
+    const FloatingPointEnvironment environment;
     for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
     if (!options.progress) return;
     done += range.size();

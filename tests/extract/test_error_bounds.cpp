@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "extract_case.hpp"
+#include "tensortopo/extract/simple_simplex.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+/// A number with the running bound on its error, in roundings of size one (to first order).
+struct Running {
+  double value = 0, error = 0;
+
+  Running() = default;
+  explicit Running(double v) : value(v) {}
+  Running(double v, double e) : value(v), error(e) {}
+  friend Running operator+(const Running& p, const Running& q) {
+    const double v = p.value + q.value;
+    return {v, p.error + q.error + std::abs(v)};
+  }
+  friend Running operator-(const Running& p) { return {-p.value, p.error}; }
+  friend Running operator-(const Running& p, const Running& q) { return p + -q; }
+  friend Running operator*(const Running& p, const Running& q) {
+    const double v = p.value * q.value;
+    return {v, std::abs(p.value) * q.error + std::abs(q.value) * p.error + std::abs(v)};
+  }
+  Running& operator+=(const Running& q) { return *this = *this + q; }
+};
+
+}  // namespace
+}  // namespace tensortopo::test
+
+template <>
+struct tensortopo::ScalarTraits<tensortopo::test::Running> {
+  static constexpr bool is_exact = false;
+  static constexpr bool has_roots = false;
+  static constexpr bool is_enclosure = false;
+};
+
+namespace tensortopo::test {
+namespace {
+
+/// Parameters of a case: five numbers a tensor, then a direction.
+template <std::size_t Vertices>
+using Parameters = std::array<double, 6 * Vertices>;
+
+/// Largest error of a Bernstein coefficient.
+template <class Polynomial>
+double largest_error(const Polynomial& p) {
+  double largest = 0;
+  for (std::size_t i = 0; i < p.size; ++i)
+    largest = std::max(largest, p.coefficients[i].error / p.multinomials[i]);
+  return largest;
+}
+
+struct Errors {
+  double determinant = 0, increase = 0, generalized = 0;
+};
+
+template <std::size_t Vertices>
+Errors errors_of(const Parameters<Vertices>& x) {
+  std::array<Deviator<Running>, Vertices> tensors;
+  std::array<Running, Vertices> d;
+  for (std::size_t i = 0; i < Vertices; ++i) {
+    Deviator<double> t{x[6 * i], x[6 * i + 1], x[6 * i + 2], x[6 * i + 3], x[6 * i + 4]};
+    const double norm = std::sqrt(norm_form(t));
+    tensors[i] = {Running(t.a / norm), Running(t.b / norm), Running(t.xy / norm),
+                  Running(t.yz / norm), Running(t.xz / norm)};
+    d[i] = Running(std::clamp(x[6 * i + 5], -1.0, 1.0));
+  }
+  const auto forms = mode_forms(tensors);
+  return {largest_error(forms.determinant), largest_error(mode_increase_form(forms, d)),
+          largest_error(generalized_mode_form(forms, Running(1)))};
+}
+
+/// The largest value that a search finds: random starts, each improved by smaller and smaller
+/// random steps.
+template <std::size_t Vertices>
+double worst(double Errors::*which, std::uint64_t seed) {
+  Random random(seed);
+  double worst = 0;
+  for (int start = 0; start < trials(12); ++start) {
+    Parameters<Vertices> x;
+    for (auto& p : x) p = random.normal();
+    double at = errors_of<Vertices>(x).*which;
+    for (int step = 0; step < 400; ++step) {
+      auto y = x;
+      for (auto& p : y) p += random.normal() * std::exp2(-step / 80.0);
+      const double there = errors_of<Vertices>(y).*which;
+      if (there > at) at = there, x = y;
+    }
+    worst = std::max(worst, at);
+  }
+  return worst;
+}
+
+void expect_bounded(double Errors::*which, double constant, const char* name) {
+  const std::uint64_t seed = 20241210;
+  SCOPED_TRACE(std::string(name) + ", " + announce(seed));
+  const double found = std::max({worst<2>(which, seed), worst<3>(which, seed),
+                                 worst<4>(which, seed)});
+  std::cout << name << ": errors of up to " << found << " roundings, bound " << constant << '\n';
+  EXPECT_LE(found, constant);
+  EXPECT_GT(found, constant / 1000);  // else the bound says little, or nothing was tried
+}
+
+// The constants of the double tier against the running error of the very code that they are about,
+// for vertex tensors of norm one.
+TEST(ErrorBounds, OfTheDeterminantCoverItsRoundings) {
+  expect_bounded(&Errors::determinant, detail::kDeterminantBound, "6 Q");
+}
+
+TEST(ErrorBounds, OfTheFormOfIncreaseCoverItsRoundings) {
+  expect_bounded(&Errors::increase, detail::kIncreaseBound, "2 P dQ - 3 Q dP");
+}
+
+TEST(ErrorBounds, OfTheFormOfDegreeSixCoverItsRoundings) {
+  expect_bounded(&Errors::generalized, detail::kGeneralizedBound, "degree six");
+}
+
+}  // namespace
+}  // namespace tensortopo::test
