@@ -140,6 +140,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
 
+  const PredicateCounts before = predicate_counts();
   SurfaceMesh surface;
   CurveMesh curves;
   UnresolvedModes unresolved;
@@ -185,6 +186,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     }
     append_surface(surface, std::move(extraction.surface));
   }
+  report.predicates = predicate_counts() - before;
   for (auto& [key, which] : unresolved) {
     report.unresolved.push_back({key.first, key.second, std::move(which)});
   }

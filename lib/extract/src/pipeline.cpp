@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "count_predicate.hpp"
 #include "extractor_scalars.hpp"
 #include "level_strata.hpp"
 #include "parallel_stage.hpp"
@@ -76,6 +77,7 @@ void Pipeline<Scalar>::classify_vertices() {
   parallel_stage(options_, "vertices", mesh_.points.size(), 4096, [&](std::size_t v) {
     if (field_.is_zero[v]) return;
     const Verdict verdict = side_of_level(field_.tensors[v], level_);
+    count_predicate(verdict == Verdict::unknown ? Tier::exact : Tier::fast);
     if (verdict != Verdict::unknown) {
       above_[v] = verdict == Verdict::positive;
       return;

@@ -8,6 +8,7 @@
 #include <queue>
 #include <utility>
 
+#include "count_predicate.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tiers.hpp"
@@ -74,6 +75,7 @@ bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scal
               const std::array<double, Vertices>& weights, const Level<Scalar>& level) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   const Verdict verdict = side_of_level(tensor, level, total);
+  count_predicate(verdict == Verdict::unknown ? Tier::exact : Tier::fast);
   if (verdict != Verdict::unknown) return verdict == Verdict::positive;
   std::array<SymmetricTensor<double>, Vertices> exact;
   for (std::size_t i = 0; i < Vertices; ++i) exact[i] = *simplex.exact[i];

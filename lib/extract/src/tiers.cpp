@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "count_predicate.hpp"
 #include "extractor_scalars.hpp"
 
 namespace tensortopo {
@@ -74,6 +75,7 @@ SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root
                                       const Level<Scalar>& level) {
   const double total = largest_sum(weights);
   auto proof = prove_simplex(tensors, level, total);
+  count_predicate(proof.hidden_by_rounding ? Tier::longer : Tier::fast);
   if (!proof.hidden_by_rounding) return proof;
   using Long = typename Longer<Scalar>::type;
   const auto better = prove_simplex(tensors_in<Long>(root, weights), level_in<Long>(level.value), total);
@@ -93,6 +95,7 @@ bool edge_is_simple(const LevelSimplex<Scalar, Vertices>& root,
                     const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level) {
   const double total = largest_sum(weights);
   const Verdict verdict = has_at_most_one_crossing(tensors, level, total);
+  count_predicate(verdict == Verdict::unknown ? Tier::longer : Tier::fast);
   if (verdict != Verdict::unknown) return verdict == Verdict::positive;
   using Long = typename Longer<Scalar>::type;
   return has_at_most_one_crossing(tensors_in<Long>(root, weights),

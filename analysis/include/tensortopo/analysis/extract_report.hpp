@@ -13,6 +13,7 @@
 #include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/extract/predicate_counts.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo {
@@ -62,6 +63,8 @@ struct ExtractReport {
   std::filesystem::path output;
   bool written = false;
   std::uintmax_t bytes = 0;
+
+  PredicateCounts predicates;  ///< of surfaces and their certificates
 
   double seconds_read = 0, seconds_invariants = 0, seconds_write = 0;
   double seconds_extract = 0;  ///< all stages of all modes, by the clock
