@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "closed_rims.hpp"
 #include "tensortopo/extract/simple_simplex.hpp"
 #include "tensortopo/extract/tet_geometry.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
@@ -306,12 +307,6 @@ class Distances {
   std::vector<int> reach_, most_;  ///< by vertex
 };
 
-bool meets_an_edge(const LevelTopology::Sheet& sheet, const SurfaceMesh& surface) {
-  return std::any_of(sheet.loops.begin(), sheet.loops.end(), [&](const auto& loop) {
-    return surface.carrier[as_size(loop[0].from)] == Carrier::edge;
-  });
-}
-
 }  // namespace
 
 double reach_length(int n) {
@@ -332,16 +327,15 @@ DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
   DistanceClaim claim;
   Distances distances(mesh, surface, triangles, topology, field, level);
   for (const auto i : distances.run()) claim.coarse.push_back(surface.tet[i]);
-  for (const auto& tet : topology.tets)
-    for (const auto& sheet : tet.sheets)
-      if (!meets_an_edge(sheet, surface)) claim.coarse.push_back(tet.tet);
+  claim.reach = std::move(distances).reach();
+  const auto uncovered = uncovered_closed_rims(surface, triangles, topology, claim.reach);
+  claim.coarse.insert(claim.coarse.end(), uncovered.begin(), uncovered.end());
   std::sort(claim.coarse.begin(), claim.coarse.end());
   claim.coarse.erase(std::unique(claim.coarse.begin(), claim.coarse.end()), claim.coarse.end());
   // Positions are rounded, and so are the directions' lengths.
   constexpr double kAbove = 1 + 0x1p-20;
   for (const Index t : claim.coarse)
     claim.coarse_bound = std::max(claim.coarse_bound, kAbove * distances.size_of(t));
-  claim.reach = std::move(distances).reach();
   std::vector<char> is_coarse(mesh.tets.size(), 0);
   for (const Index t : claim.coarse) is_coarse[as_size(t)] = 1;
   for (const auto i : triangles)

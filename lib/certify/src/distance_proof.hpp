@@ -17,8 +17,8 @@ namespace tensortopo {
 /// the triangle is within the reach of the level. The segments over an arc of a face lie in the face
 /// and hold the arc, as its ends do not leave their edges and no other crossing is near; so what the
 /// segments over a sheet hold has degree one over the level's sheet, and covers it: each point of
-/// the level is within the reach of the triangles, too. (That says nothing of a sheet that meets no
-/// edge of the tetrahedron: there the bound is the coarse one.)
+/// the level is within the reach of the triangles, too. (For a sheet that meets no edge of the
+/// tetrahedron see `uncovered_closed_rims`.)
 ///
 /// @param triangles  those of the surface that the claim is about
 DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
