@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "baselines/baseline.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "baselines/a_patches.hpp"
+#include "baselines/marching.hpp"
+#include "tensortopo/tensor/mode.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using namespace baselines;
+
+std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
+
+template <class Body>
+std::vector<std::vector<SoupTriangle>> for_each_tet(const TetMesh& mesh, const Body& body) {
+  std::vector<std::vector<SoupTriangle>> by_tet(mesh.tets.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, by_tet.size(), 512),
+                    [&](const auto& range) {
+                      for (std::size_t t = range.begin(); t != range.end(); ++t)
+                        body(t, by_tet[t]);
+                    });
+  return by_tet;
+}
+
+SurfaceMesh by_marching(const TetMesh& mesh, double mu) {
+  std::vector<double> mode(mesh.points.size());
+  for (std::size_t v = 0; v < mode.size(); ++v)
+    mode[v] = mode_if_defined(deviator(mesh.tensors[v])).value_or(-2);
+  return merge(for_each_tet(mesh,
+                            [&](std::size_t t, std::vector<SoupTriangle>& out) {
+                              const auto& v = mesh.tets[t];
+                              std::array<bool, 4> above;
+                              for (std::size_t i = 0; i < 4; ++i)
+                                above[i] = mode[as_size(v[i])] > mu;
+                              march(above, static_cast<SurfaceMesh::Index>(t),
+                                    [&](std::size_t i, std::size_t j) {
+                                      const auto from = as_size(std::min(v[i], v[j]));
+                                      const auto to = as_size(std::max(v[i], v[j]));
+                                      const double s = (mu - mode[from]) / (mode[to] - mode[from]);
+                                      const auto &p = mesh.points[from], &q = mesh.points[to];
+                                      return p + s * (q - p);
+                                    },
+                                    out);
+                            }),
+               mu);
+}
+
+SurfaceMesh by_a_patches(const TetMesh& mesh, const ModeValue& mu,
+                         const BaselineOptions& options) {
+  const auto level = make_level<double>(mu);
+  return merge(for_each_tet(mesh,
+                            [&](std::size_t t, std::vector<SoupTriangle>& out) {
+                              std::array<FieldPoint, 4> corners;
+                              double largest = 0;
+                              for (std::size_t i = 0; i < 4; ++i) {
+                                const auto v = as_size(mesh.tets[t][i]);
+                                corners[i] = {deviator(mesh.tensors[v]), mesh.points[v]};
+                                largest = std::max(largest, norm_form(corners[i].tensor));
+                              }
+                              if (!(largest > 0)) return;
+                              // Degree six overflows early.
+                              const double scale = std::exp2(-std::ilogb(std::sqrt(largest)));
+                              for (auto& corner : corners) corner.tensor = scale * corner.tensor;
+                              add_a_patches(corners, static_cast<SurfaceMesh::Index>(t), level,
+                                            options, out);
+                            }),
+               mu.approx());
+}
+
+}  // namespace
+
+SurfaceMesh baseline_surface(Baseline method, const TetMesh& mesh, const ModeValue& mu,
+                             const BaselineOptions& options) {
+  if (std::abs(mu.approx()) >= 1)
+    throw std::invalid_argument("mode surfaces exist for |mode| < 1, not for " + mu.text());
+  return method == Baseline::marching ? by_marching(mesh, mu.approx())
+                                      : by_a_patches(mesh, mu, options);
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "baselines/baseline.hpp"
+#include "extract/extract_case.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/tensor/mode.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// The deviator of the piecewise linear field, in one of its tetrahedra.
+Deviator<double> tensor_in(const TetMesh& mesh, std::size_t t, const Vector3<double>& x) {
+  const auto& v = mesh.tets[t];
+  const auto p = [&](std::size_t i) { return mesh.points[as_size(v[i])]; };
+  const double volume = dot(cross(p(1) - p(0), p(2) - p(0)), p(3) - p(0));
+  const std::array<double, 4> w{dot(cross(p(2) - p(1), p(3) - p(1)), x - p(1)) / -volume,
+                                dot(cross(p(2) - p(0), p(3) - p(0)), x - p(0)) / volume,
+                                dot(cross(p(3) - p(0), p(1) - p(0)), x - p(0)) / volume,
+                                dot(cross(p(1) - p(0), p(2) - p(0)), x - p(0)) / volume};
+  Deviator<double> sum{};
+  for (std::size_t i = 0; i < 4; ++i)
+    sum = sum + w[i] * deviator(mesh.tensors[as_size(v[i])]);
+  return sum;
+}
+
+double mode_in(const TetMesh& mesh, std::size_t t, const Vector3<double>& x) {
+  return mode_if_defined(tensor_in(mesh, t, x)).value_or(0);
+}
+
+TetMesh smooth(int cubes, std::uint64_t seed) {
+  TetMesh mesh = cube_mesh(cubes);
+  fill_with_smooth_tensors(mesh, seed, 4, 2);
+  return mesh;
+}
+
+class Baselines : public testing::TestWithParam<const char*> {
+ protected:
+  static constexpr std::uint64_t kSeed = 20241220;
+};
+
+TEST_P(Baselines, MarchingIsAManifoldThatSeparatesTheVerticesByTheirModes) {
+  const TetMesh mesh = smooth(4, kSeed);
+  const double mu = ModeValue::parse(GetParam()).approx();
+  const auto surface = baseline_surface(Baseline::marching, mesh, ModeValue::parse(GetParam()));
+  ASSERT_GT(surface.triangles.size(), 0u);
+  const auto known = surface_invariants(surface);
+  EXPECT_TRUE(known.manifold);
+  EXPECT_TRUE(known.consistently_oriented);
+  // Each triangle sees the corners of its tetrahedron with larger modes on the side of its normal.
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const auto corner = [&](std::size_t k) {
+      return surface.points[as_size(surface.triangles[i][k])];
+    };
+    const auto normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+    const double size = std::sqrt(dot(normal, normal));
+    for (const auto v : mesh.tets[as_size(surface.tet[i])]) {
+      const double mode = *mode_if_defined(deviator(mesh.tensors[as_size(v)]));
+      const double height = dot(normal, mesh.points[as_size(v)] - corner(0));
+      if (std::abs(height) > 1e-9 * size) {
+        EXPECT_EQ(height > 0, mode > mu) << i;
+      }
+    }
+  }
+}
+
+TEST_P(Baselines, APatchesHaveTheirVerticesOnTheLevel) {
+  const TetMesh mesh = smooth(3, kSeed + 1);
+  const auto mode = ModeValue::parse(GetParam());
+  const auto surface = baseline_surface(Baseline::a_patches, mesh, mode);
+  ASSERT_GT(surface.triangles.size(), 0u);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    for (const auto v : surface.triangles[i])
+      EXPECT_NEAR(mode_in(mesh, as_size(surface.tet[i]), surface.points[as_size(v)]),
+                  mode.approx(), 1e-9);
+}
+
+// Its triangles see the larger mode where their normals point, as ours do, and cover the same area.
+TEST_P(Baselines, APatchesAreTheSurfaceThatWeExtractButForCracks) {
+  const TetMesh mesh = smooth(3, kSeed + 2);
+  const auto mode = ModeValue::parse(GetParam());
+  BaselineOptions options;
+  options.samples = 8;
+  const auto surface = baseline_surface(Baseline::a_patches, mesh, mode, options);
+  ExtractOptions fine;
+  fine.sampling.resolution = 16;
+  const auto ours = extract_mode_surface<double>(mesh, mode, fine).surface;
+  const double area = surface_invariants(surface).area, our_area = surface_invariants(ours).area;
+  EXPECT_NEAR(area, our_area, 0.02 * our_area);
+  double wrong = 0;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const auto corner = [&](std::size_t k) {
+      return surface.points[as_size(surface.triangles[i][k])];
+    };
+    const auto normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+    const double size = std::sqrt(dot(normal, normal));
+    const auto centre = (1.0 / 3) * (corner(0) + corner(1) + corner(2));
+    const double h = 1e-4;
+    const auto t = as_size(surface.tet[i]);
+    if (size > 0 && mode_in(mesh, t, centre + (h / size) * normal) <
+                        mode_in(mesh, t, centre - (h / size) * normal))
+      wrong += size / 2;
+  }
+  EXPECT_LT(wrong, 0.01 * area);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Baselines, testing::Values("0", "1/2", "-1/2", "9/10"));
+
+}  // namespace
+}  // namespace tensortopo::test
