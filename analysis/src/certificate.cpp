@@ -32,6 +32,8 @@ void require_certifiable(const ExtractCommand& command) {
   if (command.output.extension() != ".vtp")
     throw UsageError("--certify: the certificate names vertices and tetrahedra of the surface, "
                      "which only a .vtp keeps; give -o a name in .vtp");
+  if (command.baseline)
+    throw UsageError("--certify: only surfaces of the method `manifold` come with proofs");
   if (std::any_of(command.modes.begin(), command.modes.end(), is_degenerate))
     throw UsageError("--certify: there are certificates of mode surfaces, not of degenerate "
                      "curves (--mode 1 or -1)");

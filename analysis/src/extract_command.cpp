@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -48,6 +49,18 @@ void require_folder(const std::filesystem::path& output) {
 
 using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vector<ModeValue>>;
 
+/// A baseline's surface as if extracted: it leaves nothing out, and counts nothing.
+Extraction extract_baseline(const TetMesh& mesh, const ModeValue& mode,
+                            const ExtractCommand& command) {
+  Extraction extraction;
+  extraction.surface =
+      baseline_surface(*command.baseline, mesh, mode, command.baseline_options);
+  const auto& tet = extraction.surface.tet;  // ascending
+  for (std::size_t i = 0; i < tet.size(); ++i)
+    extraction.statistics.tets_crossed += i == 0 || tet[i] != tet[i - 1];
+  return extraction;
+}
+
 SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction) {
   SurfaceReport report;
   report.mode = mode;
@@ -55,6 +68,9 @@ SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction
   report.triangles = extraction.surface.triangles.size();
   report.invariants = surface_invariants(extraction.surface);
   report.invariants.component.clear();
+  // A baseline does not know.
+  if (extraction.surface.residual.empty() && report.vertices > 0)
+    report.max_abs_residual = std::numeric_limits<double>::quiet_NaN();
   for (const double r : extraction.surface.residual) {
     report.max_abs_residual = std::max(report.max_abs_residual, std::abs(r));
   }
@@ -119,6 +135,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (!(command.sampling.resolution > 0) || !std::isfinite(command.sampling.resolution)) {
     throw UsageError("--resolution: must be a positive number");
   }
+  if (command.baseline && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
+    throw UsageError("--method: degenerate curves (--mode 1 or -1) have no other method");
+  }
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
@@ -169,7 +188,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       append_curves(curves, std::move(extraction.curves));
       continue;
     }
-    Extraction extraction = extract_mode_surface<double>(read.mesh, modes[i], options);
+    Extraction extraction =
+        command.baseline ? extract_baseline(read.mesh, modes[i], command)
+                         : extract_mode_surface<double>(read.mesh, modes[i], options);
     report.seconds_extract += extract_clock.seconds();
     for (const UnresolvedCell& cell : extraction.unresolved) {
       const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "baselines/baseline.hpp"
+#include "tensortopo/analysis/baseline.hpp"
 #include "extract/extract_case.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/tensor/mode.hpp"

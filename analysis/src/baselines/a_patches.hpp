@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "baselines/baseline.hpp"
+#include "tensortopo/analysis/baseline.hpp"
 #include "baselines/triangle_soup.hpp"
 #include "tensortopo/extract/level.hpp"
 

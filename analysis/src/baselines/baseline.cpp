@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "baselines/baseline.hpp"
+#include "tensortopo/analysis/baseline.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

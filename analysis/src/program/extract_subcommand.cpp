@@ -28,6 +28,8 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
                                                             {"abaqus", ComponentOrder::abaqus}};
   ExtractCommand command = options.command;
   command.modes = parse_modes(options.modes);
+  if (options.method == "marching") command.baseline = Baseline::marching;
+  if (options.method == "a-patches") command.baseline = Baseline::a_patches;
   if (!options.components.empty()) command.read.components = orders.at(options.components);
 
   ProgressBar bar(!common.quiet);
@@ -73,7 +75,11 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->type_name("R")
       ->capture_default_str();
   app.add_option("--method", options->method, "How to extract")
-      ->check(CLI::IsMember({"manifold"}))
+      ->check(CLI::IsMember({"manifold", "marching", "a-patches"}))
+      ->capture_default_str();
+  app.add_option("--patch-samples", command.baseline_options.samples,
+                 "Samples along each side of a patch (method a-patches)")
+      ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--certify", command.certificate,
                  "Also prove the topology and distances; JSON, or CBOR if named .cbor")

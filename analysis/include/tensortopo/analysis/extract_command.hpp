@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "tensortopo/analysis/baseline.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
@@ -19,6 +21,8 @@ struct ExtractCommand {
   std::filesystem::path output;  ///< .vtp, .ply, .obj, .off or .stl
   std::filesystem::path certificate;  ///< JSON, or CBOR if named .cbor; empty for none
   std::vector<ModeValue> modes;  ///< in this order; 1 and -1 are curves; repetitions count once
+  std::optional<Baseline> baseline;  ///< instead of our own method
+  BaselineOptions baseline_options;
   bool generalized = false;      ///< after each mode its opposite
   bool strict = false;           ///< write nothing if a tetrahedron stays unresolved
   ReadOptions read;
