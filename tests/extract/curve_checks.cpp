@@ -73,8 +73,12 @@ PreciseTensor precise_tensor(const TetMesh& mesh, Index tet, const Vector3<doubl
 
 class Checker {
  public:
-  Checker(const CurveExtraction& extraction, const TetMesh& mesh, double mode)
-      : extraction_(extraction), curves_(extraction.curves), mesh_(mesh), mode_(mode) {}
+  Checker(const CurveExtraction& extraction, const TetMesh& mesh, double mode, CurveEnds ends)
+      : extraction_(extraction),
+        curves_(extraction.curves),
+        mesh_(mesh),
+        mode_(mode),
+        ends_(ends) {}
 
   std::string run() {
     check_lengths();
@@ -108,7 +112,8 @@ class Checker {
     for (const double s : curves_.separation)
       if (!std::isfinite(s)) complain("separation ", s);
     for (const auto& e : curves_.dominant_eigenvector)
-      if (!(std::abs(dot(e, e) - 1) < 1e-14)) complain("an eigenvector of length ", dot(e, e));
+      if (dot(e, e) != 0 && !(std::abs(dot(e, e) - 1) < 1e-14))
+        complain("an eigenvector of length ", dot(e, e));
   }
 
   std::array<Index, 4> corners(Index tet) const {
@@ -117,33 +122,61 @@ class Checker {
     return result;
   }
 
+  static std::set<Index> vertices_of(const std::array<Index, 4>& key) {
+    std::set<Index> result(key.begin(), key.end());
+    result.erase(-1);
+    return result;
+  }
+
+  static bool is_part(const std::array<Index, 4>& key, const std::array<Index, 4>& of) {
+    const auto part = vertices_of(key), whole = vertices_of(of);
+    return std::includes(whole.begin(), whole.end(), part.begin(), part.end());
+  }
+
   void check_lines() {
     std::set<Index> used;
+    std::set<std::pair<Index, Index>> straight;
+    for (std::size_t v = 0; v < curves_.points.size(); ++v) {
+      const auto count = vertices_of(curves_.carrier_vertices[v]).size();
+      constexpr std::array<Carrier, 5> carriers{Carrier::vertex, Carrier::vertex, Carrier::edge,
+                                                Carrier::face, Carrier::tet};
+      if (count == 0 || curves_.carrier[v] != carriers[count]) complain("wrong carrier at ", v);
+    }
     for (std::size_t l = 0; l < curves_.lines.size(); ++l) {
       const auto& line = curves_.lines[l];
       const auto tet = corners(curves_.tet[l]);
-      for (std::size_t i = 0; i < line.size(); ++i) {
-        const auto v = as_size(line[i]);
-        const bool end = i == 0 || i + 1 == line.size();
-        used.insert(line[i]);
-        const auto& key = curves_.carrier_vertices[v];
-        if (end != (curves_.carrier[v] == Carrier::face)) complain("line ", l, ": wrong carrier");
-        if (!end && key != tet) complain("line ", l, ": inner vertex of another tetrahedron");
-        if (end &&
-            !(key[3] == -1 && std::includes(tet.begin(), tet.end(), key.begin(), key.begin() + 3)))
-          complain("line ", l, ": ends in a face of another tetrahedron");
-      }
-      if (std::set<Index>(line.begin(), line.end()).size() != line.size())
+      used.insert(line.begin(), line.end());
+      const auto key = [&](std::size_t i) { return curves_.carrier_vertices[as_size(line[i])]; };
+      for (std::size_t i = 0; i < line.size(); ++i)
+        if (!is_part(key(i), tet)) complain("line ", l, " is not in its tetrahedron");
+      for (std::size_t i = 1; i + 1 < line.size(); ++i)
+        if (key(i) != key(1)) complain("line ", l, " leaves its cell");
+      if (line.size() > 2 && !(is_part(key(0), key(1)) && is_part(key(line.size() - 1), key(1))))
+        complain("line ", l, " ends away from its cell");
+      // A curve inside one cell may close up.
+      const bool closed = line.front() == line.back();
+      if (std::set<Index>(line.begin(), line.end()).size() + closed != line.size() ||
+          (closed && line.size() < 4))
         complain("line ", l, " repeats a vertex");
+      // Along an edge.
+      const auto to = vertices_of(key(line.size() - 1));
+      auto both = vertices_of(key(0));
+      both.insert(to.begin(), to.end());
+      if (both.size() == 2 && line.size() == 2 &&
+          !straight.insert(std::minmax(line[0], line[1])).second)
+        complain("line ", l, " is there already");
     }
     if (used.size() != curves_.points.size()) complain("vertices that no line uses");
   }
 
   void check_components() {
+    std::map<Index, int> ends;
+    for (const auto& line : curves_.lines) ++ends[line.front()], ++ends[line.back()];
     for (std::size_t l = 1; l < curves_.lines.size(); ++l) {
       const Index last = curves_.component[l - 1], next = curves_.component[l];
       if (next != last && next != last + 1) complain("component ", next, " after ", last);
-      if (next == last && curves_.lines[l].front() != curves_.lines[l - 1].back())
+      if (next == last && curves_.lines[l].front() != curves_.lines[l - 1].back() &&
+          (ends[curves_.lines[l].front()] == 2 || ends[curves_.lines[l - 1].back()] == 2))
         complain("line ", l, " does not follow the one before");
     }
     const auto invariants = curve_invariants(curves_);
@@ -153,13 +186,18 @@ class Checker {
       complain(counted, " components for ", invariants.components);
   }
 
-  // A closed component passes each vertex twice, so it needs no rule of its own.
   void check_ends() {
     std::set<Index> unresolved;
-    for (const auto& cell : extraction_.unresolved) unresolved.insert(cell.tet);
+    for (const auto& cell : extraction_.unresolved) {
+      unresolved.insert(cell.tet);
+      if (cell.obstacle == CurveObstacle::degenerate_on_a_surface) surfaces_.insert(cell.tet);
+    }
+    for (std::size_t l = 0; l < curves_.lines.size(); ++l)
+      if (unresolved.contains(curves_.tet[l]) && !surfaces_.contains(curves_.tet[l]))
+        complain("a line in an unresolved tetrahedron");
+    if (ends_ == CurveEnds::free) return;
     std::map<Face, int> tets_at;
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-      if (unresolved.contains(static_cast<Index>(t))) continue;
       const auto tet = corners(static_cast<Index>(t));
       for (std::size_t i = 0; i < 4; ++i) {
         Face face;
@@ -168,19 +206,26 @@ class Checker {
         ++tets_at[face];
       }
     }
+    std::vector<std::array<Index, 4>> borders;
+    for (const auto& [face, count] : tets_at)
+      if (count == 1) borders.push_back({face[0], face[1], face[2], -1});
+    for (const Index t : unresolved) borders.push_back(corners(t));
     std::map<Index, int> ends;
     for (const auto& line : curves_.lines) ++ends[line.front()], ++ends[line.back()];
     for (const auto& [v, count] : ends) {
+      const auto& e = curves_.dominant_eigenvector[as_size(v)];
+      if (dot(e, e) == 0 || count % 2 == 0) continue;
       const auto& key = curves_.carrier_vertices[as_size(v)];
-      if (count != tets_at[{key[0], key[1], key[2]}])
-        complain("vertex ", v, " ends ", count, " lines");
+      if (std::none_of(borders.begin(), borders.end(),
+                       [&](const auto& border) { return is_part(key, border); }))
+        complain("vertex ", v, " inside ends ", count, " lines");
     }
-    for (std::size_t l = 0; l < curves_.lines.size(); ++l)
-      if (unresolved.contains(curves_.tet[l])) complain("a line in an unresolved tetrahedron");
   }
 
   void check_place(Index v, Index tet) {
     const auto& x = curves_.points[as_size(v)];
+    const auto& e = curves_.dominant_eigenvector[as_size(v)];
+    if (dot(e, e) == 0) return;  // no deviator, no mode
     const auto t = precise_tensor(mesh_, tet, x);
     if (!(t.residual <= t.rounding))
       complain("vertex ", v, ": residual ", t.residual, ", rounding explains ", t.rounding);
@@ -195,14 +240,31 @@ class Checker {
   const CurveMesh& curves_;
   const TetMesh& mesh_;
   const double mode_;
+  const CurveEnds ends_;
+  std::set<Index> surfaces_;  ///< tetrahedra with degenerate surfaces
   std::ostringstream complaints_;
   int count_ = 0;
 };
 
 }  // namespace
 
-std::string flaws(const CurveExtraction& extraction, const TetMesh& mesh, double mode) {
-  return Checker(extraction, mesh, mode).run();
+std::string flaws(const CurveExtraction& extraction, const TetMesh& mesh, double mode,
+                  CurveEnds ends) {
+  return Checker(extraction, mesh, mode, ends).run();
+}
+
+double distance(const Vector3<double>& x, const CurveMesh& curves) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& line : curves.lines)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const auto& a = curves.points[as_size(line[i])];
+      const auto d = curves.points[as_size(line[i + 1])] - a;
+      const double size = dot(d, d);
+      const double t = size > 0 ? std::clamp(dot(x - a, d) / size, 0.0, 1.0) : 0;
+      const auto away = a + t * d - x;
+      least = std::min(least, dot(away, away));
+    }
+  return std::sqrt(least);
 }
 
 }  // namespace tensortopo::test

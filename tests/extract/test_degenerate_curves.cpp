@@ -8,8 +8,6 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <numeric>
-#include <set>
 
 #include "curve_checks.hpp"
 #include "extract_case.hpp"
@@ -116,44 +114,17 @@ TEST(DegenerateCurves, InATetrahedronAreThePiecesThatDenseSamplesSee) {
   EXPECT_LE(50 * missed, pieces);
 }
 
-RC_GTEST_PROP(DegenerateCurves, OfSmallIntegersAreFlawlessOrNamed, ()) {
+RC_GTEST_PROP(DegenerateCurves, OfSmallIntegersAreFlawless, ()) {
   const TetSample sample = *small_integer_tet(*rc::gen::inRange(1, 10));
   const TetMesh mesh = reference_tet_mesh(sample.tensors);
   for (const Degeneracy kind : kKinds) {
     const auto extraction = extract_degenerate_curves(mesh, kind);
-    RC_ASSERT(flaws(extraction, mesh, mode_of(kind)) == "");
-    RC_CLASSIFY(!extraction.unresolved.empty(), "named");
+    RC_ASSERT(flaws(extraction, mesh, mode_of(kind), CurveEnds::free) == "");
+    for (const auto& cell : extraction.unresolved)
+      RC_ASSERT(cell.obstacle != CurveObstacle::points_not_told_apart);
+    RC_CLASSIFY(!extraction.unresolved.empty(), "more than curves");
     RC_CLASSIFY(!extraction.curves.lines.empty(), "crossed");
   }
-}
-
-// Meshes full of ties, planes of symmetry and deficient ranks: what is extracted is sound, and ends
-// inside the mesh only at tetrahedra that are named.
-TEST(DegenerateCurves, OfFieldsInSpecialPositionAreFlawlessOrNamed) {
-  const std::uint64_t seed = 20250111;
-  SCOPED_TRACE(announce(seed));
-  Random random(seed);
-  std::map<std::string_view, int> named;
-  for (int trial = 0; trial < trials(20); ++trial) {
-    TetMesh mesh = cube_mesh(2);
-    const int bound = 1 + trial % 4;
-    for (auto& t : mesh.tensors) {
-      for (double* entry : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz})
-        *entry = random.integer(-bound, bound);
-      if (trial % 5 == 1) t.xz = t.yz = 0;  // plane strain
-    }
-    if (trial % 5 == 2)  // a mirror in the middle
-      for (std::size_t v = 0; v < mesh.points.size(); ++v)
-        if (mesh.points[v].z == 1) mesh.tensors[v].xz = mesh.tensors[v].yz = 0;
-    for (const Degeneracy kind : kKinds) {
-      const auto extraction = extract_degenerate_curves(mesh, kind);
-      EXPECT_EQ(flaws(extraction, mesh, mode_of(kind)), "") << "trial " << trial;
-      for (const auto& cell : extraction.unresolved) ++named[name_of(cell.obstacle)];
-    }
-  }
-  for (const auto& [name, count] : named) std::cout << name << ": " << count << '\n';
-  EXPECT_FALSE(named.contains("points_not_told_apart"));
-  EXPECT_GE(named.size(), 5u);
 }
 
 /// The faces and tetrahedra through which the lines go, and how often.
@@ -279,16 +250,6 @@ TEST(DegenerateCurves, OfWitnessFieldsAreFlawless) {
       }
 }
 
-TEST(DegenerateCurves, OfSpecialFieldsAreFlawlessOrNamed) {
-  for (const auto& witness : stratum_witnesses())
-    for (const Degeneracy kind : kKinds) {
-      const TetMesh mesh = single_tet_mesh(witness.points, witness.tensors);
-      const auto extraction = extract_degenerate_curves(mesh, kind);
-      EXPECT_EQ(flaws(extraction, mesh, mode_of(kind)), "") << witness.name;
-      EXPECT_TRUE(witness.rank == 4 || extraction.curves.lines.empty()) << witness.name;
-    }
-}
-
 // The deviator across the z axis is (x, y), which turns once around the axis: a wedge; with (x, -y)
 // a trisector. Small parts besides make the rank four and the characteristic tensor general.
 TEST(DegenerateCurves, TellWedgesFromTrisectors) {
@@ -309,22 +270,6 @@ TEST(DegenerateCurves, TellWedgesFromTrisectors) {
   const auto trisectors = extract_degenerate_curves(other, Degeneracy::planar).curves;
   EXPECT_FALSE(trisectors.lines.empty());
   for (const double s : trisectors.separation) EXPECT_LT(s, 0);
-}
-
-TEST(DegenerateCurves, LeaveOutTheTetrahedraAtAVertexWithoutDeviatorOnly) {
-  TetMesh mesh = cube_mesh(2);
-  fill_with_normal_tensors(mesh, 20250110);
-  constexpr Index centre = 13;
-  TetMesh holed = mesh;
-  holed.tensors[centre] = {7, 7, 7, 0, 0, 0};
-  for (const Degeneracy kind : kKinds) {
-    const auto extraction = extract_degenerate_curves(holed, kind);
-    EXPECT_EQ(flaws(extraction, holed, mode_of(kind)), "");
-    for (const auto& cell : extraction.unresolved) {
-      const auto& tet = mesh.tets[static_cast<std::size_t>(cell.tet)];
-      EXPECT_TRUE(std::find(tet.begin(), tet.end(), centre) != tet.end());
-    }
-  }
 }
 
 TEST(DegenerateCurves, OfNothingAreNothing) {

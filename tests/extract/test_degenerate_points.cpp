@@ -180,8 +180,9 @@ TEST(DegeneratePoints, SpecialPositionsAreNamed) {
 
 TEST(DegeneratePoints, NamesAreDistinct) {
   std::set<std::string_view> names;
-  for (int i = 0; i < 8; ++i) names.insert(name_of(static_cast<CurveObstacle>(i)));
-  EXPECT_EQ(names.size(), 8u);
+  for (int i = 0; i < 11; ++i) names.insert(name_of(static_cast<CurveObstacle>(i)));
+  EXPECT_EQ(names.size(), 11u);
+  EXPECT_FALSE(names.contains("unknown"));
 }
 
 }  // namespace

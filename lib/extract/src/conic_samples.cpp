@@ -14,6 +14,9 @@ using Direction = Vector3<long double>;
 /// Bisections of one stretch; the turning halves with nearly every one.
 constexpr int kDepth = 40;
 
+/// What rounding moves a point off the conic by is less, unless the conic nearly crosses itself.
+constexpr long double kLargestStep = 0x1p-20L;
+
 const long double kTurn = 2 * std::acos(-1.0L);
 
 Direction wide(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
@@ -52,10 +55,12 @@ long double ConicSampler::angle(const Direction& e) const {
 
 CurveSample ConicSampler::sample(const Direction& e) const {
   CurveSample result;
-  // Once more onto the conic, along its normal.
+  // Once more onto the conic, along its normal; where that vanishes to rounding, because the conic
+  // nearly crosses itself, e is as good as it gets.
   const auto normal = form_ * e;
   const long double step = dot(e, normal) / (2 * dot(normal, normal));
-  result.dominant = unit(e - step * normal);
+  const bool is_small = std::abs(step) * std::sqrt(dot(normal, normal)) < kLargestStep;
+  result.dominant = is_small ? unit(e - step * normal) : e;
   long double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     result.weights[i] = polar(weight_[i], result.dominant, result.dominant);

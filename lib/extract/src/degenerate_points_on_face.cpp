@@ -28,6 +28,12 @@ std::string_view name_of(CurveObstacle obstacle) {
       return "dependent_tensors_in_cell";
     case CurveObstacle::neutral_characteristic:
       return "neutral_characteristic";
+    case CurveObstacle::degenerate_on_a_surface:
+      return "degenerate_on_a_surface";
+    case CurveObstacle::degenerate_throughout:
+      return "degenerate_throughout";
+    case CurveObstacle::no_deviator_in_cell:
+      return "no_deviator_in_cell";
     case CurveObstacle::points_not_told_apart:
       return "points_not_told_apart";
   }

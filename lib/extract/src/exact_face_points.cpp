@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "exact_direction.hpp"
 #include "tensortopo/extract/screen.hpp"
 #include "tensortopo/field/planar_critical_points.hpp"
 #include "tensortopo/scalar/constants.hpp"
@@ -38,22 +39,12 @@ bool is_excluded(const Corners& corners, double lode_angle, int depth) {
                      [&](const Corners& part) { return is_excluded(part, lode_angle, depth - 1); });
 }
 
-bool is_zero(const Vector3<Rational>& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
-/// A vector that a singular form maps to zero; zero if there are several.
-Vector3<Rational> kernel(const SymmetricTensor<Rational>& t) {
-  const Vector3<Rational> x{t.xx, t.xy, t.xz}, y{t.xy, t.yy, t.yz}, z{t.xz, t.yz, t.zz};
-  for (const auto& k : {cross(x, y), cross(y, z), cross(z, x)})
-    if (!is_zero(k)) return k;
-  return {};
-}
-
 /// Of conics that meet in infinitely many points, or in fewer than four complex ones.
 CurveObstacle obstacle_of(const FieldForms<Rational, 3>& forms, const std::array<Rational, 4>& f) {
   for (const Rational& c : f)
     if (c != 0) return CurveObstacle::coincident_points_on_face;
   // All forms of the pencil are singular: they share a line of zeros, or a singular point.
-  const auto k = kernel(forms.across[0]);
+  const auto k = kernel_of(forms.across[0]);
   if (!is_zero(k) && is_zero(forms.across[1] * k)) return CurveObstacle::coincident_points_on_face;
   return CurveObstacle::degenerate_conic_on_face;
 }
@@ -100,6 +91,24 @@ std::optional<std::array<LongInterval, 2>> LongFace::zero_near(
                                       ldexp(LongInterval::End(1), -300));
 }
 
+std::vector<IsolatedZero> isolated_zeros(const LongFace& face) {
+  TriangleField<Real100> field;
+  for (std::size_t i = 0; i < 3; ++i) field.vertex[i] = exact_deviator<Real100>(face.tensors[i]);
+  std::vector<IsolatedZero> found;
+  for (const auto& start : degenerate_points(field).points) {
+    const auto e = dominant_direction(start);
+    const DirectionChart chart = chart_around(
+        {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)});
+    const auto zero = face.zero_near(chart, coordinates_in(chart, e));
+    if (!zero) return {};
+    const auto box = direction_at(chart, (*zero)[0], (*zero)[1]);
+    for (const auto& former : found)
+      if (!are_apart(former.direction, box)) return {};
+    found.push_back({chart, *zero, box});
+  }
+  return found;
+}
+
 namespace {
 
 /// The number of degenerate points in the projective plane, or what keeps them from being counted.
@@ -142,22 +151,13 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
   const Verdict orientation = sign_in(face.forms.determinant);
   if (!is_strict(orientation)) return with(CurveObstacle::points_not_told_apart);
 
-  TriangleField<Real100> field;
-  for (std::size_t i = 0; i < 3; ++i) field.vertex[i] = exact_deviator<Real100>(tensors[i]);
-  std::vector<Vector3<LongInterval>> found;
-  for (const auto& start : degenerate_points(field).points) {
-    const auto e = dominant_direction(start);
-    const DirectionChart chart = chart_around(
-        {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)});
-    const auto zero = face.zero_near(chart, coordinates_in(chart, e));
-    if (!zero) return with(CurveObstacle::points_not_told_apart);
-    const auto box = direction_at(chart, (*zero)[0], (*zero)[1]);
-    for (const auto& former : found)
-      if (!are_apart(former, box)) return with(CurveObstacle::points_not_told_apart);
-    found.push_back(box);
+  const auto zeros = isolated_zeros(face);
+  if (static_cast<int>(zeros.size()) != counted.points)
+    return with(CurveObstacle::points_not_told_apart);
+  for (const auto& [chart, zero, direction] : zeros) {
     int positive = 0, negative = 0;
     for (const auto& form : face.forms.weight) {
-      const Verdict sign = sign_in(polar(form, box, box));
+      const Verdict sign = sign_in(polar(form, direction, direction));
       if (is_strict(sign)) ++(sign == orientation ? positive : negative);
     }
     if (positive > 0 && negative > 0) continue;
@@ -171,13 +171,11 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
     point.linear = positive > 0;
     point.box = {chart.centre, chart.first, chart.second, {}, {}};
     for (std::size_t k = 0; k < 2; ++k) {
-      point.box.low[k] = mpfr_get_d((*zero)[k].low.backend().data(), MPFR_RNDD);
-      point.box.high[k] = mpfr_get_d((*zero)[k].high.backend().data(), MPFR_RNDU);
+      point.box.low[k] = mpfr_get_d(zero[k].low.backend().data(), MPFR_RNDD);
+      point.box.high[k] = mpfr_get_d(zero[k].high.backend().data(), MPFR_RNDU);
     }
     result.points.push_back(point);
   }
-  if (static_cast<int>(found.size()) != counted.points)
-    return with(CurveObstacle::points_not_told_apart);
   if (!result.concerns_linear && !result.concerns_planar) {
     result.in_plane = counted.points;
     return result;

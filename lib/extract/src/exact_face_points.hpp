@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "certified_zero.hpp"
 
@@ -21,6 +22,17 @@ struct LongFace {
   std::array<std::size_t, 5> columns{};
   FieldForms<LongInterval, 3> forms;
 };
+
+/// A common zero of the forms of a face, in a box of a chart that holds no other.
+struct IsolatedZero {
+  DirectionChart chart;
+  std::array<LongInterval, 2> place;
+  Vector3<LongInterval> direction;
+};
+
+/// The degenerate directions of a face's plane that 100 digits find and 150 prove, each apart from
+/// the others: all of them, if as many as counted.
+std::vector<IsolatedZero> isolated_zeros(const LongFace& face);
 
 /// Degenerate points by 100 digits, intervals of 150 and, where it is about zero, rationals; see
 /// `degenerate_points_on_face`.

@@ -7,6 +7,7 @@
 
 #include "curve_assembly.hpp"
 #include "parallel_stage.hpp"
+#include "special_positions.hpp"
 #include "tensortopo/extract/screen.hpp"
 #include "tensortopo/scalar/constants.hpp"
 
@@ -27,10 +28,12 @@ class CurveExtractor {
     Stopwatch watch;
     screen();
     find_face_points();
+    SpecialPositions special(mesh_, field_, kind_, options_, cells_);
+    special.find();
     result_.statistics.seconds_faces = watch.lap();
-    join_in_tets();
+    join_in_tets(special);
     result_.statistics.seconds_tets = watch.lap();
-    result_.curves = assemble_curves(mesh_, field_, kind_, parts_, options_);
+    result_.curves = assemble_curves(mesh_, field_, kind_, cells_.places, links_, options_);
     result_.statistics.seconds_stitch = watch.lap();
     return std::move(result_);
   }
@@ -71,16 +74,16 @@ class CurveExtractor {
     for (std::size_t t = 0; t < active.size(); ++t)
       if (active[t]) tets.push_back(static_cast<Index>(t));
     result_.statistics.tets_screened_out = mesh_.tets.size() - tets.size();
-    parts_.complex = tet_complex(mesh_, tets);
+    cells_.complex = tet_complex(mesh_, tets);
   }
 
   void find_face_points() {
-    const auto& faces = parts_.complex.faces;
-    parts_.faces.resize(faces.size());
+    const auto& faces = cells_.complex.faces;
+    cells_.faces.resize(faces.size());
     std::vector<char> counted(faces.size(), 0);
     parallel_stage(options_, "faces", faces.size(), 256, [&](std::size_t f) {
       if (is_screened_out(faces[f])) return;
-      auto& found = parts_.faces[f];
+      auto& found = cells_.faces[f];
       for (const Index v : faces[f])
         if (field_.is_zero[as_size(v)]) {
           found.obstacle = CurveObstacle::zero_deviator_vertex;
@@ -93,56 +96,89 @@ class CurveExtractor {
       if (!(linear ? found.concerns_linear : found.concerns_planar)) found.obstacle.reset();
     });
     for (std::size_t f = 0; f < faces.size(); ++f) {
+      auto& found = cells_.faces[f];
       result_.statistics.faces += counted[f] != 0;
-      result_.statistics.faces_exact += parts_.faces[f].exact;
-      result_.statistics.face_points += parts_.faces[f].points.size();
+      result_.statistics.faces_exact += found.exact;
+      // Of such a face all is found anew.
+      if (found.obstacle) found.points.clear();
+      cells_.first_place.push_back(cells_.places.size());
+      for (const FacePoint& point : found.points) {
+        CurvePlace place;
+        std::copy(faces[f].begin(), faces[f].end(), place.vertices.begin());
+        std::copy(point.weights.begin(), point.weights.end(), place.weights.begin());
+        place.dominant = point.dominant;
+        cells_.places.push_back(place);
+      }
     }
+    result_.statistics.face_points = cells_.places.size();
   }
 
-  void join_in_tets() {
-    const auto& complex = parts_.complex;
-    parts_.tets.resize(complex.tets.size());
-    parts_.rims.resize(complex.tets.size());
-    parallel_stage(options_, "tetrahedra", complex.tets.size(), 256, [&](std::size_t t) {
-      auto& joined = parts_.tets[t];
-      for (const Index f : complex.tet_faces[t])
-        if (const auto& obstacle = parts_.faces[as_size(f)].obstacle) {
-          joined.obstacle = obstacle;
-          return;
-        }
-      const auto& vertices = mesh_.tets[as_size(complex.tets[t])];
-      std::vector<RimPoint> rim;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Index f = complex.tet_faces[t][i];
-        RimPoint point;
-        point.face = i;
-        for (std::size_t k = 0; k < 3; ++k) {
-          const Index v = complex.faces[as_size(f)][k];
-          point.corners[k] = static_cast<std::size_t>(
-              std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
-        }
-        const auto& points = parts_.faces[as_size(f)].points;
-        for (std::size_t k = 0; k < points.size(); ++k) {
-          point.point = points[k];
-          rim.push_back(point);
-          parts_.rims[t].push_back({f, k});
-        }
+  /// What a tetrahedron in general position holds.
+  CellCurves join_in_tet(std::size_t t) const {
+    const auto& complex = cells_.complex;
+    const auto& vertices = mesh_.tets[as_size(complex.tets[t])];
+    std::vector<RimPoint> rim;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index f = complex.tet_faces[t][i];
+      RimPoint point;
+      point.face = i;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index v = complex.faces[as_size(f)][k];
+        point.corners[k] = static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), v) -
+                                                    vertices.begin());
       }
-      joined =
-          degenerate_curve_in_tet(tensors_at<4>(vertices), rim, options_.sampling.largest_turn());
-    });
-    for (std::size_t t = 0; t < complex.tets.size(); ++t) {
-      const auto& joined = parts_.tets[t];
-      if (joined.obstacle) result_.unresolved.push_back({complex.tets[t], *joined.obstacle});
-      result_.statistics.tets_crossed += !joined.pieces.empty();
+      const auto& points = cells_.faces[as_size(f)].points;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        point.point = points[k];
+        rim.push_back(point);
+        places.push_back(cells_.first_place[as_size(f)] + k);
+      }
     }
+    auto joined =
+        degenerate_curve_in_tet(tensors_at<4>(vertices), rim, options_.sampling.largest_turn());
+    CellCurves result;
+    result.obstacle = joined.obstacle;
+    for (CurvePiece& piece : joined.pieces)
+      result.links.push_back({complex.tets[t],
+                              vertices,
+                              {places[piece.begin], places[piece.end]},
+                              std::move(piece.inner)});
+    return result;
+  }
+
+  void join_in_tets(const SpecialPositions& special) {
+    const auto& complex = cells_.complex;
+    std::vector<CellCurves> tets(complex.tets.size());
+    parallel_stage(options_, "tetrahedra", tets.size(), 256, [&](std::size_t t) {
+      const auto& faces = complex.tet_faces[t];
+      const bool is_general =
+          std::none_of(faces.begin(), faces.end(), [&](Index f) { return special.is_special(f); });
+      if (is_general) tets[t] = join_in_tet(t);
+      if (!is_general || tets[t].obstacle) tets[t] = special.curve_in_tet(t);
+    });
+    const std::size_t shared = cells_.places.size();
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      auto& cell = tets[t];
+      if (cell.obstacle) result_.unresolved.push_back({complex.tets[t], *cell.obstacle});
+      result_.statistics.tets_crossed += !cell.links.empty();
+      const std::size_t own = cells_.places.size() - shared;
+      for (CurveLink& link : cell.links) {
+        for (std::size_t& end : link.ends)
+          if (end >= shared) end += own;
+        links_.push_back(std::move(link));
+      }
+      cells_.places.insert(cells_.places.end(), cell.places.begin(), cell.places.end());
+    }
+    for (CurveLink& link : special.links_below(tets)) links_.push_back(std::move(link));
   }
 
   const TetMesh& mesh_;
   const Degeneracy kind_;
   const ExtractOptions& options_;
   ScaledField<double> field_;
-  CurveParts parts_;
+  CurveCells cells_;
+  std::vector<CurveLink> links_;
   CurveExtraction result_;
 };
 

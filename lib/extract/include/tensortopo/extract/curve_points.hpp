@@ -11,7 +11,12 @@
 
 namespace tensortopo {
 
-/// Why the degenerate curve in a tetrahedron was not extracted.
+/// What is special about a cell's degenerate points.
+///
+/// The stages for general position (`degenerate_points_on_face`, `degenerate_curve_in_tet`) name a
+/// special position and leave it alone. `extract_degenerate_curves` settles them, in rationals; it
+/// names what remains: `degenerate_on_a_surface`, `degenerate_throughout`, `no_deviator_in_cell`,
+/// which are true of the field, and `points_not_told_apart`.
 enum class CurveObstacle {
   zero_deviator_vertex,       ///< the deviator vanishes at a vertex: the mode is undefined there
   dependent_tensors_on_face,  ///< the deviators at three vertices are dependent
@@ -20,7 +25,10 @@ enum class CurveObstacle {
   degenerate_point_on_edge,   ///< one is on an edge or vertex, or no 100 digits tell that it is not
   dependent_tensors_in_cell,  ///< the deviators at the four vertices are dependent
   neutral_characteristic,     ///< the characteristic tensor is neutral: the curve crosses itself
-  points_not_told_apart,      ///< 100 digits did not suffice, and none of these
+  degenerate_on_a_surface,    ///< degenerate points fill a surface, as in plane strain
+  degenerate_throughout,      ///< all tensors of a cell, or of one side of a plane, are degenerate
+  no_deviator_in_cell,        ///< the deviator vanishes throughout: there is no mode
+  points_not_told_apart,      ///< 150 digits did not suffice, and none of these
 };
 
 /// The name that reports use.

@@ -43,10 +43,22 @@ struct CurveExtraction {
 ///
 /// On every face all degenerate points are found and no others, and in every tetrahedron they are
 /// joined as the curve joins them; both by proofs, see `degenerate_points_on_face` and
-/// `degenerate_curve_in_tet`. Vertices are shared by construction: each carries the face or
-/// tetrahedron that it lies in. Tetrahedra in special position are listed with the reason, and the
-/// rest is extracted; there a curve may end inside the mesh. Elsewhere each component is closed or
-/// ends on the boundary.
+/// `degenerate_curve_in_tet`. Vertices are shared by construction: each carries the vertex, edge,
+/// face or tetrahedron that it lies in.
+///
+/// Special positions are settled in rationals. A curve through an edge or a vertex has a vertex
+/// there, shared by all around; along an edge or in a face (as in planes of symmetry) it runs once.
+/// With three independent tensors in a tetrahedron, or none at a vertex, it consists of straight
+/// lines. With a neutral characteristic tensor it crosses itself in a junction. A single point at
+/// which curves only touch the cells around is no curve, and left out.
+///
+/// A tetrahedron is listed where degenerate points fill more than curves: a surface, as in plane
+/// strain (`degenerate_on_a_surface`; lines along the common eigenvector are extracted all the
+/// same), or all of it (`degenerate_throughout`); where it has no deviator (`no_deviator_in_cell`);
+/// or where 150 digits do not tell points apart. Elsewhere each component is closed or ends on the
+/// boundary, at a point without deviator, or at a listed tetrahedron. The exception are curves of
+/// even multiplicity, along which the eigenvectors do not turn over: in special position they may
+/// end, or one may branch into two, as they can where a general curve cannot.
 ///
 /// Sampling is by the turning of the dominant eigenvector.
 /// Requires  a valid mesh (see `validate`).

@@ -12,8 +12,11 @@ namespace tensortopo {
 
 /// Extracted curves: polylines over shared vertices, with what is known at each vertex.
 ///
-/// A line is what one tetrahedron holds of a curve between two faces. The lines of a component
-/// follow each other, the last vertex of one being the first of the next, and all run the same way.
+/// A line is what one cell holds of a curve in its interior: a tetrahedron, or where the curve runs
+/// there, a face or an edge. It ends on the boundary of the cell, at a junction or where the mode
+/// is undefined. The lines of a component follow each other, the last vertex of one being the first
+/// of the next, and all run the same way; at a junction, where other than two lines end, another
+/// row of lines may begin.
 struct CurveMesh {
   using Index = SurfaceMesh::Index;
 
@@ -21,10 +24,11 @@ struct CurveMesh {
   std::vector<std::vector<Index>> lines;  ///< two or more vertices each
 
   // One per vertex.
-  std::vector<Carrier> carrier;                        ///< face or tet
+  std::vector<Carrier> carrier;                        ///< the cell that holds it
   std::vector<std::array<Index, 4>> carrier_vertices;  ///< as in SurfaceMesh
-  std::vector<Vector3<double>> dominant_eigenvector;   ///< unit, sign arbitrary
-  std::vector<double> mode;                            ///< 1 or -1
+  std::vector<Vector3<double>>
+      dominant_eigenvector;  ///< unit, sign arbitrary; 0 if there is no mode
+  std::vector<double> mode;  ///< 1 or -1
   /// Positive where the tensors across the dominant eigenvector have a wedge, negative where they
   /// have a trisector, in units of 1 / length^2.
   ///
@@ -39,7 +43,7 @@ struct CurveMesh {
   std::vector<double> residual;
 
   // One per line.
-  std::vector<Index> tet;        ///< index of the tetrahedron that holds the line
+  std::vector<Index> tet;        ///< index of the tetrahedron that holds the line, or of one around
   std::vector<Index> component;  ///< numbered in order of first line
 };
 
