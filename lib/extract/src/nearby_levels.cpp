@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "nearby_levels.hpp"
+
+#include "extractor_scalars.hpp"
+#include "tensortopo/field/critical_values.hpp"
+#include "tensortopo/scalar/rational.hpp"
+#include "zero_inside.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+/// Levels of number k are 2^-k of the distance to mode +-1 from mu. At a critical point curves that
+/// are drawn at the first of these are off by some 2^-16, elsewhere by 2^-32.
+constexpr int kNear[] = {32, 40, 46};
+constexpr int kFar[] = {1, 2, 3, 4, 6, 8, 10, 13, 16, 20, 25, 30};
+
+/// Larger by 2^-step of the distance from mu to +-1, or smaller.
+ModeValue moved(const ModeValue& mu, int step, bool larger) {
+  const auto value = to_scalar<Rational>(mu);
+  Rational length = Rational(1) - abs(value);
+  for (int i = 0; i < step; ++i) length /= 2;
+  return ModeValue::parse(Rational(larger ? value + length : value - length).str());
+}
+
+}  // namespace
+
+template <class Scalar>
+const Level<Scalar>& NearbyLevels<Scalar>::level(int step, bool larger) {
+  const std::lock_guard lock(mutex_);
+  auto& level = levels_[{step, larger}];
+  if (!level) level = std::make_unique<Level<Scalar>>(make_level<Scalar>(moved(mu_, step, larger)));
+  return *level;
+}
+
+/// The level `more` steps nearer than the first, on either side, that may be moved to.
+template <class Scalar>
+const Level<Scalar>* NearbyLevels<Scalar>::first_free(
+    std::span<const SymmetricTensor<double>> tensors, std::span<const int> steps, int more) {
+  constexpr std::size_t kLongestText = 200;
+  if (mu_.text().size() > kLongestText || has_zero_inside(tensors)) return nullptr;
+  for (const int step : steps)
+    for (const bool larger : {true, false}) {
+      // The sign stays, on which other choices rest. Modes smaller than mu have its topology only
+      // if mu is not critical.
+      if (!larger && mu_.sign() == 0) continue;
+      const auto& candidate = level(step, larger);
+      if (candidate.value.sign() * mu_.sign() < 0) continue;
+      if (is_free_of_critical_values(tensors, mu_, candidate.value,
+                                     larger ? OwnLevel::excluded : OwnLevel::included))
+        return more == 0 ? &candidate : &level(step + more, larger);
+    }
+  return nullptr;
+}
+
+template <class Scalar>
+const Level<Scalar>* NearbyLevels<Scalar>::level_for(
+    std::span<const SymmetricTensor<double>> tensors) {
+  return first_free(tensors, kNear, 0);
+}
+
+template <class Scalar>
+const Level<Scalar>* NearbyLevels<Scalar>::far_level_for(
+    std::span<const SymmetricTensor<double>> tensors) {
+  return first_free(tensors, kFar, 1);  // halfway to where a critical value may be
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar) template class NearbyLevels<Scalar>;
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo
