@@ -13,7 +13,7 @@ namespace {
 
 /// Levels of number k are 2^-k of the distance to mode +-1 from mu. At a critical point curves that
 /// are drawn at the first of these are off by some 2^-16, elsewhere by 2^-32.
-constexpr int kNear[] = {32, 40, 46};
+constexpr int kNear[] = {40, 46};
 constexpr int kFar[] = {1, 2, 3, 4, 6, 8, 10, 13, 16, 20, 25, 30};
 
 /// Larger by 2^-step of the distance from mu to +-1, or smaller.

@@ -35,6 +35,10 @@ std::string_view name_of(UnresolvedReason reason) {
       return "level_constant_on_edge";
     case UnresolvedReason::critical_value_in_cell:
       return "critical_value_in_cell";
+    case UnresolvedReason::critical_value_on_face:
+      return "critical_value_on_face";
+    case UnresolvedReason::critical_value_on_edge:
+      return "critical_value_on_edge";
     case UnresolvedReason::budget_exhausted:
       return "budget_exhausted";
     case UnresolvedReason::inconsistent_samples:
@@ -287,7 +291,6 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   bool any = false, moved = false;
   for (const Index f : complex_.tet_faces[t]) {
     if (!arcs_[as_size(f)]) {
-      if (getenv("DBG")) fprintf(stderr, "face %d fails, moved %d level %d\n", (int)f, (int)face_moved_[f], nearby_levels_.level_for(tensors_of(complex_.faces[f])) != nullptr);
       state.unresolved = unproved(t);
       return false;
     }
@@ -300,7 +303,6 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   if (!state.plan) {
     const auto tensors = tensors_of(vertices_of(t));
     state.level = nearby_levels_.level_for(tensors);
-    if (getenv("DBG")) fprintf(stderr, "near %d far %s\n", state.level != nullptr, nearby_levels_.far_level_for(tensors) ? nearby_levels_.far_level_for(tensors)->value.text().c_str() : "none");
     if (state.level != nullptr)
       state.plan = plan_tet(tet, *state.level, nearby_levels_.far_level_for(tensors));
   }
