@@ -170,6 +170,30 @@ TEST_P(Strata, LeaveTheRestOfAMeshSound) {
   });
 }
 
+// The mode on one edge has the largest value 4/5 inside it, or for opposite tensors the least.
+TEST(TangentEdge, IsNotCrossedFromBelowAndTwiceFromAbove) {
+  for (const double sign : {1.0, -1.0}) {
+    TetMesh mesh = cube_mesh(1);
+    Random random(20241211);
+    for (auto& t : mesh.tensors) t = rounded(8.0 * random.tensor(), 0);
+    const auto [v, w] = std::pair{mesh.tets[0][0], mesh.tets[0][1]};
+    mesh.tensors[static_cast<std::size_t>(v)] = sign * SymmetricTensor<double>{0, 0, 0, 1, 2, 1};
+    mesh.tensors[static_cast<std::size_t>(w)] = sign * SymmetricTensor<double>{0, 0, 0, 1, 2, 2};
+    const Extraction extraction = extract(mesh, sign > 0 ? "4/5" : "-4/5");
+    EXPECT_EQ(flaws(extraction, mesh, {}), "");
+    EXPECT_TRUE(extraction.unresolved.empty());
+    EXPECT_GT(extraction.statistics.tets_nearby, 0u);
+    const SurfaceMesh& surface = extraction.surface;
+    int crossings = 0;
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+      const auto& on = surface.carrier_vertices[i];
+      crossings += surface.carrier[i] == Carrier::edge && std::min(on[0], on[1]) == std::min(v, w) &&
+                   std::max(on[0], on[1]) == std::max(v, w);
+    }
+    EXPECT_EQ(crossings, sign > 0 ? 0 : 2);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Strata, testing::ValuesIn(all_strata()),
                          [](const auto& tested) { return name_of(tested.param); });
 

@@ -3,7 +3,6 @@
 #include "nearby_levels.hpp"
 
 #include "extractor_scalars.hpp"
-#include "tensortopo/field/critical_values.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "zero_inside.hpp"
 
@@ -14,7 +13,11 @@ namespace {
 /// Levels of number k are 2^-k of the distance to mode +-1 from mu. At a critical point curves that
 /// are drawn at the first of these are off by some 2^-16, elsewhere by 2^-32.
 constexpr int kNear[] = {40, 46};
+constexpr int kClose = 12;
 constexpr int kFar[] = {1, 2, 3, 4, 6, 8, 10, 13, 16, 20, 25, 30};
+
+/// Of a fraction, so that there is room for another; modes have 300 digits at most.
+constexpr std::size_t kLongestText = 200;
 
 /// Larger by 2^-step of the distance from mu to +-1, or smaller.
 ModeValue moved(const ModeValue& mu, int step, bool larger) {
@@ -34,22 +37,32 @@ const Level<Scalar>& NearbyLevels<Scalar>::level(int step, bool larger) {
   return *level;
 }
 
+template <class Scalar>
+bool NearbyLevels<Scalar>::is_free(std::span<const SymmetricTensor<double>> tensors, int step,
+                                   bool larger, OwnLevel own) {
+  const ModeValue& other = level(step, larger).value;
+  // The sign stays, on which other choices rest.
+  return other.sign() * mu_.sign() >= 0 && is_free_of_critical_values(tensors, mu_, other, own);
+}
+
+template <class Scalar>
+bool NearbyLevels<Scalar>::is_close_to_critical(std::span<const SymmetricTensor<double>> tensors) {
+  return mu_.text().size() <= kLongestText && !has_zero_inside(tensors) &&
+         (!is_free(tensors, kClose, true, OwnLevel::included) ||
+          !is_free(tensors, kClose, false, OwnLevel::included));
+}
+
 /// The level `more` steps nearer than the first, on either side, that may be moved to.
 template <class Scalar>
 const Level<Scalar>* NearbyLevels<Scalar>::first_free(
     std::span<const SymmetricTensor<double>> tensors, std::span<const int> steps, int more) {
-  constexpr std::size_t kLongestText = 200;
   if (mu_.text().size() > kLongestText || has_zero_inside(tensors)) return nullptr;
   for (const int step : steps)
     for (const bool larger : {true, false}) {
-      // The sign stays, on which other choices rest. Modes smaller than mu have its topology only
-      // if mu is not critical.
+      // Smaller modes have the topology of mu only if mu is not critical.
       if (!larger && mu_.sign() == 0) continue;
-      const auto& candidate = level(step, larger);
-      if (candidate.value.sign() * mu_.sign() < 0) continue;
-      if (is_free_of_critical_values(tensors, mu_, candidate.value,
-                                     larger ? OwnLevel::excluded : OwnLevel::included))
-        return more == 0 ? &candidate : &level(step + more, larger);
+      if (is_free(tensors, step, larger, larger ? OwnLevel::excluded : OwnLevel::included))
+        return &level(step + more, larger);
     }
   return nullptr;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tensortopo/extract/level.hpp"
+#include "tensortopo/field/critical_values.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo {
@@ -21,6 +22,10 @@ class NearbyLevels {
   explicit NearbyLevels(const ModeValue& mu) : mu_(mu) {}
   NearbyLevels(const NearbyLevels&) = delete;
   NearbyLevels& operator=(const NearbyLevels&) = delete;
+
+  /// Whether a critical value is at mu or close to it. If not, what hinders a proof at mu hinders it
+  /// at nearby levels as well.
+  bool is_close_to_critical(std::span<const SymmetricTensor<double>> tensors);
 
   /// A level that has the topology of mu + 0 in a simplex and in its faces, edges and vertices: none
   /// of them has a critical value in between. It depends on mu and these tensors only. Thread-safe.
@@ -36,6 +41,8 @@ class NearbyLevels {
   const Level<Scalar>* first_free(std::span<const SymmetricTensor<double>> tensors,
                                   std::span<const int> steps, int more);
   const Level<Scalar>& level(int step, bool larger);
+  bool is_free(std::span<const SymmetricTensor<double>> tensors, int step, bool larger,
+               OwnLevel own);
 
   ModeValue mu_;
   std::mutex mutex_;

@@ -188,8 +188,10 @@ void Pipeline<Scalar>::find_crossings() {
                            on_level_[as_size(v[1])] == OnLevel::kept_off;
     if (!keeps_off) crossings_[e] = edge_crossings(edge, level_);
     if (crossings_[e]) return;
-    if (const auto* level = nearby_levels_.level_for(tensors_of(v)))
-      crossings_[e] = edge_crossings(edge, *level);
+    const auto tensors = tensors_of(v);
+    if (keeps_off || nearby_levels_.is_close_to_critical(tensors))
+      if (const auto* level = nearby_levels_.level_for(tensors))
+        crossings_[e] = edge_crossings(edge, *level);
     edge_moved_[e] = crossings_[e].has_value();
     if (keeps_off && !crossings_[e]) crossings_[e] = edge_crossings(edge, level_);
   });
@@ -223,29 +225,30 @@ void Pipeline<Scalar>::trace_faces() {
     if (vanishes_inside(v)) return;
     if (!face_moved_[f])
       arcs_[f] = face_curves(face_simplex(f), crossings, level_, options_.sampling);
-    if (!arcs_[f]) face_moved_[f] = trace_nearby(f);
+    if (!arcs_[f]) trace_nearby(f);
   });
 }
 
 /// The curves of a face at a nearby level. Its edges have as many crossings there.
 template <class Scalar>
-bool Pipeline<Scalar>::trace_nearby(std::size_t f) {
-  const auto& v = complex_.faces[f];
-  const auto* level = nearby_levels_.level_for(tensors_of(v));
-  if (level == nullptr) return true;
+void Pipeline<Scalar>::trace_nearby(std::size_t f) {
+  const auto tensors = tensors_of(complex_.faces[f]);
+  if (!face_moved_[f] && !nearby_levels_.is_close_to_critical(tensors)) return;
+  const auto* level = nearby_levels_.level_for(tensors);
+  if (level == nullptr) return;
   std::array<std::vector<EdgeCrossing<Scalar>>, 3> found;
   std::array<std::span<const EdgeCrossing<Scalar>>, 3> crossings;
   for (std::size_t e = 0; e < 3; ++e) {
     const auto edge = as_size(complex_.face_edges[f][e]);
     auto there = edge_crossings(field_.template simplex<2>(complex_.edges[edge], above_), *level);
-    if (!there || there->size() != crossings_[edge]->size()) return true;
+    if (!there || there->size() != crossings_[edge]->size()) return;
     found[e] = std::move(*there);
     crossings[e] = found[e];
   }
   arcs_[f] = face_curves(face_simplex(f), crossings, *level, options_.sampling);
-  if (arcs_[f])
-    for (auto& arc : *arcs_[f]) arc.level = level;
-  return true;
+  if (!arcs_[f]) return;
+  for (auto& arc : *arcs_[f]) arc.level = level;
+  face_moved_[f] = 1;
 }
 
 template <class Scalar>
@@ -302,7 +305,8 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   if (!moved) state.plan = plan_tet(tet, level_);
   if (!state.plan) {
     const auto tensors = tensors_of(vertices_of(t));
-    state.level = nearby_levels_.level_for(tensors);
+    if (moved || nearby_levels_.is_close_to_critical(tensors))
+      state.level = nearby_levels_.level_for(tensors);
     if (state.level != nullptr)
       state.plan = plan_tet(tet, *state.level, nearby_levels_.far_level_for(tensors));
   }

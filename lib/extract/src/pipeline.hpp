@@ -51,7 +51,7 @@ class Pipeline {
   bool may_be_crossed_from_zero(const std::array<Index, 4>& tet) const;
   void find_crossings();
   void trace_faces();
-  bool trace_nearby(std::size_t f);
+  void trace_nearby(std::size_t f);
   void plan_tets();
   bool vanishes_inside(const std::array<Index, 3>& face) const;
   UnresolvedReason unproved(std::size_t t) const;

@@ -36,9 +36,17 @@ struct SquaredModes {
   }
 };
 
+// A positive multiple in integers: of the same mode, and so are the values on its spans.
+Tensor in_integers(const Tensor& t) {
+  std::array<Rational, 5> x{t.a, t.b, t.xy, t.yz, t.xz};
+  detail::make_primitive(x);
+  return {x[0], x[1], x[2], x[3], x[4]};
+}
+
 Tensor exact(const SymmetricTensor<double>& t) {
-  return deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                            Rational(t.xy), Rational(t.yz), Rational(t.xz)});
+  return in_integers(
+      deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
+                                         Rational(t.xy), Rational(t.yz), Rational(t.xz)}));
 }
 
 // P and Q on the tensors a + x b.
@@ -61,9 +69,10 @@ struct Line {
   RationalPolynomial quadratic(const SymmetricTensor<Rational>& t) const {
     return polynomial({inner(squares[0], t), inner(squares[1], t), inner(squares[2], t)});
   }
-  // 2 Q^2 - c P^3: the sign of mode^2 - c.
+  // 2 Q^2 - c P^3, times a positive number: the sign of mode^2 - c.
   RationalPolynomial level_form(const Rational& c) const {
-    return Rational(2) * determinant * determinant - c * (norm * norm * norm);
+    return Rational(2 * denominator(c)) * determinant * determinant -
+           Rational(numerator(c)) * (norm * norm * norm);
   }
   // Zero where the mode is critical along the line.
   RationalPolynomial increase() const {
@@ -109,10 +118,11 @@ std::array<Tensor, 2> complement(const std::array<Tensor, 3>& t) {
   for (const Tensor& axis :
        {Tensor{one, zero, zero, zero, zero}, Tensor{zero, one, zero, zero, zero},
         Tensor{zero, zero, one, zero, zero}, Tensor{zero, zero, zero, one, zero}}) {
-    const Tensor first =
-        characteristic_direction(TetrahedronField<Rational>{{t[0], t[1], t[2], axis}});
+    const Tensor first = in_integers(
+        characteristic_direction(TetrahedronField<Rational>{{t[0], t[1], t[2], axis}}));
     if (norm_form(first) == 0) continue;
-    return {first, characteristic_direction(TetrahedronField<Rational>{{t[0], t[1], t[2], first}})};
+    return {first, in_integers(characteristic_direction(
+                       TetrahedronField<Rational>{{t[0], t[1], t[2], first}}))};
   }
   return {};  // not reached: three tensors span no more than three axes
 }
@@ -167,7 +177,7 @@ bool is_free_of_critical_values(std::span<const SymmetricTensor<double>> tensors
 bool is_critical_on_edge(const SymmetricTensor<double>& first,
                          const SymmetricTensor<double>& second, const ModeValue& mu) {
   const Tensor a = exact(first);
-  const Line line(a, exact(second) - a);
+  const Line line(a, exact(second) - a);  // of multiples: another way to run along the edge
   RationalPolynomial zeros = line.increase();
   if (zeros.is_zero()) return false;
   // Critical points at the ends do not count.

@@ -13,16 +13,18 @@ namespace {
 using Chain = std::vector<RationalPolynomial>;
 
 RationalPolynomial remainder(const RationalPolynomial& p, const RationalPolynomial& divisor) {
-  return p.is_zero() || p.degree() < divisor.degree() ? p : p % divisor;
+  if (p.is_zero() || p.degree() < divisor.degree()) return p;
+  RationalPolynomial rest = p % divisor;
+  make_primitive(rest.data());
+  return rest;
 }
 
-// Signed remainders, each divided by the size of its first coefficient, which keeps them short.
+// Signed remainders, each times a positive number.
 Chain signed_remainders(const RationalPolynomial& zeros, const RationalPolynomial& other) {
   Chain chain{zeros};
   RationalPolynomial next = remainder(zeros.prime() * remainder(other, zeros), zeros);
   while (!next.is_zero()) {
-    const Rational size = abs(next.data().back());
-    chain.push_back(next / size);
+    chain.push_back(next);
     if (next.degree() == 0) break;
     const auto& before = chain[chain.size() - 2];
     next = RationalPolynomial{} - remainder(before, chain.back());

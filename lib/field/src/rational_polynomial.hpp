@@ -11,6 +11,21 @@ namespace tensortopo::detail {
 /// In one variable, the coefficient of the lowest power first.
 using RationalPolynomial = boost::math::tools::polynomial<Rational>;
 
+/// Divided by a positive number such that the numbers are integers without a common divisor, which
+/// arithmetic is fast for; zeros stay.
+template <class Numbers>
+void make_primitive(Numbers& numbers) {
+  using boost::multiprecision::mpz_int;
+  mpz_int multiple = 1, divisor = 0;
+  for (const Rational& x : numbers) multiple = lcm(multiple, denominator(x));
+  for (Rational& x : numbers) {
+    x *= Rational(multiple);
+    divisor = gcd(divisor, numerator(x));
+  }
+  if (divisor > 1)
+    for (Rational& x : numbers) x /= Rational(divisor);
+}
+
 /// At how many of the real zeros of `zeros`, counted once each, another polynomial is positive,
 /// less how many at which it is negative (Sturm and Tarski). `zeros` must not be the zero
 /// polynomial.
