@@ -14,7 +14,11 @@ using Chain = std::vector<RationalPolynomial>;
 
 RationalPolynomial remainder(const RationalPolynomial& p, const RationalPolynomial& divisor) {
   if (p.is_zero() || p.degree() < divisor.degree()) return p;
-  RationalPolynomial rest = p % divisor;
+  // Times a power of its first coefficient, so that the quotient is in integers.
+  const Rational first = abs(divisor.data().back());
+  RationalPolynomial multiple = p;
+  for (auto d = divisor.degree(); d <= p.degree(); ++d) multiple *= first;
+  RationalPolynomial rest = multiple % divisor;
   make_primitive(rest.data());
   return rest;
 }

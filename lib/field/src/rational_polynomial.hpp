@@ -15,12 +15,13 @@ using RationalPolynomial = boost::math::tools::polynomial<Rational>;
 /// arithmetic is fast for; zeros stay.
 template <class Numbers>
 void make_primitive(Numbers& numbers) {
-  using boost::multiprecision::mpz_int;
-  mpz_int multiple = 1, divisor = 0;
-  for (const Rational& x : numbers) multiple = lcm(multiple, denominator(x));
+  using boost::multiprecision::lcm, boost::multiprecision::gcd;
+  using Integer = decltype(numerator(Rational()));
+  Integer multiple = 1, divisor = 0;
+  for (const Rational& x : numbers) multiple = lcm(multiple, Integer(denominator(x)));
   for (Rational& x : numbers) {
     x *= Rational(multiple);
-    divisor = gcd(divisor, numerator(x));
+    divisor = gcd(divisor, Integer(numerator(x)));
   }
   if (divisor > 1)
     for (Rational& x : numbers) x /= Rational(divisor);
