@@ -23,12 +23,13 @@ class NearbyLevels {
   NearbyLevels(const NearbyLevels&) = delete;
   NearbyLevels& operator=(const NearbyLevels&) = delete;
 
-  /// Whether a critical value is at mu or close to it. If not, what hinders a proof at mu hinders it
-  /// at nearby levels as well.
+  /// Whether a critical value is at mu or close to it. If not, what hinders a proof at mu hinders
+  /// it at nearby levels as well.
   bool is_close_to_critical(std::span<const SymmetricTensor<double>> tensors);
 
-  /// A level that has the topology of mu + 0 in a simplex and in its faces, edges and vertices: none
-  /// of them has a critical value in between. It depends on mu and these tensors only. Thread-safe.
+  /// A level that has the topology of mu + 0 in a simplex and in its faces, edges and vertices:
+  /// none of them has a critical value in between. It depends on mu and these tensors only.
+  /// Thread-safe.
   /// @param tensors at the vertices, none of them without deviator
   /// @return lives as long as this; null if critical values leave no room, or if the deviator
   ///         vanishes inside

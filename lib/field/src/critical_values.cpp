@@ -56,8 +56,8 @@ struct Line {
     squares = {mm, square(m + k) - mm - kk, kk};
     norm = polynomial({norm_form(a), 2 * norm_form(a, b), norm_form(b)});
     // Q of a traceless tensor is a third of the trace of the cube of its multiple.
-    determinant = polynomial({determinant_form(a), inner(mm, k), inner(kk, m),
-                              determinant_form(b)});
+    determinant =
+        polynomial({determinant_form(a), inner(mm, k), inner(kk, m), determinant_form(b)});
   }
 
   static RationalPolynomial polynomial(std::vector<Rational> coefficients) {
@@ -79,9 +79,7 @@ struct Line {
     return Rational(2) * norm * determinant.prime() - Rational(3) * determinant * norm.prime();
   }
   // Zero where a tensor that is critical on the complement belongs to N; see `critical_gaps`.
-  RationalPolynomial cubic() const {
-    return quadratic(m) * linear(k) - quadratic(k) * linear(m);
-  }
+  RationalPolynomial cubic() const { return quadratic(m) * linear(k) - quadratic(k) * linear(m); }
 
   SymmetricTensor<Rational> m, k;
   std::array<SymmetricTensor<Rational>, 3> squares;
@@ -118,8 +116,8 @@ std::array<Tensor, 2> complement(const std::array<Tensor, 3>& t) {
   for (const Tensor& axis :
        {Tensor{one, zero, zero, zero, zero}, Tensor{zero, one, zero, zero, zero},
         Tensor{zero, zero, one, zero, zero}, Tensor{zero, zero, zero, one, zero}}) {
-    const Tensor first = in_integers(
-        characteristic_direction(TetrahedronField<Rational>{{t[0], t[1], t[2], axis}}));
+    const Tensor first =
+        in_integers(characteristic_direction(TetrahedronField<Rational>{{t[0], t[1], t[2], axis}}));
     if (norm_form(first) == 0) continue;
     return {first, in_integers(characteristic_direction(
                        TetrahedronField<Rational>{{t[0], t[1], t[2], first}}))};
@@ -181,8 +179,7 @@ bool is_critical_on_edge(const SymmetricTensor<double>& first,
   RationalPolynomial zeros = line.increase();
   if (zeros.is_zero()) return false;
   // Critical points at the ends do not count.
-  const RationalPolynomial at_first{Rational(0), Rational(1)},
-      at_second{Rational(-1), Rational(1)};
+  const RationalPolynomial at_first{Rational(0), Rational(1)}, at_second{Rational(-1), Rational(1)};
   while (zeros.evaluate(Rational(0)) == 0) zeros /= at_first;
   while (zeros.evaluate(Rational(1)) == 0) zeros /= at_second;
   const auto value = to_scalar<Rational>(mu);

@@ -55,9 +55,11 @@ int tarski_query(const RationalPolynomial& zeros, const RationalPolynomial& othe
   if (zeros.degree() == 0) return 0;
   const Chain chain = signed_remainders(zeros, other);
   const auto at_infinity = [](const RationalPolynomial& p) { return sign_of(p.data().back()); };
-  return variations(chain, [&](const RationalPolynomial& p) {
-           return p.degree() % 2 == 0 ? at_infinity(p) : -at_infinity(p);
-         }) - variations(chain, at_infinity);
+  return variations(chain,
+                    [&](const RationalPolynomial& p) {
+                      return p.degree() % 2 == 0 ? at_infinity(p) : -at_infinity(p);
+                    }) -
+         variations(chain, at_infinity);
 }
 
 int tarski_query_on_unit(const RationalPolynomial& zeros, const RationalPolynomial& other) {
