@@ -37,6 +37,15 @@ std::set<std::string> reasons_of(Stratum stratum, bool at_special_mode) {
       // A whole line of saddles: next to it sheets are close to each other all along.
       if (at_special_mode) return {"critical_value_in_cell"};
       return {};
+    case Stratum::constant_edge:
+      if (at_special_mode) return {"level_constant_on_edge"};
+      return {};
+    case Stratum::constant_face:
+      if (at_special_mode) return {"level_constant_on_face"};
+      return {};
+    case Stratum::constant_cell:
+      if (at_special_mode) return {"level_constant_in_cell"};
+      return {};
     default:
       return {};
   }

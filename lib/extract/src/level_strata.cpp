@@ -54,6 +54,10 @@ bool is_constant_on_some(Corners corners, std::size_t size, const Rational& mu) 
 
 }  // namespace
 
+bool is_level_constant(std::span<const SymmetricTensor<double>> tensors, const ModeValue& mode) {
+  return is_constant(exact_deviators(tensors), to_scalar<Rational>(mode));
+}
+
 UnresolvedReason level_stratum(std::span<const SymmetricTensor<double>> tensors,
                                const ModeValue& mode) {
   if (has_zero_inside(tensors)) return UnresolvedReason::zero_deviator_inside;

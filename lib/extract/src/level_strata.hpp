@@ -18,6 +18,9 @@ namespace tensortopo {
 UnresolvedReason level_stratum(std::span<const SymmetricTensor<double>> tensors,
                                const ModeValue& mode);
 
+/// Whether the mode is mu everywhere in the simplex of these tensors, none of them without deviator.
+bool is_level_constant(std::span<const SymmetricTensor<double>> tensors, const ModeValue& mode);
+
 /// Whether mu is the mode of a saddle in the tetrahedron, decided in rationals. Requires four
 /// tensors with nonzero deviators.
 bool is_level_at_saddle(std::span<const SymmetricTensor<double>> tensors, const ModeValue& mode);

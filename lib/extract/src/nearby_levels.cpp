@@ -3,6 +3,7 @@
 #include "nearby_levels.hpp"
 
 #include "extractor_scalars.hpp"
+#include "level_strata.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "zero_inside.hpp"
 
@@ -57,6 +58,8 @@ template <class Scalar>
 const Level<Scalar>* NearbyLevels<Scalar>::first_free(
     std::span<const SymmetricTensor<double>> tensors, std::span<const int> steps, int more) {
   if (mu_.text().size() > kLongestText || has_zero_inside(tensors)) return nullptr;
+  // Nothing is drawn along a simplex of the very mode asked for: that is named.
+  if (is_level_constant(tensors, mu_)) return nullptr;
   for (const int step : steps)
     for (const bool larger : {true, false}) {
       // Smaller modes have the topology of mu only if mu is not critical.

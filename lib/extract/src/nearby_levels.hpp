@@ -31,8 +31,8 @@ class NearbyLevels {
   /// none of them has a critical value in between. It depends on mu and these tensors only.
   /// Thread-safe.
   /// @param tensors at the vertices, none of them without deviator
-  /// @return lives as long as this; null if critical values leave no room, or if the deviator
-  ///         vanishes inside
+  /// @return lives as long as this; null if critical values leave no room, if the deviator
+  ///         vanishes inside, or if the mode is mu everywhere on the simplex
   const Level<Scalar>* level_for(std::span<const SymmetricTensor<double>> tensors);
 
   /// Another such level, as far away as may be, where proofs are short.

@@ -14,8 +14,8 @@
 
 namespace tensortopo {
 
-/// Why the level in a tetrahedron was not extracted. Constant levels and critical values leave a
-/// tetrahedron out only where no level next to mu could be drawn for mu + 0 either.
+/// Why the level in a tetrahedron was not extracted. Critical values leave a tetrahedron out only
+/// where no level next to mu could be drawn for mu + 0 either.
 enum class UnresolvedReason {
   zero_deviator_inside,    ///< the deviator vanishes in the tetrahedron, not at a vertex
   level_constant_in_cell,  ///< the mode is mu everywhere in the tetrahedron
@@ -76,8 +76,7 @@ struct Extraction {
 /// each carries the edge, face or tetrahedron that it lies in.
 /// Tetrahedra for which no proof closes are listed, and the rest is extracted.
 ///
-/// Where mu is a critical value of the mode in a tetrahedron, a face or an edge, or constant there,
-/// a level next to mu is drawn for mu + 0, off by 2^-40 of the distance from mu to +-1 or less: it
+/// Where mu is a critical value of the mode in a tetrahedron, a face or an edge, a level next to mu is drawn for mu + 0, off by 2^-40 of the distance from mu to +-1 or less: it
 /// is proved that there is no critical value in between. Points on either side of a saddle are then
 /// about 2^-20 of the tetrahedron apart.
 ///
