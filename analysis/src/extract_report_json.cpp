@@ -79,6 +79,7 @@ Json statistics_json(const ExtractStatistics& s) {
           {"sheets_tubes", s.sheets_tubes},
           {"sheets_manifold", s.sheets_manifold},
           {"sheets_leaves", s.sheets_leaves},
+          {"tets_nearby", s.tets_nearby},
           {"vertices_on_level", s.vertices_on_level},
           {"tets_coned", s.tets_coned},
           {"tets_undefined", s.tets_undefined},

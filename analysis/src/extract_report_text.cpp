@@ -28,6 +28,7 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.sheets_tubes += s.sheets_tubes;
     total.sheets_manifold += s.sheets_manifold;
     total.sheets_leaves += s.sheets_leaves;
+    total.tets_nearby += s.tets_nearby;
     total.vertices_on_level += s.vertices_on_level;
     total.tets_coned += s.tets_coned;
     total.sheets_cones += s.sheets_cones;
@@ -93,6 +94,10 @@ std::string to_text(const ExtractReport& report) {
                    "without deviator, where the mode is undefined: {} vertices ({} cone points on "
                    "surfaces), {} whole tetrahedra\n",
                    total.zero_deviator_vertices, total.cone_points, total.tets_undefined);
+  }
+  if (total.tets_nearby > 0) {
+    fmt::format_to(out, "critical mode: {} tetrahedra drawn at one next to it, of the same topology\n",
+                   total.tets_nearby);
   }
   if (report.written) {
     fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",

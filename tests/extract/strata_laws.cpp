@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strata_laws.hpp"
 
+#include <chrono>
 #include <iostream>
 #include <map>
 #include <numeric>
@@ -54,7 +55,8 @@ void expect_sound_near_strata(int count, int compared, std::uint64_t seed) {
   constexpr std::array<double, 6> factors{0, 0x1p-53, 1e-12, 1e-9, 1e-6, 1e-3};
   const auto& strata = all_strata();
   std::map<std::string, int> reasons;
-  int asked_twice = 0;
+  int asked_twice = 0, nearby = 0;
+  const auto start = std::chrono::steady_clock::now();
   for (int trial = 0; trial < count; ++trial) {
     Random random(seed + static_cast<std::uint64_t>(trial));
     TetTensors tensors = random.tet_tensors();
@@ -79,6 +81,7 @@ void expect_sound_near_strata(int count, int compared, std::uint64_t seed) {
     const bool is_noise = trial % 2 == 1 && found.rfind("not a unit vector: the normal", 0) == 0;
     ASSERT_EQ(is_noise ? "" : found, "");
     const Outcome seen = outcome(extraction);
+    nearby += extraction.statistics.tets_nearby > 0;
     if (!seen.reason.empty()) ++reasons[drawn + ' ' + seen.reason];
     if (trial % 2 == 0) {
       EXPECT_EQ(seen.reason, "");
@@ -90,7 +93,10 @@ void expect_sound_near_strata(int count, int compared, std::uint64_t seed) {
       ASSERT_EQ(seen, precise);
     }
   }
-  std::cout << count << " tetrahedra, " << asked_twice << " also at fifty digits; given up:";
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  std::cout << count << " tetrahedra, " << asked_twice << " also at fifty digits, "
+            << 1000 * time.count() / count << " s per thousand; " << nearby
+            << " drawn next to their level; given up:";
   for (const auto& [reason, number] : reasons) std::cout << "\n  " << reason << ' ' << number;
   std::cout << '\n';
 }

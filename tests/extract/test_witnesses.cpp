@@ -77,15 +77,15 @@ TEST(FieldWitness, HasTheNeutralSurfaceThatBruteForceSees) {
   EXPECT_GT(decided, 5);
 }
 
-// At the saddle value the surface has a cone point inside: no proof can close.
-TEST(FieldWitness, CriticalLevelsAreNamed) {
+// At the saddle value the surface has a cone point inside; by the rule mu + 0 it is cut as above.
+TEST(FieldWitness, CriticalLevelsAreThoseOfLargerModes) {
   const auto& witness = field_witness("saddle_origin_rational");
   const auto& points = witness.cases[0].points;
   const TetMesh mesh = single_tet_mesh(points, witness.field.at(points));
   const Extraction extraction = extract(mesh, "-143/343");
-  ASSERT_EQ(extraction.unresolved.size(), 1u);
-  EXPECT_EQ(extraction.unresolved[0].reason, UnresolvedReason::critical_value_in_cell);
-  EXPECT_TRUE(extraction.surface.triangles.empty());
+  EXPECT_EQ(unresolved_text(extraction), "");
+  EXPECT_EQ(extraction.statistics.tets_nearby, 1u);
+  EXPECT_EQ(topology_in_tet(extraction).components, (std::vector<ComponentTopology>{annulus}));
 }
 
 // A level within 1e-6 of the saddle value still has its proof, on either side.

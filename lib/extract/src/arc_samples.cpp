@@ -153,7 +153,8 @@ CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>& arc, const Scalar& place,
   auto index = static_cast<std::size_t>(static_cast<double>(place));
   if (index >= arc.pieces.size()) index = arc.pieces.size() - 1;
   auto point = point_on_piece(arc.pieces[index],
-                              place - Scalar(static_cast<double>(index)), level);
+                              place - Scalar(static_cast<double>(index)),
+                              arc.level != nullptr ? *arc.level : level);
   point.place = place;
   return point;
 }

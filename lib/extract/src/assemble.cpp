@@ -198,6 +198,7 @@ Extraction Pipeline<Scalar>::assemble() {
 
   for (const auto& state : tets_) {
     if (!state.plan || state.drawn.triangles.empty()) continue;
+    statistics_.tets_nearby += state.level != nullptr;
     ++(state.method == Method::cone ? statistics_.tets_coned
        : state.plan->refined        ? statistics_.tets_refined
                                     : statistics_.tets_monotone);

@@ -31,7 +31,8 @@ template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
   const auto tet = tet_with_curves(t);
-  if (state.method == Method::small_disc) state.manifold = tet_manifold(tet, level_);
+  const auto& level = level_of(t);
+  if (state.method == Method::small_disc) state.manifold = tet_manifold(tet, level);
   if (state.method == Method::small_disc || state.method == Method::tubes)
     state.method = Method::manifold;
   if (state.method == Method::manifold && state.manifold &&
@@ -39,9 +40,9 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     auto vertices = arc_vertices(t, tet);
     state.requests.clear();
     if (state.attempts++ > 1)
-      state.requests = denser_rims(tet, *state.plan, vertices, level_);
+      state.requests = denser_rims(tet, *state.plan, vertices, level);
     const auto crossings =
-        boundary_crossings(*state.manifold, tet, *state.plan, vertices, level_);
+        boundary_crossings(*state.manifold, tet, *state.plan, vertices, level);
     state.requests.insert(state.requests.end(), crossings.begin(), crossings.end());
     if (state.manifold->neutral && !crossings.empty()) {
       // A singular line passes through. Where chords cross beside its tiny oval it takes more
@@ -50,7 +51,7 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
       return;
     }
     const auto between =
-        separating_samples<Scalar>(*state.manifold, tet, *state.plan, vertices, crossings, level_);
+        separating_samples<Scalar>(*state.manifold, tet, *state.plan, vertices, crossings, level);
     state.requests.insert(state.requests.end(), between.begin(), between.end());
     return;
   }
@@ -62,12 +63,12 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.method = Method::fan;
     return;
   }
-  if (!add_leaves(tet, level_, *state.plan)) {
+  if (!add_leaves(tet, level, *state.plan)) {
     state.unresolved = unproved(t);
     return;
   }
   state.method = Method::leaves;
-  state.requests = leaf_requests(tet, level_, *state.plan);
+  state.requests = leaf_requests(tet, level, *state.plan);
 }
 
 template <class Scalar>
@@ -234,20 +235,20 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   const auto tet = tet_with_curves(t);
   const auto vertices = arc_vertices(t, tet);
   if (state.method == Method::tubes)
-    return mesh_tubes<Scalar>(*state.manifold, tet, *state.plan, vertices, level_,
+    return mesh_tubes<Scalar>(*state.manifold, tet, *state.plan, vertices, level_of(t),
                               options_.sampling, state.drawn);
   if (state.method == Method::manifold) {
     Sampling sampling = options_.sampling;
     if (state.attempts > 2) sampling.resolution *= 2;
     return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
-                                    level_, sampling, state.drawn);
+                                    level_of(t), sampling, state.drawn);
   }
   if (state.method == Method::leaves || state.method == Method::fan) {
     for (const auto& sheet : state.plan->sheets) {
       const bool as_fan = state.method == Method::fan && sheet.euler_characteristic == 1;
-      if (as_fan ? !mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_, state.drawn)
+      if (as_fan ? !mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_of(t), state.drawn)
                  : !mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices,
-                                             level_, state.drawn))
+                                             level_of(t), state.drawn))
         return false;
     }
     // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the

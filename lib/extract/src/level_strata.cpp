@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "tensortopo/field/critical_values.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/sign.hpp"
 #include "tensortopo/tensor/mode.hpp"
@@ -53,6 +54,10 @@ bool is_constant_on_some(Corners corners, std::size_t size, const Rational& mu) 
 
 }  // namespace
 
+bool is_level_constant(std::span<const SymmetricTensor<double>> tensors, const ModeValue& mode) {
+  return is_constant(exact_deviators(tensors), to_scalar<Rational>(mode));
+}
+
 UnresolvedReason level_stratum(std::span<const SymmetricTensor<double>> tensors,
                                const ModeValue& mode) {
   if (has_zero_inside(tensors)) return UnresolvedReason::zero_deviator_inside;
@@ -67,6 +72,15 @@ UnresolvedReason level_stratum(std::span<const SymmetricTensor<double>> tensors,
     return UnresolvedReason::level_constant_on_edge;
   if (zeros == 0 && is_level_at_saddle(tensors, mode))
     return UnresolvedReason::critical_value_in_cell;
+  for (std::size_t i = 0; i < tensors.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_critical_on_edge(tensors[i], tensors[j], mode))
+        return UnresolvedReason::critical_value_on_edge;
+  for (std::size_t i = 2; i < tensors.size(); ++i)
+    for (std::size_t j = 1; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k)
+        if (is_critical_on_plane({tensors[i], tensors[j], tensors[k]}, mode))
+          return UnresolvedReason::critical_value_on_face;
   return UnresolvedReason::budget_exhausted;
 }
 

@@ -36,6 +36,10 @@ std::string_view name_of(UnresolvedReason reason) {
       return "level_constant_on_edge";
     case UnresolvedReason::critical_value_in_cell:
       return "critical_value_in_cell";
+    case UnresolvedReason::critical_value_on_face:
+      return "critical_value_on_face";
+    case UnresolvedReason::critical_value_on_edge:
+      return "critical_value_on_edge";
     case UnresolvedReason::budget_exhausted:
       return "budget_exhausted";
     case UnresolvedReason::inconsistent_samples:
@@ -46,7 +50,7 @@ std::string_view name_of(UnresolvedReason reason) {
 
 template <class Scalar>
 Pipeline<Scalar>::Pipeline(const TetMesh& mesh, const ModeValue& mu, const ExtractOptions& options)
-    : mesh_(mesh), options_(options), field_(mesh) {
+    : mesh_(mesh), options_(options), nearby_levels_(mu), field_(mesh) {
   if (std::abs(mu.approx()) >= 1)
     throw std::invalid_argument("mode surfaces exist for |mode| < 1, not for " + mu.text());
   level_ = make_level<Scalar>(mu);
@@ -57,22 +61,43 @@ Extraction Pipeline<Scalar>::run() {
   Stopwatch watch;
   classify_vertices();
   screen();
-  find_crossings();
-  statistics_.seconds_edges = watch.lap();
-  trace_faces();
-  statistics_.seconds_faces = watch.lap();
-  plan_tets();
-  draw_tets();
-  statistics_.seconds_tets = watch.lap();
+  do {
+    find_crossings();
+    statistics_.seconds_edges += watch.lap();
+    trace_faces();
+    statistics_.seconds_faces += watch.lap();
+    plan_tets();
+    draw_tets();
+    statistics_.seconds_tets += watch.lap();
+  } while (move_from_vertices());
   Extraction result = assemble();
   statistics_.seconds_stitch = watch.lap();
   result.statistics = statistics_;
   return result;
 }
 
+/// Where the level runs through a vertex, samples of its edges fall together there, and a sheet that
+/// is a cylinder around the vertex by the rule mu + 0 cannot be told from a cone. Around such
+/// vertices a level next to mu is drawn instead, which keeps off them.
+template <class Scalar>
+bool Pipeline<Scalar>::move_from_vertices() {
+  bool any = false;
+  for (std::size_t t = 0; t < tets_.size(); ++t) {
+    if (tets_[t].unresolved != UnresolvedReason::inconsistent_samples) continue;
+    for (const Index v : vertices_of(t)) {
+      if (on_level_[as_size(v)] != OnLevel::drawn_through) continue;
+      on_level_[as_size(v)] = OnLevel::kept_off;
+      any = true;
+    }
+  }
+  if (any) tets_ = std::vector<TetState>(tets_.size());
+  return any;
+}
+
 template <class Scalar>
 void Pipeline<Scalar>::classify_vertices() {
   above_.assign(mesh_.points.size(), 0);
+  on_level_.assign(mesh_.points.size(), OnLevel::no);
   std::atomic<std::size_t> on_level{0};
   parallel_stage(options_, "vertices", mesh_.points.size(), 4096, [&](std::size_t v) {
     if (field_.is_zero[v]) return;
@@ -86,7 +111,9 @@ void Pipeline<Scalar>::classify_vertices() {
     const Sign sign = exact_side_of_level({&mesh_.tensors[v], 1}, {&field_.exponents[v], 1},
                                           {&one, 1}, level_.value);
     above_[v] = sign == Sign::positive;
-    if (sign == Sign::zero) ++on_level;
+    if (sign != Sign::zero) return;
+    on_level_[v] = OnLevel::drawn_through;
+    ++on_level;
   });
   statistics_.vertices_on_level = on_level;
 }
@@ -151,15 +178,27 @@ void Pipeline<Scalar>::screen() {
 template <class Scalar>
 void Pipeline<Scalar>::find_crossings() {
   crossings_.assign(complex_.edges.size(), std::nullopt);
+  edge_moved_.assign(complex_.edges.size(), 0);
   parallel_stage(options_, "edges", complex_.edges.size(), 512, [&](std::size_t e) {
     const auto& v = complex_.edges[e];
     if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])]) {
       crossings_[e].emplace();  // the mode is constant on the edge, or undefined
       return;
     }
-    crossings_[e] = edge_crossings(field_.template simplex<2>(v, above_), level_);
+    const auto edge = field_.template simplex<2>(v, above_);
+    const bool keeps_off = on_level_[as_size(v[0])] == OnLevel::kept_off ||
+                           on_level_[as_size(v[1])] == OnLevel::kept_off;
+    if (!keeps_off) crossings_[e] = edge_crossings(edge, level_);
+    if (crossings_[e]) return;
+    const auto tensors = tensors_of(v);
+    if (keeps_off || nearby_levels_.is_close_to_critical(tensors))
+      if (const auto* level = nearby_levels_.level_for(tensors))
+        crossings_[e] = edge_crossings(edge, *level);
+    edge_moved_[e] = crossings_[e].has_value();
+    if (keeps_off && !crossings_[e]) crossings_[e] = edge_crossings(edge, level_);
   });
 }
+
 
 template <class Scalar>
 LevelSimplex<Scalar, 3> Pipeline<Scalar>::face_simplex(std::size_t f) const {
@@ -169,12 +208,14 @@ LevelSimplex<Scalar, 3> Pipeline<Scalar>::face_simplex(std::size_t f) const {
 template <class Scalar>
 void Pipeline<Scalar>::trace_faces() {
   arcs_.resize(complex_.faces.size());
+  face_moved_.assign(complex_.faces.size(), 0);
   parallel_stage(options_, "faces", complex_.faces.size(), 256, [&](std::size_t f) {
     std::array<std::span<const EdgeCrossing<Scalar>>, 3> crossings;
     for (std::size_t e = 0; e < 3; ++e) {
-      const auto& found = crossings_[as_size(complex_.face_edges[f][e])];
-      if (!found) return;
-      crossings[e] = *found;
+      const auto edge = as_size(complex_.face_edges[f][e]);
+      if (!crossings_[edge]) return;
+      crossings[e] = *crossings_[edge];
+      face_moved_[f] |= edge_moved_[edge];
     }
     const auto& v = complex_.faces[f];
     if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])] ||
@@ -184,8 +225,32 @@ void Pipeline<Scalar>::trace_faces() {
     }
     // Where the deviator vanishes no subdivision would end.
     if (vanishes_inside(v)) return;
-    arcs_[f] = face_curves(face_simplex(f), crossings, level_, options_.sampling);
+    if (!face_moved_[f])
+      arcs_[f] = face_curves(face_simplex(f), crossings, level_, options_.sampling);
+    if (!arcs_[f]) trace_nearby(f);
   });
+}
+
+/// The curves of a face at a nearby level. Its edges have as many crossings there.
+template <class Scalar>
+void Pipeline<Scalar>::trace_nearby(std::size_t f) {
+  const auto tensors = tensors_of(complex_.faces[f]);
+  if (!face_moved_[f] && !nearby_levels_.is_close_to_critical(tensors)) return;
+  const auto* level = nearby_levels_.level_for(tensors);
+  if (level == nullptr) return;
+  std::array<std::vector<EdgeCrossing<Scalar>>, 3> found;
+  std::array<std::span<const EdgeCrossing<Scalar>>, 3> crossings;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const auto edge = as_size(complex_.face_edges[f][e]);
+    auto there = edge_crossings(field_.template simplex<2>(complex_.edges[edge], above_), *level);
+    if (!there || there->size() != crossings_[edge]->size()) return;
+    found[e] = std::move(*there);
+    crossings[e] = found[e];
+  }
+  arcs_[f] = face_curves(face_simplex(f), crossings, *level, options_.sampling);
+  if (!arcs_[f]) return;
+  for (auto& arc : *arcs_[f]) arc.level = level;
+  face_moved_[f] = 1;
 }
 
 template <class Scalar>
@@ -228,20 +293,28 @@ template <class Scalar>
 bool Pipeline<Scalar>::plan_one(std::size_t t) {
   if (zero_corners(vertices_of(t)) != 0) return plan_cone(t);
   auto& state = tets_[t];
-  bool any = false;
+  bool any = false, moved = false;
   for (const Index f : complex_.tet_faces[t]) {
     if (!arcs_[as_size(f)]) {
       state.unresolved = unproved(t);
       return false;
     }
     any |= !arcs_[as_size(f)]->empty();
+    moved |= face_moved_[as_size(f)] != 0;
   }
   if (!any) return false;
   const auto tet = tet_with_curves(t);
-  state.plan = plan_tet(tet, level_);
+  if (!moved) state.plan = plan_tet(tet, level_);
+  if (!state.plan) {
+    const auto tensors = tensors_of(vertices_of(t));
+    if (moved || nearby_levels_.is_close_to_critical(tensors))
+      state.level = nearby_levels_.level_for(tensors);
+    if (state.level != nullptr)
+      state.plan = plan_tet(tet, *state.level, nearby_levels_.far_level_for(tensors));
+  }
   if (!state.plan) state.unresolved = unproved(t);
   if (state.plan && !state.plan->tubes.empty()) {
-    state.manifold = tet_manifold(tet, level_);
+    state.manifold = tet_manifold(tet, level_of(t));
     if (state.manifold) state.method = Method::tubes;
   }
   return state.plan.has_value();

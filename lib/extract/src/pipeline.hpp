@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "nearby_levels.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/manifold_sheets.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
@@ -33,6 +34,7 @@ class Pipeline {
   /// What becomes of one tetrahedron of the complex.
   struct TetState {
     std::optional<TetPlan<Scalar>> plan;
+    const Level<Scalar>* level = nullptr;  ///< of its plan and drawing, if not the extraction's
     Method method = Method::small_disc;
     int attempts = 0;  ///< on the manifold
     std::unique_ptr<TetManifold> manifold;     ///< if drawn there
@@ -41,11 +43,15 @@ class Pipeline {
     std::optional<UnresolvedReason> unresolved;
   };
 
+  /// Of a vertex of the mesh.
+  enum class OnLevel : char { no, drawn_through, kept_off };
+
   void classify_vertices();
   void screen();
   bool may_be_crossed_from_zero(const std::array<Index, 4>& tet) const;
   void find_crossings();
   void trace_faces();
+  void trace_nearby(std::size_t f);
   void plan_tets();
   bool vanishes_inside(const std::array<Index, 3>& face) const;
   UnresolvedReason unproved(std::size_t t) const;
@@ -57,6 +63,7 @@ class Pipeline {
   void number_face_vertices(std::span<const std::size_t> changed);
   std::vector<std::size_t> merge_requests(std::span<const std::size_t> asking);
   void draw_tets();
+  bool move_from_vertices();
   bool draw_one(std::size_t t);
   void draw_cone(std::size_t t);
   std::vector<Index> sectors(std::size_t triangles) const;
@@ -74,6 +81,18 @@ class Pipeline {
   const std::array<Index, 4>& vertices_of(std::size_t t) const {
     return mesh_.tets[static_cast<std::size_t>(complex_.tets[t])];
   }
+  const Level<Scalar>& level_of(std::size_t t) const {
+    return tets_[t].level != nullptr ? *tets_[t].level : level_;
+  }
+  /// The vertex tensors as given.
+  template <std::size_t Count>
+  std::array<SymmetricTensor<double>, Count> tensors_of(
+      const std::array<Index, Count>& vertices) const {
+    std::array<SymmetricTensor<double>, Count> tensors;
+    for (std::size_t i = 0; i < Count; ++i)
+      tensors[i] = mesh_.tensors[static_cast<std::size_t>(vertices[i])];
+    return tensors;
+  }
   TetWithCurves<Scalar> tet_with_curves(std::size_t t) const;
   FaceArcVertices arc_vertices(std::size_t t, const TetWithCurves<Scalar>& tet) const;
   LevelSimplex<Scalar, 3> face_simplex(std::size_t f) const;
@@ -81,17 +100,21 @@ class Pipeline {
   const TetMesh& mesh_;
   const ExtractOptions& options_;
   Level<Scalar> level_;
+  NearbyLevels<Scalar> nearby_levels_;
   ScaledField<Scalar> field_;
   ExtractStatistics statistics_;
 
   std::vector<char> above_;  ///< a mesh vertex: mode > mu
+  std::vector<OnLevel> on_level_;
   TetComplex complex_;
 
   std::vector<std::optional<std::vector<EdgeCrossing<Scalar>>>> crossings_;  ///< of each edge
+  std::vector<char> edge_moved_;  ///< crossings are those of a nearby level
   std::vector<Index> edge_vertex_;  ///< first vertex of each edge
   std::vector<Index> zero_vertex_;  ///< of each mesh vertex: its vertex if it has no deviator
 
   std::vector<std::optional<std::vector<FaceArc<Scalar>>>> arcs_;  ///< of each face
+  std::vector<char> face_moved_;  ///< arcs are those of a nearby level
   std::vector<Index> face_vertex_;  ///< first vertex of each face; anew when its samples change
 
   std::vector<TetState> tets_;

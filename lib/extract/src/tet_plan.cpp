@@ -266,9 +266,16 @@ std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>& tet,
 
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
-                                        const Level<Scalar>& level) {
+                                        const Level<Scalar>& level,
+                                        const Level<Scalar>* isotopic) {
   auto plan = plan_at_once(tet, level);
   if (!plan || is_complete(*plan)) return plan;
+  if (isotopic != nullptr)
+    if (auto sheets = detail::sheets_of_isotopic_level(tet, level, plan->loops, *isotopic)) {
+      plan->sheets = std::move(*sheets);
+      plan->refined = true;
+      return plan;
+    }
   if (is_thin(level))
     if (auto thin = sheets_of_thin_level(tet, level, plan->loops)) {
       plan->sheets = std::move(thin->sheets);
@@ -307,8 +314,8 @@ std::vector<RimRequest<Scalar>> leaf_requests(const TetWithCurves<Scalar>& tet,
   template bool add_leaves(const TetWithCurves<Scalar>&, const Level<Scalar>&, TetPlan<Scalar>&); \
   template std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>&,           \
                                                          const Level<Scalar>&);                  \
-  template std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>&,                 \
-                                                   const Level<Scalar>&);                        \
+  template std::optional<TetPlan<Scalar>> plan_tet(                                              \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const Level<Scalar>*);                 \
   template std::vector<RimRequest<Scalar>> leaf_requests(                                        \
       const TetWithCurves<Scalar>&, const Level<Scalar>&, const TetPlan<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

@@ -113,6 +113,51 @@ bool match_arcs(const LevelSimplex<Scalar, 3>& face, std::span<const FaceArc<Sca
 double widest_gap() { return kClearance * gap_of(kThickest); }
 
 template <class Scalar>
+std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops, const Level<Scalar>& other) {
+  std::array<std::vector<FaceArc<Scalar>>, 4> arcs;
+  if (!curves_at(tet, other, arcs)) return std::nullopt;
+  const bool is_thicker = other.mu_squared < level.mu_squared;
+  auto other_tet = tet;
+  std::array<std::vector<int>, 4> match;
+  for (std::size_t f = 0; f < 4; ++f) {
+    other_tet.arcs[f] = arcs[f];
+    const auto face = part_of_simplex<3>(tet.simplex, tet.face_vertices[f]);
+    std::vector<int> thick;
+    if (is_thicker
+            ? !match_arcs(face, tet.arcs[f], level, other_tet.arcs[f], other, match[f])
+            : !match_arcs(face, other_tet.arcs[f], other, tet.arcs[f], level, thick))
+      return std::nullopt;
+    if (is_thicker) continue;
+    match[f].assign(thick.size(), -1);
+    for (std::size_t a = 0; a < thick.size(); ++a)
+      match[f][static_cast<std::size_t>(thick[a])] = static_cast<int>(a);
+  }
+  auto plan = plan_by_leaves(other_tet, other);
+  if (!plan || plan->loops.size() != loops.size()) return std::nullopt;
+  std::map<std::pair<int, int>, int> loop_of_arc;  // at the other level
+  for (std::size_t l = 0; l < plan->loops.size(); ++l)
+    for (const auto& piece : plan->loops[l])
+      loop_of_arc[{piece.face, piece.arc}] = static_cast<int>(l);
+  std::vector<int> own_loop(loops.size(), -1);
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (const auto& piece : loops[l]) {
+      const int arc =
+          match[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)];
+      auto& known = own_loop[static_cast<std::size_t>(loop_of_arc.at({piece.face, arc}))];
+      if (known >= 0 && known != static_cast<int>(l)) return std::nullopt;
+      known = static_cast<int>(l);
+    }
+  for (auto& sheet : plan->sheets)
+    for (int& l : sheet.loops) {
+      l = own_loop[static_cast<std::size_t>(l)];
+      if (l < 0) return std::nullopt;
+    }
+  return std::move(plan->sheets);
+}
+
+template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
     const std::vector<std::vector<RimPiece>>& loops, double open_until) {
@@ -121,41 +166,13 @@ std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
   const auto& thick = thicker_level<Scalar>(k, level.sign);
   // Strictly between the critical value and the thin level, whatever rounding does.
   if (!(gap_of(k) / 2 > static_cast<double>(Scalar(1) - level.mu_squared))) return std::nullopt;
-
-  std::array<std::vector<FaceArc<Scalar>>, 4> arcs;
-  if (!curves_at(tet, thick, arcs)) return std::nullopt;
-  auto thick_tet = tet;
-  std::array<std::vector<int>, 4> match;
-  for (std::size_t f = 0; f < 4; ++f) {
-    thick_tet.arcs[f] = arcs[f];
-    if (!match_arcs(part_of_simplex<3>(tet.simplex, tet.face_vertices[f]), tet.arcs[f], level,
-                    thick_tet.arcs[f], thick, match[f]))
-      return std::nullopt;
-  }
-  auto plan = plan_by_leaves(thick_tet, thick);
-  if (!plan || plan->loops.size() != loops.size()) return std::nullopt;
-  std::map<std::pair<int, int>, int> loop_of_arc;  // at the thick level
-  for (std::size_t l = 0; l < plan->loops.size(); ++l)
-    for (const auto& piece : plan->loops[l])
-      loop_of_arc[{piece.face, piece.arc}] = static_cast<int>(l);
-  std::vector<int> thin_loop(loops.size(), -1);
-  for (std::size_t l = 0; l < loops.size(); ++l)
-    for (const auto& piece : loops[l]) {
-      const int arc =
-          match[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)];
-      auto& known = thin_loop[static_cast<std::size_t>(loop_of_arc.at({piece.face, arc}))];
-      if (known >= 0 && known != static_cast<int>(l)) return std::nullopt;
-      known = static_cast<int>(l);
-    }
-  for (auto& sheet : plan->sheets)
-    for (int& l : sheet.loops) {
-      l = thin_loop[static_cast<std::size_t>(l)];
-      if (l < 0) return std::nullopt;
-    }
-  return std::move(plan->sheets);
+  return sheets_of_isotopic_level(tet, level, loops, thick);
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                        \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                         \
+  template std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level( \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,                      \
+      const std::vector<std::vector<RimPiece>>&, const Level<Scalar>&);        \
   template std::optional<std::vector<SheetTopology>> sheets_of_thicker_level( \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,                     \
       const std::vector<std::vector<RimPiece>>&, double);

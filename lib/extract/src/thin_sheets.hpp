@@ -40,8 +40,15 @@ template <class Scalar>
 std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                                 const std::vector<std::vector<RimPiece>>& loops);
 
-/// The second way. Isotopies keep edges and faces: crossings of an edge correspond in their order,
-/// arcs by their ends, and a closed curve to the one that bounds the same part of its face.
+/// The sheets, known from another level of the same sign from which there is no critical value to
+/// this one. Isotopies keep edges and faces: crossings of an edge correspond in their order, arcs
+/// by their ends, and a closed curve to the one that bounds the same part of its face.
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops, const Level<Scalar>& other);
+
+/// The second way.
 ///
 /// @param open_until there is no critical gap from the level's own to this one
 template <class Scalar>

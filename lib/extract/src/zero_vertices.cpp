@@ -63,9 +63,7 @@ bool Pipeline<Scalar>::vanishes_inside(const std::array<Index, 3>& face) const {
   std::array<Deviator<Scalar>, 3> scaled;
   for (std::size_t i = 0; i < 3; ++i) scaled[i] = field_.tensors[as_size(face[i])];
   if (!may_have_zero_inside(rounded(scaled))) return false;
-  std::array<SymmetricTensor<double>, 3> tensors;
-  for (std::size_t i = 0; i < 3; ++i) tensors[i] = mesh_.tensors[as_size(face[i])];
-  return has_zero_inside(tensors);
+  return has_zero_inside(tensors_of(face));
 }
 
 /// A tetrahedron with one or two vertices without deviator: one sheet for each curve of the

@@ -15,13 +15,16 @@
 
 namespace tensortopo {
 
-/// Why the level in a tetrahedron was not extracted.
+/// Why the level in a tetrahedron was not extracted. Critical values leave a tetrahedron out only
+/// where no level next to mu could be drawn for mu + 0 either.
 enum class UnresolvedReason {
   zero_deviator_inside,    ///< the deviator vanishes in the tetrahedron, not at a vertex
   level_constant_in_cell,  ///< the mode is mu everywhere in the tetrahedron
   level_constant_on_face,  ///< the mode is mu everywhere on a face
   level_constant_on_edge,  ///< the mode is mu everywhere on an edge
   critical_value_in_cell,  ///< mu is the mode of the one saddle, which is inside
+  critical_value_on_face,  ///< +-mu is critical in the plane of a face
+  critical_value_on_edge,  ///< mu is critical along an edge: the level touches it
   budget_exhausted,        ///< no proof within the budget, and none of these
   inconsistent_samples,    ///< the proved topology could not be drawn with the samples at hand
 };
@@ -54,6 +57,7 @@ struct ExtractStatistics {
   std::size_t sheets_manifold = 0;  ///< drawn on the medium eigenvector manifold
   std::size_t sheets_leaves = 0;    ///< drawn from the proof's leaves
   std::size_t sheets_cones = 0;     ///< straight lines from vertices without deviator
+  std::size_t tets_nearby = 0;      ///< drawn at a level next to mu, which stands for mu + 0
   std::size_t vertices_on_level = 0;       ///< vertices whose mode is exactly mu (counted as below)
   std::size_t zero_deviator_vertices = 0;  ///< of tetrahedra: vertices without deviator, or mode
   std::size_t cone_points = 0;             ///< vertices of the surface there, one for each fan
@@ -74,6 +78,10 @@ struct Extraction {
 /// samples; the level is mu + 0 where a vertex lies on mu. Vertices are shared by construction:
 /// each carries the edge, face or tetrahedron that it lies in.
 /// Tetrahedra for which no proof closes are listed, and the rest is extracted.
+///
+/// Where mu is a critical value of the mode in a tetrahedron, a face or an edge, a level next to mu is drawn for mu + 0, off by 2^-40 of the distance from mu to +-1 or less: it
+/// is proved that there is no critical value in between. Points on either side of a saddle are then
+/// about 2^-20 of the tetrahedron apart.
 ///
 /// At a vertex z of the mesh without deviator the mode is undefined, and in a tetrahedron around
 /// it constant on each ray from z: the level there is the cone with apex z over the level on the

@@ -54,6 +54,7 @@ struct FaceArc {
   ArcEnd begin, end;                        ///< unless closed
   std::vector<ArcPiece<Scalar>> pieces;     ///< in order
   std::vector<CurvePoint<Scalar>> samples;  ///< inner samples, in order; closed: all samples
+  const Level<Scalar>* level = nullptr;     ///< that it was traced at, if not the extraction's
 };
 
 /// All mode curves of the level in a triangle, loops that touch no edge included.

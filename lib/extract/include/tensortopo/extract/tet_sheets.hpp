@@ -68,10 +68,13 @@ struct TetPlan {
 };
 
 /// Joins the arcs of the faces into loops and decides what sheets they bound.
+/// @param isotopic if there is one: another level of the same sign from which no critical value
+///                 separates this one, so that the proof may be made there
 /// @return nothing if the proof does not close within the budget, or contradicts the faces
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
-                                        const Level<Scalar>& level);
+                                        const Level<Scalar>& level,
+                                        const Level<Scalar>* isotopic = nullptr);
 
 /// The refinement of a tetrahedron that a plan could do without.
 /// @return false as for `plan_tet`
