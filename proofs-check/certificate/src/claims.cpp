@@ -7,7 +7,7 @@
 #include <set>
 
 #include "file_bytes.hpp"
-#include "malformed.hpp"
+#include "certificate_check/check_certificate.hpp"
 #include "strict_json.hpp"
 
 namespace certificate {

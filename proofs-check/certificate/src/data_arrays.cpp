@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "file_bytes.hpp"
-#include "malformed.hpp"
+#include "certificate_check/check_certificate.hpp"
 
 static_assert(std::endian::native == std::endian::little);
 

@@ -133,15 +133,22 @@ bool is_certain(int sign, const Signs& q, const Signs& f) {
 
 }  // namespace
 
-bool Level::above(const Tensor<mpz_class>& exact) const {
-  const auto [q, f] = signs_at(exact, exact_q_, exact_p_);
-  return is_above(sign_, q, f);
+bool Level::above(const Tensor<Ball>& ball, const Tensor<mpz_class>& exact) const {
+  /// A corner that need not be made.
+  struct Given : ExactTensors {
+    const Tensor<mpz_class>& tensor;
+    explicit Given(const Tensor<mpz_class>& t) : tensor(t) {}
+    Tensor<mpz_class> exact(std::uint32_t) const override { return tensor; }
+  };
+  const Given source(exact);
+  return above({&ball, 0, &source, 0});
 }
 
 bool Level::above(const Corner& corner) const {
   const auto [q, f] = signs_at(*corner.ball, ball_q_, ball_p_);
   if (is_certain(sign_, q, f)) return ++balls_, is_above(sign_, q, f);
-  return ++exact_count_, above(corner.exact());
+  const auto [exact_q, exact_f] = signs_at(corner.exact(), exact_q_, exact_p_);
+  return ++exact_count_, is_above(sign_, exact_q, exact_f);
 }
 
 bool Level::on_level(const Corner& corner) const {

@@ -44,7 +44,7 @@ class Level {
 
   /// Is the mode of this tensor greater than mu? (mu itself is below.)
   bool above(const Corner& corner) const;
-  bool above(const Tensor<mpz_class>& exact) const;
+  bool above(const Tensor<Ball>& ball, const Tensor<mpz_class>& exact) const;
   /// Is the mode exactly mu?
   bool on_level(const Corner& corner) const;
 

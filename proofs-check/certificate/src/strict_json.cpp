@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "malformed.hpp"
+#include "certificate_check/check_certificate.hpp"
 
 namespace certificate {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "data_arrays.hpp"
 #include "file_bytes.hpp"
-#include "malformed.hpp"
+#include "certificate_check/check_certificate.hpp"
 
 namespace certificate {
 namespace {
