@@ -51,7 +51,7 @@ TEST(CertifiedFields, WitnessesAreCertifiedOrNamed) {
       const auto s = certified_surface(mesh, {mode}, folder("witness"));
       const certificate::Report report = check(s);
       EXPECT_EQ(report.refuted, 0u) << witness.name << ' ' << mode << '\n' << to_text(report);
-      certified += report.status() == "certified" ? 1 : 0;
+      if (report.status() == "certified") ++certified;
     }
   }
   EXPECT_GE(certified, 10u);

@@ -23,7 +23,8 @@ Refinement::Refinement(const Level& level, std::span<const Corner> roots)
     : level_(level), roots_(roots.begin(), roots.end()) {
   Cell cell{};
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    Point point{*roots[i].ball, roots[i].shift, {}, 1U << i, roots[i].above};
+    Point point{*roots[i].ball, roots[i].shift, {}, 0, 1U << i, roots[i].above};
+    point.length = std::sqrt(trace(point.ball, point.ball).value);
     point.weights[i] = 1;
     points_.push_back(std::move(point));
     cell.points[i] = static_cast<Id>(i);
@@ -75,6 +76,12 @@ Proof Refinement::known(std::span<const Id> ids) {
   return place->second;
 }
 
+bool Refinement::is_crossed(const Cell& cell) const {
+  for (std::size_t i = 1; i < corners(); ++i)
+    if (points_[cell.points[i]].above != points_[cell.points[0]].above) return true;
+  return false;
+}
+
 /// Is a proof missing?
 bool Refinement::is_open(const Cell& cell) {
   bool found = cell.proof == Proof::open;
@@ -90,8 +97,10 @@ bool Refinement::is_open(const Cell& cell) {
 
 /// The cosine of the angle between two tensors, or so.
 double Refinement::closeness(Id a, Id b) const {
-  const auto dot = [&](Id i, Id j) { return trace(points_[i].ball, points_[j].ball).value; };
-  return dot(a, b) / std::sqrt(dot(a, a) * dot(b, b));
+  const Tensor<Ball>&m = points_[a].ball, &k = points_[b].ball;
+  double dot = 0;
+  for (std::size_t i = 0; i < 6; ++i) dot += (i < 3 ? 1 : 2) * m[i].value * k[i].value;
+  return dot / (points_[a].length * points_[b].length);
 }
 
 void Refinement::wait(std::size_t c, Waiting& waiting) const {
@@ -118,6 +127,7 @@ Refinement::Id Refinement::middle(Id a, Id b) {
   if (size > 0 && size < HUGE_VAL) std::frexp(size, &scale);
   const Ball factor(std::ldexp(1.0, -scale), 0);
   for (Ball& x : m.ball) x = x * factor;
+  m.length = std::sqrt(trace(m.ball, m.ball).value);
   const long shift = std::max(p.shift, q.shift);
   for (std::size_t i = 0; i < corners(); ++i) {
     m.weights[i] = (mpz_class(17 * p.weights[i]) << static_cast<unsigned long>(shift - p.shift)) +
@@ -177,8 +187,11 @@ bool Refinement::run() {
     const auto [cosine, c, edge] = waiting.top();
     waiting.pop();
     if (cells_[c].cut || cells_[c].proof == Proof::empty) continue;
-    if (cells_[c].proof == Proof::open)
-      cells_[c].proof = prove({cells_[c].points.data(), corners()});
+    // A part of a monotone cell may be empty all the same.
+    if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) {
+      const Proof proof = prove({cells_[c].points.data(), corners()});
+      if (proof != Proof::open) cells_[c].proof = proof;
+    }
     if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
     if (cells_.size() > kMaxCells || edge[0] == edge[1]) return false;
     bisect(edge, waiting);

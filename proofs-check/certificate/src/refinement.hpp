@@ -26,6 +26,7 @@ class Refinement : public ExactTensors {
     Tensor<Ball> ball;
     long shift = 0;
     std::array<mpz_class, 4> weights;
+    double length = 0;     ///< of ball, roughly
     unsigned support = 0;  ///< a bit for each root of nonzero weight
     bool above = false;
   };
@@ -43,6 +44,8 @@ class Refinement : public ExactTensors {
   /// Cuts. False if that takes more cells than the budget.
   bool run();
 
+  /// Are points of the cell on both sides?
+  bool is_crossed(const Cell& cell) const;
   std::size_t corners() const { return roots_.size(); }
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Cell>& cells() const { return cells_; }

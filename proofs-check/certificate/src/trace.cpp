@@ -16,10 +16,7 @@ using Id = Refinement::Id;
 using Cell = Refinement::Cell;
 
 bool holds_level(const Refinement& r, const Cell& cell) {
-  if (cell.cut || cell.proof == Proof::empty) return false;
-  for (std::size_t i = 1; i < r.corners(); ++i)
-    if (r.points()[cell.points[i]].above != r.points()[cell.points[0]].above) return true;
-  return false;
+  return !cell.cut && cell.proof != Proof::empty && r.is_crossed(cell);
 }
 
 /// Crossed edges, numbered.
