@@ -27,7 +27,7 @@ class Value {
     return parent_->path() + "/" + (key_ != nullptr ? key_ : std::to_string(index_));
   }
   [[noreturn]] void fail(const std::string& what) const {
-    throw Malformed((parent_ == nullptr ? "top level" : path()) + ": " + what);
+    throw Malformed("", (parent_ == nullptr ? "top level" : path()) + ": " + what);
   }
   void require(bool condition, const char* what) const {
     if (!condition) fail(what);
@@ -273,9 +273,9 @@ Claims read_claims(const std::string& file) {
     claims.levels = list<LevelClaims>(top["levels"], level);
     return claims;
   } catch (const Malformed& error) {
-    throw Malformed(file + ": " + error.what());
+    throw Malformed(file, error.problem());
   } catch (const json::exception& error) {
-    throw Malformed(file + ": " + error.what());
+    throw Malformed(file, error.what());
   }
 }
 

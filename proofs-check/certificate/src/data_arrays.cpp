@@ -67,7 +67,7 @@ std::string_view trim(std::string_view text) {
 
 }  // namespace
 
-void XmlFile::fail(const std::string& what) const { throw Malformed(file_ + ": " + what); }
+void XmlFile::fail(const std::string& what) const { throw Malformed(file_, what); }
 
 XmlFile::XmlFile(const std::string& file, const char* kind)
     : file_(file), bytes_(file_bytes(file)) {

@@ -62,11 +62,11 @@ json parse_strictly(const std::string& bytes, bool cbor) {
   const auto format = cbor ? json::input_format_t::cbor : json::input_format_t::json;
   Guard guard;
   if (!json::sax_parse(bytes, &guard, format) || !guard.problem.empty())
-    throw Malformed(guard.problem.empty() ? "not well-formed" : guard.problem);
+    throw Malformed("", guard.problem.empty() ? "not well-formed" : guard.problem);
   try {
     return cbor ? json::from_cbor(bytes) : json::parse(bytes);
   } catch (const json::exception& error) {
-    throw Malformed(std::string("not well-formed: ") + error.what());
+    throw Malformed("", std::string("not well-formed: ") + error.what());
   }
 }
 

@@ -9,7 +9,8 @@
 namespace certificate {
 
 /// The document in JSON or CBOR: with bounded depth, and without keys given twice, which a
-/// document object model would not show. Throws Malformed.
+/// document object model would not show. Throws Malformed, without the
+/// file's name.
 nlohmann::json parse_strictly(const std::string& bytes, bool cbor);
 
 }  // namespace certificate

@@ -9,10 +9,17 @@
 
 namespace certificate {
 
-/// A file that cannot be read as what it should be: "FILE: what is wrong".
+/// A file that cannot be read as what it should be; what() is "FILE: what is wrong".
 class Malformed : public std::runtime_error {
  public:
-  explicit Malformed(const std::string& what) : std::runtime_error(what) {}
+  Malformed(const std::string& file, const std::string& problem)
+      : std::runtime_error(file + ": " + problem), file_(file), problem_(problem) {}
+
+  const std::string& file() const { return file_; }
+  const std::string& problem() const { return problem_; }
+
+ private:
+  std::string file_, problem_;
 };
 
 /// A claim that is wrong, or could not be decided.
