@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 
+#include "support/level_sign.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
@@ -47,8 +48,8 @@ class Bytes {
 /// Reads the claims about one level off its triangles.
 class Reader {
  public:
-  Reader(const TetMesh& mesh, const Extraction& extraction, Index first)
-      : mesh_(mesh), s_(extraction.surface), first_(first) {}
+  Reader(const TetMesh& mesh, const Extraction& extraction, double mode, Index first)
+      : mesh_(mesh), s_(extraction.surface), mode_(mode), first_(first) {}
 
   Json edges() const {
     std::map<std::array<Index, 2>, std::vector<std::pair<double, Index>>> found;
@@ -64,9 +65,19 @@ class Reader {
       std::sort(crossings.begin(), crossings.end());
       Json& entry = result.emplace_back(Json::array({edge[0], edge[1]}));
       constexpr int kPlaces = 36;
+      constexpr std::int64_t kAll = std::int64_t{1} << kPlaces;
+      const std::array<ExactDeviator, 2> ends{mesh_.tensors[at(edge[0])],
+                                              mesh_.tensors[at(edge[1])]};
+      const LevelQuestion question(ends, mode_);
+      const auto above = [&](std::int64_t i) {
+        return question.is_above(std::array{kAll - i, i});
+      };
       for (const auto& [t, v] : crossings) {
-        const double i = std::clamp(std::floor(std::ldexp(t, kPlaces)), 0.0, 0x1p36 - 1);
-        entry.push_back({static_cast<std::int64_t>(i), kPlaces, v + first_});
+        const auto near = static_cast<std::int64_t>(std::floor(std::ldexp(t, kPlaces)));
+        std::int64_t i = std::clamp<std::int64_t>(near, 0, kAll - 1);
+        for (const std::int64_t other : {near - 1, near + 1})  // rounding may have moved t
+          if (other >= 0 && other < kAll && above(i) == above(i + 1)) i = other;
+        entry.push_back({i, kPlaces, v + first_});
       }
     }
     return result;
@@ -110,6 +121,7 @@ class Reader {
 
   const TetMesh& mesh_;
   const SurfaceMesh& s_;
+  double mode_;
   Index first_;
   std::map<Face, std::set<std::array<Index, 2>>> arcs_;
   std::map<Face, std::set<Index>> loops_;
@@ -258,7 +270,7 @@ CertifiedSurface certified_surface(const TetMesh& given, const std::vector<std::
                {"on_level", e.statistics.vertices_on_level},
                {"undecided", Json::array()},
                {"distance", nullptr}};
-    Reader reader(mesh, e, first);
+    Reader reader(mesh, e, mu.approx(), first);
     level["edges"] = reader.edges();
     reader.read(level["faces"], level["tets"]);
     level["components"] = reader.components();
