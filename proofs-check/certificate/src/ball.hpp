@@ -4,7 +4,12 @@
 
 #include <gmpxx.h>
 
+#include <cfloat>
 #include <cmath>
+
+#if defined(__FAST_MATH__) || FLT_EVAL_METHOD != 0
+#error "the error bounds need IEEE doubles"
+#endif
 
 namespace certificate {
 

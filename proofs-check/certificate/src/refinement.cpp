@@ -181,6 +181,9 @@ void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
 /// The longest edge of all comes first: so each open cell is cut through its own longest edge
 /// only, which keeps parts from getting long and thin, in angles.
 bool Refinement::run() {
+  // Around a zero deviator all modes meet: nothing would ever be monotone there.
+  const bool has_zero_root = std::any_of(points_.begin(), points_.end(),
+                                         [](const Point& p) { return !(p.length > 0); });
   Waiting waiting;
   wait(0, waiting);
   while (!waiting.empty()) {
@@ -193,7 +196,7 @@ bool Refinement::run() {
       if (proof != Proof::open) cells_[c].proof = proof;
     }
     if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
-    if (cells_.size() > kMaxCells || edge[0] == edge[1]) return false;
+    if (cells_.size() > kMaxCells || has_zero_root) return false;
     bisect(edge, waiting);
   }
   return true;
