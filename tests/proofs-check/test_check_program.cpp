@@ -3,6 +3,7 @@
 // The two programs: exit status, and what goes where.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "analysis/run_program.hpp"

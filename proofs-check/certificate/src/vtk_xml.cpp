@@ -109,6 +109,7 @@ Triangles read_triangles(const std::string& name) {
     if (file.count(other) != 0) file.fail("holds more than triangles");
   Triangles result;
   result.points = read_points(file);
+  if (file.count("NumberOfPolys") == 0) return result;  // then arrays may be missing
   const auto connectivity = file.naturals(file.array("Polys", "connectivity"));
   const auto offsets = file.naturals(file.array("Polys", "offsets"));
   result.cells = file.naturals(file.array("CellData", "tet"));
