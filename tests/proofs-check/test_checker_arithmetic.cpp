@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <random>
+
 #include "level.hpp"
 
 namespace certificate {
@@ -32,6 +34,22 @@ RC_GTEST_PROP(CheckerArithmetic, BallsContainTheTruth, ()) {
     if (which == 3) ball = ball * ball - other, exact = exact * exact - mpq_class(x);
     if (!std::isfinite(ball.value) || !std::isfinite(ball.error)) return;
     RC_ASSERT(contains(ball, exact));
+  }
+}
+
+/// With full mantissas of all sizes, so that each operation rounds.
+TEST(CheckerArithmetic, BallsContainRoundedForms) {
+  std::mt19937_64 random(1);
+  const auto number = [&] {
+    const auto mantissa = static_cast<double>(static_cast<std::int64_t>(random())) / 3;
+    return std::ldexp(mantissa, -static_cast<int>(random() % 90));
+  };
+  for (int n = 0; n < 20000; ++n) {
+    const double x = number(), y = number(), z = number();
+    const Ball ball = Ball(x, 0) * Ball(y, 0) - Ball(z, 0) * Ball(x, 0) + Ball(y, 0);
+    const mpq_class a(x), b(y), c(z);
+    ASSERT_TRUE(contains(ball, a * b - c * a + b)) << x << ' ' << y << ' ' << z;
+    ASSERT_LT(ball.error, 1e-14 * (std::abs(x * y) + std::abs(x * z) + std::abs(y)));
   }
 }
 
