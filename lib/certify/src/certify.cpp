@@ -82,22 +82,18 @@ void drop_unbracketed(const TetMesh& mesh, LevelTopology& topology, Brackets& br
          [&](std::size_t f) { return faces.contains(topology.faces[f].vertices); });
 }
 
-std::vector<ComponentClaim> components_of(const SurfaceMesh& surface,
-                                          std::span<const std::size_t> triangles) {
-  SurfaceMesh part;
-  part.points = surface.points;
-  for (const auto i : triangles) part.triangles.push_back(surface.triangles[i]);
-  const auto known = surface_invariants(part);
+std::vector<ComponentClaim> components_of(const SurfaceMesh& surface) {
+  const auto known = surface_invariants(surface);
   std::vector<ComponentClaim> claims(known.parts.size());
   for (std::size_t c = 0; c < claims.size(); ++c) {
     claims[c].euler_characteristic = known.parts[c].euler_characteristic;
     claims[c].boundary_loops = static_cast<std::size_t>(known.parts[c].boundary_loops);
     claims[c].orientable = known.parts[c].orientable;
   }
-  for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     auto& claim = claims[as_size(known.component[i])];
     ++claim.triangles;
-    for (const auto v : part.triangles[i])
+    for (const auto v : surface.triangles[i])
       if (claim.first_vertex < 0 || v < claim.first_vertex) claim.first_vertex = v;
   }
   std::sort(claims.begin(), claims.end(), [](const auto& p, const auto& q) {
@@ -141,7 +137,7 @@ CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& e
   std::vector<std::size_t> triangles;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     if (!is_undecided[as_size(surface.tet[i])]) triangles.push_back(i);
-  result.components = components_of(surface, triangles);
+  result.components = components_of(surface);
   result.distance = prove_distance(mesh, surface, triangles, result.topology, field, level);
   return result;
 }

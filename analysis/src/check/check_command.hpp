@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace tensortopo {
+
+struct CheckOutcome {
+  std::string text, json;
+  bool all_certified = false;
+};
+
+/// Checks a certificate. Throws IoError for files that cannot be read as what they should be,
+/// UsageError if the program was built without the checker.
+CheckOutcome run_check(const std::string& input, const std::string& surface,
+                       const std::string& certificate);
+
+}  // namespace tensortopo

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <memory>
+#include <string>
+
+#include "check/check_command.hpp"
+#include "program/report_output.hpp"
+#include "program/subcommands.hpp"
+
+namespace tensortopo {
+
+void add_check_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
+  CLI::App& app = *program.add_subcommand(
+      "check", "Check a certificate with a program that shares no code with the extractor");
+  const auto files = std::make_shared<std::array<std::string, 3>>();
+  app.add_option("INPUT", (*files)[0], "The field: .vtu")->required();
+  app.add_option("OUTPUT", (*files)[1], "The surface: .vtp")->required();
+  app.add_option("CERT", (*files)[2], "The certificate: .json or .cbor")->required();
+  add_common_options(app, common);
+  app.callback([files, &common, &action] {
+    action = [files, &common] {
+      const CheckOutcome outcome = run_check((*files)[0], (*files)[1], (*files)[2]);
+      if (common.json) {
+        print(outcome.json + '\n');
+      } else if (!common.quiet) {
+        print(outcome.text);
+      }
+      return outcome.all_certified ? ExitStatus::done : ExitStatus::undecided;
+    };
+  });
+}
+
+}  // namespace tensortopo

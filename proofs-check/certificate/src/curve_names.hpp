@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "compare_level.hpp"
+
+namespace certificate {
+
+/// The vertices that name the closed curves of a face of a tetrahedron, in the order of
+/// `FaceTopology::loop_points`; empty if the certificate has none that could.
+///
+/// Where there are several, each name goes to the nearest curve, in plain doubles. That is
+/// no proof and need not be one: if *any* one-to-one naming fits the sheets at both sides, the
+/// triangles are homeomorphic to the level by a map that keeps the face.
+std::vector<Number> curve_names(const LevelCase& c, const TetTopology& tet, Vertex opposite);
+
+}  // namespace certificate

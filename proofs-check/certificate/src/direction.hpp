@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "ball.hpp"
+#include "forms.hpp"
+
+namespace certificate {
+
+/// A direction along which the mode probably increases, with small integer entries: a guess in
+/// double arithmetic, for others to prove. A perceptron over the coefficients of `increase`,
+/// which is linear in the direction.
+template <std::size_t V>
+std::optional<std::array<int, V>> likely_direction(const Forms<Ball, V>& f) {
+  Polynomial<double, V, 2> p;
+  Polynomial<double, V, 3> q;
+  for (std::size_t i = 0; i < p.kCount; ++i) p.coefficients[i] = f.p.coefficients[i].value;
+  for (std::size_t i = 0; i < q.kCount; ++i) q.coefficients[i] = f.q.coefficients[i].value;
+  constexpr std::size_t kCount = Monomials<V, 4>::kCount;
+  std::array<std::array<double, V>, kCount> rows{};
+  for (std::size_t j = 0; j < V; ++j) {
+    Polynomial<double, V, 2> dq;
+    Polynomial<double, V, 1> dp;
+    add_derivative(q, j, 1.0, dq);
+    add_derivative(p, j, 1.0, dp);
+    const auto g = combination(2.0, p * dq, 3.0, q * dp);
+    for (std::size_t i = 0; i < kCount; ++i) rows[i][j] = g.coefficients[i];
+  }
+  std::array<double, V> d{};
+  for (auto& row : rows) {
+    double square = 0;
+    for (const double x : row) square += x * x;
+    const double scale = 1 / std::sqrt(square);
+    if (!(scale < 1e300)) return std::nullopt;
+    for (std::size_t j = 0; j < V; ++j) d[j] += row[j] *= scale;
+  }
+  constexpr int kSteps = 40;
+  for (int step = 0; step < kSteps; ++step) {
+    double length = 0, worst = HUGE_VAL;
+    for (const double x : d) length += x * x;
+    length = std::sqrt(length);
+    if (!(length > 0)) return std::nullopt;
+    const std::array<double, V>* lowest = nullptr;
+    for (const auto& row : rows) {
+      double dot = 0;
+      for (std::size_t j = 0; j < V; ++j) dot += row[j] * d[j];
+      if (dot < worst) worst = dot, lowest = &row;
+    }
+    constexpr double kMargin = 1e-3;  // of the rounding to integers below
+    if (worst > kMargin * length) {
+      std::array<int, V> result;
+      for (std::size_t j = 0; j < V; ++j)
+        result[j] = static_cast<int>(std::lround(d[j] / length * 65536));
+      return result;
+    }
+    if (lowest == nullptr) return std::nullopt;
+    // Reflect at the worst row, or at least pass it.
+    const double push = -worst + 0.05 * length;
+    for (std::size_t j = 0; j < V; ++j) d[j] += push * (*lowest)[j];
+  }
+  return std::nullopt;
+}
+
+}  // namespace certificate

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// What signs of coefficients prove about the level mu + 0 on a simplex.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "ball.hpp"
+#include "forms.hpp"
+
+namespace certificate {
+
+/// Whoever has exact tensors, and makes them when asked.
+class ExactTensors {
+ public:
+  virtual ~ExactTensors() = default;
+  virtual Tensor<mpz_class> exact(std::uint32_t id) const = 0;
+};
+
+/// A tensor, up to a positive factor: exactly, and exact / 2^shift enclosed.
+struct Corner {
+  const Tensor<Ball>* ball = nullptr;
+  long shift = 0;
+  const ExactTensors* source = nullptr;
+  std::uint32_t id = 0;
+  bool above = false;
+
+  Tensor<mpz_class> exact() const { return source->exact(id); }
+};
+
+enum class Proof : std::uint8_t {
+  open,      ///< none found
+  empty,     ///< the simplex does not hold the level
+  monotone,  ///< the mode increases strictly along one direction, and P > 0
+};
+
+/// The level of the mode numerator/denominator, and how often each arithmetic decided.
+class Level {
+ public:
+  /// @pre |numerator| < denominator
+  Level(mpz_class numerator, mpz_class denominator);
+
+  /// Is the mode of this tensor greater than mu? (mu itself is below.)
+  bool above(const Corner& corner) const;
+  bool above(const Tensor<Ball>& ball, const Tensor<mpz_class>& exact) const;
+  /// Is the mode exactly mu?
+  bool on_level(const Corner& corner) const;
+
+  /// @pre V is 2, 3 or 4
+  template <std::size_t V>
+  Proof prove(const std::array<Corner, V>& corners) const;
+
+  std::uint64_t decided_by_balls() const { return balls_; }
+  std::uint64_t decided_exactly() const { return exact_count_; }
+
+ private:
+  template <class N, std::size_t V>
+  bool is_empty(const Forms<N, V>& f, bool above, bool& unsure) const;
+  template <class N>
+  const N& q_factor() const;
+  template <class N>
+  const N& p_factor() const;
+
+  int sign_;                         ///< of mu
+  mpz_class exact_q_, exact_p_;      ///< F = exact_q Q^2 - exact_p P^3
+  Ball ball_q_, ball_p_;             ///< both divided by one positive number
+  mutable std::atomic<std::uint64_t> balls_{0}, exact_count_{0};
+};
+
+}  // namespace certificate

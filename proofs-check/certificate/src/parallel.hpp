@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace certificate {
+
+/// Calls f(0), ..., f(count - 1), some at the same time. Throws the first exception.
+template <class F>
+void parallel_for(std::size_t count, const F& f) {
+  constexpr std::size_t kChunk = 64;
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr problem;
+  std::mutex mutex;
+  const auto work = [&] {
+    try {
+      for (std::size_t i; (i = next.fetch_add(kChunk)) < count;)
+        for (std::size_t j = i; j < std::min(i + kChunk, count); ++j) f(j);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      problem = std::current_exception();
+      next = count;
+    }
+  };
+  const std::size_t threads =
+      std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), count / kChunk + 1);
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& thread : others) thread.join();
+  if (problem) std::rethrow_exception(problem);
+}
+
+}  // namespace certificate

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Homogeneous polynomials in the weights of a simplex's vertices, by their coefficients.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace certificate {
+
+/// The exponents of all monomials of degree D in V variables.
+template <std::size_t V, std::size_t D>
+struct Monomials {
+  static constexpr std::size_t count() {
+    std::size_t n = 1;
+    for (std::size_t i = 1; i < V; ++i) n = n * (D + i) / i;
+    return n;
+  }
+  using Exponents = std::array<std::size_t, V>;
+  static constexpr std::size_t kCount = count();
+
+  static constexpr std::array<Exponents, kCount> table() {
+    std::array<Exponents, kCount> result{};
+    std::size_t n = 0;
+    constexpr std::size_t kCodes = power(D + 1, V);
+    for (std::size_t code = 0; code < kCodes; ++code) {
+      Exponents e{};
+      std::size_t sum = 0, rest = code;
+      for (std::size_t i = 0; i < V; ++i, rest /= D + 1) {
+        e[i] = rest % (D + 1);
+        sum += rest % (D + 1);
+      }
+      if (sum == D) result[n++] = e;
+    }
+    return result;
+  }
+  static constexpr std::size_t index(const Exponents& e) {
+    constexpr auto all = table();
+    std::size_t n = 0;
+    while (n < kCount && all[n] != e) ++n;
+    return n;
+  }
+
+ private:
+  static constexpr std::size_t power(std::size_t base, std::size_t n) {
+    return n == 0 ? 1 : base * power(base, n - 1);
+  }
+};
+
+/// Its signs on the simplex: where all coefficients share a sign, so do all values.
+template <class N, std::size_t V, std::size_t D>
+struct Polynomial {
+  static constexpr std::size_t kCount = Monomials<V, D>::kCount;
+  std::array<N, kCount> coefficients{};
+};
+
+namespace detail {
+
+template <std::size_t V, std::size_t D, std::size_t E>
+constexpr auto product_table() {
+  constexpr auto a = Monomials<V, D>::table();
+  constexpr auto b = Monomials<V, E>::table();
+  std::array<std::array<unsigned char, b.size()>, a.size()> result{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      typename Monomials<V, D>::Exponents sum{};
+      for (std::size_t k = 0; k < V; ++k) sum[k] = a[i][k] + b[j][k];
+      result[i][j] = static_cast<unsigned char>(Monomials<V, D + E>::index(sum));
+    }
+  }
+  return result;
+}
+
+/// Where the derivative of a monomial by each variable is; meaningless where that is zero.
+template <std::size_t V, std::size_t D>
+constexpr auto derivative_table() {
+  constexpr auto a = Monomials<V, D>::table();
+  std::array<std::array<unsigned char, V>, a.size()> result{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < V; ++j) {
+      auto e = a[i];
+      --e[j];
+      result[i][j] = static_cast<unsigned char>(Monomials<V, D - 1>::index(e));
+    }
+  }
+  return result;
+}
+
+/// Where the product of variables i, j, and of i, j, k, is.
+template <std::size_t V>
+constexpr auto pair_table() {
+  std::array<std::array<unsigned char, V>, V> result{};
+  for (std::size_t i = 0; i < V; ++i) {
+    for (std::size_t j = 0; j < V; ++j) {
+      typename Monomials<V, 2>::Exponents e{};
+      ++e[i], ++e[j];
+      result[i][j] = static_cast<unsigned char>(Monomials<V, 2>::index(e));
+    }
+  }
+  return result;
+}
+template <std::size_t V>
+constexpr auto triple_table() {
+  std::array<std::array<std::array<unsigned char, V>, V>, V> result{};
+  for (std::size_t i = 0; i < V; ++i) {
+    for (std::size_t j = 0; j < V; ++j) {
+      for (std::size_t k = 0; k < V; ++k) {
+        typename Monomials<V, 3>::Exponents e{};
+        ++e[i], ++e[j], ++e[k];
+        result[i][j][k] = static_cast<unsigned char>(Monomials<V, 3>::index(e));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace detail
+
+template <class N, std::size_t V, std::size_t D, std::size_t E>
+Polynomial<N, V, D + E> operator*(const Polynomial<N, V, D>& a, const Polynomial<N, V, E>& b) {
+  static constexpr auto table = detail::product_table<V, D, E>();
+  Polynomial<N, V, D + E> result;
+  for (std::size_t i = 0; i < a.kCount; ++i)
+    for (std::size_t j = 0; j < b.kCount; ++j)
+      result.coefficients[table[i][j]] += N(a.coefficients[i] * b.coefficients[j]);
+  return result;
+}
+
+/// a p - b q.
+template <class N, std::size_t V, std::size_t D>
+Polynomial<N, V, D> combination(const N& a, const Polynomial<N, V, D>& p, const N& b,
+                                const Polynomial<N, V, D>& q) {
+  Polynomial<N, V, D> result;
+  for (std::size_t i = 0; i < p.kCount; ++i)
+    result.coefficients[i] = a * p.coefficients[i] - b * q.coefficients[i];
+  return result;
+}
+
+/// Adds factor times the derivative of p by its variable j.
+template <class N, std::size_t V, std::size_t D>
+void add_derivative(const Polynomial<N, V, D>& p, std::size_t j, const N& factor,
+                    Polynomial<N, V, D - 1>& result) {
+  static constexpr auto exponents = Monomials<V, D>::table();
+  static constexpr auto places = detail::derivative_table<V, D>();
+  for (std::size_t i = 0; i < p.kCount; ++i) {
+    const std::size_t e = exponents[i][j];
+    if (e > 0) result.coefficients[places[i][j]] += N(N(N(static_cast<int>(e)) * factor) * p.coefficients[i]);
+  }
+}
+
+}  // namespace certificate

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace certificate {
+namespace {
+
+constexpr std::size_t kMaxCells = 12000;
+
+template <std::size_t V, class Corners>
+Proof prove_simplex(const Level& level, const Corners& all) {
+  std::array<Corner, V> corners;
+  std::copy_n(all.begin(), V, corners.begin());
+  return level.prove<V>(corners);
+}
+
+}  // namespace
+
+Refinement::Refinement(const Level& level, std::span<const Corner> roots)
+    : level_(level), roots_(roots.begin(), roots.end()) {
+  Cell cell{};
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    Point point{*roots[i].ball, roots[i].shift, {}, 0, 1U << i, roots[i].above};
+    point.length = std::sqrt(trace(point.ball, point.ball).value);
+    point.weights[i] = 1;
+    points_.push_back(std::move(point));
+    cell.points[i] = static_cast<Id>(i);
+  }
+  cells_.push_back(cell);
+}
+
+std::uint64_t Refinement::key(std::span<const Id> ids) {
+  std::array<std::uint64_t, 3> sorted{};
+  std::copy(ids.begin(), ids.end(), sorted.begin());
+  for (std::size_t i = 0; i < ids.size(); ++i) ++sorted[i];  // zero: no third
+  std::sort(sorted.begin(), sorted.end());
+  return sorted[0] << 42 | sorted[1] << 21 | sorted[2];
+}
+
+void Refinement::assume(std::span<const Id> roots, Proof proof) {
+  if (roots.size() == corners()) {
+    cells_[0].proof = proof;
+  } else {
+    proofs_[key(roots)] = proof;
+  }
+}
+
+Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
+  Tensor<mpz_class> sum{};
+  for (std::size_t i = 0; i < corners(); ++i) {
+    const mpz_class& weight = points_[point].weights[i];
+    if (weight == 0) continue;
+    const Tensor<mpz_class> root = roots_[i].exact();
+    for (std::size_t k = 0; k < 6; ++k) sum[k] += weight * root[k];
+  }
+  return sum;
+}
+
+Proof Refinement::prove(std::span<const Id> ids) const {
+  std::array<Corner, 4> all{};
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Point& p = points_[ids[i]];
+    all[i] = {&p.ball, p.shift, this, ids[i], p.above};
+  }
+  if (ids.size() == 2) return prove_simplex<2>(level_, all);
+  if (ids.size() == 3) return prove_simplex<3>(level_, all);
+  return prove_simplex<4>(level_, all);
+}
+
+Proof Refinement::known(std::span<const Id> ids) {
+  const auto [place, is_new] = proofs_.try_emplace(key(ids), Proof::open);
+  if (is_new) place->second = prove(ids);
+  return place->second;
+}
+
+bool Refinement::is_crossed(const Cell& cell) const {
+  for (std::size_t i = 1; i < corners(); ++i)
+    if (points_[cell.points[i]].above != points_[cell.points[0]].above) return true;
+  return false;
+}
+
+/// Is a proof missing?
+bool Refinement::is_open(const Cell& cell) {
+  bool found = cell.proof == Proof::open;
+  for (std::size_t size = 2; size < corners() && !found; ++size) {
+    for_subsets(corners(), size, [&](const auto& members) {
+      std::array<Id, 3> ids{};
+      for (std::size_t i = 0; i < size; ++i) ids[i] = cell.points[members[i]];
+      found = found || known({ids.data(), size}) == Proof::open;
+    });
+  }
+  return found;
+}
+
+/// The cosine of the angle between two tensors, or so.
+double Refinement::closeness(Id a, Id b) const {
+  const Tensor<Ball>&m = points_[a].ball, &k = points_[b].ball;
+  double dot = 0;
+  for (std::size_t i = 0; i < 6; ++i) dot += (i < 3 ? 1 : 2) * m[i].value * k[i].value;
+  return dot / (points_[a].length * points_[b].length);
+}
+
+void Refinement::wait(std::size_t c, Waiting& waiting) const {
+  Longest longest{HUGE_VAL, c, {}};
+  for_subsets(corners(), 2, [&](const auto& members) {
+    const Id a = cells_[c].points[members[0]], b = cells_[c].points[members[1]];
+    const double cosine = closeness(a, b);
+    if (!(cosine >= longest.cosine)) longest = {cosine, c, {a, b}};
+  });
+  waiting.push(longest);
+}
+
+/// A point about half way, in the angle between the tensors: they are of similar size, because
+/// balls are. A little off the middle, for planes of symmetry lie there.
+Refinement::Id Refinement::middle(Id a, Id b) {
+  const Point &p = points_[a], &q = points_[b];
+  Point m;
+  double size = 0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    m.ball[k] = Ball(17) * p.ball[k] + Ball(15) * q.ball[k];
+    size = std::max(size, std::abs(m.ball[k].value));
+  }
+  int scale = 0;
+  if (size > 0 && size < HUGE_VAL) std::frexp(size, &scale);
+  const Ball factor(std::ldexp(1.0, -scale), 0);
+  for (Ball& x : m.ball) x = x * factor;
+  m.length = std::sqrt(trace(m.ball, m.ball).value);
+  const long shift = std::max(p.shift, q.shift);
+  for (std::size_t i = 0; i < corners(); ++i) {
+    m.weights[i] = (mpz_class(17 * p.weights[i]) << static_cast<unsigned long>(shift - p.shift)) +
+                   (mpz_class(15 * q.weights[i]) << static_cast<unsigned long>(shift - q.shift));
+  }
+  m.shift = shift + scale;
+  m.support = p.support | q.support;
+  const Id id = static_cast<Id>(points_.size());
+  points_.push_back(std::move(m));
+  Point& stored = points_.back();
+  stored.above = level_.above({&stored.ball, stored.shift, this, id});
+  return id;
+}
+
+/// A part of a monotone simplex is monotone, along the same direction.
+void Refinement::inherit(std::span<const Id> simplex, const std::array<Id, 2>& edge, Id m) {
+  const auto place = proofs_.find(key(simplex));
+  if (place == proofs_.end() || place->second == Proof::open) return;
+  const Proof proof = place->second;
+  for (const Id end : edge) {
+    std::array<Id, 3> part{};
+    std::replace_copy(simplex.begin(), simplex.end(), part.begin(), end, m);
+    proofs_[key({part.data(), simplex.size()})] = proof;
+  }
+}
+
+void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
+  const Id m = middle(edge[0], edge[1]);
+  inherit(edge, edge, m);
+  const std::size_t before = cells_.size();
+  for (std::size_t c = 0; c < before; ++c) {
+    if (cells_[c].cut || cells_[c].proof == Proof::empty) continue;
+    const Cell cell = cells_[c];
+    const auto end = cell.points.begin() + static_cast<std::ptrdiff_t>(corners());
+    const auto has = [&](Id id) { return std::find(cell.points.begin(), end, id) != end; };
+    if (!has(edge[0]) || !has(edge[1])) continue;
+    cells_[c].cut = true;
+    for (const Id old : edge) {
+      Cell part = cell;
+      std::replace(part.points.begin(), part.points.begin() + (end - cell.points.begin()), old, m);
+      cells_.push_back(part);
+      wait(cells_.size() - 1, waiting);
+    }
+    if (corners() < 4) continue;
+    for (const Id third : cell.points)
+      if (third != edge[0] && third != edge[1])
+        inherit(std::array{edge[0], edge[1], third}, edge, m);
+  }
+}
+
+/// The longest edge of all comes first: so each open cell is cut through its own longest edge
+/// only, which keeps parts from getting long and thin, in angles.
+bool Refinement::run() {
+  // Around a zero deviator all modes meet: nothing would ever be monotone there.
+  const bool has_zero_root = std::any_of(points_.begin(), points_.end(),
+                                         [](const Point& p) { return !(p.length > 0); });
+  Waiting waiting;
+  wait(0, waiting);
+  while (!waiting.empty()) {
+    const auto [cosine, c, edge] = waiting.top();
+    waiting.pop();
+    if (cells_[c].cut || cells_[c].proof == Proof::empty) continue;
+    // A part of a monotone cell may be empty all the same.
+    if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) {
+      const Proof proof = prove({cells_[c].points.data(), corners()});
+      if (proof != Proof::open) cells_[c].proof = proof;
+    }
+    if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
+    if (cells_.size() > kMaxCells || has_zero_root) return false;
+    bisect(edge, waiting);
+  }
+  return true;
+}
+
+}  // namespace certificate

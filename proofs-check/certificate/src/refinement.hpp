@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// One edge, face or tetrahedron of the mesh, cut until the level in each part is as simple as in
+// marching tetrahedra.
+#pragma once
+
+#include <cstdint>
+#include <queue>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "level.hpp"
+
+namespace certificate {
+
+/// A conforming subdivision of a simplex (but for parts that are proved empty, which are left as
+/// they are) into parts with a proof: of each cell and of each of its edges and faces. See the
+/// README for what follows.
+class Refinement : public ExactTensors {
+ public:
+  using Id = std::uint32_t;
+  /// A tensor with its place: `weights` are those of the roots' exact tensors in its own, and
+  /// ball encloses exact / 2^shift.
+  struct Point {
+    Tensor<Ball> ball;
+    long shift = 0;
+    std::array<mpz_class, 4> weights;
+    double length = 0;     ///< of ball, roughly
+    unsigned support = 0;  ///< a bit for each root of nonzero weight
+    bool above = false;
+  };
+  struct Cell {
+    std::array<Id, 4> points;  ///< those of the dimension; turned like the roots
+    Proof proof = Proof::open;
+    bool cut = false;  ///< replaced by others
+  };
+
+  /// @pre 2 to 4 roots
+  Refinement(const Level& level, std::span<const Corner> roots);
+
+  /// What is already known of the edge or face of these roots.
+  void assume(std::span<const Id> roots, Proof proof);
+  /// Cuts. False if that takes more cells than the budget.
+  bool run();
+
+  /// Are points of the cell on both sides?
+  bool is_crossed(const Cell& cell) const;
+  std::size_t corners() const { return roots_.size(); }
+  const std::vector<Point>& points() const { return points_; }
+  const std::vector<Cell>& cells() const { return cells_; }
+  Tensor<mpz_class> exact(std::uint32_t point) const override;
+
+  /// A number for an edge (two ids) or face (three), whatever their order.
+  static std::uint64_t key(std::span<const Id> ids);
+  static std::uint64_t key(Id a, Id b) { return key(std::array{a, b}); }
+
+ private:
+  /// The longest edge of a cell.
+  struct Longest {
+    double cosine;
+    std::size_t cell;
+    std::array<Id, 2> edge;
+    bool operator<(const Longest& other) const { return cosine > other.cosine; }
+  };
+  using Waiting = std::priority_queue<Longest>;
+
+  Proof prove(std::span<const Id> ids) const;
+  Proof known(std::span<const Id> ids);
+  bool is_open(const Cell& cell);
+  void wait(std::size_t cell, Waiting& waiting) const;
+  double closeness(Id a, Id b) const;
+  Id middle(Id a, Id b);
+  void bisect(const std::array<Id, 2>& edge, Waiting& waiting);
+  void inherit(std::span<const Id> simplex, const std::array<Id, 2>& edge, Id middle);
+
+  const Level& level_;
+  std::vector<Corner> roots_;
+  std::vector<Point> points_;
+  std::vector<Cell> cells_;
+  std::unordered_map<std::uint64_t, Proof> proofs_;
+};
+
+/// All subsets of `size` of the first `count` members.
+template <class F>
+void for_subsets(std::size_t count, std::size_t size, const F& f) {
+  for (unsigned mask = 1; mask < 1U << count; ++mask) {
+    std::array<std::size_t, 4> members{};
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      if ((mask >> i & 1U) != 0) members[n++] = i;
+    if (n == size) f(members);
+  }
+}
+
+}  // namespace certificate

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// The topology of a level in a mesh, derived from the field alone.
+#pragma once
+
+#include <memory>
+#include <set>
+
+#include "field.hpp"
+#include "trace.hpp"
+
+namespace certificate {
+
+using Vertex = std::uint32_t;
+
+/// A crossing of an edge of the mesh: which edge, which of its crossings.
+struct MeshCrossing {
+  std::array<Vertex, 2> edge{};
+  unsigned ordinal = 0;
+
+  auto operator<=>(const MeshCrossing&) const = default;
+};
+
+struct EdgeTopology {
+  std::array<Vertex, 2> vertices{};
+  bool decided = false;
+  Proof proof = Proof::open;  ///< of the edge as a whole
+  unsigned crossings = 0;
+};
+struct FaceTopology {
+  std::array<Vertex, 3> vertices{};
+  bool decided = false;
+  Proof proof = Proof::open;
+  std::vector<std::array<MeshCrossing, 2>> arcs;  ///< each and all in ascending order
+  std::size_t loops = 0;
+  // If there are several loops: to tell which is which.
+  std::vector<std::vector<CrossedEdge>> loop_points;
+  std::unique_ptr<Refinement> refinement;
+};
+/// A boundary loop: from crossing to crossing, through faces named by their opposite vertices.
+/// A closed curve has no crossings, and is that many-th of its face.
+struct MeshLoop {
+  struct Step {
+    MeshCrossing from;
+    Vertex opposite;
+    auto operator<=>(const Step&) const = default;
+  };
+  std::vector<Step> steps;
+  Vertex opposite = 0;
+  std::size_t curve = 0;
+};
+struct MeshSheet {
+  long euler_characteristic = 0;
+  std::vector<MeshLoop> loops;
+};
+struct TetTopology {
+  std::uint32_t tet = 0;  ///< among the tetrahedra of the input
+  bool decided = false;
+  Proof proof = Proof::open;
+  std::vector<MeshSheet> sheets;
+};
+
+/// What holds in all tetrahedra but those left out. Edges, faces and tetrahedra that are not
+/// listed do not hold the level; the lists ascend.
+struct Topology {
+  std::vector<bool> above;  ///< for each vertex of the mesh
+  std::size_t on_level = 0;
+  std::vector<EdgeTopology> edges;
+  std::vector<FaceTopology> faces;
+  std::vector<TetTopology> tets;
+
+  const EdgeTopology* edge(const std::array<Vertex, 2>& vertices) const;
+  const FaceTopology* face(const std::array<Vertex, 3>& vertices) const;
+};
+
+/// @param left_out tetrahedra of which nothing is asked
+Topology derive_topology(const Input& input, const Field& field, const Level& level,
+                         const std::vector<bool>& left_out);
+
+/// The vertices of a tetrahedron without that at place i.
+inline std::array<Vertex, 3> face_of(const std::array<Vertex, 4>& tet, std::size_t i) {
+  std::array<Vertex, 3> face{};
+  for (std::size_t k = 0, n = 0; k < 4; ++k)
+    if (k != i) face[n++] = tet[k];
+  return face;
+}
+
+/// The sign of the volume of a tetrahedron in the order of its vertices.
+int orientation(const Input& input, const std::array<Vertex, 4>& tet);
+
+}  // namespace certificate

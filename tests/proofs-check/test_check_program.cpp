@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// The two programs: exit status, and what goes where.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "analysis/run_program.hpp"
+#include "certificate_writer.hpp"
+#include "support/random_fields.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Json = nlohmann::json;
+
+CertifiedSurface small_surface(const Folder& folder) {
+  TetMesh mesh = cube_mesh(1);
+  fill_with_smooth_tensors(mesh, 3);
+  return certified_surface(mesh, {"0"}, folder / "files");
+}
+
+TEST(CheckProgram, SaysWhatItFoundByStatusAndJson) {
+  const Folder folder;
+  const CertifiedSurface s = small_surface(folder);
+  const auto run = [&](const Json& document) {
+    return run_program({"check", s.input(), s.surface(), s.write(document), "--json"});
+  };
+  const Outcome good = run(s.certificate);
+  EXPECT_EQ(good.status, 0) << good.out << good.err;
+  EXPECT_EQ(good.err, "");
+  const Json report = Json::parse(good.out);
+  EXPECT_EQ(report.at("status"), "certified");
+  EXPECT_EQ(report.at("claims"), report.at("certified"));
+  EXPECT_EQ(report.at("refuted"), 0);
+  EXPECT_EQ(report.at("undecided"), 0);
+
+  Json forged = s.certificate;
+  forged["levels"][0]["on_level"] = 1;
+  const Outcome bad = run(forged);
+  EXPECT_EQ(bad.status, 1);
+  const Json witness = Json::parse(bad.out).at("witnesses").at(0);
+  EXPECT_EQ(witness.at("claimed"), "1");
+  EXPECT_EQ(witness.at("derived"), "0");
+
+  forged = s.certificate;
+  forged["levels"][0]["distance"] = {{"reach", Json::array()}, {"bound", "0x1p0"}};
+  const Outcome open = run(forged);
+  EXPECT_EQ(open.status, 1);
+  EXPECT_EQ(Json::parse(open.out).at("status"), "undecided");
+}
+
+TEST(CheckProgram, RefusesFilesInOneLine) {
+  const Folder folder;
+  const CertifiedSurface s = small_surface(folder);
+  const std::string file = folder / "broken.json";
+  std::ofstream(file) << "{";
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"check", s.input(), s.surface(), file},
+           {"check", s.input(), s.surface(), folder / "missing.json"},
+           {"check", s.surface(), s.surface(), s.write(s.certificate)}}) {
+    const Outcome run = run_program(arguments);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(run.out, "");
+    EXPECT_TRUE(run.err.starts_with("tensortopo: ")) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+  EXPECT_EQ(run_program({"check", s.input()}).status, 2);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
