@@ -17,6 +17,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_proofs_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 
