@@ -122,7 +122,9 @@ std::string to_json(const ConformanceReport& report) {
   // JSON has no infinity: without triangles there is no distance.
   json["distance"] = {{"sampled_to_truth", s.to_truth},
                       {"sampled_from_truth", s.from_truth},
-                      {"certified_bound_of_truth", s.certified}};
+                      {"certified_bound_of_truth", s.certified},
+                      {"coarse_cells", s.coarse_cells},
+                      {"coarse_bound", s.coarse_bound}};
   json["triangles"] = s.triangles;
   json["merged_points"] = s.merged_points;
   json["collapsed_triangles"] = s.collapsed_triangles;
@@ -152,7 +154,11 @@ std::string to_text(const ConformanceReport& report) {
                   s.missed_crossings, s.extra_crossings, s.unclear_edges));
   row("distance, sampled, to truth", fmt::format("{:.3g}", s.to_truth));
   row("distance, sampled, from truth", fmt::format("{:.3g}", s.from_truth));
-  row("  certified bound of truth", fmt::format("{:.3g}", s.certified));
+  row("  certified bound of truth",
+      fmt::format("{:.3g}", s.certified) +
+          (s.coarse_cells == 0
+               ? ""
+               : fmt::format(" (in {} tetrahedra only {:.3g})", s.coarse_cells, s.coarse_bound)));
   if (s.merged_points + s.collapsed_triangles > 0)
     row("points merged, triangles dropped",
         fmt::format("{}, {}", s.merged_points, s.collapsed_triangles));

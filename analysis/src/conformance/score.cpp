@@ -101,12 +101,6 @@ Votes vote(const SurfaceMesh& from, const SurfaceInvariants& of_from, const Tria
 
 }  // namespace
 
-double Standard::bound() const {
-  return level.distance.coarse.empty()
-             ? level.distance.bound
-             : std::max(level.distance.bound, level.distance.coarse_bound);
-}
-
 Standard certified_standard(const TetMesh& mesh, const ModeValue& mode, double resolution) {
   ExtractOptions options;
   options.keep_topology = true;
@@ -134,7 +128,9 @@ SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const 
   score.triangles = given.surface.triangles.size();
   score.merged_points = given.merged_points;
   score.collapsed_triangles = given.collapsed_triangles;
-  score.certified = standard.bound();
+  score.certified = standard.level.distance.bound;
+  score.coarse_cells = standard.level.distance.coarse.size();
+  score.coarse_bound = standard.level.distance.coarse_bound;
   score.undecided = standard.level.undecided.size();
   const SurfaceInvariants truth = surface_invariants(standard.surface);
   const SurfaceInvariants known = surface_invariants(given.surface);

@@ -18,8 +18,6 @@ namespace tensortopo {
 struct Standard {
   SurfaceMesh surface;
   CertifiedLevel level;
-  /// Bound on the distances between triangles and level, both ways.
-  double bound() const;
 };
 
 /// Extracts and certifies. A finer resolution brings the triangles closer to the level.
@@ -67,7 +65,10 @@ struct SurfaceScore {
 
   double to_truth = 0;    ///< largest distance of a sample of the given surface from the standard
   double from_truth = 0;  ///< and the other way round; infinite if the given surface is empty
-  double certified = 0;   ///< bound of the standard: add it
+  /// Certified bound on the distances between the standard and the level, both ways: add it. In
+  /// `coarse_cells` tetrahedra only `coarse_bound` is certified.
+  double certified = 0, coarse_bound = 0;
+  std::size_t coarse_cells = 0;
   std::size_t undecided = 0;  ///< tetrahedra about which there is no truth
 
   std::size_t wrong_topology() const;

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
 #include "conformance/suite.hpp"
 
@@ -18,7 +20,7 @@ namespace {
 struct Tally {
   std::size_t cases = 0, right = 0;
   std::size_t components = 0, missed = 0, extra = 0, wrong = 0;
-  std::size_t holes = 0, seams = 0, non_manifold = 0;
+  std::size_t holes = 0, non_manifold = 0;
   std::size_t crossings = 0, missed_crossings = 0, extra_crossings = 0;
   std::size_t empty = 0;  ///< nothing given where there is something
   double largest = 0;     ///< sampled distance, either way, over the cell's size
@@ -33,7 +35,6 @@ struct Tally {
     extra += s.extra.size();
     wrong += s.wrong_topology();
     holes += s.holes;
-    seams += s.seam_edges;
     non_manifold += s.non_manifold_edges + s.non_manifold_vertices;
     crossings += s.crossings;
     missed_crossings += s.missed_crossings;
@@ -47,11 +48,12 @@ struct Tally {
     largest = std::max(largest, distance);
   }
 
-  double median() const {
-    if (distances.empty()) return 0;
+  /// Median and largest distance as text; a dash where nothing was drawn in any case.
+  std::pair<std::string, std::string> distance() const {
+    if (distances.empty()) return {"-", "-"};
     auto sorted = distances;
     std::sort(sorted.begin(), sorted.end());
-    return sorted[sorted.size() / 2];
+    return {fmt::format("{:.2g}", sorted[sorted.size() / 2]), fmt::format("{:.2g}", largest)};
   }
 };
 
@@ -97,13 +99,14 @@ void table(std::string& text, const char* what, const std::vector<std::string>& 
   for (const auto& name : order)
     for (const auto& method : methods) {
       const Tally& t = tallies.at(name).at(method);
+      const auto [median, largest] = t.distance();
       fmt::format_to(out,
                      "| {} | {} | {} | {:.0f} % | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} "
-                     "| {:.2g} | {:.2g} |\n",
+                     "| {} | {} |\n",
                      method == methods.front() ? name : "", method, t.cases,
                      percent(t.right, t.cases), t.components, t.missed, t.extra, t.wrong, t.holes,
                      t.non_manifold, t.crossings, t.missed_crossings, t.extra_crossings, t.empty,
-                     t.median(), t.largest);
+                     median, largest);
     }
   text += '\n';
 }

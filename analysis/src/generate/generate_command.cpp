@@ -46,7 +46,7 @@ LevelTruth truth_of(const TetMesh& mesh, const ModeValue& mode, const GenerateCo
   const CertifiedLevel certified = certify(mesh, mode, extraction);
   const bool detailed = mesh.tets.size() <= kLargeMesh;
   LevelTruth truth = level_truth(certified, detailed);
-  if (!detailed && !command.always_reference) return truth;
+  if (command.no_reference || (!detailed && !command.always_reference)) return truth;
 
   const ReferencePoints points = reference_points(mesh, extraction.surface, mode);
   LevelTruth::Reference& r = truth.reference.emplace();

@@ -22,6 +22,7 @@ struct GenerateCommand {
   std::size_t tetrahedra = 0;     ///< of each member, where the kind allows; 0: the kind's default
   std::vector<ModeValue> modes;   ///< none: those of the kind
   bool field_only = false;        ///< no truth
+  bool no_reference = false;      ///< no reference surface
   bool always_reference = false;  ///< a reference surface also above kLargeMesh
   double resolution = 8;          ///< of the reference surface
 };

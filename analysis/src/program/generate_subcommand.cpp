@@ -61,7 +61,7 @@ void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& a
       ->type_name("N")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  app.add_flag("--together", command.together, "All members in one file, side by side");
+  app.add_flag("--together", command.together, "All members in one file, scaled and side by side");
   add_mode_option(app, options->modes)
       ->required(false)
       ->description("Mode M of the truth; repeatable (default: those of the kind)");
@@ -71,6 +71,7 @@ void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& a
   app.add_flag("--field-only", command.field_only, "Write the field, no truth");
   app.add_flag("--reference", command.always_reference,
                "Reference surfaces also for more than 10000 tetrahedra");
+  app.add_flag("--no-reference", command.no_reference, "No reference surface, only facts");
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return generate(*options, common); };

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -95,21 +96,29 @@ void sample_field(TetMesh& mesh,
 
 TetMesh side_by_side(std::span<const TetMesh> meshes) {
   TetMesh all;
-  double end = 0;
-  for (const TetMesh& mesh : meshes) {
+  int columns = 1;
+  while (columns * columns < static_cast<int>(meshes.size())) ++columns;
+  for (std::size_t part = 0; part < meshes.size(); ++part) {
+    const TetMesh& mesh = meshes[part];
     if (mesh.points.empty()) continue;
-    double low = mesh.points.front().x, high = low;
-    for (const auto& p : mesh.points) low = std::min(low, p.x), high = std::max(high, p.x);
-    const double gap = (high - low) / 4, shift = end == 0 ? 0 : end + gap - low;
+    Vector3<double> low = mesh.points.front(), high = low;
+    for (const auto& p : mesh.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    int exponent = 0;  // of the first power of two above the largest extent
+    std::frexp(std::max({high.x - low.x, high.y - low.y, high.z - low.z}), &exponent);
+    const double scale = std::ldexp(1.0, -exponent);
+    const int row = static_cast<int>(part) / columns, column = static_cast<int>(part) % columns;
+    const Vector3<double> corner{1.25 * column, 0, -1.25 * row};
     const auto first = static_cast<Index>(all.points.size());
-    for (const auto& p : mesh.points) all.points.push_back({p.x + shift, p.y, p.z});
+    for (const auto& p : mesh.points) all.points.push_back(scale * (p - low) + corner);
     all.tensors.insert(all.tensors.end(), mesh.tensors.begin(), mesh.tensors.end());
     for (auto tet : mesh.tets) {
       for (Index& v : tet) v += first;
       all.cell_ids.push_back(static_cast<std::int64_t>(all.tets.size()));
       all.tets.push_back(tet);
     }
-    end = high + shift + gap;
   }
   return all;
 }
