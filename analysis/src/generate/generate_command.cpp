@@ -129,7 +129,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
   report.kind = command.kind;
   FieldTruth truth;
   truth.members = command.count;
-  if (command.together) {
+  if (command.together && command.count > 1) {
     report.files.push_back(
         write_field(command, all_members(command, request), command.output, truth));
     return report;
