@@ -117,7 +117,6 @@ TEST(Generate, NamesWhatIsUndecided) {
   EXPECT_EQ(reasons["zero_deviator_vertex"], "zero_deviator_vertex");
   EXPECT_EQ(reasons["zero_deviator_inside"], "zero_deviator_inside");
   EXPECT_EQ(reasons["level_constant_in_cell"], "level_constant_in_cell");
-  EXPECT_EQ(reasons["critical_value_in_cell"], "critical_value_in_cell");
   EXPECT_EQ(reasons["plane_strain"], "");
   EXPECT_EQ(reasons["vertex_on_level"], "");
 }

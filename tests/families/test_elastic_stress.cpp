@@ -8,6 +8,7 @@
 #include "tensortopo/families/elastic_stress.hpp"
 #include "tensortopo/scalar/constants.hpp"
 #include "tensortopo/scalar/real.hpp"
+#include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -105,6 +106,24 @@ TEST(ElasticStress, OfKelvinBalancesTheForceOnASphere) {
   const auto ahead = kelvin_stress<double>({0, 0, 2}, force, poisson);
   EXPECT_DOUBLE_EQ(ahead.zz, -0.875);
   EXPECT_DOUBLE_EQ(ahead.xx, 0.125);
+}
+
+// Scaled positions, and positions at one angle to the force, have one mode: cones.
+TEST(ElasticStress, OfKelvinHasConesForModeSurfaces) {
+  Random random(8);
+  const Vector3<Real50> force{Real50(0), Real50(0), Real50(2)};
+  const Real50 poisson(0.25);
+  for (int i = 0; i < 50; ++i) {
+    const Vector3<Real50> x{Real50(random.normal()), Real50(random.normal()),
+                            Real50(random.normal())};
+    const Real50 r = sqrt(x.x * x.x + x.y * x.y), scale(1 + random.uniform());
+    const Vector3<Real50> there{r * scale * Real50(3) / Real50(5),
+                                r * scale * Real50(4) / Real50(5), x.z * scale};
+    const auto mode_at = [&](const Vector3<Real50>& p) {
+      return mode(deviator(kelvin_stress(p, force, poisson)));
+    };
+    EXPECT_LT(abs(mode_at(there) - mode_at(x)), Real50("1e-40"));
+  }
 }
 
 }  // namespace

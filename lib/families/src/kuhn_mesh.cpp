@@ -106,11 +106,12 @@ TetMesh side_by_side(std::span<const TetMesh> meshes) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    int exponent = 0;  // of the first power of two above the largest extent
-    std::frexp(std::max({high.x - low.x, high.y - low.y, high.z - low.z}), &exponent);
-    const double scale = std::ldexp(1.0, -exponent);
+    const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    int exponent = 0;
+    const bool is_power = std::frexp(extent, &exponent) == 0.5;
+    const double scale = std::ldexp(1.0, is_power ? 1 - exponent : -exponent);
     const int row = static_cast<int>(part) / columns, column = static_cast<int>(part) % columns;
-    const Vector3<double> corner{1.25 * column, 0, -1.25 * row};
+    const Vector3<double> corner{1.125 * column, 0, -1.125 * row};
     const auto first = static_cast<Index>(all.points.size());
     for (const auto& p : mesh.points) all.points.push_back(scale * (p - low) + corner);
     all.tensors.insert(all.tensors.end(), mesh.tensors.begin(), mesh.tensors.end());

@@ -35,7 +35,7 @@ void sample_field(TetMesh& mesh,
                   const std::function<SymmetricTensor<double>(const Vector3<double>&)>& field);
 
 /// The meshes in one, in rows of a square sheet in x and -z, each scaled by a power of two to an
-/// extent between 1/2 and 1. Topology and fields are those of the parts; coordinates are rounded
+/// extent in (1/2, 1]. Topology and fields are those of the parts; coordinates are rounded
 /// when they are moved. Vertices and tetrahedra follow in order.
 TetMesh side_by_side(std::span<const TetMesh> meshes);
 
