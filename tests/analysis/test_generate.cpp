@@ -158,6 +158,7 @@ TEST(BundledSuite, IsWhatIsGeneratedAndCertifiedNow) {
   const Folder folder;
   int kinds = 0;
   for (const Json& entry : list["suite"]) {
+    if (entry.contains("file")) continue;  // not generated
     const auto kind = entry["kind"].get<std::string>();
     std::vector<std::string> command{kind,
                                      "-o",

@@ -112,6 +112,8 @@ GivenSurface merge_points(const SurfaceMesh& triangles, double distance, bool sh
   std::vector<Index> place(triangles.points.size());
   for (std::size_t i = 0; i < place.size(); ++i) {
     const auto& p = triangles.points[i];
+    for (const double x : {p.x, p.y, p.z})
+      if (static_cast<double>(static_cast<float>(x)) != x) result.is_single_precision = false;
     const auto [it, fresh] = numbers.try_emplace(place_of(p, distance),
                                                  static_cast<Index>(result.surface.points.size()));
     if (fresh) result.surface.points.push_back(p);

@@ -16,6 +16,8 @@ struct GivenSurface {
   SurfaceMesh surface;
   std::size_t merged_points = 0;        ///< points dropped as copies
   std::size_t collapsed_triangles = 0;  ///< dropped: two corners are one, or a triangle is repeated
+  /// All coordinates fit into float32: they may have been rounded to it.
+  bool is_single_precision = true;
   std::size_t seam_edges = 0;  ///< pairs of boundary edges at one place that shared no vertices
 };
 

@@ -43,13 +43,17 @@ std::size_t pieces(const std::vector<Edge>& edges) {
   return count;
 }
 
-// Pairs of edges that coincide within `eps` without sharing a vertex.
+// Pairs of edges that coincide within `eps` without sharing a vertex; of edges long enough to tell.
 std::size_t near_pairs(const SurfaceMesh& surface, std::vector<Edge> edges, double eps) {
   const auto at = [&](Index v) { return surface.points[as_size(v)]; };
   const auto middle = [&](const Edge& e) { return 0.5 * (at(e[0]) + at(e[1])); };
   const auto near = [&](const Vector3<double>& p, const Vector3<double>& q) {
     return dot(p - q, p - q) <= eps * eps;
   };
+  std::erase_if(edges, [&](const Edge& e) {
+    const auto d = at(e[1]) - at(e[0]);
+    return dot(d, d) <= 16 * eps * eps;
+  });
   std::sort(edges.begin(), edges.end(), [&](const Edge& e, const Edge& f) {
     const double x = middle(e).x, y = middle(f).x;
     return x != y ? x < y : e < f;
@@ -78,11 +82,11 @@ std::size_t pinched_vertices(const SurfaceMesh& surface) {
 
 }  // namespace
 
-double touch_distance(const TetMesh& mesh, double length, double touch) {
+double touch_distance(const TetMesh& mesh, const GivenSurface& given, double length, double touch) {
   double largest = 0;
   for (const auto& p : mesh.points)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return std::max(touch * length, 0x1p-22 * largest);
+  return std::max(touch * length, (given.is_single_precision ? 0x1p-22 : 0x1p-48) * largest);
 }
 
 void score_connectivity(const TetMesh& mesh, const GivenSurface& given, double touch,
@@ -97,7 +101,7 @@ void score_connectivity(const TetMesh& mesh, const GivenSurface& given, double t
     const auto d = mesh.points[as_size(tet[1])] - mesh.points[as_size(tet[0])];
     mean += std::sqrt(dot(d, d)) / static_cast<double>(mesh.tets.size());
   }
-  const double eps = touch_distance(mesh, mean, touch);
+  const double eps = touch_distance(mesh, given, mean, touch);
   const SurfaceMesh boundary = domain_boundary(mesh);
   const TriangleSearch search(boundary);
   const auto on_boundary = [&](const Vector3<double>& p) {

@@ -78,7 +78,7 @@ std::vector<ComponentCrossing> score_crossings(const TetMesh& mesh, const Standa
   std::vector<ComponentCrossing> shared;
   std::optional<TriangleSearch> search;
   if (!given.surface.triangles.empty()) search.emplace(given.surface);
-  const double floor = touch_distance(mesh, 0, touch);
+  const double floor = touch_distance(mesh, given, 0, touch);
   for (const auto& edge : complex.edges) {
     const auto &p = mesh.points[as_size(edge[0])], &q = mesh.points[as_size(edge[1])];
     const double length = std::sqrt(dot(q - p, q - p)), eps = std::max(floor, touch * length);

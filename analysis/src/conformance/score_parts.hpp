@@ -24,7 +24,8 @@ std::vector<ComponentCrossing> score_crossings(
     const std::vector<SurfaceMesh::Index>& truth_component,
     const std::vector<SurfaceMesh::Index>& given_component, double touch, SurfaceScore& score);
 
-/// What counts as one place on a mesh edge of this length.
-double touch_distance(const TetMesh& mesh, double length, double touch);
+/// What counts as one place on a mesh edge of this length: `touch` of it, and what rounding the
+/// coordinates may have moved.
+double touch_distance(const TetMesh& mesh, const GivenSurface& given, double length, double touch);
 
 }  // namespace tensortopo

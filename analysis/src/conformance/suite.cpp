@@ -12,6 +12,7 @@
 
 #include "conformance/linear_contour.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 
@@ -44,7 +45,7 @@ void score_member(const FamilyMember& member, const SuiteEntry& entry, int numbe
                   SuiteReport& report) {
   const auto& modes = entry.modes.empty() ? member.modes : entry.modes;
   std::vector<TetMesh> meshes{member.mesh};
-  for (int k = 0; k < kSubdivisions; ++k) meshes.push_back(subdivide(meshes.back()));
+  for (int k = 0; k < entry.subdivisions; ++k) meshes.push_back(subdivide(meshes.back()));
   for (const ModeValue& mode : modes) {
     ++report.cases;
     const Standard standard = certified_standard(member.mesh, mode, kStandardResolution);
@@ -53,7 +54,8 @@ void score_member(const FamilyMember& member, const SuiteEntry& entry, int numbe
       continue;
     }
     const auto add = [&](const std::string& method, const SurfaceMesh& surface) {
-      report.results.push_back({entry.kind, number, mode, method, longest_edge(member.mesh),
+      report.results.push_back({entry.name, entry.file.empty(), number, mode, method,
+                                longest_edge(member.mesh),
                                 score_surface(member.mesh, standard, merge_points(surface))});
     };
     for (std::size_t k = 0; k < meshes.size(); ++k)
@@ -72,10 +74,18 @@ std::vector<SuiteEntry> read_suite(const std::filesystem::path& file) {
     std::vector<SuiteEntry> suite;
     for (const auto& item : json.at("suite")) {
       SuiteEntry entry;
-      const auto name = item.at("kind").get<std::string>();
-      const auto kind = field_kind(name);
-      if (!kind) throw std::invalid_argument("no kind is called " + name);
-      entry.kind = *kind;
+      if (item.contains("file")) {
+        entry.file = file.parent_path() / item.at("file").get<std::string>();
+        entry.name = entry.file.stem().string();
+      } else {
+        entry.name = item.at("kind").get<std::string>();
+        const auto kind = field_kind(entry.name);
+        if (!kind) throw std::invalid_argument("no kind is called " + entry.name);
+        entry.kind = *kind;
+      }
+      entry.subdivisions = item.value("subdivisions", kSubdivisions);
+      if (entry.subdivisions < 0 || entry.subdivisions > kSubdivisions)
+        throw std::invalid_argument("subdivisions must be from 0 to 3");
       entry.seed = item.value("seed", std::uint64_t{1});
       entry.count = item.value("count", 1);
       entry.tetrahedra = item.value("tetrahedra", std::size_t{0});
@@ -98,9 +108,12 @@ SuiteReport run_suite(const std::vector<SuiteEntry>& suite, const Progress& prog
   for (std::size_t e = 0; e < suite.size(); ++e)
     for (int i = 0; i < suite[e].count; ++i) {
       if (progress)
-        progress(name_of(suite[e].kind),
-                 (static_cast<double>(e) + static_cast<double>(i) / suite[e].count) /
-                     static_cast<double>(suite.size()));
+        progress(suite[e].name, (static_cast<double>(e) + static_cast<double>(i) / suite[e].count) /
+                                    static_cast<double>(suite.size()));
+      if (!suite[e].file.empty()) {
+        score_member({suite[e].name, read_mesh(suite[e].file).mesh, {}}, suite[e], i, report);
+        continue;
+      }
       FamilyRequest request;
       request.seed = suite[e].seed;
       request.member = i;

@@ -13,22 +13,27 @@
 
 namespace tensortopo {
 
-/// Members of a family that belong to a suite.
+/// Members of a family, or the field of a file, that belong to a suite.
 struct SuiteEntry {
+  std::string name;            ///< of the kind, or of the file without folder and extension
+  std::filesystem::path file;  ///< empty for a family
   FieldKind kind = FieldKind::linear;
   std::uint64_t seed = 1;
   int count = 1;
   std::size_t tetrahedra = 0;    ///< of each; 0: the kind's default
   std::vector<ModeValue> modes;  ///< none: those of the member
+  int subdivisions = 3;          ///< 0 to 3
 };
 
-/// The suite that a JSON file lists: {"suite": [{"kind", "seed", "count", "tetrahedra"?, "modes"?},
-/// ...]}. Throws IoError.
+/// The suite that a JSON file lists: {"suite": [{"kind", "seed", "count", "tetrahedra"?, "modes"?,
+/// "subdivisions"?} or {"file", "modes", "subdivisions"?}, ...]}, files relative to the list's
+/// folder. Throws IoError.
 std::vector<SuiteEntry> read_suite(const std::filesystem::path& file);
 
 /// What a method got wrong in one case, a mode of one member.
 struct SuiteResult {
-  FieldKind kind = FieldKind::linear;
+  std::string name;  ///< of the kind or file
+  bool generated = true;
   int member = 0;
   ModeValue mode;
   std::string method;
@@ -44,7 +49,7 @@ struct SuiteReport {
 };
 
 /// Scores vtkContourGrid on the mesh itself and subdivided once, twice and three times, and the
-/// extractor at its default resolution, against the certified truth of every case.
+/// extractor at its default resolution, against the certified truth of every case. Throws IoError.
 SuiteReport run_suite(const std::vector<SuiteEntry>& suite, const Progress& progress = {});
 
 /// One JSON object. Ends without newline.
