@@ -64,23 +64,27 @@ double percent(std::size_t part, std::size_t whole) {
 constexpr const char* kIntroduction =
     R"(# What linear contouring gets wrong
 
-Written by `tensortopo conformance --suite examples/suite/suite.json`; `examples/suite/make` repeats it.
+Written by `tensortopo conformance --suite examples/suite/suite.json`; `examples/suite/make`
+repeats it.
 
-Each case is a mode of a small generated field (`tensortopo generate`), or of a stress field of `examples/data`. Its truth
-is certified: components with Euler characteristic and boundary loops, and the number of crossings on each edge of the mesh.
-Scored against it are
+Each case is a mode of a small generated field (`tensortopo generate`), or of a stress field
+of `examples/data`. Its truth is certified: components with Euler characteristic and boundary
+loops, and the number of crossings on each edge of the mesh. Scored against it are
 
-- **linear contour**: `vtkContourGrid` on the modes at the vertices, the usual way to draw a mode surface;
-- **subdivided**: the same after cutting each tetrahedron in eight, once, twice, three times (up to 512 times the
-  tetrahedra), with the modes of the piecewise linear field at the new vertices;
-- **tensortopo**: this library's extraction at its default resolution, on the mesh as it is. It shares its proofs with the
-  truth, so its row tests the scoring and the drawing, not the proofs (for those see `tests/`).
+- **linear contour**: `vtkContourGrid` on the modes at the vertices, the usual way to draw a mode
+  surface;
+- **subdivided**: the same after cutting each tetrahedron in eight, once, twice, three times (up
+  to 512 times the tetrahedra), with the modes of the piecewise linear field at the new vertices;
+- **tensortopo**: this library's extraction at its default resolution, on the mesh as it is. It
+  shares its proofs with the truth, so its row tests the scoring and the drawing, not the proofs
+  (for those see `tests/`).
 
-A case is *right* if every component is there with the right topology, none is added, nothing is open inside the domain,
-doubled or pinched, and no edge has a wrong number of crossings. Of components: *missed*, *extra*, or matched with *another
-topology*. Of crossings of the mesh's own edges: *missed* or *extra*. Distances are the larger of the two one-sided ones,
-sampled at vertices, edge midpoints and centroids of triangles, in units of the longest edge of the mesh; cases in which
-nothing was drawn have none (*empty*).
+A case is *right* if every component is there with the right topology, none is added, nothing
+is open inside the domain, doubled or pinched, and no edge has a wrong number of crossings. Of
+components: *missed*, *extra*, or matched with *another topology*. Of crossings of the mesh's
+own edges: *missed* or *extra*. Distances are the larger of the two one-sided ones, sampled at
+vertices, edge midpoints and centroids of triangles, in units of the longest edge of the mesh;
+cases in which nothing was drawn have none (*empty*).
 
 )";
 

@@ -10,7 +10,7 @@ namespace tensortopo {
 /// piecewise linear field, up to the rounding of the means.
 ///
 /// The octahedron in the middle is cut along the diagonal between the midpoints of edges 02 and 13.
-/// The points of the mesh keep their numbers; `cell_ids` are those of the tetrahedra they come from.
+/// The points of the mesh keep their numbers; `cell_ids` are those of the tetrahedra that were cut.
 /// @pre the mesh is valid (see `validate`)
 TetMesh subdivide(const TetMesh& mesh);
 
