@@ -111,7 +111,7 @@ TetMesh side_by_side(std::span<const TetMesh> meshes) {
     const bool is_power = std::frexp(extent, &exponent) == 0.5;
     const double scale = std::ldexp(1.0, is_power ? 1 - exponent : -exponent);
     const int row = static_cast<int>(part) / columns, column = static_cast<int>(part) % columns;
-    const Vector3<double> corner{1.125 * column, 0, -1.125 * row};
+    const Vector3<double> corner{1.25 * column, 0, -1.25 * row};
     const auto first = static_cast<Index>(all.points.size());
     for (const auto& p : mesh.points) all.points.push_back(scale * (p - low) + corner);
     all.tensors.insert(all.tensors.end(), mesh.tensors.begin(), mesh.tensors.end());
