@@ -185,9 +185,12 @@ std::string to_text(const GenerateReport& report) {
         fmt::format_to(out, "; undecided:");
         for (const auto& [reason, count] : reasons) fmt::format_to(out, " {} {}", count, reason);
       }
-      if (level.reference)
-        fmt::format_to(out, "; within {:.2g}, vertices {:.1g}", level.reference->distance,
-                       level.reference->point_bound);
+      if (level.reference) {
+        const auto& r = *level.reference;
+        fmt::format_to(out, "; within {:.2g}, vertices {:.1g}", r.distance, r.point_bound);
+        if (r.coarse_cells > 0)
+          fmt::format_to(out, " (in {} tetrahedra only {:.2g})", r.coarse_cells, r.coarse_distance);
+      }
       text += '\n';
     }
   }
