@@ -65,6 +65,8 @@ int main(int argc, char** argv) {
   tensortopo::add_render_subcommand(app, common, action);
   tensortopo::add_bench_subcommand(app, common, action);
   tensortopo::add_check_subcommand(app, common, action);
+  tensortopo::add_generate_subcommand(app, common, action);
+  tensortopo::add_conformance_subcommand(app, common, action);
   tensortopo::add_verify_subcommand(app, common, action);
   tensortopo::add_proofs_subcommand(app, common, action);
   try {

@@ -16,6 +16,8 @@ using Action = std::function<ExitStatus()>;
 void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_check_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_proofs_subcommand(CLI::App& program, CommonOptions& common, Action& action);

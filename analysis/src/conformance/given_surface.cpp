@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/given_surface.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkTriangleFilter.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "tensortopo/io/io_error.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Index = SurfaceMesh::Index;
+using Place = std::array<double, 3>;
+
+std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
+
+template <class Reader>
+SurfaceMesh read_with(const std::filesystem::path& file, Reader& reader) {
+  reader.SetFileName(file.string().c_str());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(reader.GetOutputPort());
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->Update();
+  vtkPolyData* data = triangles->GetOutput();
+  SurfaceMesh surface;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    double p[3];
+    data->GetPoint(i, p);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      throw IoError(IoError::Kind::invalid, file, "a coordinate is not finite");
+    surface.points.push_back({p[0], p[1], p[2]});
+  }
+  vtkNew<vtkIdList> corners;
+  vtkCellArray* cells = data->GetPolys();
+  for (cells->InitTraversal(); cells->GetNextCell(corners);) {
+    if (corners->GetNumberOfIds() != 3) continue;
+    std::array<Index, 3> triangle{};
+    for (vtkIdType i = 0; i < 3; ++i) {
+      const vtkIdType id = corners->GetId(i);
+      if (id < 0 || id >= data->GetNumberOfPoints())
+        throw IoError(IoError::Kind::invalid, file, "a triangle names a point that is not there");
+      triangle[static_cast<std::size_t>(i)] = static_cast<Index>(id);
+    }
+    surface.triangles.push_back(triangle);
+  }
+  return surface;
+}
+
+// Zeros of both signs are one place.
+Place place_of(const Vector3<double>& p, double distance) {
+  if (distance > 0)
+    return {std::floor(p.x / distance) + 0.0, std::floor(p.y / distance) + 0.0,
+            std::floor(p.z / distance) + 0.0};
+  return {p.x + 0.0, p.y + 0.0, p.z + 0.0};
+}
+
+std::size_t count_seams(const SurfaceMesh& raw, const std::vector<Index>& place) {
+  std::map<std::array<Index, 2>, int> uses;
+  for (const auto& t : raw.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      ++uses[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+  std::map<std::array<Index, 2>, std::size_t> at_place;
+  for (const auto& [edge, count] : uses) {
+    if (count != 1) continue;
+    const Index a = place[as_size(edge[0])], b = place[as_size(edge[1])];
+    if (a != b) ++at_place[{std::min(a, b), std::max(a, b)}];
+  }
+  std::size_t seams = 0;
+  for (const auto& [edge, count] : at_place) seams += count > 1 ? count - 1 : 0;
+  return seams;
+}
+
+}  // namespace
+
+SurfaceMesh read_triangles(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    throw IoError(IoError::Kind::unreadable, file, "no such file");
+  const auto extension = file.extension();
+  if (extension == ".vtp") return read_with(file, *vtkNew<vtkXMLPolyDataReader>());
+  if (extension == ".ply") return read_with(file, *vtkNew<vtkPLYReader>());
+  if (extension == ".obj") return read_with(file, *vtkNew<vtkOBJReader>());
+  if (extension == ".stl") {
+    vtkNew<vtkSTLReader> reader;
+    reader->MergingOff();
+    return read_with(file, *reader);
+  }
+  throw IoError(IoError::Kind::invalid, file, "the name must end in .vtp, .ply, .obj or .stl");
+}
+
+GivenSurface merge_points(const SurfaceMesh& triangles, double distance, bool shares_vertices) {
+  GivenSurface result;
+  std::map<Place, Index> numbers;
+  std::vector<Index> place(triangles.points.size());
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const auto& p = triangles.points[i];
+    for (const double x : {p.x, p.y, p.z})
+      if (static_cast<double>(static_cast<float>(x)) != x) result.is_single_precision = false;
+    const auto [it, fresh] = numbers.try_emplace(place_of(p, distance),
+                                                 static_cast<Index>(result.surface.points.size()));
+    if (fresh) result.surface.points.push_back(p);
+    place[i] = it->second;
+  }
+  result.merged_points = place.size() - result.surface.points.size();
+  if (shares_vertices) result.seam_edges = count_seams(triangles, place);
+  std::set<std::array<Index, 3>> seen;
+  for (const auto& t : triangles.triangles) {
+    const std::array<Index, 3> merged{place[as_size(t[0])], place[as_size(t[1])],
+                                      place[as_size(t[2])]};
+    auto key = merged;
+    std::sort(key.begin(), key.end());
+    if (key[0] == key[1] || key[1] == key[2] || !seen.insert(key).second)
+      ++result.collapsed_triangles;
+    else
+      result.surface.triangles.push_back(merged);
+  }
+  return result;
+}
+
+}  // namespace tensortopo

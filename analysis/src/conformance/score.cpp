@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "conformance/score_parts.hpp"
+#include "conformance/triangle_search.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/mesh/tet_complex.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Index = SurfaceMesh::Index;
+
+std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
+
+std::array<Vector3<double>, 3> corners(const SurfaceMesh& surface, std::size_t triangle) {
+  const auto& t = surface.triangles[triangle];
+  return {surface.points[as_size(t[0])], surface.points[as_size(t[1])],
+          surface.points[as_size(t[2])]};
+}
+
+Vector3<double> centroid(const std::array<Vector3<double>, 3>& t) {
+  return (1.0 / 3) * (t[0] + t[1] + t[2]);
+}
+
+double area(const std::array<Vector3<double>, 3>& t) {
+  const auto n = cross(t[1] - t[0], t[2] - t[0]);
+  return std::sqrt(dot(n, n)) / 2;
+}
+
+double longest_edge(const TetMesh& mesh, Index tet) {
+  double longest = 0;
+  for (const auto& [i, j] : kTetEdges) {
+    const auto& t = mesh.tets[as_size(tet)];
+    const auto d = mesh.points[as_size(t[static_cast<std::size_t>(i)])] -
+                   mesh.points[as_size(t[static_cast<std::size_t>(j)])];
+    longest = std::max(longest, dot(d, d));
+  }
+  return std::sqrt(longest);
+}
+
+std::vector<ScoredComponent> components_of(const SurfaceMesh& surface,
+                                           const SurfaceInvariants& known) {
+  std::vector<ScoredComponent> list;
+  for (const auto& part : known.parts)
+    list.push_back({part.euler_characteristic, part.boundary_loops, part.triangles, {}});
+  for (std::size_t i = surface.triangles.size(); i-- > 0;)
+    list[as_size(known.component[i])].place = centroid(corners(surface, i));
+  return list;
+}
+
+// Which part of each component's area is nearest to which component of the other surface, and near.
+struct Votes {
+  std::vector<double> total;
+  std::vector<std::map<Index, double>> of;
+
+  // The component with most of the area; -1 if no half of it is near any.
+  Index favourite(Index component) const {
+    Index best = -1;
+    double most = 0;
+    for (const auto& [other, part] : of[as_size(component)])
+      if (part > most) best = other, most = part;
+    return 2 * most >= total[as_size(component)] ? best : -1;
+  }
+};
+
+// Samples each triangle of `from`; the largest distance goes to `largest`.
+template <class Reach>
+Votes vote(const SurfaceMesh& from, const SurfaceInvariants& of_from, const TriangleSearch* search,
+           const SurfaceInvariants& of_to, const Reach& reach, double& largest) {
+  Votes votes{std::vector<double>(of_from.parts.size()),
+              std::vector<std::map<Index, double>>(of_from.parts.size())};
+  for (std::size_t i = 0; i < from.triangles.size(); ++i) {
+    const auto t = corners(from, i);
+    const Index component = of_from.component[i];
+    // Triangles without area have a say, too.
+    const double weight = area(t) + std::numeric_limits<double>::min();
+    votes.total[as_size(component)] += weight;
+    if (search == nullptr) {
+      largest = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    const auto at_centre = search->nearest(centroid(t));
+    largest = std::max(largest, at_centre.distance);
+    for (std::size_t k = 0; k < 3; ++k) {
+      largest = std::max(largest, search->nearest(t[k]).distance);
+      largest = std::max(largest, search->nearest(0.5 * (t[k] + t[(k + 1) % 3])).distance);
+    }
+    if (at_centre.distance <= reach(i, at_centre.triangle))
+      votes.of[as_size(component)][of_to.component[as_size(at_centre.triangle)]] += weight;
+  }
+  return votes;
+}
+
+}  // namespace
+
+Standard certified_standard(const TetMesh& mesh, const ModeValue& mode, double resolution) {
+  ExtractOptions options;
+  options.keep_topology = true;
+  options.sampling.resolution = resolution;
+  Extraction extraction = extract_mode_surface<double>(mesh, mode, options);
+  Standard standard;
+  standard.level = certify(mesh, mode, extraction);
+  standard.surface = std::move(extraction.surface);
+  return standard;
+}
+
+std::size_t SurfaceScore::wrong_topology() const {
+  return static_cast<std::size_t>(std::count_if(matched.begin(), matched.end(),
+                                                [](const auto& m) { return !m.same_topology(); }));
+}
+
+bool SurfaceScore::conforms() const {
+  return missed.empty() && extra.empty() && wrong_topology() == 0 && hole_edges == 0 &&
+         seam_edges == 0 && non_manifold_edges == 0 && non_manifold_vertices == 0 && edges.empty();
+}
+
+SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const GivenSurface& given,
+                           const ScoreOptions& options) {
+  SurfaceScore score;
+  score.triangles = given.surface.triangles.size();
+  score.merged_points = given.merged_points;
+  score.collapsed_triangles = given.collapsed_triangles;
+  score.certified = standard.level.distance.bound;
+  score.coarse_cells = standard.level.distance.coarse.size();
+  score.coarse_bound = standard.level.distance.coarse_bound;
+  score.undecided = standard.level.undecided.size();
+  const SurfaceInvariants truth = surface_invariants(standard.surface);
+  const SurfaceInvariants known = surface_invariants(given.surface);
+  score.consistently_oriented = known.consistently_oriented;
+  score_connectivity(mesh, given, options.touch, score);
+  const auto crossings = score_crossings(mesh, standard, given, truth.component, known.component,
+                                         options.touch, score);
+
+  std::optional<TriangleSearch> among_truth, among_given;
+  if (!standard.surface.triangles.empty()) among_truth.emplace(standard.surface);
+  if (!given.surface.triangles.empty()) among_given.emplace(given.surface);
+  const auto reach = [&](Index triangle) {
+    return longest_edge(mesh, standard.surface.tet[as_size(triangle)]);
+  };
+  const Votes of_given = vote(
+      given.surface, known, among_truth ? &*among_truth : nullptr, truth,
+      [&](std::size_t, Index other) { return reach(other); }, score.to_truth);
+  const Votes of_truth = vote(
+      standard.surface, truth, among_given ? &*among_given : nullptr, known,
+      [&](std::size_t own, Index) { return reach(static_cast<Index>(own)); }, score.from_truth);
+
+  std::map<std::pair<Index, Index>, std::size_t> shared;
+  std::vector<std::size_t> has_crossings(truth.parts.size(), 0);
+  for (const auto& c : crossings) {
+    if (c.truth < 0) continue;
+    ++shared[{c.truth, c.given}];
+    ++has_crossings[as_size(c.truth)];
+  }
+  const auto true_list = components_of(standard.surface, truth);
+  const auto given_list = components_of(given.surface, known);
+  std::vector<char> taken(given_list.size(), 0);
+  for (std::size_t c = 0; c < true_list.size(); ++c) {
+    const Index other = of_truth.favourite(static_cast<Index>(c));
+    const bool mutual = other >= 0 && of_given.favourite(other) == static_cast<Index>(c);
+    const std::size_t common = mutual ? shared[{static_cast<Index>(c), other}] : 0;
+    if (mutual && (common > 0 || has_crossings[c] == 0)) {
+      taken[as_size(other)] = 1;
+      score.matched.push_back({true_list[c], given_list[as_size(other)], common});
+    } else {
+      score.missed.push_back(true_list[c]);
+    }
+  }
+  for (std::size_t c = 0; c < given_list.size(); ++c)
+    if (!taken[c]) score.extra.push_back(given_list[c]);
+  return score;
+}
+
+}  // namespace tensortopo

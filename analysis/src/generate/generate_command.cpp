@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "generate/generate_command.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "tensortopo/analysis/append_surface.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/certify/reference_points.hpp"
+#include "tensortopo/families/kuhn_mesh.hpp"
+#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/io/write_mesh.hpp"
+#include "tensortopo/io/write_surface.hpp"
+#include "tensortopo/io/write_text.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+Path with_suffix(const Path& field, const std::string& suffix) {
+  Path name = field;
+  return name.replace_extension(suffix);
+}
+
+// What goes to the reference files of one field.
+struct References {
+  SurfaceMesh surface;
+  nlohmann::ordered_json points;
+};
+
+LevelTruth truth_of(const TetMesh& mesh, const ModeValue& mode, const GenerateCommand& command,
+                    const Path& field, References& references) {
+  ExtractOptions options;
+  options.keep_topology = true;
+  options.sampling.resolution = command.resolution;
+  Extraction extraction = extract_mode_surface<double>(mesh, mode, options);
+  const CertifiedLevel certified = certify(mesh, mode, extraction);
+  const bool detailed = mesh.tets.size() <= kLargeMesh;
+  LevelTruth truth = level_truth(certified, detailed);
+  if (command.no_reference || (!detailed && !command.always_reference)) return truth;
+
+  const ReferencePoints points = reference_points(mesh, extraction.surface, mode);
+  LevelTruth::Reference& r = truth.reference.emplace();
+  r.surface = with_suffix(field, ".reference.vtp").filename().string();
+  r.points = with_suffix(field, ".reference.json").filename().string();
+  r.vertices = extraction.surface.points.size();
+  r.triangles = extraction.surface.triangles.size();
+  r.distance = certified.distance.bound;
+  r.coarse_cells = certified.distance.coarse.size();
+  r.coarse_distance = certified.distance.coarse_bound;
+  r.point_bound = points.bound;
+  r.unproved_points = points.unproved.size();
+  references.points.push_back({{"mode", mode.text()},
+                               {"bound", points.bound},
+                               {"unproved", points.unproved},
+                               {"vertices", points.coordinates}});
+  append_surface(references.surface, std::move(extraction.surface));
+  return truth;
+}
+
+Generated write_field(const GenerateCommand& command, const FamilyMember& member, const Path& field,
+                      FieldTruth truth) {
+  const TetMesh& mesh = member.mesh;
+  truth.kind = name_of(command.kind);
+  truth.note = member.note;
+  truth.seed = command.seed;
+  truth.field_sha256 = field_sha256(mesh);
+  truth.points = mesh.points.size();
+  truth.tetrahedra = mesh.tets.size();
+  write_mesh(mesh, field, "tensor");
+  if (command.field_only) return {field, {}, std::move(truth)};
+
+  References references;
+  references.points = nlohmann::ordered_json::array();
+  const auto& modes = command.modes.empty() ? member.modes : command.modes;
+  for (const ModeValue& mode : modes)
+    truth.levels.push_back(truth_of(mesh, mode, command, field, references));
+  if (!references.points.empty()) {
+    write_surface(references.surface, mesh, with_suffix(field, ".reference.vtp"));
+    write_text(with_suffix(field, ".reference.json"), references.points.dump(0) + '\n');
+  }
+  const Path file = with_suffix(field, ".truth.json");
+  write_text(file, to_json(truth));
+  return {field, file, std::move(truth)};
+}
+
+FamilyMember all_members(const GenerateCommand& command, const FamilyRequest& first) {
+  FamilyMember all;
+  std::vector<TetMesh> meshes;
+  for (int i = 0; i < command.count; ++i) {
+    FamilyRequest request = first;
+    request.member = i;
+    FamilyMember member = family_member(command.kind, request);
+    for (const ModeValue& mode : member.modes)
+      if (std::find(all.modes.begin(), all.modes.end(), mode) == all.modes.end())
+        all.modes.push_back(mode);
+    meshes.push_back(std::move(member.mesh));
+  }
+  all.note = fmt::format("{} members side by side", command.count);
+  all.mesh = side_by_side(meshes);
+  return all;
+}
+
+}  // namespace
+
+GenerateReport run_generate(const GenerateCommand& command, const Progress& progress) {
+  if (command.output.extension() != ".vtu")
+    throw UsageError(command.output.string() + ": the name must end in .vtu");
+  for (const ModeValue& mode : command.modes)
+    if (is_degenerate(mode))
+      throw UsageError("--mode " + mode.text() +
+                       ": certified truth is about mode surfaces, not degenerate curves");
+  if (command.count < 1) throw UsageError("--count: must be positive");
+  FamilyRequest request;
+  request.seed = command.seed;
+  request.members = command.count;
+  request.tetrahedra = command.tetrahedra;
+
+  GenerateReport report;
+  report.kind = command.kind;
+  FieldTruth truth;
+  truth.members = command.count;
+  if (command.together && command.count > 1) {
+    report.files.push_back(
+        write_field(command, all_members(command, request), command.output, truth));
+    return report;
+  }
+  for (int i = 0; i < command.count; ++i) {
+    if (progress) progress("generating", static_cast<double>(i) / command.count);
+    request.member = truth.member = i;
+    Path field = command.output;
+    if (command.count > 1)
+      field.replace_filename(fmt::format("{}-{:04}.vtu", command.output.stem().string(), i));
+    report.files.push_back(
+        write_field(command, family_member(command.kind, request), field, truth));
+  }
+  return report;
+}
+
+std::string to_json(const GenerateReport& report) {
+  using Json = nlohmann::ordered_json;
+  Json json;
+  json["kind"] = name_of(report.kind);
+  json["files"] = Json::array();
+  for (const Generated& file : report.files) {
+    Json entry{{"field", file.field.string()},
+               {"truth", file.truth_file.string()},
+               {"sha256", file.truth.field_sha256},
+               {"tetrahedra", file.truth.tetrahedra}};
+    entry["levels"] = Json::array();
+    for (const LevelTruth& level : file.truth.levels)
+      entry["levels"].push_back({{"mode", level.mode.text()},
+                                 {"components", level.components.size()},
+                                 {"undecided", level.undecided.size()}});
+    json["files"].push_back(std::move(entry));
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string to_text(const GenerateReport& report) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  for (const Generated& file : report.files) {
+    fmt::format_to(out, "{}: {} ({} tetrahedra)\n", file.field.string(), file.truth.note,
+                   file.truth.tetrahedra);
+    for (const LevelTruth& level : file.truth.levels) {
+      long euler = 0;
+      std::size_t loops = 0;
+      for (const auto& c : level.components)
+        euler += c.euler_characteristic, loops += c.boundary_loops;
+      fmt::format_to(out, "  mode {:>9}: {:>4} components, Euler characteristic {:>4}, {:>4} loops",
+                     level.mode.text(), level.components.size(), euler, loops);
+      if (!level.undecided.empty()) {
+        std::map<std::string, int> reasons;
+        for (const auto& cell : level.undecided) ++reasons[cell.reason];
+        fmt::format_to(out, "; undecided:");
+        for (const auto& [reason, count] : reasons) fmt::format_to(out, " {} {}", count, reason);
+      }
+      if (level.reference) {
+        const auto& r = *level.reference;
+        fmt::format_to(out, "; within {:.2g}, vertices {:.1g}", r.distance, r.point_bound);
+        if (r.coarse_cells > 0)
+          fmt::format_to(out, " (in {} tetrahedra only {:.2g})", r.coarse_cells, r.coarse_distance);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace tensortopo

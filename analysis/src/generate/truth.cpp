@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "generate/truth.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "tensortopo/io/io_error.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "tensortopo truth";
+constexpr int kVersion = 1;
+
+Json json_of(const LevelTruth& level) {
+  Json json;
+  json["mode"] = level.mode.text();
+  json["components"] = Json::array();
+  for (const auto& c : level.components)
+    json["components"].push_back({{"euler_characteristic", c.euler_characteristic},
+                                  {"boundary_loops", c.boundary_loops},
+                                  {"orientable", c.orientable},
+                                  {"closed", c.closed()}});
+  if (level.detailed) {
+    json["edges"] = Json::array();
+    for (const auto& e : level.edges)
+      json["edges"].push_back({e.vertices[0], e.vertices[1], e.crossings});
+    json["faces"] = Json::array();
+    for (const auto& f : level.faces)
+      json["faces"].push_back(
+          {f.vertices[0], f.vertices[1], f.vertices[2], f.arcs, f.closed_curves});
+    json["tetrahedra"] = Json::array();
+    for (const auto& t : level.tets) json["tetrahedra"].push_back({t.tet, t.sheets});
+  }
+  json["undecided"] = Json::array();
+  for (const auto& cell : level.undecided) json["undecided"].push_back({cell.tet, cell.reason});
+  if (level.reference) {
+    const auto& r = *level.reference;
+    json["reference"] = {{"surface", r.surface},
+                         {"points", r.points},
+                         {"vertices", r.vertices},
+                         {"triangles", r.triangles},
+                         {"distance", r.distance},
+                         {"coarse_cells", r.coarse_cells},
+                         {"coarse_distance", r.coarse_distance},
+                         {"point_bound", r.point_bound},
+                         {"unproved_points", r.unproved_points}};
+  }
+  return json;
+}
+
+LevelTruth level_of(const Json& json) {
+  LevelTruth level;
+  level.mode = ModeValue::parse(json.at("mode").get<std::string>());
+  for (const auto& c : json.at("components"))
+    level.components.push_back({c.at("euler_characteristic").get<std::int64_t>(),
+                                c.at("boundary_loops").get<std::size_t>(),
+                                c.at("orientable").get<bool>()});
+  std::sort(level.components.begin(), level.components.end());
+  level.detailed = json.contains("edges");
+  if (level.detailed) {
+    using Index = TetMesh::Index;
+    for (const auto& e : json.at("edges"))
+      level.edges.push_back({{e.at(0).get<Index>(), e.at(1).get<Index>()}, e.at(2).get<int>()});
+    for (const auto& f : json.at("faces"))
+      level.faces.push_back({{f.at(0).get<Index>(), f.at(1).get<Index>(), f.at(2).get<Index>()},
+                             f.at(3).get<int>(),
+                             f.at(4).get<int>()});
+    for (const auto& t : json.at("tetrahedra"))
+      level.tets.push_back({t.at(0).get<Index>(), t.at(1).get<std::vector<std::array<int, 2>>>()});
+  }
+  for (const auto& cell : json.at("undecided"))
+    level.undecided.push_back({cell.at(0).get<TetMesh::Index>(), cell.at(1).get<std::string>()});
+  return level;
+}
+
+}  // namespace
+
+LevelTruth level_truth(const CertifiedLevel& level, bool detailed) {
+  LevelTruth truth;
+  truth.mode = level.mode;
+  truth.detailed = detailed;
+  truth.undecided = level.undecided;
+  for (const auto& c : level.components)
+    truth.components.push_back({c.euler_characteristic, c.boundary_loops, c.orientable});
+  std::sort(truth.components.begin(), truth.components.end());
+  if (!detailed) return truth;
+  for (const auto& e : level.topology.edges)
+    truth.edges.push_back({e.vertices, static_cast<int>(e.crossings.size())});
+  for (const auto& f : level.topology.faces)
+    truth.faces.push_back(
+        {f.vertices, static_cast<int>(f.arcs.size()), static_cast<int>(f.loops.size())});
+  for (const auto& t : level.topology.tets) {
+    LevelTruth::TetFact fact{t.tet, {}};
+    for (const auto& sheet : t.sheets)
+      fact.sheets.push_back({sheet.euler_characteristic, static_cast<int>(sheet.loops.size())});
+    std::sort(fact.sheets.begin(), fact.sheets.end());
+    truth.tets.push_back(std::move(fact));
+  }
+  return truth;
+}
+
+std::string to_json(const FieldTruth& truth) {
+  Json json;
+  json["format"] = kFormat;
+  json["version"] = kVersion;
+  json["kind"] = truth.kind;
+  json["note"] = truth.note;
+  json["seed"] = truth.seed;
+  json["member"] = truth.member;
+  json["members"] = truth.members;
+  json["field"] = {
+      {"sha256", truth.field_sha256}, {"points", truth.points}, {"tetrahedra", truth.tetrahedra}};
+  // One line for each level keeps long lists of small entries readable enough, and short.
+  std::string text = json.dump(1);
+  text.resize(text.size() - 2);  // "\n}"
+  text += ",\n \"levels\": [";
+  for (std::size_t i = 0; i < truth.levels.size(); ++i)
+    text += (i ? ",\n  " : "\n  ") + json_of(truth.levels[i]).dump();
+  return text + "\n ]\n}\n";
+}
+
+FieldTruth read_truth(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (!in) throw IoError(IoError::Kind::unreadable, file, "cannot read");
+  try {
+    const Json json = Json::parse(bytes.str());
+    if (json.at("format") != kFormat || json.at("version") != kVersion)
+      throw IoError(IoError::Kind::invalid, file, "no truth file of version 1");
+    FieldTruth truth;
+    truth.kind = json.at("kind").get<std::string>();
+    truth.note = json.at("note").get<std::string>();
+    truth.seed = json.at("seed").get<std::uint64_t>();
+    truth.member = json.at("member").get<int>();
+    truth.members = json.at("members").get<int>();
+    truth.field_sha256 = json.at("field").at("sha256").get<std::string>();
+    truth.points = json.at("field").at("points").get<std::size_t>();
+    truth.tetrahedra = json.at("field").at("tetrahedra").get<std::size_t>();
+    for (const auto& level : json.at("levels")) truth.levels.push_back(level_of(level));
+    return truth;
+  } catch (const nlohmann::json::exception& problem) {
+    throw IoError(IoError::Kind::invalid, file, std::string("no truth file: ") + problem.what());
+  } catch (const std::invalid_argument& problem) {
+    throw IoError(IoError::Kind::invalid, file, std::string("no truth file: ") + problem.what());
+  }
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "conformance/conformance_command.hpp"
+#include "conformance/suite.hpp"
+#include "program/mode_option.hpp"
+#include "program/progress_bar.hpp"
+#include "program/report_output.hpp"
+#include "program/subcommands.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+
+namespace tensortopo {
+namespace {
+
+struct Options {
+  ConformanceCommand command;
+  std::vector<std::string> modes;
+  std::filesystem::path suite;
+};
+
+ExitStatus suite(const Options& options, const CommonOptions& common) {
+  const auto entries = read_suite(options.suite);
+  ProgressBar bar(!common.quiet);
+  const SuiteReport report = run_suite(entries, bar.callback());
+  bar.erase();
+  print(common.json ? to_json(report) + '\n' : to_markdown(report));
+  return ExitStatus::done;
+}
+
+ExitStatus conformance(const Options& options, const CommonOptions& common) {
+  if (!options.suite.empty()) return suite(options, common);
+  ConformanceCommand command = options.command;
+  const auto modes = parse_modes(options.modes);
+  if (command.surface.empty() || command.input.empty() || modes.size() != 1)
+    throw UsageError("conformance needs --surface, --input and one --mode, or --suite");
+  command.mode = modes.front();
+  ProgressBar bar(!common.quiet);
+  const ConformanceReport report = run_conformance(command, bar.callback());
+  bar.erase();
+  print(common.json ? to_json(report) + '\n' : to_text(report));
+  return report.score.conforms() ? ExitStatus::done : ExitStatus::undecided;
+}
+
+}  // namespace
+
+void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
+  CLI::App& app = *program.add_subcommand(
+      "conformance", "Score another program's mode surface against certified truth");
+  const auto options = std::make_shared<Options>();
+  ConformanceCommand& command = options->command;
+  app.add_option("--surface", command.surface, "Triangles to score: .vtp, .ply, .stl or .obj")
+      ->type_name("FILE");
+  app.add_option("--input", command.input, "Tetrahedral mesh with tensors that they were made from")
+      ->type_name("MESH");
+  add_mode_option(app, options->modes)
+      ->required(false)
+      ->description("Mode of the surface, taken exactly");
+  app.add_option("--truth", command.truth,
+                 "Truth file of `generate`; must agree with what is certified now")
+      ->type_name("FILE");
+  app.add_option("--tensor", command.read.tensor, "Name of the mesh's tensor array")
+      ->type_name("NAME");
+  app.add_option("--merge", command.merge,
+                 "Merge points in boxes of this size (default: equal ones only)")
+      ->type_name("EPS")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--resolution", command.resolution,
+                 "Of the certified surface: samples per radian of turning")
+      ->type_name("R")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--suite", options->suite,
+                 "Instead: score VTK's contours over a list of generated fields; prints Markdown")
+      ->type_name("LIST.json");
+  add_common_options(app, common);
+  app.callback([options, &common, &action] {
+    action = [options, &common] { return conformance(*options, common); };
+  });
+}
+
+}  // namespace tensortopo

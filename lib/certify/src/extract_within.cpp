@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/certify/extract_within.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace tensortopo {
+
+namespace {
+
+/// A tetrahedron is given up after so many doublings in a row without much effect.
+constexpr int kPatience = 2;
+constexpr double kEffect = 0.8;
+
+std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
+
+/// For each tetrahedron the bound on its distances, 0 where nothing is claimed or there.
+std::vector<double> distance_bounds(const TetMesh& mesh, const SurfaceMesh& surface,
+                                    const CertifiedLevel& level) {
+  const auto& claim = level.distance;
+  std::vector<double> bounds(mesh.tets.size(), 0);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    double& bound = bounds[as_size(surface.tet[i])];
+    for (const auto v : surface.triangles[i])
+      bound = std::max(bound, (1 + 0x1p-20) * reach_length(claim.reach[as_size(v)]));
+  }
+  for (const auto t : claim.coarse) bounds[as_size(t)] = claim.coarse_bound;
+  for (const auto& cell : level.undecided) bounds[as_size(cell.tet)] = 0;
+  return bounds;
+}
+
+}  // namespace
+
+ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
+                                double largest_distance, const ExtractOptions& options) {
+  if (!(largest_distance > 0)) throw std::invalid_argument("the distance must be positive");
+  ExtractOptions current = options;
+  current.keep_topology = true;
+  if (current.density.empty()) current.density.assign(mesh.tets.size(), 1);
+  ExtractionWithin result;
+  std::vector<double> best(mesh.tets.size(), std::numeric_limits<double>::infinity());
+  std::vector<int> without_effect(mesh.tets.size(), 0);
+  for (bool is_denser = true; is_denser;) {
+    result.extraction = extract_mode_surface<double>(mesh, mode, current);
+    result.level = certify(mesh, mode, result.extraction);
+    ++result.rounds;
+    const auto bounds = distance_bounds(mesh, result.extraction.surface, result.level);
+    result.farther.clear();
+    is_denser = false;
+    for (std::size_t t = 0; t < bounds.size(); ++t) {
+      if (bounds[t] <= largest_distance) continue;
+      result.farther.push_back(static_cast<TetMesh::Index>(t));
+      without_effect[t] = bounds[t] < kEffect * best[t] ? 0 : without_effect[t] + 1;
+      best[t] = std::min(best[t], bounds[t]);
+      if (without_effect[t] > kPatience) continue;
+      current.density[t] *= 2;
+      is_denser = true;
+    }
+  }
+  return result;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certify_case.hpp"
+#include "tensortopo/certify/extract_within.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+class Within : public testing::TestWithParam<const char*> {};
+
+TEST_P(Within, ReachesTheDistanceWithTheTopologyOfThePlainExtraction) {
+  TetMesh mesh = cube_mesh(1);
+  fill_with_normal_tensors(mesh, 20241301);
+  const auto mode = ModeValue::parse(GetParam());
+  const auto plain = extract_mode_surface<double>(mesh, mode);
+  ASSERT_GT(plain.surface.triangles.size(), 0u);
+  for (const double distance : {0.1, 0.02}) {
+    const auto within = extract_within(mesh, mode, distance);
+    EXPECT_TRUE(within.farther.empty()) << distance;
+    EXPECT_LE(within.level.distance.bound, distance);
+    EXPECT_TRUE(within.level.distance.coarse.empty() ||
+                within.level.distance.coarse_bound <= distance);
+    EXPECT_EQ(summary(within.extraction.surface), summary(plain.surface));
+    EXPECT_EQ(flaws(within.extraction, mesh), "");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Within, testing::Values("1/2", "-1/2", "1/10"));
+
+// Denser samples do not help beside the singular line of a neutral surface: this ends all the same, and
+// says where.
+TEST(Within, GivesUpWhereMoreSamplesDoNotHelp) {
+  TetMesh mesh = cube_mesh(2);
+  fill_with_smooth_tensors(mesh, 20241301, 4, 2);
+  const double distance = 0.005;
+  const auto within = extract_within(mesh, ModeValue::parse("0"), distance);
+  for (std::size_t i = 0; i < within.extraction.surface.triangles.size(); ++i) {
+    const auto t = within.extraction.surface.tet[i];
+    if (std::binary_search(within.farther.begin(), within.farther.end(), t)) continue;
+    for (const auto v : within.extraction.surface.triangles[i])
+      EXPECT_LE(reach_length(within.level.distance.reach[static_cast<std::size_t>(v)]), distance);
+  }
+  EXPECT_LT(within.farther.size(), 5u);
+}
+
+// Only where it is needed: half the distance everywhere would take twice the triangles.
+TEST(Within, SamplesMoreDenselyOnlyWhereTheSurfaceIsFarFromTheLevel) {
+  TetMesh mesh = cube_mesh(1);
+  fill_with_normal_tensors(mesh, 20241302);
+  const auto mode = ModeValue::parse("1/2");
+  const auto within = extract_within(mesh, mode, 0.003);
+  ASSERT_TRUE(within.farther.empty());
+  ASSERT_GT(within.rounds, 2);
+  ExtractOptions everywhere;
+  everywhere.sampling.resolution *= std::exp2(within.rounds - 1);
+  const auto dense = extract_mode_surface<double>(mesh, mode, everywhere);
+  EXPECT_LT(within.extraction.surface.triangles.size(), dense.surface.triangles.size() / 2);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
