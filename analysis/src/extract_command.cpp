@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "certificate.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 
@@ -138,6 +140,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (command.baseline && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
     throw UsageError("--method: degenerate curves (--mode 1 or -1) have no other method");
   }
+  if (command.baseline && command.max_error > 0) {
+    throw UsageError("--max-error: only surfaces of the method `manifold` come with proofs");
+  }
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
@@ -188,9 +193,19 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       append_curves(curves, std::move(extraction.curves));
       continue;
     }
-    Extraction extraction =
-        command.baseline ? extract_baseline(read.mesh, modes[i], command)
-                         : extract_mode_surface<double>(read.mesh, modes[i], options);
+    Extraction extraction;
+    std::optional<CertifiedLevel> level;
+    std::size_t tets_farther = 0;
+    if (command.baseline) {
+      extraction = extract_baseline(read.mesh, modes[i], command);
+    } else if (command.max_error > 0) {
+      auto within = extract_within(read.mesh, modes[i], command.max_error, options);
+      extraction = std::move(within.extraction);
+      level = std::move(within.level);
+      tets_farther = within.farther.size();
+    } else {
+      extraction = extract_mode_surface<double>(read.mesh, modes[i], options);
+    }
     report.seconds_extract += extract_clock.seconds();
     for (const UnresolvedCell& cell : extraction.unresolved) {
       const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];
@@ -202,9 +217,17 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     if (certifying) {
       tell(progress, "mode " + modes[i].text() + ": certificate", 0);
       const Clock certify_clock;
-      certified.push_back(certify(read.mesh, modes[i], extraction));
+      if (!level) level = certify(read.mesh, modes[i], extraction);
       seconds_certify += certify_clock.seconds();
     }
+    if (level) {
+      const DistanceClaim& distance = level->distance;
+      report.surfaces.back().distance_bound =
+          distance.coarse.empty() ? distance.bound
+                                  : std::max(distance.bound, distance.coarse_bound);
+      report.surfaces.back().tets_farther = tets_farther;
+    }
+    if (certifying) certified.push_back(std::move(*level));
     append_surface(surface, std::move(extraction.surface));
   }
   report.predicates = predicate_counts() - before;

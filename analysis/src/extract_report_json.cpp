@@ -42,6 +42,8 @@ Json surface_json(const SurfaceReport& surface) {
             {"area", known.area},
             {"max_abs_residual", surface.max_abs_residual},
             {"tets_crossed", surface.statistics.tets_crossed},
+            {"distance_bound", surface.distance_bound ? Json(*surface.distance_bound) : Json()},
+            {"tets_farther", surface.tets_farther},
             {"unresolved", counts(surface.unresolved)}};
   json["parts"] = Json::array();
   for (const auto& part : known.parts) json["parts"].push_back(part_json(part));

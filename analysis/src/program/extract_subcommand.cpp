@@ -46,6 +46,14 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
               << (report.written ? "" : "; nothing written") << '\n';
   }
   print(common.json ? to_json(report) + '\n' : to_text(report));
+  std::size_t farther = 0;
+  for (const SurfaceReport& surface : report.surfaces) farther += surface.tets_farther;
+  if (farther > 0) {
+    if (!common.quiet)
+      std::cerr << "tensortopo: " << report.output.string() << ": in " << farther
+                << " tetrahedra the distance to the level is not proved to be below --max-error\n";
+    return ExitStatus::undecided;
+  }
   if (report.certificate && report.certificate->undecided_cells > 0) {
     if (!common.quiet)
       std::cerr << "tensortopo: " << command.certificate.string() << ": "
@@ -74,6 +82,10 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Samples per radian of turning of the medium eigenvector (curves: dominant)")
       ->type_name("R")
       ->capture_default_str();
+  app.add_option("--max-error", command.max_error,
+                 "Sample until the distance between triangles and level is proved to be below this")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber);
   app.add_option("--method", options->method, "How to extract")
       ->check(CLI::IsMember({"manifold", "marching", "a-patches"}))
       ->capture_default_str();

@@ -236,9 +236,9 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   const auto vertices = arc_vertices(t, tet);
   if (state.method == Method::tubes)
     return mesh_tubes<Scalar>(*state.manifold, tet, *state.plan, vertices, level_of(t),
-                              options_.sampling, state.drawn);
+                              sampling_in(t), state.drawn);
   if (state.method == Method::manifold) {
-    Sampling sampling = options_.sampling;
+    Sampling sampling = sampling_in(t);
     if (state.attempts > 2) sampling.resolution *= 2;
     return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
                                     level_of(t), sampling, state.drawn);
@@ -261,7 +261,7 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     if (sheet.loops.size() != 1) return false;
     const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
                                    vertices);
-    if (!is_small_disc(sheet, rim, options_.sampling) || !mesh_small_disc(rim, state.drawn))
+    if (!is_small_disc(sheet, rim, sampling_in(t)) || !mesh_small_disc(rim, state.drawn))
       return false;
   }
   return true;

@@ -206,6 +206,25 @@ LevelSimplex<Scalar, 3> Pipeline<Scalar>::face_simplex(std::size_t f) const {
 }
 
 template <class Scalar>
+Sampling Pipeline<Scalar>::sampling_in(std::size_t t) const {
+  Sampling sampling = options_.sampling;
+  if (!options_.density.empty())
+    sampling.resolution *= static_cast<double>(options_.density[as_size(complex_.tets[t])]);
+  return sampling;
+}
+
+template <class Scalar>
+Sampling Pipeline<Scalar>::sampling_on(std::size_t f) const {
+  Sampling sampling = options_.sampling;
+  if (options_.density.empty()) return sampling;
+  sampling.resolution = 0;
+  for (const Index t : complex_.face_tets[f])
+    if (t >= 0)
+      sampling.resolution = std::max(sampling.resolution, sampling_in(as_size(t)).resolution);
+  return sampling;
+}
+
+template <class Scalar>
 void Pipeline<Scalar>::trace_faces() {
   arcs_.resize(complex_.faces.size());
   face_moved_.assign(complex_.faces.size(), 0);
@@ -226,7 +245,7 @@ void Pipeline<Scalar>::trace_faces() {
     // Where the deviator vanishes no subdivision would end.
     if (vanishes_inside(v)) return;
     if (!face_moved_[f])
-      arcs_[f] = face_curves(face_simplex(f), crossings, level_, options_.sampling);
+      arcs_[f] = face_curves(face_simplex(f), crossings, level_, sampling_on(f));
     if (!arcs_[f]) trace_nearby(f);
   });
 }
@@ -247,7 +266,7 @@ void Pipeline<Scalar>::trace_nearby(std::size_t f) {
     found[e] = std::move(*there);
     crossings[e] = found[e];
   }
-  arcs_[f] = face_curves(face_simplex(f), crossings, *level, options_.sampling);
+  arcs_[f] = face_curves(face_simplex(f), crossings, *level, sampling_on(f));
   if (!arcs_[f]) return;
   for (auto& arc : *arcs_[f]) arc.level = level;
   face_moved_[f] = 1;

@@ -96,6 +96,8 @@ class Pipeline {
   TetWithCurves<Scalar> tet_with_curves(std::size_t t) const;
   FaceArcVertices arc_vertices(std::size_t t, const TetWithCurves<Scalar>& tet) const;
   LevelSimplex<Scalar, 3> face_simplex(std::size_t f) const;
+  Sampling sampling_in(std::size_t t) const;
+  Sampling sampling_on(std::size_t f) const;
 
   const TetMesh& mesh_;
   const ExtractOptions& options_;

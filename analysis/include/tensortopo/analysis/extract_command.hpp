@@ -27,6 +27,7 @@ struct ExtractCommand {
   bool strict = false;           ///< write nothing if a tetrahedron stays unresolved
   ReadOptions read;
   Sampling sampling;
+  double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone
 };
 
 /// Whether the mode is 1 or -1, exactly: where the field has it there are curves, not surfaces.

@@ -25,6 +25,8 @@ struct SurfaceReport {
   std::size_t triangles = 0;
   SurfaceInvariants invariants;  ///< `component` is left empty
   double max_abs_residual = 0;   ///< largest |mode at a vertex - mode|
+  std::optional<double> distance_bound;  ///< to the level, both ways, if proved
+  std::size_t tets_farther = 0;  ///< tetrahedra without the distance that was asked for
   std::map<std::string, std::size_t> unresolved;  ///< by the name of the reason
   ExtractStatistics statistics;
 };

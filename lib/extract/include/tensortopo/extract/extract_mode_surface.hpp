@@ -39,6 +39,9 @@ struct UnresolvedCell {
 
 struct ExtractOptions {
   Sampling sampling;
+  /// For each tetrahedron of the mesh by how much denser its samples are than `sampling` says; a
+  /// face has the denser ones of its two. Empty for 1 everywhere.
+  std::vector<float> density;
   bool keep_topology = false;  ///< fill `Extraction::topology`
   /// Called now and then, from one thread at a time, with the stage and how much of it is done.
   std::function<void(std::string_view stage, double fraction)> progress;
