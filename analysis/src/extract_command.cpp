@@ -170,6 +170,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   UnresolvedModes unresolved;
   std::vector<CertifiedLevel> certified;
   double seconds_certify = 0;
+  // What the modes have in common.
+  std::optional<PreparedField<double>> prepared;
+  const auto surfaces = std::count_if(modes.begin(), modes.end(),
+                                      [](const auto& mode) { return !is_degenerate(mode); });
   for (std::size_t i = 0; i < modes.size(); ++i) {
     ExtractOptions options;
     options.sampling = command.sampling;
@@ -204,7 +208,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       level = std::move(within.level);
       tets_farther = within.farther.size();
     } else {
-      extraction = extract_mode_surface<double>(read.mesh, modes[i], options);
+      using Use = PreparedField<double>::Use;
+      if (!prepared)
+        prepared.emplace(read.mesh, surfaces > 1 ? Use::several_modes : Use::one_mode);
+      extraction = extract_mode_surface(*prepared, modes[i], options);
     }
     report.seconds_extract += extract_clock.seconds();
     for (const UnresolvedCell& cell : extraction.unresolved) {

@@ -45,6 +45,31 @@ TEST_P(RandomMeshes, OfSmoothFieldsHaveTheTopologyThatFineMarchingTetrahedraSee)
 
 INSTANTIATE_TEST_SUITE_P(Levels, RandomMeshes, testing::ValuesIn(kLevels));
 
+TEST(Extraction, OfSeveralModesGivesTheSurfacesOfEach) {
+  for (const bool smooth : {false, true}) {
+    TetMesh mesh = cube_mesh(3);
+    if (smooth)
+      fill_with_smooth_tensors(mesh, 20240806, 4, 2);
+    else
+      fill_with_normal_tensors(mesh, 20240805);
+    mesh.tensors[21] = {2, 2, 2, 0, 0, 0};
+    const PreparedField<double> field(mesh);
+    for (const char* mode : kLevels) {
+      const auto value = ModeValue::parse(mode);
+      const auto alone = extract_mode_surface<double>(mesh, value);
+      const auto shared = extract_mode_surface(field, value);
+      EXPECT_EQ(alone.surface.triangles, shared.surface.triangles) << mode;
+      EXPECT_EQ(alone.surface.points.size(), shared.surface.points.size()) << mode;
+      EXPECT_EQ(alone.unresolved.size(), shared.unresolved.size()) << mode;
+      for (std::size_t v = 0; v < alone.surface.points.size(); ++v) {
+        EXPECT_EQ(alone.surface.points[v].x, shared.surface.points[v].x);
+        EXPECT_EQ(alone.surface.points[v].y, shared.surface.points[v].y);
+        EXPECT_EQ(alone.surface.points[v].z, shared.surface.points[v].z);
+      }
+    }
+  }
+}
+
 TEST(Extraction, FillsEveryArrayOfTheSurface) {
   TetMesh mesh = cube_mesh(1);
   fill_with_normal_tensors(mesh, 20240804);

@@ -52,8 +52,10 @@ std::size_t extract_all(const TetMesh& mesh, const std::vector<ModeValue>& modes
                         std::map<std::string, double>& stages) {
   std::size_t triangles = 0;
   stages.clear();
+  using Use = PreparedField<double>::Use;
+  const PreparedField<double> field(mesh, modes.size() > 1 ? Use::several_modes : Use::one_mode);
   for (const ModeValue& mode : modes) {
-    const Extraction extraction = extract_mode_surface<double>(mesh, mode);
+    const Extraction extraction = extract_mode_surface(field, mode);
     triangles += extraction.surface.triangles.size();
     stages["edges"] += extraction.statistics.seconds_edges;
     stages["faces"] += extraction.statistics.seconds_faces;

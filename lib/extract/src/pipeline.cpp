@@ -49,8 +49,13 @@ std::string_view name_of(UnresolvedReason reason) {
 }
 
 template <class Scalar>
-Pipeline<Scalar>::Pipeline(const TetMesh& mesh, const ModeValue& mu, const ExtractOptions& options)
-    : mesh_(mesh), options_(options), nearby_levels_(mu), field_(mesh) {
+Pipeline<Scalar>::Pipeline(const PreparedField<Scalar>& prepared, const ModeValue& mu,
+                           const ExtractOptions& options)
+    : mesh_(*prepared.mesh),
+      options_(options),
+      nearby_levels_(mu),
+      prepared_(prepared),
+      field_(prepared.field) {
   if (std::abs(mu.approx()) >= 1)
     throw std::invalid_argument("mode surfaces exist for |mode| < 1, not for " + mu.text());
   level_ = make_level<Scalar>(mu);
@@ -120,17 +125,20 @@ void Pipeline<Scalar>::classify_vertices() {
 
 template <class Scalar>
 void Pipeline<Scalar>::screen() {
-  // By vertex, the norm and how far the level is.
-  std::vector<double> norm(mesh_.points.size()), clearance(mesh_.points.size(), 2);
-  std::vector<Deviator<double>> tensors(mesh_.points.size());
+  // By vertex, how far the level is.
+  const auto &tensors = prepared_.tensors;
+  const auto &norm = prepared_.norms;
+  std::vector<double> clearance(mesh_.points.size(), 2);
   parallel_stage(options_, "screen", mesh_.points.size(), 4096, [&](std::size_t v) {
-    tensors[v] = rounded(std::array{field_.tensors[v]})[0];
-    norm[v] = std::sqrt(norm_form(tensors[v]));
     if (!field_.is_zero[v])
-      clearance[v] = screen::clearance_cosine(screen::lode_angle(tensors[v]), level_.lode_angle);
+      clearance[v] = screen::clearance_cosine(prepared_.lode_angles[v], level_.lode_angle);
   });
+  const auto& ranges = prepared_.lode_ranges;
   std::vector<char> active(mesh_.tets.size(), 0);
   parallel_stage(options_, "screen", mesh_.tets.size(), 4096, [&](std::size_t t) {
+    if (!ranges.empty() && (level_.lode_angle < static_cast<double>(ranges[t][0]) ||
+                            level_.lode_angle > static_cast<double>(ranges[t][1])))
+      return;
     const auto& v = mesh_.tets[t];
     if (zero_corners(v) != 0) {
       active[t] = may_be_crossed_from_zero(v);
@@ -345,15 +353,24 @@ void Pipeline<Scalar>::plan_tets() {
 }
 
 template <class Scalar>
+Extraction extract_mode_surface(const PreparedField<Scalar>& field, const ModeValue& mu,
+                                const ExtractOptions& options) {
+  return Pipeline<Scalar>(field, mu, options).run();
+}
+
+template <class Scalar>
 Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
                                 const ExtractOptions& options) {
-  return Pipeline<Scalar>(mesh, mu, options).run();
+  const PreparedField<Scalar> field(mesh, PreparedField<Scalar>::Use::one_mode);
+  return extract_mode_surface(field, mu, options);
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                    \
   template class Pipeline<Scalar>;                                                        \
   template Extraction extract_mode_surface<Scalar>(const TetMesh&, const ModeValue&,      \
-                                                   const ExtractOptions&);
+                                                   const ExtractOptions&);                \
+  template Extraction extract_mode_surface<Scalar>(const PreparedField<Scalar>&,          \
+                                                   const ModeValue&, const ExtractOptions&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -10,6 +10,7 @@
 #include "nearby_levels.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/manifold_sheets.hpp"
+#include "tensortopo/extract/prepared_field.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
@@ -21,7 +22,8 @@ namespace tensortopo {
 template <class Scalar>
 class Pipeline {
  public:
-  Pipeline(const TetMesh& mesh, const ModeValue& mu, const ExtractOptions& options);
+  Pipeline(const PreparedField<Scalar>& prepared, const ModeValue& mu,
+           const ExtractOptions& options);
 
   Extraction run();
 
@@ -103,7 +105,8 @@ class Pipeline {
   const ExtractOptions& options_;
   Level<Scalar> level_;
   NearbyLevels<Scalar> nearby_levels_;
-  ScaledField<Scalar> field_;
+  const PreparedField<Scalar>& prepared_;
+  const ScaledField<Scalar>& field_;
   ExtractStatistics statistics_;
 
   std::vector<char> above_;  ///< a mesh vertex: mode > mu

@@ -9,6 +9,7 @@
 
 #include "tensortopo/extract/face_curves.hpp"
 #include "tensortopo/extract/level_topology.hpp"
+#include "tensortopo/extract/prepared_field.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
@@ -99,6 +100,11 @@ struct Extraction {
 /// The result does not depend on the number of threads.
 template <class Scalar>
 Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
+                                const ExtractOptions& options = {});
+
+/// The same surface, for several modes of one mesh: what does not depend on the mode is computed once.
+template <class Scalar>
+Extraction extract_mode_surface(const PreparedField<Scalar>& field, const ModeValue& mu,
                                 const ExtractOptions& options = {});
 
 }  // namespace tensortopo

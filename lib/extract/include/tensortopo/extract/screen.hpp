@@ -51,19 +51,39 @@ inline double clearance_cosine(double lode, double level) {
   return gap < 0.001 ? 2 : std::cos(gap - 3 * kAngleError);
 }
 
+/// A cone around the sum of some tensors that holds them all.
+struct Cone {
+  double centre = 0;  ///< Lode angle of the sum
+  double radius = 4;  ///< half angle; 4 if there is no such cone that is convex
+};
+
+template <std::size_t Vertices>
+Cone cone_around(const std::array<Deviator<double>, Vertices>& tensors) {
+  Deviator<double> centre = tensors[0];
+  for (std::size_t i = 1; i < Vertices; ++i) centre = centre + tensors[i];
+  const double norm = std::sqrt(norm_form(centre));
+  if (!(norm > 1e-3)) return {};
+  double cosine = 1;
+  for (const auto& t : tensors)
+    cosine = std::min(cosine, norm_form(centre, t) / (norm * std::sqrt(norm_form(t))));
+  if (!(cosine > 0.001)) return {};
+  return {lode_angle(centre), std::acos(cosine)};
+}
+
 /// True only if the level does not meet the simplex: the cone is taken around the sum of the
 /// vertex tensors.
 template <std::size_t Vertices>
 bool excludes(const std::array<Deviator<double>, Vertices>& tensors, double level) {
-  Deviator<double> centre = tensors[0];
-  for (std::size_t i = 1; i < Vertices; ++i) centre = centre + tensors[i];
-  const double norm = std::sqrt(norm_form(centre));
-  if (!(norm > 1e-3)) return false;
-  double cosine = 1;
-  for (const auto& t : tensors)
-    cosine = std::min(cosine, norm_form(centre, t) / (norm * std::sqrt(norm_form(t))));
-  if (!(cosine > 0.001)) return false;
-  return excludes(lode_angle(centre), std::acos(cosine), level);
+  const Cone cone = cone_around(tensors);
+  return excludes(cone.centre, cone.radius, level);
+}
+
+/// Lode angles outside of which the level does not meet the simplex.
+template <std::size_t Vertices>
+std::array<double, 2> lode_range(const std::array<Deviator<double>, Vertices>& tensors) {
+  const Cone cone = cone_around(tensors);
+  if (!(cone.radius < 1.57)) return {-1, 4};
+  return {cone.centre - cone.radius - 3 * kAngleError, cone.centre + cone.radius + 3 * kAngleError};
 }
 
 }  // namespace screen

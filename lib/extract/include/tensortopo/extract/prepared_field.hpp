@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tensortopo/extract/scaled_field.hpp"
+
+namespace tensortopo {
+
+/// What the extractions of several modes from one mesh have in common, computed once.
+template <class Scalar>
+struct PreparedField {
+  enum class Use { one_mode, several_modes };
+
+  /// @param mesh  valid (see `validate`); kept by reference
+  explicit PreparedField(const TetMesh& mesh, Use use = Use::several_modes);
+
+  const TetMesh* mesh;
+  ScaledField<Scalar> field;
+  // One per vertex.
+  std::vector<Deviator<double>> tensors;  ///< scaled as in `field`, rounded
+  std::vector<double> norms;              ///< sqrt(P) of these
+  std::vector<double> lode_angles;        ///< of these; 0 without deviator
+
+  /// Of each tetrahedron the Lode angles between which all of it certainly lies; empty for one mode,
+  /// for which it is quicker to compare angles between tensors where they matter.
+  std::vector<std::array<float, 2>> lode_ranges;
+};
+
+}  // namespace tensortopo
