@@ -59,7 +59,7 @@ struct SweepOptions {
   std::size_t samples = 2;      ///< evenly spaced, the ends included (but not -1 and 1); at least 2
   /// A level is extracted in each interval if there are no more of them than this; if there are,
   /// components and loops are known at the samples only, and the Euler characteristic everywhere.
-  std::size_t most_levels = 4000;
+  std::size_t most_levels = 250;
 };
 
 /// The diagram of topology against the mode: every event from one mode to another, and the levels

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <string>
+
+#include "analyze/sweep_command.hpp"
+#include "program/progress_bar.hpp"
+#include "program/report_output.hpp"
+#include "program/subcommands.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+
+namespace tensortopo {
+namespace {
+
+struct Options {
+  std::filesystem::path input, output;
+  std::string sweep;
+  std::size_t most_levels = SweepOptions{}.most_levels;
+  ReadOptions read;
+};
+
+ExitStatus sweep(const Options& options, const CommonOptions& common) {
+  SweepCommand command;
+  command.input = options.input;
+  command.read = options.read;
+  command.picture = options.output;
+  command.sweep.most_levels = options.most_levels;
+  parse_sweep(options.sweep, command.sweep);
+  ProgressBar bar(!common.quiet);
+  const SweepReport report = run_sweep(command, bar.callback());
+  bar.erase();
+  print(common.json ? to_json(report) + '\n' : to_text(report));
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
+  CLI::App& app = *program.add_subcommand(
+      "analyze", "Topology against the mode of a field; shape and quality of surfaces");
+  const auto options = std::make_shared<Options>();
+  app.add_option("INPUT", options->input, "Tetrahedral mesh with tensors, or a surface (.vtp)")
+      ->required();
+  app.add_option("--sweep", options->sweep,
+                 "Of a mesh: all critical values of the mode from A to B, and the topology and "
+                 "area of the mode surfaces of N modes, evenly spaced")
+      ->type_name("A:B:N");
+  app.add_option("--levels", options->most_levels,
+                 "Extract a surface between each two critical values if this many are enough")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("-o,--output", options->output, "The sweep's picture (.png)")->type_name("FILE");
+  app.add_option("--tensor", options->read.tensor, "Name of the mesh's tensor array")
+      ->type_name("NAME");
+  add_common_options(app, common);
+  app.callback([options, &common, &action] {
+    action = [options, &common] {
+      if (options->sweep.empty()) throw UsageError("analyze: --sweep A:B:N is missing");
+      return sweep(*options, common);
+    };
+  });
+}
+
+}  // namespace tensortopo
