@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -102,8 +103,8 @@ std::vector<Panel> panels_of(const Sweep& sweep) {
 }
 
 struct Kind {
-  const char* text;
-  Rgb colour;
+  const char* text = nullptr;
+  Rgb colour{};
 };
 
 /// What the strip tells apart.
@@ -205,16 +206,13 @@ class Chart : public vtkContextItem {
 
   void paint_strip(float bottom, float top) {
     std::vector<std::pair<Kind, std::size_t>> kinds;
+    for (const LocalChange change : {LocalChange::birth, LocalChange::death, LocalChange::join,
+                                     LocalChange::split, LocalChange::open, LocalChange::other})
+      kinds.emplace_back(kind_of(change), 0);
     for (const SweepEvent& event : sweep_->events)
       for (const MeshCriticalPoint& point : event.points) {
         const Kind kind = kind_of(point.effect.change);
-        const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) {
-          return k.first.text == kind.text;
-        });
-        if (known == kinds.end())
-          kinds.emplace_back(kind, 1);
-        else
-          ++known->second;
+        for (auto& [known, count] : kinds) count += std::string_view(known.text) == kind.text;
         const float x = x_of(std::clamp((point.low + point.high) / 2, from_, to_));
         pen(kind.colour, 1.2F, sweep_->events.size() > 300 ? 110 : 220);
         painter_->DrawLine(x, bottom, x, top);
@@ -231,6 +229,7 @@ class Chart : public vtkContextItem {
           VTK_TEXT_LEFT);
     float x = kLeft;
     for (const auto& [kind, count] : kinds) {
+      if (count == 0) continue;
       painter_->GetBrush()->SetColor(kind.colour[0], kind.colour[1], kind.colour[2], 255);
       pen(kind.colour, 1);
       painter_->DrawRect(x, bottom - 130, 22, 22);
