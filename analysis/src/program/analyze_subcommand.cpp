@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "analyze/surface_command.hpp"
 #include "analyze/sweep_command.hpp"
 #include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
@@ -13,9 +14,10 @@ namespace tensortopo {
 namespace {
 
 struct Options {
-  std::filesystem::path input, output;
+  std::filesystem::path input, output, mesh, against;
   std::string sweep;
   std::size_t most_levels = SweepOptions{}.most_levels;
+  bool smooth = false;
   ReadOptions read;
 };
 
@@ -31,6 +33,32 @@ ExitStatus sweep(const Options& options, const CommonOptions& common) {
   bar.erase();
   print(common.json ? to_json(report) + '\n' : to_text(report));
   return ExitStatus::done;
+}
+
+ExitStatus surface(const Options& options, const CommonOptions& common) {
+  SurfaceCommand command;
+  command.surface = options.input;
+  command.mesh = options.mesh;
+  command.against = options.against;
+  command.output = options.output;
+  command.smooth = options.smooth;
+  command.read = options.read;
+  ProgressBar bar(!common.quiet);
+  const SurfaceAnalysis analysis = run_surface_analysis(command, bar.callback());
+  bar.erase();
+  print(common.json ? to_json(analysis) + '\n' : to_text(analysis));
+  return ExitStatus::done;
+}
+
+ExitStatus analyze(const Options& options, const CommonOptions& common) {
+  const bool is_surface = options.input.extension() == ".vtp";
+  if (is_surface && !options.sweep.empty())
+    throw UsageError(options.input.string() + ": --sweep takes a mesh, not a surface");
+  if (!is_surface && options.sweep.empty())
+    throw UsageError(options.input.string() + ": a mesh needs --sweep A:B:N (a surface is a .vtp)");
+  if (!is_surface && (!options.mesh.empty() || !options.against.empty() || options.smooth))
+    throw UsageError("--mesh, --against and --smooth are for surfaces (.vtp)");
+  return is_surface ? surface(options, common) : sweep(options, common);
 }
 
 }  // namespace
@@ -49,15 +77,23 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Extract a surface between each two critical values if this many are enough")
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("-o,--output", options->output, "The sweep's picture (.png)")->type_name("FILE");
+  app.add_option("--mesh", options->mesh,
+                 "Of a surface: the mesh that it was extracted from, for its curvature and "
+                 "umbilics by the field's derivatives")
+      ->type_name("FILE");
+  app.add_flag("--smooth", options->smooth,
+               "Of a surface: also the curvature that polynomials fitted to its vertices have");
+  app.add_option("--against", options->against,
+                 "Of a surface: sampled distances to another one (.vtp), both ways")
+      ->type_name("FILE");
+  app.add_option("-o,--output", options->output,
+                 "The sweep's picture (.png), or the surface with its curvatures (.vtp)")
+      ->type_name("FILE");
   app.add_option("--tensor", options->read.tensor, "Name of the mesh's tensor array")
       ->type_name("NAME");
   add_common_options(app, common);
   app.callback([options, &common, &action] {
-    action = [options, &common] {
-      if (options->sweep.empty()) throw UsageError("analyze: --sweep A:B:N is missing");
-      return sweep(*options, common);
-    };
+    action = [options, &common] { return analyze(*options, common); };
   });
 }
 
