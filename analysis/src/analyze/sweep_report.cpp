@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 4> kPlaces{"vertex", "edge", "face", "tetrahedron"};
-constexpr std::size_t kMostEvents = 40, kWidest = 5;
+constexpr std::size_t kMostPoints = 40, kWidest = 5;
 
 std::size_t dimension_of(const MeshCriticalPoint& point) {
   return static_cast<std::size_t>(point.dimension);
@@ -146,14 +146,17 @@ std::string to_text(const SweepReport& report) {
                    text_of(interval->euler_characteristic),
                    level ? fmt::format("{}", level->boundary_loops) : "?");
   }
-  if (sweep.events.size() > kMostEvents) {
+  if (points > kMostPoints) {
     fmt::format_to(out, "\n(--json lists the {} critical values)\n", sweep.events.size());
-  } else if (!sweep.events.empty()) {
+  } else if (points > 0) {
     fmt::format_to(out, "\n{:>20} {:<10} {:>6}  where\n", "critical value", "change", "Euler");
     for (const SweepEvent& event : sweep.events)
       for (const MeshCriticalPoint& point : event.points)
-        fmt::format_to(out, "{:>20.15g} {:<10} {:>+6}  {} {}{}\n", (point.low + point.high) / 2,
-                       name_of(point.effect.change), point.effect.euler_change,
+        fmt::format_to(out, "{:>20.15g} {:<10} {:>6}  {} {}{}\n", (point.low + point.high) / 2,
+                       name_of(point.effect.change),
+                       point.effect.change == LocalChange::undecided
+                           ? "?"
+                           : fmt::format("{:+}", point.effect.euler_change),
                        kPlaces[dimension_of(point)], fmt::join(vertices_of(point), " "),
                        point.effect.on_boundary ? ", on the boundary" : "");
   }

@@ -85,7 +85,7 @@ std::vector<IntervalRoot> interval_roots(const Polynomial& p, double low, double
     }
     while (next < left.size() && !left[next].has_one && left[next].from <= to)
       to = left[next++].to;
-    const double margin = std::max(2 * (to - from), 1e-10);
+    const double margin = std::max(2 * (to - from), 0x1p-33);
     const IntervalRoot root = newton(p, Range(from - margin, to + margin));
     const bool is_inside = root.x.inf() > low && root.x.sup() < high;
     const bool is_apart = (i == 0 || left[i - 1].to < root.x.inf()) &&
