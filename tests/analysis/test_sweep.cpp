@@ -178,6 +178,19 @@ TEST(SweepProgram, WritesTheDiagramAsJsonAndAsAPicture) {
   EXPECT_EQ(contents(picture).substr(1, 3), "PNG");
 }
 
+TEST(SweepProgram, SaysTheSameWhateverTheThreads) {
+  std::vector<Json> said;
+  for (const std::string threads : {"1", "3"}) {
+    const Outcome run = run_program({"analyze", field("s3_three"), "--sweep", "0.1:0.15:2",
+                                     "--levels", "0", "--threads", threads, "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    said.push_back(Json::parse(run.out));
+    said.back().erase("seconds");
+    EXPECT_GT(said.back().at("events").size(), 10u);
+  }
+  EXPECT_EQ(said[0], said[1]);
+}
+
 TEST(SweepProgram, RefusesWhatMakesNoSense) {
   for (const std::string sweep : {"0.1:0.2", "0.2:0.1:5", "0:1:1", "0:2:5", "a:b:c", "0:1:5x"}) {
     const Outcome run = run_program({"analyze", field("s4_slab"), "--sweep", sweep});
