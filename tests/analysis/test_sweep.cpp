@@ -147,6 +147,16 @@ TEST(Sweep, OfSpecialFieldsKeepsWhatItCannotDecide) {
   EXPECT_TRUE(sweep.contradictions.empty());
 }
 
+// Without a level to start from nothing is known of the topology, and that is said.
+TEST(Sweep, NeedsALevelToStartFrom) {
+  SweepOptions options = options_of("-1", "1", 2);  // both are degenerate curves
+  options.most_levels = 0;
+  const Sweep sweep = sweep_modes(noisy_cube(1, 3), options);
+  EXPECT_TRUE(sweep.levels.empty());
+  EXPECT_GT(sweep.events.size(), 10u);
+  for (const auto& interval : sweep.intervals) EXPECT_FALSE(interval.euler_characteristic);
+}
+
 RC_GTEST_PROP(Sweep, TakesModesInBetween, (const std::pair<int, int>& ends, int shift)) {
   RC_PRE(ends.first != ends.second);
   const double scale = std::ldexp(1.0, -32 - (shift & 7));

@@ -188,6 +188,23 @@ TEST(CriticalPoints, OfNearlyDependentTensorsAreEnclosedAsWell) {
   }
 }
 
+// All tensors [[1+x, y, 0], [y, 1-x, 0], [0, 0, -2]] share an eigenvector: the mode has its maximum 1
+// on a circle, and its minimum -1 at the centre. Points that are not isolated are not counted, and
+// their values enclosed all the same; also if the symmetry is broken by rounding.
+TEST(CriticalPoints, OnAPlaneOfSymmetryAreDegenerate) {
+  const LinearField ring{{1, 1, -2, 0, 0, 0}, {1, -1, 0, 0, 0, 0}, {0, 0, 0, 1, 0, 0}, {}};
+  for (const double broken : {0.0, 0x1p-46}) {
+    using Point = Vector3<double>;
+    std::array<Tensor, 3> corners{ring.at(Point{-4, -3, 0}), ring.at(Point{5, -2, 0}),
+                                  ring.at(Point{1, 6, 0})};
+    corners[1].yz += broken;
+    const auto points = critical_points_on_face(corners, {});
+    EXPECT_FALSE(points.empty());
+    for (const auto& p : points)
+      EXPECT_TRUE(p.low > 1 - 1e-6 || p.high < -1 + 1e-6) << p.low << ' ' << p.high;
+  }
+}
+
 // The mode along this edge has the maximum 4/5 and no other critical point.
 TEST(CriticalPoints, OnAnEdgeHaveTheirValue) {
   const Tensor first{0, 0, 0, 1, 2, 1}, second{0, 0, 0, 1, 2, 2};

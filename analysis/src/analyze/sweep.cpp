@@ -127,7 +127,8 @@ std::optional<ModeValue> mode_between(double low, double high) {
     if (value > low && value < high && (value == 0 || std::abs(value) > 1e-280))
       return ModeValue::parse(value == 0 ? "0" : text);
   }
-  return ModeValue();  // low < 0 < high, and both next to zero
+  // All numbers between are next to zero, or zero.
+  return low < 0 && high > 0 ? std::optional(ModeValue()) : std::nullopt;
 }
 
 Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options, const Progress& progress) {

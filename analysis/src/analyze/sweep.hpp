@@ -68,7 +68,8 @@ struct SweepOptions {
 /// The result does not depend on the number of threads.
 Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options, const Progress& progress = {});
 
-/// The shortest decimal between two doubles, as a mode. Nothing if they are neighbours.
+/// A short decimal between two doubles, as a mode. Nothing if they are neighbours, or both within
+/// 1e-280 of zero and on one side of it.
 /// @pre -1 <= low < high <= 1
 std::optional<ModeValue> mode_between(double low, double high);
 

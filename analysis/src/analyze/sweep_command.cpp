@@ -17,7 +17,11 @@ namespace tensortopo {
 bool SweepReport::is_complete() const {
   const auto is_known = [](const SweepEvent& e) { return e.euler_change().has_value(); };
   const auto is_resolved = [](const SweepLevel& level) { return level.unresolved == 0; };
+  const auto has_topology = [](const SweepInterval& i) {
+    return i.euler_characteristic || !(i.low < i.high);
+  };
   return sweep.contradictions.empty() &&
+         std::all_of(sweep.intervals.begin(), sweep.intervals.end(), has_topology) &&
          std::all_of(sweep.events.begin(), sweep.events.end(), is_known) &&
          std::all_of(sweep.levels.begin(), sweep.levels.end(), is_resolved);
 }

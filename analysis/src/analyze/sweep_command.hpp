@@ -32,8 +32,8 @@ struct SweepReport {
   std::filesystem::path picture;
   double seconds = 0;
 
-  /// Of the critical points found, each change is known; all levels are resolved; and no two
-  /// results contradict each other.
+  /// Of the critical points found, each change is known; all levels are resolved; the Euler
+  /// characteristic is known everywhere; and no two results contradict each other.
   bool is_complete() const;
 };
 
