@@ -104,9 +104,9 @@ void expect_implicit_curvature(double tolerance) {
                             -two * z * (one + y)};
     const SymmetricTensor<Scalar> h{two - two * y, -Scalar(12) * y, -two - two * y,
                                     -two * x,      -two * z,        Scalar(0)};
-    const SymmetricTensor<Scalar> adjugate{
-        h.yy * h.zz - h.yz * h.yz, h.xx * h.zz - h.xz * h.xz, h.xx * h.yy - h.xy * h.xy,
-        h.xz * h.yz - h.xy * h.zz, h.xy * h.xz - h.xx * h.yz, h.xy * h.yz - h.xz * h.yy};
+    const SymmetricTensor<Scalar> adjugate{h.yy * h.zz - h.yz * h.yz, h.xx * h.zz - h.xz * h.xz,
+                                           h.xx * h.yy - h.xy * h.xy, h.xz * h.yz - h.xy * h.zz,
+                                           h.xy * h.xz - h.xx * h.yz, h.xy * h.yz - h.xz * h.yy};
     const Scalar gg = dot(g, g), size = sqrt(gg);
     const Scalar mean = (gg * trace(h) - dot(g, h * g)) / (two * gg * size);
     const Scalar gauss = dot(g, adjugate * g) / (gg * gg);

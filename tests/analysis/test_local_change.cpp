@@ -75,13 +75,20 @@ RC_GTEST_PROP(LocalChange, OfOppositeSignsIsOpposite, (const std::vector<bool>& 
   RC_ASSERT(one.euler_change == -other.euler_change);
   const auto reverse = [](LocalChange change) {
     switch (change) {
-      case LocalChange::birth: return LocalChange::death;
-      case LocalChange::death: return LocalChange::birth;
-      case LocalChange::join: return LocalChange::split;
-      case LocalChange::split: return LocalChange::join;
-      case LocalChange::open: return LocalChange::close;
-      case LocalChange::close: return LocalChange::open;
-      default: return change;
+      case LocalChange::birth:
+        return LocalChange::death;
+      case LocalChange::death:
+        return LocalChange::birth;
+      case LocalChange::join:
+        return LocalChange::split;
+      case LocalChange::split:
+        return LocalChange::join;
+      case LocalChange::open:
+        return LocalChange::close;
+      case LocalChange::close:
+        return LocalChange::open;
+      default:
+        return change;
     }
   };
   RC_ASSERT(one.change == reverse(other.change));

@@ -68,13 +68,26 @@ TEST(Sweep, EventsAndLevelsAgree) {
       const long more = static_cast<long>(above.components) - static_cast<long>(below.components);
       const long loops = above.boundary_loops - below.boundary_loops;
       switch (sweep.events[i].points[0].effect.change) {
-        case LocalChange::birth: EXPECT_EQ(more, 1); break;
-        case LocalChange::death: EXPECT_EQ(more, -1); break;
-        case LocalChange::join: EXPECT_TRUE(more == 0 || more == -1) << more; break;
-        case LocalChange::split: EXPECT_GE(more, 0); break;
-        case LocalChange::open: EXPECT_TRUE(more == 0 && loops == 1); break;
-        case LocalChange::close: EXPECT_TRUE(more == 0 && loops == -1); break;
-        default: ADD_FAILURE() << "not kept for nothing";
+        case LocalChange::birth:
+          EXPECT_EQ(more, 1);
+          break;
+        case LocalChange::death:
+          EXPECT_EQ(more, -1);
+          break;
+        case LocalChange::join:
+          EXPECT_TRUE(more == 0 || more == -1) << more;
+          break;
+        case LocalChange::split:
+          EXPECT_GE(more, 0);
+          break;
+        case LocalChange::open:
+          EXPECT_TRUE(more == 0 && loops == 1);
+          break;
+        case LocalChange::close:
+          EXPECT_TRUE(more == 0 && loops == -1);
+          break;
+        default:
+          ADD_FAILURE() << "not kept for nothing";
       }
     }
   }
@@ -87,9 +100,8 @@ TEST(Sweep, TopologyIsConstantBetweenEvents) {
   options.most_levels = 0;
   Sweep sweep = sweep_modes(mesh, options);
   EXPECT_TRUE(sweep.contradictions.empty());
-  std::sort(sweep.intervals.begin(), sweep.intervals.end(), [](const auto& a, const auto& b) {
-    return a.high - a.low > b.high - b.low;
-  });
+  std::sort(sweep.intervals.begin(), sweep.intervals.end(),
+            [](const auto& a, const auto& b) { return a.high - a.low > b.high - b.low; });
   for (std::size_t i = 0; i < 6; ++i) {
     const auto& [low, high, euler, level] = sweep.intervals[i];
     const double margin = (high - low) / 100;
@@ -171,8 +183,8 @@ RC_GTEST_PROP(Sweep, TakesModesInBetween, (const std::pair<int, int>& ends, int 
 TEST(SweepProgram, WritesTheDiagramAsJsonAndAsAPicture) {
   const Folder folder;
   const std::string picture = folder / "sweep.png";
-  const Outcome run = run_program({"analyze", field("s4_slab"), "--sweep", "0.55:0.65:3", "--json",
-                                   "-o", picture});
+  const Outcome run =
+      run_program({"analyze", field("s4_slab"), "--sweep", "0.55:0.65:3", "--json", "-o", picture});
   ASSERT_EQ(run.status, 0) << run.err;
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json.at("complete"), true);

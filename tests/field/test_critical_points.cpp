@@ -54,10 +54,9 @@ std::vector<Known> known_on_edge(const std::array<Tensor, 2>& edge) {
   const Real50 q0 = determinant_form(a), q1 = inner(square(m), k), q2 = inner(square(k), m),
                q3 = determinant_form(b);
   std::vector<Known> known;
-  for (auto [x, y] : binary_cubic_zeros<Real50>({2 * p0 * q1 - 3 * p1 * q0,
-                                                 4 * p0 * q2 - p1 * q1 - 6 * p2 * q0,
-                                                 6 * p0 * q3 + p1 * q2 - 4 * p2 * q1,
-                                                 3 * p1 * q3 - 2 * p2 * q2})) {
+  for (auto [x, y] : binary_cubic_zeros<Real50>(
+           {2 * p0 * q1 - 3 * p1 * q0, 4 * p0 * q2 - p1 * q1 - 6 * p2 * q0,
+            6 * p0 * q3 + p1 * q2 - 4 * p2 * q1, 3 * p1 * q3 - 2 * p2 * q2})) {
     if (x + y < 0) x = -x, y = -y;
     known.push_back({x * a + y * b, {x, y}});
   }
@@ -71,6 +70,31 @@ std::vector<Known> known_on_face(const std::array<Tensor, 3>& face) {
   for (const auto& point : nondegenerate_critical_points(field))
     known.push_back({point.tensor, {point.weights.begin(), point.weights.end()}});
   return known;
+}
+
+// The tensor N^2 - (|N|^2 / 3) I - (tr N^3 / |N|^2) N or its opposite, N being orthogonal to all.
+std::vector<Known> known_in_tet(const TetTensors& tensors) {
+  using Field = TetrahedronField<Real50>;
+  Field field;
+  for (std::size_t i = 0; i < 4; ++i) field.vertex[i] = deviator_of(tensors[i]);
+  const auto n = characteristic_direction(field);
+  const auto m = thrice(n);
+  Known known;
+  known.tensor = deviator(norm_form(n) * square(m) - determinant_form(n) * m);
+  for (std::size_t i = 0; i < 4; ++i) {
+    Field others = field;
+    others.vertex[i] = n;
+    const auto dual = characteristic_direction(others);
+    known.weights.push_back(norm_form(known.tensor, dual) / norm_form(field.vertex[i], dual));
+  }
+  if (known.weights[0] < 0) {
+    known.tensor = Real50(-1) * known.tensor;
+    for (Real50& w : known.weights) w = -w;
+  }
+  Real50 largest = 0;
+  for (const Real50& w : known.weights) largest = std::max(largest, Real50(abs(w)));
+  for (Real50& w : known.weights) w /= largest;
+  return {known};
 }
 
 /// Each known point inside is in one of those found, and there are no others.
@@ -110,6 +134,11 @@ RC_GTEST_PROP(CriticalPoints, OfEdgesAreThoseFoundOtherwise, ()) {
 RC_GTEST_PROP(CriticalPoints, OfFacesAreThoseFoundOtherwise, ()) {
   const TetTensors t = random_tensors();
   compare(critical_points_on_face({t[0], t[1], t[2]}, {}), known_on_face({t[0], t[1], t[2]}));
+}
+
+RC_GTEST_PROP(CriticalPoints, OfTetrahedraAreThoseFoundOtherwise, ()) {
+  const TetTensors t = random_tensors();
+  compare(critical_points_in_tet(t), known_in_tet(t));
 }
 
 // The mode a small step away, from the tensor at the weights found, polished by nothing: steps are
@@ -188,9 +217,9 @@ TEST(CriticalPoints, OfNearlyDependentTensorsAreEnclosedAsWell) {
   }
 }
 
-// All tensors [[1+x, y, 0], [y, 1-x, 0], [0, 0, -2]] share an eigenvector: the mode has its maximum 1
-// on a circle, and its minimum -1 at the centre. Points that are not isolated are not counted, and
-// their values enclosed all the same; also if the symmetry is broken by rounding.
+// All tensors [[1+x, y, 0], [y, 1-x, 0], [0, 0, -2]] share an eigenvector: the mode has its maximum
+// 1 on a circle, and its minimum -1 at the centre. Points that are not isolated are not counted,
+// and their values enclosed all the same; also if the symmetry is broken by rounding.
 TEST(CriticalPoints, OnAPlaneOfSymmetryAreDegenerate) {
   const LinearField ring{{1, 1, -2, 0, 0, 0}, {1, -1, 0, 0, 0, 0}, {0, 0, 0, 1, 0, 0}, {}};
   for (const double broken : {0.0, 0x1p-46}) {

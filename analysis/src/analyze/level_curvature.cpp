@@ -100,12 +100,12 @@ std::optional<LevelCurvature<Scalar>> level_curvature(
                       SymmetricTensor<Scalar>((Scalar(1) / steepness) * hessian));
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                        \
-  template std::array<Vector3<Scalar>, 2> tangents(const Vector3<Scalar>&);                   \
-  template LevelCurvature<Scalar> curvature_of(const Vector3<Scalar>&,                        \
-                                               const SymmetricTensor<Scalar>&);               \
-  template std::optional<LevelCurvature<Scalar>> level_curvature(                             \
-      const std::array<Vector3<Scalar>, 4>&, const std::array<SymmetricTensor<Scalar>, 4>&,   \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                      \
+  template std::array<Vector3<Scalar>, 2> tangents(const Vector3<Scalar>&);                 \
+  template LevelCurvature<Scalar> curvature_of(const Vector3<Scalar>&,                      \
+                                               const SymmetricTensor<Scalar>&);             \
+  template std::optional<LevelCurvature<Scalar>> level_curvature(                           \
+      const std::array<Vector3<Scalar>, 4>&, const std::array<SymmetricTensor<Scalar>, 4>&, \
       const Vector3<Scalar>&);
 TENSORTOPO_INSTANTIATE(double)
 TENSORTOPO_INSTANTIATE(Real50)

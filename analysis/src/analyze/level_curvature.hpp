@@ -16,9 +16,9 @@ namespace tensortopo {
 template <class Scalar>
 struct LevelCurvature {
   Vector3<Scalar> normal{};
-  SymmetricTensor<Scalar> tensor{};                ///< in 1 / length
-  std::array<Scalar, 2> principal{};               ///< the larger one first
-  std::array<Vector3<Scalar>, 2> directions{};     ///< unit, with the normal right-handed
+  SymmetricTensor<Scalar> tensor{};             ///< in 1 / length
+  std::array<Scalar, 2> principal{};            ///< the larger one first
+  std::array<Vector3<Scalar>, 2> directions{};  ///< unit, with the normal right-handed
 
   Scalar mean() const { return (principal[0] + principal[1]) / Scalar(2); }
   Scalar gauss() const { return principal[0] * principal[1]; }

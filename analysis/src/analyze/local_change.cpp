@@ -51,15 +51,24 @@ Part part_of(const SignedLink& link, const std::map<Edge, int>& edges, const Bel
 
 std::string_view name_of(LocalChange change) {
   switch (change) {
-    case LocalChange::regular: return "regular";
-    case LocalChange::birth: return "birth";
-    case LocalChange::death: return "death";
-    case LocalChange::join: return "join";
-    case LocalChange::split: return "split";
-    case LocalChange::open: return "open";
-    case LocalChange::close: return "close";
-    case LocalChange::other: return "other";
-    case LocalChange::undecided: break;
+    case LocalChange::regular:
+      return "regular";
+    case LocalChange::birth:
+      return "birth";
+    case LocalChange::death:
+      return "death";
+    case LocalChange::join:
+      return "join";
+    case LocalChange::split:
+      return "split";
+    case LocalChange::open:
+      return "open";
+    case LocalChange::close:
+      return "close";
+    case LocalChange::other:
+      return "other";
+    case LocalChange::undecided:
+      break;
   }
   return "undecided";
 }
@@ -88,9 +97,7 @@ LocalEffect local_effect(const SignedLink& link) {
   is_manifold &= whole.components == 1 && boundary_edges == boundary_vertices &&
                  whole.euler_characteristic == (effect.on_boundary ? 1 : 2) &&
                  std::all_of(ends.begin(), ends.end(), [](int n) { return n == 0 || n == 2; });
-  const auto is_strict = [](Verdict v) {
-    return v == Verdict::positive || v == Verdict::negative;
-  };
+  const auto is_strict = [](Verdict v) { return v == Verdict::positive || v == Verdict::negative; };
   if (!is_manifold || !std::all_of(link.signs.begin(), link.signs.end(), is_strict)) return effect;
 
   const Part below = part_of(link, edges, [&](int v) { return sign(v) == Verdict::negative; });

@@ -53,8 +53,7 @@ std::vector<Index> vertices_of(std::span<const std::array<Index, Count>> simplic
 }
 
 int place_of(const std::vector<Index>& vertices, Index v) {
-  return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                          vertices.begin());
+  return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
 }
 
 class Collecting {
@@ -188,10 +187,10 @@ class Collecting {
         for (const Index v : mesh_.tets[at(complex_.tets[at(t)])])
           if (std::find(corners.begin(), corners.end(), v) == corners.end()) apices.push_back(v);
       }
-      for (const auto& point : critical_points_on_face(
-               {mesh_.tensors[at(corners[0])], mesh_.tensors[at(corners[1])],
-                mesh_.tensors[at(corners[2])]},
-               tensors_of(apices))) {
+      for (const auto& point :
+           critical_points_on_face({mesh_.tensors[at(corners[0])], mesh_.tensors[at(corners[1])],
+                                    mesh_.tensors[at(corners[2])]},
+                                   tensors_of(apices))) {
         SignedLink link{point.towards, {}};
         // Around an extremum one sign, around a saddle four times the other.
         const int n = static_cast<int>(apices.size());

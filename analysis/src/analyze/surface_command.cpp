@@ -65,9 +65,8 @@ CurvatureReport report_of(const SurfaceMesh& surface, const Curvatures& curvatur
 std::vector<Vector3<double>> normals_of(const SurfaceMesh& surface) {
   std::vector<Vector3<double>> normals(surface.points.size());
   for (const auto& t : surface.triangles) {
-    const Vector3<double> normal =
-        cross(surface.points[at(t[1])] - surface.points[at(t[0])],
-              surface.points[at(t[2])] - surface.points[at(t[0])]);
+    const Vector3<double> normal = cross(surface.points[at(t[1])] - surface.points[at(t[0])],
+                                         surface.points[at(t[2])] - surface.points[at(t[0])]);
     for (const auto v : t) normals[at(v)] += normal;
   }
   return normals;

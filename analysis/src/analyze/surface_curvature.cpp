@@ -102,14 +102,14 @@ SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& me
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const Sum& sum = sums[v];
     if (!(sum.weight > 0) || !(length(sum.normal) > 0)) continue;
-    result.vertices[v] = curvature_of((1 / length(sum.normal)) * sum.normal,
-                                      (1 / sum.weight) * sum.tensor);
+    result.vertices[v] =
+        curvature_of((1 / length(sum.normal)) * sum.normal, (1 / sum.weight) * sum.tensor);
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t v = at(surface.triangles[i / 3][i % 3]);
     if (corners[i] && result.vertices[v])
-      result.normal_jump[v] = std::max(result.normal_jump[v],
-                                       angle(corners[i]->normal, result.vertices[v]->normal));
+      result.normal_jump[v] =
+          std::max(result.normal_jump[v], angle(corners[i]->normal, result.vertices[v]->normal));
   }
   result.umbilics = umbilics_of(surface, corners);
   return result;

@@ -44,9 +44,8 @@ struct SurfaceCurvature {
 SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& mesh);
 
 /// The umbilics in triangles whose corners have these curvatures, three a triangle.
-std::vector<Umbilic> umbilics_of(
-    const SurfaceMesh& surface,
-    const std::vector<std::optional<LevelCurvature<double>>>& corners);
+std::vector<Umbilic> umbilics_of(const SurfaceMesh& surface,
+                                 const std::vector<std::optional<LevelCurvature<double>>>& corners);
 
 /// The curvature of the triangles as such: at each vertex, of the polynomial of degree `degree` in
 /// two variables that fits the vertices around best (F. Cazals and M. Pouget, Estimating

@@ -16,8 +16,8 @@ namespace tensortopo {
 
 /// The triangles of a .vtp file; polylines are left out.
 struct SurfaceInput {
-  vtkSmartPointer<vtkPolyData> file;   ///< as read
-  SurfaceMesh surface;                 ///< `points`, `triangles`; `normal`, `mode` if the file has them
+  vtkSmartPointer<vtkPolyData> file;  ///< as read
+  SurfaceMesh surface;  ///< `points`, `triangles`; `normal`, `mode` if the file has them
   std::vector<std::int64_t> cell_ids;  ///< of each triangle: the file's array `tet`; may be empty
 };
 

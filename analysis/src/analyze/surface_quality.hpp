@@ -33,9 +33,9 @@ std::array<double, 2> quality_of(const std::array<Vector3<double>, 3>& triangle)
 /// Distances from samples of one surface to another one.
 struct SampledDistance {
   std::size_t samples = 0;
-  double largest = 0;          ///< a lower bound of the one-sided Hausdorff distance
+  double largest = 0;  ///< a lower bound of the one-sided Hausdorff distance
   double mean = 0, root_mean_square = 0;
-  Vector3<double> where{};     ///< of the largest
+  Vector3<double> where{};  ///< of the largest
 };
 
 /// From the vertices of a surface, the middles of its edges and of its triangles to the nearest

@@ -21,7 +21,10 @@ Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 Json json_of(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
 Json json_of(const Quantiles& q) {
-  return {{"least", q.least}, {"5%", q.low}, {"median", q.median}, {"95%", q.high},
+  return {{"least", q.least},
+          {"5%", q.low},
+          {"median", q.median},
+          {"95%", q.high},
           {"greatest", q.greatest}};
 }
 

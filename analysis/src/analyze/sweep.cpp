@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -70,11 +70,24 @@ std::vector<SweepInterval> intervals_between(const std::vector<SweepEvent>& even
 /// event and the mode in it.)
 std::optional<std::size_t> interval_of(const Sweep& sweep, const ModeValue& mode) {
   const Rational value = exact(mode);
-  const auto event = std::partition_point(
-      sweep.events.begin(), sweep.events.end(),
-      [&](const SweepEvent& e) { return Rational(e.high) < value; });
+  const auto event =
+      std::partition_point(sweep.events.begin(), sweep.events.end(),
+                           [&](const SweepEvent& e) { return Rational(e.high) < value; });
   if (event != sweep.events.end() && Rational(event->low) <= value) return std::nullopt;
   return static_cast<std::size_t>(event - sweep.events.begin());
+}
+
+/// All of them, the widest first, or if these are too many the widest few.
+std::vector<std::size_t> intervals_to_look_at(const Sweep& sweep, std::size_t most) {
+  std::vector<std::size_t> order(sweep.intervals.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto width = [&](std::size_t i) {
+    return sweep.intervals[i].high - sweep.intervals[i].low;
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return width(i) > width(j); });
+  if (order.size() > most) order.resize(std::min(most, kWidestIntervals));
+  return order;
 }
 
 /// Carries Euler characteristics from levels to the intervals around, and notes where two differ.
@@ -155,13 +168,11 @@ Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options, const Progre
     modes.emplace_back(mode, true);
     if (const auto interval = interval_of(sweep, mode_of(mode))) has_sample[*interval] = 1;
   }
-  if (sweep.intervals.size() <= options.most_levels) {
-    for (std::size_t i = 0; i < sweep.intervals.size(); ++i) {
-      const SweepInterval& interval = sweep.intervals[i];
-      if (has_sample[i] != 0 || !(interval.low < interval.high)) continue;
-      if (const auto mode = mode_between(interval.low, interval.high))
-        modes.emplace_back(exact(*mode), false);
-    }
+  for (const std::size_t i : intervals_to_look_at(sweep, options.most_levels)) {
+    const SweepInterval& interval = sweep.intervals[i];
+    if (has_sample[i] != 0 || !(interval.low < interval.high)) continue;
+    if (const auto mode = mode_between(interval.low, interval.high))
+      modes.emplace_back(exact(*mode), false);
   }
   std::sort(modes.begin(), modes.end());
   for (std::size_t i = 0; i < modes.size(); ++i) {

@@ -44,21 +44,25 @@ struct SweepInterval {
 
 /// Topology against the mode.
 struct Sweep {
-  std::vector<SweepLevel> levels;        ///< by mode
-  std::vector<std::size_t> samples;      ///< those asked for, as indices into `levels`
-  std::vector<SweepEvent> events;        ///< disjoint, ascending
-  std::vector<SweepInterval> intervals;  ///< one more: before, between and after them
+  std::vector<SweepLevel> levels;          ///< by mode
+  std::vector<std::size_t> samples;        ///< those asked for, as indices into `levels`
+  std::vector<SweepEvent> events;          ///< disjoint, ascending
+  std::vector<SweepInterval> intervals;    ///< one more: before, between and after them
   std::array<std::size_t, 4> looked_at{};  ///< see `MeshCriticalValues`
   /// Levels whose Euler characteristic is not what the others and the events between say, as
   /// indices into `levels`. There should be none.
   std::vector<std::size_t> contradictions;
 };
 
+/// So many intervals are looked at in any case.
+inline constexpr std::size_t kWidestIntervals = 5;
+
 struct SweepOptions {
-  ModeValue from, to;           ///< from < to
-  std::size_t samples = 2;      ///< evenly spaced, the ends included (but not -1 and 1); at least 2
-  /// A level is extracted in each interval if there are no more of them than this; if there are,
-  /// components and loops are known at the samples only, and the Euler characteristic everywhere.
+  ModeValue from, to;       ///< from < to
+  std::size_t samples = 2;  ///< evenly spaced, the ends included (but not -1 and 1); at least 2
+  /// A level is extracted in each interval if there are no more of them than this, else in the
+  /// `kWidestIntervals` widest; then components and loops are known there and at the samples only,
+  /// and the Euler characteristic everywhere. 0: at the samples only.
   std::size_t most_levels = 250;
 };
 

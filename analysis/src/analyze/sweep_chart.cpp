@@ -45,7 +45,7 @@ struct Place {
 struct Panel {
   std::string title;
   Rgb colour;
-  bool steps = false;                            ///< known everywhere; else at the dots
+  bool steps = false;  ///< known everywhere; else at the dots
   std::vector<std::vector<std::pair<double, double>>> lines;  ///< mode and value
 };
 
@@ -79,9 +79,9 @@ Panel panel(const Sweep& sweep, const std::string& title, Rgb colour, const Valu
 }
 
 std::vector<Panel> panels_of(const Sweep& sweep) {
-  std::vector<Panel> panels{
-      panel(sweep, "components", kTeal,
-            [](const SweepLevel& l) { return static_cast<double>(l.components); })};
+  std::vector<Panel> panels{panel(sweep, "components", kTeal, [](const SweepLevel& l) {
+    return static_cast<double>(l.components);
+  })};
   Panel euler{"Euler characteristic", kBlue, true, {{}}};
   for (const SweepInterval& interval : sweep.intervals) {
     if (!interval.euler_characteristic) {
@@ -110,20 +110,25 @@ struct Kind {
 /// What the strip tells apart.
 Kind kind_of(LocalChange change) {
   switch (change) {
-    case LocalChange::birth: return {"birth", kTeal};
-    case LocalChange::death: return {"death", kRed};
-    case LocalChange::join: return {"join", kBlue};
-    case LocalChange::split: return {"split", kGold};
+    case LocalChange::birth:
+      return {"birth", kTeal};
+    case LocalChange::death:
+      return {"death", kRed};
+    case LocalChange::join:
+      return {"join", kBlue};
+    case LocalChange::split:
+      return {"split", kGold};
     case LocalChange::open:
-    case LocalChange::close: return {"hole opens, closes", kViolet};
-    default: return {"other, undecided", kInk};
+    case LocalChange::close:
+      return {"hole opens, closes", kViolet};
+    default:
+      return {"other, undecided", kInk};
   }
 }
 
 class Chart : public vtkContextItem {
  public:
-  vtkTypeMacro(Chart, vtkContextItem)
-  static Chart* New();
+  vtkTypeMacro(Chart, vtkContextItem) static Chart* New();
 
   void show(const Sweep& sweep, const SweepOptions& options) {
     sweep_ = &sweep;
@@ -134,9 +139,8 @@ class Chart : public vtkContextItem {
 
   bool Paint(vtkContext2D* painter) override {
     painter_ = painter;
-    const float height =
-        (kTop - kBottom - kStrip - kGap * static_cast<float>(panels_.size())) /
-        static_cast<float>(panels_.size());
+    const float height = (kTop - kBottom - kStrip - kGap * static_cast<float>(panels_.size())) /
+                         static_cast<float>(panels_.size());
     float top = kTop;
     for (const Panel& p : panels_) {
       paint(p, top - height, top);
@@ -190,8 +194,7 @@ class Chart : public vtkContextItem {
     }
     for (const auto& line : p.lines) {
       std::vector<float> places;
-      for (const auto& [mode, value] : line)
-        places.insert(places.end(), {x_of(mode), y_of(value)});
+      for (const auto& [mode, value] : line) places.insert(places.end(), {x_of(mode), y_of(value)});
       const int count = static_cast<int>(places.size() / 2);
       if (count == 0) continue;
       pen(p.colour, p.steps ? 2.5F : 1.5F, p.steps ? 255 : 150);

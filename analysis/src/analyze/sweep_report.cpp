@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 4> kPlaces{"vertex", "edge", "face", "tetrahedron"};
-constexpr std::size_t kMostPoints = 40, kWidest = 5;
+constexpr std::size_t kMostPoints = 40;
 
 std::size_t dimension_of(const MeshCriticalPoint& point) {
   return static_cast<std::size_t>(point.dimension);
@@ -117,9 +117,8 @@ std::string to_text(const SweepReport& report) {
     const SweepLevel& level = sweep.levels[i];
     fmt::format_to(out, "{:>12.6g} {:>10} {:>8} {:>8} {:>14.6g}", level.mode.approx(),
                    level.components, level.euler_characteristic, level.boundary_loops, level.area);
-    text += level.unresolved > 0
-                ? fmt::format("  {} tetrahedra unresolved\n", level.unresolved)
-                : "\n";
+    text +=
+        level.unresolved > 0 ? fmt::format("  {} tetrahedra unresolved\n", level.unresolved) : "\n";
   }
   std::size_t points = 0, looked_at = 0;
   for (const SweepEvent& event : sweep.events) points += event.points.size();
@@ -136,7 +135,7 @@ std::string to_text(const SweepReport& report) {
   std::stable_sort(widest.begin(), widest.end(), [](const auto* a, const auto* b) {
     return a->high - a->low > b->high - b->low;
   });
-  widest.resize(std::min(widest.size(), kWidest));
+  widest.resize(std::min(widest.size(), kWidestIntervals));
   fmt::format_to(out, "\nwidest ranges of one topology\n{:>12} {:>12} {:>10} {:>8} {:>8}\n", "from",
                  "to", "components", "Euler", "loops");
   for (const SweepInterval* interval : widest) {

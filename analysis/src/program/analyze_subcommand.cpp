@@ -73,8 +73,10 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Of a mesh: all critical values of the mode from A to B, and the topology and "
                  "area of the mode surfaces of N modes, evenly spaced")
       ->type_name("A:B:N");
-  app.add_option("--levels", options->most_levels,
-                 "Extract a surface between each two critical values if this many are enough")
+  app.add_option(
+         "--levels", options->most_levels,
+         "Extract a surface between each two critical values if this many are enough, else in "
+         "the five widest ranges")
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--mesh", options->mesh,

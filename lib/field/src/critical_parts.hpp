@@ -19,10 +19,13 @@
 
 namespace tensortopo::detail {
 
-inline IntervalTensor enclosure(const SymmetricTensor<double>& t) { return normalized(deviator_enclosure(t)); }
+inline IntervalTensor enclosure(const SymmetricTensor<double>& t) {
+  return normalized(deviator_enclosure(t));
+}
 
 template <std::size_t Count>
-std::array<IntervalTensor, Count> enclosures(const std::array<SymmetricTensor<double>, Count>& tensors) {
+std::array<IntervalTensor, Count> enclosures(
+    const std::array<SymmetricTensor<double>, Count>& tensors) {
   std::array<IntervalTensor, Count> t;
   for (std::size_t i = 0; i < Count; ++i) t[i] = enclosure(tensors[i]);
   return t;
@@ -108,7 +111,7 @@ struct Derivatives {
 };
 
 inline void look_around(CriticalPoint& point, const Derivatives& d,
-                 std::span<const SymmetricTensor<double>> around) {
+                        std::span<const SymmetricTensor<double>> around) {
   for (std::size_t i = 0; i < around.size(); ++i)
     point.towards[i] = sign_in(d.first(enclosure(around[i])));
 }
@@ -116,12 +119,13 @@ inline void look_around(CriticalPoint& point, const Derivatives& d,
 /// Weights of the tensors as given from those of normalized ones.
 template <std::size_t Count>
 inline void set_weights(CriticalPoint& point, std::array<double, Count> weights,
-                 const std::array<SymmetricTensor<double>, Count>& given,
-                 const std::array<IntervalTensor, Count>& normal) {
+                        const std::array<SymmetricTensor<double>, Count>& given,
+                        const std::array<IntervalTensor, Count>& normal) {
   double sum = 0;
   for (std::size_t i = 0; i < Count; ++i) {
     const auto d = deviator(given[i]);
-    const double scale = norm_form(d) > 0 ? std::sqrt(norm_form(middle(normal[i])) / norm_form(d)) : 1;
+    const double scale =
+        norm_form(d) > 0 ? std::sqrt(norm_form(middle(normal[i])) / norm_form(d)) : 1;
     sum += weights[i] = std::max(weights[i] * scale, 0.0);
   }
   for (std::size_t i = 0; i < Count; ++i)
@@ -130,7 +134,8 @@ inline void set_weights(CriticalPoint& point, std::array<double, Count> weights,
 
 /// The tensors critical on what is orthogonal to N (given by its line and a place on it), up to
 /// sign: N^2 - (|N|^2 / 3) I - (tr N^3 / |N|^2) N, times a positive number.
-inline IntervalTensor critical_tensor(const SymmetricTensor<Range>& m, const Range& p, const Range& q) {
+inline IntervalTensor critical_tensor(const SymmetricTensor<Range>& m, const Range& p,
+                                      const Range& q) {
   return deviator(p * square(m) - q * m);
 }
 

@@ -11,8 +11,8 @@ using Tensor = IntervalTensor;
 /// What is critical in a tetrahedron: G, made of the characteristic tensor N, or -G.
 struct Saddle {
   Tensor g;
-  Range p, q;                    ///< of N
-  std::array<Range, 4> weights;  ///< of G in normalized vertex tensors
+  Range p, q;                               ///< of N
+  std::array<Range, 4> weights;             ///< of G in normalized vertex tensors
   bool positive = false, negative = false;  ///< all weights are
   bool some_positive = false, some_negative = false;
 
@@ -58,8 +58,8 @@ Saddle saddle_in_rationals(const std::array<SymmetricTensor<double>, 4>& given,
     TetrahedronField<Rational> others = field;
     others.vertex[i] = n;
     const auto dual = characteristic_direction(others);
-    const Range scale = root_of(norm_form(corners[i])) /
-                        root_of(enclosure(Rational(norm_form(field.vertex[i]))));
+    const Range scale =
+        root_of(norm_form(corners[i])) / root_of(enclosure(Rational(norm_form(field.vertex[i]))));
     saddle.weights[i] =
         enclosure(Rational(norm_form(g, dual) / norm_form(field.vertex[i], dual))) / scale;
   }

@@ -46,10 +46,11 @@ class FaceSearch {
     };
     const Rational zero(0), one(1);
     Deviator<Rational> n1{}, n2{};
-    for (const Deviator<Rational>& axis :
-         {Deviator<Rational>{one, zero, zero, zero, zero}, {zero, one, zero, zero, zero},
-          {zero, zero, one, zero, zero}, {zero, zero, zero, one, zero},
-          {zero, zero, zero, zero, one}}) {
+    for (const Deviator<Rational>& axis : {Deviator<Rational>{one, zero, zero, zero, zero},
+                                           {zero, one, zero, zero, zero},
+                                           {zero, zero, one, zero, zero},
+                                           {zero, zero, zero, one, zero},
+                                           {zero, zero, zero, zero, one}}) {
       n1 = across({t[0], t[1], t[2], axis});
       if (norm_form(n1) > 0) break;
     }
@@ -60,8 +61,8 @@ class FaceSearch {
       const Rational side = norm_form(t[i], d);
       const Rational sign = side > 0 ? 1 : -1;
       dual_[i] = thrice(enclosure(Deviator<Rational>(sign * d)));
-      const Range scale = root_of(norm_form(corners_[i])) /
-                          root_of(enclosure(Rational(norm_form(t[i]))));
+      const Range scale =
+          root_of(norm_form(corners_[i])) / root_of(enclosure(Rational(norm_form(t[i]))));
       sides_[i] = enclosure(Rational(sign * side)) * scale;
     }
   }
@@ -121,8 +122,7 @@ class FaceSearch {
     const auto slope = [&](const Range& x) {
       const Range p = range_of(line.norm, x);
       is_defined &= p.inf() > 0;
-      return Range(2) * range_of(line.determinant, x) * range_of(increase, x) /
-             CGAL::square(p * p);
+      return Range(2) * range_of(line.determinant, x) * range_of(increase, x) / CGAL::square(p * p);
     };
     double low = 1, high = 0;
     const auto take = [&](const Range& gap) {

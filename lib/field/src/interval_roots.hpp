@@ -56,8 +56,8 @@ std::vector<IntervalRoot> interval_roots(const Polynomial& p, double low, double
     const Range x(part.from, part.to);
     if (is_not_zero(range_of(p, x)) || skip(x)) continue;
     const double cut = part.from + kCut * (part.to - part.from);
-    const bool is_last = part.depth >= kLastDepth || looked > kMostParts || !(cut > part.from) ||
-                         !(cut < part.to);
+    const bool is_last =
+        part.depth >= kLastDepth || looked > kMostParts || !(cut > part.from) || !(cut < part.to);
     if (is_not_zero(range_of(dp, x))) {
       const Range a = horner(p, Range(part.from)), b = horner(p, Range(part.to));
       const bool opposite = (a.sup() < 0 && b.inf() > 0) || (a.inf() > 0 && b.sup() < 0);
@@ -83,16 +83,17 @@ std::vector<IntervalRoot> interval_roots(const Polynomial& p, double low, double
       roots.back().is_certain = true;
       continue;
     }
-    while (next < left.size() && !left[next].has_one && left[next].from <= to)
-      to = left[next++].to;
+    while (next < left.size() && !left[next].has_one && left[next].from <= to) to = left[next++].to;
     const double margin = std::max(2 * (to - from), 0x1p-33);
     const IntervalRoot root = newton(p, Range(from - margin, to + margin));
     const bool is_inside = root.x.inf() > low && root.x.sup() < high;
     const bool is_apart = (i == 0 || left[i - 1].to < root.x.inf()) &&
                           (next == left.size() || left[next].from > root.x.sup());
     // The margin may have let in another zero, and is no part of what was asked about.
-    if (root.is_certain && is_inside && is_apart) roots.push_back(root);
-    else roots.push_back(IntervalRoot{Range(from, to)});
+    if (root.is_certain && is_inside && is_apart)
+      roots.push_back(root);
+    else
+      roots.push_back(IntervalRoot{Range(from, to)});
   }
   return roots;
 }
