@@ -17,7 +17,7 @@ Scalar length(const Vector3<Scalar>& v) {
   return sqrt(dot(v, v));
 }
 
-/// a b^t + b a^t for a = b, halved.
+/// a a^t.
 template <class Scalar>
 SymmetricTensor<Scalar> dyad(const Vector3<Scalar>& a) {
   return {a.x * a.x, a.y * a.y, a.z * a.z, a.x * a.y, a.y * a.z, a.x * a.z};

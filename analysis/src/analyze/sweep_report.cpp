@@ -75,6 +75,7 @@ std::string to_json(const SweepReport& report) {
                    {"sha256", report.sha256},
                    {"vertices", report.vertices},
                    {"tetrahedra", report.tetrahedra}};
+  if (!report.notes.empty()) json["input"]["notes"] = report.notes;
   json["from"] = report.options.from.text();
   json["to"] = report.options.to.text();
   json["complete"] = report.is_complete();
