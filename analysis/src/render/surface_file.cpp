@@ -27,7 +27,23 @@ class Complaint : public vtkCommand {
   bool heard = false;
 };
 
-vtkSmartPointer<vtkPolyData> read(const std::filesystem::path& file) {
+// The cells whose first point has the mode.
+vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* modes, double mode) {
+  const auto selected = vtkSmartPointer<vtkCellArray>::New();
+  vtkIdType size = 0;
+  const vtkIdType* points = nullptr;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
+    cells->GetCellAtId(i, size, points);
+    if (size > 0 && modes->GetComponent(points[0], 0) == mode) {
+      selected->InsertNextCell(size, points);
+    }
+  }
+  return selected;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
   if (!std::ifstream(file, std::ios::binary)) {
     throw IoError(IoError::Kind::unreadable, file, "cannot open");
   }
@@ -46,24 +62,8 @@ vtkSmartPointer<vtkPolyData> read(const std::filesystem::path& file) {
   return reader->GetOutput();
 }
 
-// The cells whose first point has the mode.
-vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* modes, double mode) {
-  const auto selected = vtkSmartPointer<vtkCellArray>::New();
-  vtkIdType size = 0;
-  const vtkIdType* points = nullptr;
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-    cells->GetCellAtId(i, size, points);
-    if (size > 0 && modes->GetComponent(points[0], 0) == mode) {
-      selected->InsertNextCell(size, points);
-    }
-  }
-  return selected;
-}
-
-}  // namespace
-
 std::vector<Sheet> read_sheets(const std::filesystem::path& file) {
-  const vtkSmartPointer<vtkPolyData> all = read(file);
+  const vtkSmartPointer<vtkPolyData> all = read_poly_data(file);
   vtkPointData* const data = all->GetPointData();
   if (vtkDataArray* const normals = data->GetArray("normal");
       normals != nullptr && normals->GetNumberOfComponents() == 3) {

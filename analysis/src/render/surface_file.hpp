@@ -17,6 +17,9 @@ struct Sheet {
   vtkSmartPointer<vtkPolyData> shape;
 };
 
+/// What a .vtp file holds, one point at least. Throws IoError.
+vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file);
+
 /// The sheets of a .vtp file, by ascending mode, with the normals that the file gives.
 /// Throws IoError.
 std::vector<Sheet> read_sheets(const std::filesystem::path& file);

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "interval_tensors.hpp"
+#include "interval_lines.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 
 namespace tensortopo {
@@ -20,65 +20,6 @@ constexpr int kFirstDepth = 14, kBeyondDepth = 24, kLastDepth = 48;
 /// An enclosure of a gap is narrow if its ends differ by less than this factor.
 constexpr double kNarrow = 1.25;
 constexpr int kMostParts = 4000;
-
-Deviator<double> cross_product(const std::array<Deviator<double>, 4>& t) {
-  return characteristic_direction(TetrahedronField<double>{t});
-}
-
-/// A polynomial of degree 4 or less.
-using Polynomial = std::array<Range, 5>;
-
-Polynomial times(const Polynomial& p, const Polynomial& q) {
-  Polynomial product;
-  for (auto& c : product) c = Range(0);
-  for (std::size_t i = 0; i < 5; ++i)
-    for (std::size_t j = 0; i + j < 5; ++j) product[i + j] += p[i] * q[j];
-  return product;
-}
-
-Polynomial minus(Polynomial p, const Polynomial& q) {
-  for (std::size_t i = 0; i < 5; ++i) p[i] -= q[i];
-  return p;
-}
-
-Polynomial derivative(const Polynomial& p) {
-  return {p[1], Range(2) * p[2], Range(3) * p[3], Range(4) * p[4], Range(0)};
-}
-
-Range horner(const Polynomial& p, const Range& x) {
-  return p[0] + x * (p[1] + x * (p[2] + x * (p[3] + x * p[4])));
-}
-
-/// A polynomial over a part of its domain, by the mean value theorem.
-Range range_of(const Polynomial& p, const Range& x) {
-  const Range m(middle(x));
-  return horner(p, m) + horner(derivative(p), x) * (x - m);
-}
-
-/// The tensors A + x B of a line, and the forms that depend on x.
-struct Line {
-  Line(const Tensor& a, const Tensor& b) : m(thrice(a)), k(thrice(b)) {
-    const Range zero(0), two(2);
-    const auto mm = square(m), kk = square(k);
-    const auto mixed = square(m + k) - mm - kk;
-    squares = {mm, mixed, kk};
-    norm = {norm_form(a), two * norm_form(a, b), norm_form(b), zero, zero};
-    determinant = {tensortopo::determinant(m), inner(mm, k), inner(kk, m),
-                   tensortopo::determinant(k), zero};
-  }
-
-  /// <M, T> and <M^2, T> for M three times the tensor and a traceless T.
-  Polynomial linear(const SymmetricTensor<Range>& t) const {
-    return {inner(m, t), inner(k, t), Range(0), Range(0), Range(0)};
-  }
-  Polynomial quadratic(const SymmetricTensor<Range>& t) const {
-    return {inner(squares[0], t), inner(squares[1], t), inner(squares[2], t), Range(0), Range(0)};
-  }
-
-  SymmetricTensor<Range> m, k;
-  std::array<SymmetricTensor<Range>, 3> squares;
-  Polynomial norm, determinant;  ///< P and Q
-};
 
 /// Looks at one critical point after the other and keeps what they leave of the gaps.
 class Clearing {
@@ -204,23 +145,6 @@ class Clearing {
   /// negative: G itself counts for negative modes, -G for positive ones.
   bool is_outside(const Range& weight) const {
     return sign_ > 0 ? weight.inf() > 0 : weight.sup() < 0;
-  }
-
-  /// Two tensors about orthogonal to three and to each other, as exact numbers.
-  static std::array<Tensor, 2> orthogonal_pair(const std::array<Tensor, 3>& t) {
-    const std::array<Deviator<double>, 3> own{middle(t[0]), middle(t[1]), middle(t[2])};
-    Deviator<double> first{};
-    double longest = -1;
-    for (const Deviator<double>& axis :
-         {Deviator<double>{1, 0, 0, 0, 0}, Deviator<double>{0, 1, 0, 0, 0},
-          Deviator<double>{0, 0, 1, 0, 0}, Deviator<double>{0, 0, 0, 1, 0},
-          Deviator<double>{0, 0, 0, 0, 1}}) {
-      const auto candidate = cross_product({own[0], own[1], own[2], axis});
-      if (const double length = norm_form(candidate); length > longest)
-        longest = length, first = candidate;
-    }
-    const auto second = cross_product({own[0], own[1], own[2], first});
-    return {normalized(point(first)), normalized(point(second))};
   }
 
   int sign_;

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "tensortopo/scalar/sign.hpp"
+
+namespace tensortopo {
+
+/// The link of a point in a tetrahedral mesh, a sphere or, on the boundary, a disc, with the signs
+/// of the mode less its value at the point, next to the point.
+struct SignedLink {
+  std::vector<Verdict> signs;                 ///< one a vertex of the link
+  std::vector<std::array<int, 3>> triangles;  ///< on each the sign is that of a linear function
+};
+
+/// What becomes of the level next to a point as the mode passes the point's.
+enum class LocalChange {
+  regular,    ///< nothing: the level only moves
+  birth,      ///< a sheet appears
+  death,      ///< a sheet vanishes
+  join,       ///< sheets are joined: by a tube, or on the boundary by a strip
+  split,      ///< a sheet is torn into several
+  open,       ///< on the boundary: a hole opens in a sheet
+  close,      ///< on the boundary: a hole of a sheet closes
+  other,      ///< something else, see the Euler characteristic
+  undecided,  ///< not known; it may be nothing
+};
+
+std::string_view name_of(LocalChange change);
+
+/// The change, and by how much the level's Euler characteristic grows.
+struct LocalEffect {
+  LocalChange change = LocalChange::undecided;
+  int euler_change = 0;      ///< unless undecided
+  bool on_boundary = false;  ///< of the mesh
+};
+
+/// What stratified Morse theory says of a link: next to the point the level below is the part of
+/// the link with negative signs, F-, and the level above is F+, both with the same boundary inside.
+/// So the Euler characteristic grows by that of F+ less that of F-; and nothing changes if both are
+/// discs (which on the boundary of the mesh meet it in one arc each).
+/// Undecided if a sign is not strict, or the link neither a sphere nor a disc.
+LocalEffect local_effect(const SignedLink& link);
+
+}  // namespace tensortopo

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "analyze/local_change.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo {
+
+/// A point of a mesh at whose mode the topology of the mode surfaces changes, or may do.
+struct MeshCriticalPoint {
+  double low = -1, high = 1;               ///< the mode there is within
+  std::array<TetMesh::Index, 4> vertices;  ///< of the simplex that it is inside of; -1 fills up
+  int dimension = 0;                       ///< of that simplex
+  Vector3<double> point{};                 ///< about where
+  LocalEffect effect;
+};
+
+struct MeshCriticalValues {
+  /// Those that are not proved to be regular, by `low`.
+  std::vector<MeshCriticalPoint> points;
+  /// Critical points of the mode along a vertex, edge, face or tetrahedron, by its dimension:
+  /// those at whose mode some cell's level changes.
+  std::array<std::size_t, 4> looked_at{};
+};
+
+/// All modes m, low < m < high, at which the topology of the mode surface of the piecewise linear
+/// field changes.
+///
+/// The mode is smooth on each vertex, edge, face and tetrahedron where there is one, so by
+/// stratified Morse theory (M. Goresky and R. MacPherson, 1988) the level only moves where no m is
+/// the value at a critical point of one of these; and what happens there follows from the link of
+/// the point (`local_effect`). Where the mode is undefined it is constant along rays, and the
+/// critical points on other simplices stand for all.
+/// @param mesh  valid
+/// The result does not depend on the number of threads.
+MeshCriticalValues mesh_critical_values(const TetMesh& mesh, double low, double high);
+
+}  // namespace tensortopo

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "analyze/surface_command.hpp"
+
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "analyze/surface_input.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/write_text.hpp"
+
+namespace tensortopo {
+namespace {
+
+using Curvatures = std::vector<std::optional<LevelCurvature<double>>>;
+
+std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
+
+Quantiles quantiles_of(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto quantile = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
+  return {quantile(0), quantile(0.05), quantile(0.5), quantile(0.95), quantile(1)};
+}
+
+CurvatureReport report_of(const SurfaceMesh& surface, const Curvatures& curvatures) {
+  CurvatureReport report;
+  std::array<std::vector<double>, 4> values;
+  for (const auto& c : curvatures) {
+    if (!c) continue;
+    ++report.vertices;
+    values[0].push_back(c->principal[0]);
+    values[1].push_back(c->principal[1]);
+    values[2].push_back(c->mean());
+    values[3].push_back(c->gauss());
+  }
+  report.first = quantiles_of(values[0]);
+  report.second = quantiles_of(values[1]);
+  report.mean = quantiles_of(values[2]);
+  report.gauss = quantiles_of(values[3]);
+  for (const auto& t : surface.triangles) {
+    const auto &p = surface.points[at(t[0])], &q = surface.points[at(t[1])],
+               &r = surface.points[at(t[2])];
+    const Vector3<double> normal = cross(q - p, r - p);
+    for (const auto v : t)
+      if (curvatures[at(v)])
+        report.total_gauss += std::sqrt(dot(normal, normal)) / 6 * curvatures[at(v)]->gauss();
+  }
+  return report;
+}
+
+/// The normals of the triangles around each vertex, by area, if the file has none.
+std::vector<Vector3<double>> normals_of(const SurfaceMesh& surface) {
+  std::vector<Vector3<double>> normals(surface.points.size());
+  for (const auto& t : surface.triangles) {
+    const Vector3<double> normal = cross(surface.points[at(t[1])] - surface.points[at(t[0])],
+                                         surface.points[at(t[2])] - surface.points[at(t[0])]);
+    for (const auto v : t) normals[at(v)] += normal;
+  }
+  return normals;
+}
+
+/// An array of so many numbers a point.
+void add_array(vtkPolyData& data, const std::string& name, int components, std::size_t count,
+               const std::function<std::array<double, 3>(std::size_t)>& value) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto numbers = value(i);
+    for (int k = 0; k < components; ++k)
+      array->SetComponent(static_cast<vtkIdType>(i), k, numbers[static_cast<std::size_t>(k)]);
+  }
+  data.GetPointData()->AddArray(array);
+}
+
+void add_curvature(vtkPolyData& data, const std::string& prefix, const Curvatures& curvatures) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto add = [&](const std::string& name, int components, const auto& value) {
+    add_array(data, prefix + name, components, curvatures.size(), [&](std::size_t i) {
+      return curvatures[i] ? std::array<double, 3>(value(*curvatures[i]))
+                           : std::array{kNone, kNone, kNone};
+    });
+  };
+  using Curvature = LevelCurvature<double>;
+  add("principal_curvatures", 2, [](const Curvature& c) {
+    return std::array{c.principal[0], c.principal[1], 0.0};
+  });
+  for (const std::size_t k : {0u, 1u})
+    add("principal_direction_" + std::to_string(k + 1), 3, [&](const Curvature& c) {
+      const auto& d = c.directions[k];
+      return std::array{d.x, d.y, d.z};
+    });
+  add("mean_curvature", 1, [](const Curvature& c) { return std::array{c.mean(), 0.0, 0.0}; });
+  add("gauss_curvature", 1, [](const Curvature& c) { return std::array{c.gauss(), 0.0, 0.0}; });
+}
+
+void write(vtkPolyData& data, const std::filesystem::path& file) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(&data);
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0)
+    throw IoError(IoError::Kind::unwritable, file, "VTK could not write it");
+  write_text(file, writer->GetOutputString());
+}
+
+void require_sense(const SurfaceCommand& command) {
+  if (command.output.empty()) return;
+  if (command.output.extension() != ".vtp")
+    throw UsageError(command.output.string() + ": the name must end in .vtp");
+  if (command.mesh.empty() && !command.smooth)
+    throw UsageError("-o: nothing to write without --mesh or --smooth");
+}
+
+}  // namespace
+
+SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  require_sense(command);
+  const auto tell = [&](std::string_view stage, double fraction) {
+    if (progress) progress(stage, fraction);
+  };
+  tell("reading", 0);
+  SurfaceInput input = read_surface(command.surface);
+  SurfaceMesh& surface = input.surface;
+  SurfaceAnalysis analysis;
+  analysis.surface = command.surface;
+  analysis.triangles = surface.triangles.size();
+  analysis.invariants = surface_invariants(surface);
+  analysis.vertices = analysis.invariants.vertices;
+  if (!surface.mode.empty()) {
+    analysis.part_modes.resize(analysis.invariants.parts.size());
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+      analysis.part_modes[at(analysis.invariants.component[i])] =
+          surface.mode[at(surface.triangles[i][0])];
+  }
+  analysis.quality = triangle_quality(surface);
+
+  Curvatures of_field, of_triangles;
+  if (!command.mesh.empty()) {
+    tell("curvature", 0.2);
+    const ReadResult read = read_mesh(command.mesh, command.read);
+    locate_in_mesh(input, read.mesh, command.surface);
+    SurfaceCurvature curvature = surface_curvature(surface, read.mesh);
+    analysis.curvature = report_of(surface, curvature.vertices);
+    analysis.normal_jump = quantiles_of(curvature.normal_jump);
+    analysis.umbilics = std::move(curvature.umbilics);
+    add_curvature(*input.file, "", curvature.vertices);
+    add_array(*input.file, "normal_jump", 1, curvature.normal_jump.size(), [&](std::size_t i) {
+      return std::array{curvature.normal_jump[i], 0.0, 0.0};
+    });
+    of_field = std::move(curvature.vertices);
+  }
+  if (command.smooth) {
+    tell("fitting", 0.5);
+    if (surface.normal.empty()) surface.normal = normals_of(surface);
+    of_triangles = jet_curvature(surface);
+    analysis.smooth = report_of(surface, of_triangles);
+    add_curvature(*input.file, "smooth_", of_triangles);
+  }
+  if (!of_field.empty() && !of_triangles.empty()) {
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < of_field.size(); ++i)
+      if (of_field[i] && of_triangles[i])
+        differences.push_back(std::abs(of_field[i]->mean() - of_triangles[i]->mean()));
+    analysis.median_difference = quantiles_of(std::move(differences)).median;
+  }
+  if (!command.against.empty()) {
+    tell("distances", 0.7);
+    const SurfaceInput other = read_surface(command.against);
+    analysis.against = command.against;
+    analysis.forth = sampled_distance(surface, other.surface);
+    analysis.back = sampled_distance(other.surface, surface);
+  }
+  if (!command.output.empty()) {
+    tell("writing", 0.9);
+    write(*input.file, command.output);
+    analysis.output = command.output;
+  }
+  analysis.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return analysis;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "tensortopo/mesh/surface_mesh.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo {
+
+/// The triangles of a .vtp file; polylines are left out.
+struct SurfaceInput {
+  vtkSmartPointer<vtkPolyData> file;  ///< as read
+  SurfaceMesh surface;  ///< `points`, `triangles`; `normal`, `mode` if the file has them
+  std::vector<std::int64_t> cell_ids;  ///< of each triangle: the file's array `tet`; may be empty
+};
+
+/// Throws IoError: no file, not a .vtp, cells other than triangles and lines, no triangles.
+SurfaceInput read_surface(const std::filesystem::path& file);
+
+/// Fills `surface.tet` from the ids, and makes sure that each triangle is in its tetrahedron.
+/// Throws IoError if the surface is not one of this mesh.
+void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const std::filesystem::path& file);
+
+}  // namespace tensortopo

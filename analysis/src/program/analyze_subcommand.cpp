@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <string>
+
+#include "analyze/surface_command.hpp"
+#include "analyze/sweep_command.hpp"
+#include "program/progress_bar.hpp"
+#include "program/report_output.hpp"
+#include "program/subcommands.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+
+namespace tensortopo {
+namespace {
+
+struct Options {
+  std::filesystem::path input, output, mesh, against;
+  std::string sweep;
+  std::size_t most_levels = SweepOptions{}.most_levels;
+  bool smooth = false;
+  ReadOptions read;
+};
+
+ExitStatus sweep(const Options& options, const CommonOptions& common) {
+  SweepCommand command;
+  command.input = options.input;
+  command.read = options.read;
+  command.picture = options.output;
+  command.sweep.most_levels = options.most_levels;
+  parse_sweep(options.sweep, command.sweep);
+  ProgressBar bar(!common.quiet);
+  const SweepReport report = run_sweep(command, bar.callback());
+  bar.erase();
+  print(common.json ? to_json(report) + '\n' : to_text(report));
+  return ExitStatus::done;
+}
+
+ExitStatus surface(const Options& options, const CommonOptions& common) {
+  SurfaceCommand command;
+  command.surface = options.input;
+  command.mesh = options.mesh;
+  command.against = options.against;
+  command.output = options.output;
+  command.smooth = options.smooth;
+  command.read = options.read;
+  ProgressBar bar(!common.quiet);
+  const SurfaceAnalysis analysis = run_surface_analysis(command, bar.callback());
+  bar.erase();
+  print(common.json ? to_json(analysis) + '\n' : to_text(analysis));
+  return ExitStatus::done;
+}
+
+ExitStatus analyze(const Options& options, const CommonOptions& common) {
+  const bool is_surface = options.input.extension() == ".vtp";
+  if (is_surface && !options.sweep.empty())
+    throw UsageError(options.input.string() + ": --sweep takes a mesh, not a surface");
+  if (!is_surface && options.sweep.empty())
+    throw UsageError(options.input.string() + ": a mesh needs --sweep A:B:N (a surface is a .vtp)");
+  if (!is_surface && (!options.mesh.empty() || !options.against.empty() || options.smooth))
+    throw UsageError("--mesh, --against and --smooth are for surfaces (.vtp)");
+  return is_surface ? surface(options, common) : sweep(options, common);
+}
+
+}  // namespace
+
+void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
+  CLI::App& app = *program.add_subcommand(
+      "analyze", "Topology against the mode of a field; shape and quality of surfaces");
+  const auto options = std::make_shared<Options>();
+  app.add_option("INPUT", options->input, "Tetrahedral mesh with tensors, or a surface (.vtp)")
+      ->required();
+  app.add_option("--sweep", options->sweep,
+                 "Of a mesh: all critical values of the mode from A to B, and the topology and "
+                 "area of the mode surfaces of N modes, evenly spaced")
+      ->type_name("A:B:N");
+  app.add_option(
+         "--levels", options->most_levels,
+         "Extract a surface between each two critical values if this many are enough, else in "
+         "the five widest ranges")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--mesh", options->mesh,
+                 "Of a surface: the mesh that it was extracted from, for its curvature and "
+                 "umbilics by the field's derivatives")
+      ->type_name("FILE");
+  app.add_flag("--smooth", options->smooth,
+               "Of a surface: also the curvature that polynomials fitted to its vertices have");
+  app.add_option("--against", options->against,
+                 "Of a surface: sampled distances to another one (.vtp), both ways")
+      ->type_name("FILE");
+  app.add_option("-o,--output", options->output,
+                 "The sweep's picture (.png), or the surface with its curvatures (.vtp)")
+      ->type_name("FILE");
+  app.add_option("--tensor", options->read.tensor, "Name of the mesh's tensor array")
+      ->type_name("NAME");
+  add_common_options(app, common);
+  app.callback([options, &common, &action] {
+    action = [options, &common] { return analyze(*options, common); };
+  });
+}
+
+}  // namespace tensortopo
