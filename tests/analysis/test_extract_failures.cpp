@@ -34,9 +34,11 @@ struct BadWords {
 TEST(ExtractFailures, BadUsageIsTwoAndLeavesNoFile) {
   const std::vector<BadWords> cases{
       {{"--mode", "0.5", "--no-such-option"}, "--no-such-option"},
-      {{"--mode", "0.5", "--certify", "c.json"}, "--certify"},
-      {{"--mode", "0.5", "--max-error", "1"}, "--max-error"},
-      {{"--mode", "0.5", "--method", "marching"}, "--method"},
+      {{"--mode", "1", "--certify", "c.json"}, "--certify"},
+      {{"--mode", "0.5", "--method", "marching", "--certify", "c.json"}, "--certify"},
+      {{"--mode", "0.5", "--max-error", "-1"}, "--max-error"},
+      {{"--mode", "0.5", "--method", "no-such-method"}, "--method"},
+      {{"--mode", "1", "--method", "a-patches"}, "--method"},
       {{"--mode", "half"}, "half"},
       {{"--mode", "1.5"}, "1.5"},
       {{"--mode", "-11/10"}, "-11/10"},
