@@ -89,12 +89,12 @@ CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
       continue;
     }
     listed.insert(edge);
-    if (!truth->decided) {
+    if (!truth->level.decided) {
       ledger.leave_open(name, "no proof closes");
       continue;
     }
-    if (truth->crossings != claim.crossings.size()) {
-      ledger.refute(name, count, std::to_string(truth->crossings));
+    if (truth->level.crossings != claim.crossings.size()) {
+      ledger.refute(name, count, std::to_string(truth->level.crossings));
       continue;
     }
     std::string wrong = wrong_interval(c, claim, edge);
@@ -110,11 +110,11 @@ CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
   }
   bool complete = true;
   for (const EdgeTopology& edge : c.topology.edges) {
-    if ((edge.decided && edge.crossings == 0) || listed.contains(edge.vertices)) continue;
+    if ((edge.level.decided && edge.level.crossings == 0) || listed.contains(edge.vertices)) continue;
     complete = false;
-    if (edge.decided)
+    if (edge.level.decided)
       ledger.refute("edge " + text(edge.vertices), "not listed",
-                    std::to_string(edge.crossings) + " crossings");
+                    std::to_string(edge.level.crossings) + " crossings");
     else
       ledger.leave_open("edge " + text(edge.vertices), "no proof closes");
   }
@@ -136,7 +136,7 @@ void compare_faces(const LevelCase& c, const CrossingVertices& vertices, Ledger&
       continue;
     }
     listed.insert(face);
-    if (!truth->decided) {
+    if (!truth->level.decided) {
       ledger.leave_open(name, "no proof closes");
       continue;
     }
@@ -149,19 +149,19 @@ void compare_faces(const LevelCase& c, const CrossingVertices& vertices, Ledger&
     }
     std::sort(arcs.begin(), arcs.end());
     for (const Number v : claim.loops) known = known && !vertices.crossing.contains(v);
-    ledger.settle(known && arcs == truth->arcs && claim.loops.size() == truth->loops, name,
+    ledger.settle(known && arcs == truth->arcs && claim.loops.size() == truth->level.loops.size(), name,
                   claimed,
-                  std::to_string(truth->arcs.size()) + " arcs, " + std::to_string(truth->loops) +
+                  std::to_string(truth->arcs.size()) + " arcs, " + std::to_string(truth->level.loops.size()) +
                       " closed, or other ends");
   }
   bool complete = true;
   for (const FaceTopology& face : c.topology.faces) {
-    if ((face.decided && face.arcs.empty() && face.loops == 0) || listed.contains(face.vertices))
+    if ((face.level.decided && face.arcs.empty() && face.level.loops.size() == 0) || listed.contains(face.vertices))
       continue;
     complete = false;
-    if (face.decided)
+    if (face.level.decided)
       ledger.refute("face " + text(face.vertices), "not listed",
-                    std::to_string(face.arcs.size()) + " arcs, " + std::to_string(face.loops) +
+                    std::to_string(face.arcs.size()) + " arcs, " + std::to_string(face.level.loops.size()) +
                         " closed");
     else
       ledger.leave_open("face " + text(face.vertices), "no proof closes");

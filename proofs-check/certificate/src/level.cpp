@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "level.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "direction.hpp"
@@ -59,19 +60,25 @@ bool Level::is_empty(const Forms<N, V>& f, bool above, bool& unsure) const {
 }
 
 template <std::size_t V>
-Proof Level::prove(const std::array<Corner, V>& corners) const {
+Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
   std::array<const Tensor<Ball>*, V> balls;
   bool mixed = false;
+  long shift = corners[0].shift;
   for (std::size_t i = 0; i < V; ++i) {
     balls[i] = corners[i].ball;
     mixed = mixed || corners[i].above != corners[0].above;
+    shift = std::max(shift, corners[i].shift);
   }
   std::array<Tensor<mpz_class>, V> tensors;
   std::unique_ptr<Forms<mpz_class, V>> exact;
   const auto exact_forms = [&]() -> const Forms<mpz_class, V>& {
     if (!exact) {
       std::array<const Tensor<mpz_class>*, V> places;
-      for (std::size_t i = 0; i < V; ++i) places[i] = &(tensors[i] = corners[i].exact());
+      for (std::size_t i = 0; i < V; ++i) {
+        tensors[i] = corners[i].exact();
+        for (mpz_class& x : tensors[i]) x <<= static_cast<unsigned long>(shift - corners[i].shift);
+        places[i] = &tensors[i];
+      }
       exact = std::make_unique<Forms<mpz_class, V>>(places);
     }
     return *exact;
@@ -79,12 +86,12 @@ Proof Level::prove(const std::array<Corner, V>& corners) const {
 
   const Forms<Ball, V> f(balls);
   bool unsure = false;
-  if (!mixed && is_empty(f, corners[0].above, unsure)) return ++balls_, Proof::empty;
+  if (!mixed && is_empty(f, corners[0].above, unsure)) return ++balls_, Proved<V>{Proof::empty, {}};
   if (unsure && is_empty(exact_forms(), corners[0].above, unsure))
-    return ++exact_count_, Proof::empty;
+    return ++exact_count_, Proved<V>{Proof::empty, {}};
 
   const auto direction = likely_direction(f);
-  if (!direction) return Proof::open;
+  if (!direction) return {};
   const auto increases = [&](const auto& forms) {
     Signs p, g;
     for (const auto& x : forms.p.coefficients) p.add(x);
@@ -97,15 +104,16 @@ Proof Level::prove(const std::array<Corner, V>& corners) const {
   const auto strict = [](const Signs& s) { return !s.unsure && !s.zero && s.positive != s.negative; };
   const auto fails = [](const Signs& s) { return s.zero || (s.positive && s.negative); };
   const Signs by_balls = increases(f);
-  if (strict(by_balls)) return ++balls_, Proof::monotone;
-  if (fails(by_balls)) return Proof::open;
-  if (strict(increases(exact_forms()))) return ++exact_count_, Proof::monotone;
-  return Proof::open;
+  if (strict(by_balls)) return ++balls_, Proved<V>{Proof::monotone, *direction};
+  if (fails(by_balls)) return {};
+  if (strict(increases(exact_forms())))
+    return ++exact_count_, Proved<V>{Proof::monotone, *direction};
+  return {};
 }
 
-template Proof Level::prove<2>(const std::array<Corner, 2>&) const;
-template Proof Level::prove<3>(const std::array<Corner, 3>&) const;
-template Proof Level::prove<4>(const std::array<Corner, 4>&) const;
+template Proved<2> Level::prove<2>(const std::array<Corner, 2>&) const;
+template Proved<3> Level::prove<3>(const std::array<Corner, 3>&) const;
+template Proved<4> Level::prove<4>(const std::array<Corner, 4>&) const;
 
 namespace {
 
