@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "compare_surface.hpp"
+#include "compare_distance.hpp"
 
 namespace certificate {
 namespace {
@@ -87,8 +87,8 @@ void check_level(const LevelClaims& claims, const Input& input, const Field& fie
   const CrossingVertices vertices = compare_edges(c, ledger);
   compare_faces(c, vertices, ledger);
   compare_tets(c, vertices, ledger);
-  compare_surface(c, vertices, left_out, ledger);
-  if (claims.distance) ledger.leave_open("distance", "not checked by this program");
+  const auto placed = compare_surface(c, vertices, left_out, ledger);
+  if (claims.distance) compare_distance(c, placed ? &*placed : nullptr, left_out, ledger);
 }
 
 }  // namespace

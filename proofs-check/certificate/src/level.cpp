@@ -59,35 +59,58 @@ bool Level::is_empty(const Forms<N, V>& f, bool above, bool& unsure) const {
   return !f_fails && !q.unsure && !s.unsure;
 }
 
+namespace {
+
+template <std::size_t V>
+Forms<Ball, V> ball_forms(const std::array<Corner, V>& corners) {
+  std::array<const Tensor<Ball>*, V> balls;
+  for (std::size_t i = 0; i < V; ++i) balls[i] = corners[i].ball;
+  return Forms<Ball, V>(balls);
+}
+
+/// The same multiplied by a power of 2.
+template <std::size_t V>
+std::unique_ptr<Forms<mpz_class, V>> exact_forms(const std::array<Corner, V>& corners) {
+  long shift = corners[0].shift;
+  for (const Corner& corner : corners) shift = std::max(shift, corner.shift);
+  std::array<Tensor<mpz_class>, V> tensors;
+  std::array<const Tensor<mpz_class>*, V> places;
+  for (std::size_t i = 0; i < V; ++i) {
+    tensors[i] = corners[i].exact();
+    for (mpz_class& x : tensors[i]) x <<= static_cast<unsigned long>(shift - corners[i].shift);
+    places[i] = &tensors[i];
+  }
+  return std::make_unique<Forms<mpz_class, V>>(places);
+}
+
+}  // namespace
+
+template <std::size_t V>
+bool Level::is_one_sided(const std::array<Corner, V>& corners) const {
+  bool unsure = false;
+  if (is_empty(ball_forms(corners), corners[0].above, unsure)) return ++balls_, true;
+  return unsure && is_empty(*exact_forms(corners), corners[0].above, unsure) &&
+         (++exact_count_, true);
+}
+
+template bool Level::is_one_sided<3>(const std::array<Corner, 3>&) const;
+
 template <std::size_t V>
 Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
-  std::array<const Tensor<Ball>*, V> balls;
-  bool mixed = false;
-  long shift = corners[0].shift;
-  for (std::size_t i = 0; i < V; ++i) {
-    balls[i] = corners[i].ball;
-    mixed = mixed || corners[i].above != corners[0].above;
-    shift = std::max(shift, corners[i].shift);
-  }
-  std::array<Tensor<mpz_class>, V> tensors;
+  const bool mixed = std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+    return corner.above != corners[0].above;
+  });
   std::unique_ptr<Forms<mpz_class, V>> exact;
-  const auto exact_forms = [&]() -> const Forms<mpz_class, V>& {
-    if (!exact) {
-      std::array<const Tensor<mpz_class>*, V> places;
-      for (std::size_t i = 0; i < V; ++i) {
-        tensors[i] = corners[i].exact();
-        for (mpz_class& x : tensors[i]) x <<= static_cast<unsigned long>(shift - corners[i].shift);
-        places[i] = &tensors[i];
-      }
-      exact = std::make_unique<Forms<mpz_class, V>>(places);
-    }
+  const auto exactly = [&]() -> const Forms<mpz_class, V>& {
+    if (!exact) exact = exact_forms(corners);
     return *exact;
   };
 
-  const Forms<Ball, V> f(balls);
+  const auto f = ball_forms(corners);
   bool unsure = false;
-  if (!mixed && is_empty(f, corners[0].above, unsure)) return ++balls_, Proved<V>{Proof::empty, {}};
-  if (unsure && is_empty(exact_forms(), corners[0].above, unsure))
+  if (!mixed && is_empty(f, corners[0].above, unsure))
+    return ++balls_, Proved<V>{Proof::empty, {}};
+  if (unsure && is_empty(exactly(), corners[0].above, unsure))
     return ++exact_count_, Proved<V>{Proof::empty, {}};
 
   const auto direction = likely_direction(f);
@@ -106,7 +129,7 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
   const Signs by_balls = increases(f);
   if (strict(by_balls)) return ++balls_, Proved<V>{Proof::monotone, *direction};
   if (fails(by_balls)) return {};
-  if (strict(increases(exact_forms())))
+  if (strict(increases(exactly())))
     return ++exact_count_, Proved<V>{Proof::monotone, *direction};
   return {};
 }

@@ -60,6 +60,10 @@ class Level {
   template <std::size_t V>
   Proved<V> prove(const std::array<Corner, V>& corners) const;
 
+  /// Is all of the simplex on the side of its corners (which is that of the first)?
+  template <std::size_t V>
+  bool is_one_sided(const std::array<Corner, V>& corners) const;
+
   std::uint64_t decided_by_balls() const { return balls_; }
   std::uint64_t decided_exactly() const { return exact_count_; }
 
