@@ -11,6 +11,9 @@
 namespace certificate {
 namespace {
 
+/// How often a triangle is cut in four.
+constexpr int kCuts = 4;
+
 /// A triangle cut in four, again and again, at exact points.
 class Parts : public ExactTensors {
  public:
@@ -20,9 +23,10 @@ class Parts : public ExactTensors {
   }
 
   /// Is all of it on the side of its corners?
-  bool are_one_sided(int cuts) {
+  bool are_one_sided() {
     if (level_.is_one_sided(corners_)) return true;
-    return cuts > 0 && split({add({4, 0, 0}), add({0, 4, 0}), add({0, 0, 4})}, cuts);
+    constexpr int kOne = 1 << kCuts;
+    return split({add({kOne, 0, 0}), add({0, kOne, 0}), add({0, 0, kOne})}, kCuts);
   }
 
   Tensor<mpz_class> exact(std::uint32_t id) const override {
@@ -183,12 +187,11 @@ std::string Distances::unproved() {
     return "vertex " + std::to_string(c_.claims.vertices[0] + static_cast<std::size_t>(far)) +
            " moves out of its place or bound";
   parallel_for(shown.size(), [&](std::size_t t) {
-    constexpr int kCuts = 2;
     if (!is_asked(t)) return;
     const auto [a, b, c] = vertices_of(t);
     for (const auto way : {MovedVertices::kBehind, MovedVertices::kAhead}) {
       const std::array corners{moved.corner(a, way), moved.corner(b, way), moved.corner(c, way)};
-      shown[t] = shown[t] && Parts(c_.level, corners).are_one_sided(kCuts);
+      shown[t] = shown[t] && Parts(c_.level, corners).are_one_sided();
     }
   });
   const auto missing = std::count(shown.begin(), shown.end(), 0);
