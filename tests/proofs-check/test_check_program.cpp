@@ -45,7 +45,8 @@ TEST(CheckProgram, SaysWhatItFoundByStatusAndJson) {
   EXPECT_EQ(witness.at("derived"), "0");
 
   forged = s.certificate;
-  forged["levels"][0]["distance"] = {{"reach", Json::array()}, {"bound", "0x1p0"}};
+  forged["levels"][0]["distance"] = {{"reach", Json::array()}, {"bound", "0x1p0"},
+                                        {"coarse", Json::array()}, {"coarse_bound", "0x0p0"}};
   const Outcome open = run(forged);
   EXPECT_EQ(open.status, 1);
   EXPECT_EQ(Json::parse(open.out).at("status"), "undecided");

@@ -106,7 +106,7 @@ TEST(ForgedCertificates, OtherKindsOfForgery) {
       {"refuted", [](Json& c) { c["levels"].erase(1); }},
       {"malformed", [](Json& c) { c["levels"][0]["edges"][0][2][0] = -1; }},
       {"malformed", [](Json& c) { c["levels"][0]["edges"][0][2][1] = 4000000000; }},
-      {"undecided", [](Json& c) { c["levels"][0]["distance"] =
+      {"malformed", [](Json& c) { c["levels"][0]["distance"] =
                                       {{"reach", Json::array()}, {"bound", "0x1p-7"}}; }}};
   for (std::size_t i = 0; i < forgeries.size(); ++i) {
     Json forged = honest().certificate;

@@ -12,7 +12,7 @@ namespace certificate {
 namespace {
 
 /// How often a triangle is cut in four.
-constexpr int kCuts = 4;
+constexpr int kCuts = 8;
 
 /// A triangle cut in four, again and again, at exact points.
 class Parts : public ExactTensors {
