@@ -139,14 +139,17 @@ const std::vector<Exhibit>& honest_exhibits() {
     TetMesh mesh = cube_mesh(1);
     fill_with_normal_tensors(mesh, 5);
     result.push_back(exhibit(mesh, {"1/4", "-1/2"}));
-    fill_with_smooth_tensors(mesh, 3);
-    result.push_back(exhibit(mesh, {"0"}));
+    for (std::uint64_t seed = 1; result.size() < 2; ++seed) {
+      fill_with_smooth_tensors(mesh, seed, 4, 1);
+      Exhibit e = exhibit(mesh, {"0"});
+      if (e.surface.triangles.size() > 30) result.push_back(std::move(e));
+    }
     for (const FieldWitness& witness : field_witnesses()) {
       const TetCase& c = witness.cases.front();
       const std::string mode =
           std::to_string(c.mode.numerator) + "/" + std::to_string(c.mode.denominator);
       Exhibit e = exhibit(single_tet_mesh(c.points, witness.field.at(c.points)), {mode});
-      const bool is_small = e.surface.triangles.size() < 400;
+      const bool is_small = !e.surface.triangles.empty() && e.surface.triangles.size() < 400;
       if (is_small && Court("choice").verdict(e) == "certified") result.push_back(std::move(e));
     }
     return result;

@@ -6,6 +6,7 @@
 #include "certificate_check/check_certificate.hpp"
 #include "certificate_writer.hpp"
 #include "extract/bundled_fields.hpp"
+#include "forgery.hpp"
 #include "support/random_fields.hpp"
 #include "support/witness_fields.hpp"
 
@@ -60,6 +61,24 @@ TEST(CertifiedFields, WitnessesAreCertifiedOrNamed) {
     }
   }
   EXPECT_GE(certified, 10u);
+}
+
+/// The field of diag(1 - s, 2 s, -1 - s), s = x - 0.3: the level 0 is the plane s = 0, which the
+/// triangles hit but for rounding. Far from the origin coordinates are rounded by more.
+TEST(CertifiedFields, PlanesAreAsNearAsRoundingAllows) {
+  for (const double far : {0.0, 1e6}) {
+    TetMesh mesh = cube_mesh(1);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const double s = mesh.points[v].x - 0.3 + 0.01 * mesh.points[v].y;
+      mesh.tensors[v] = {1 - s, 2 * s, -1 - s, 0, 0, 0};
+      mesh.points[v].x += far;
+    }
+    const Exhibit e = exhibit(mesh, {"0"});
+    Court court("planes");
+    EXPECT_EQ(court.verdict(e), "certified") << court.report();
+    const std::string bound = e.certificate["levels"][0]["distance"]["bound"];
+    EXPECT_LT(std::strtod(bound.c_str(), nullptr), 1e-12 * (1 + far));
+  }
 }
 
 TEST(CertifiedFields, CborSaysTheSame) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -21,7 +22,10 @@ using Json = nlohmann::json;
 class Trial {
  public:
   explicit Trial(const std::string& name) : court_(name) {}
-  ~Trial() { EXPECT_GT(tried_, 0u); }
+  ~Trial() {
+    EXPECT_GT(tried_, 0u);
+    std::cout << tried_ << " forgeries\n";
+  }
 
   void expect_not_certified(const Exhibit& e, const std::string& what) {
     ++tried_;
@@ -65,8 +69,10 @@ void alter_entries(const Json& level, const char* list, const Judge& judge) {
 TEST(Forgeries, HonestExhibitsAreCertified) {
   Court court("honest");
   ASSERT_GE(honest_exhibits().size(), 4u);
-  for (const Exhibit& e : honest_exhibits())
+  for (const Exhibit& e : honest_exhibits()) {
     EXPECT_EQ(court.verdict(e), "certified") << court.report();
+    EXPECT_FALSE(e.surface.triangles.empty());
+  }
 }
 
 TEST(Forgeries, Crossings) {
@@ -222,16 +228,17 @@ TEST(Forgeries, ComponentsModesAndCounts) {
   });
 }
 
-/// Other modes have other crossings, if intervals are as narrow as these: mu moves them by more.
-TEST(Forgeries, ModesThatAreNearlyRight) {
+/// Another mode has other crossings. If it is so near that the intervals hold those as well, all
+/// claims may hold for it, too; at a vertex that is on the level there is no such mode.
+TEST(Forgeries, OtherModes) {
   Trial trial("modes");
   for (Exhibit e : honest_exhibits()) {
     Json& level = e.certificate["levels"][0];
     const std::string mode = level["mode"];
-    const std::string other = mode == "0"     ? "1/1000000000"
-                              : mode == "1/4" ? "250000001/1000000000"
-                                              : mode.substr(0, 1) == "-" ? mode.substr(1)
-                                                                         : "-" + mode;
+    const std::string other = mode == "0"                  ? "1/10000"
+                              : mode == "1/4"              ? "2501/10000"
+                              : mode.substr(0, 1) == "-" ? mode.substr(1)
+                                                         : "-" + mode;
     level["mode"] = other;
     trial.expect_not_certified(e, mode + " as " + other);
   }
@@ -296,7 +303,7 @@ TEST(Forgeries, Triangles) {
     const auto forge = [&](const std::string& what, const std::function<void(SurfaceMesh&)>& change) {
       Exhibit forged = honest;
       change(forged.surface);
-      trial.expect("refuted", forged, what + ", not hashed");
+      trial.expect_not_certified(forged, what + ", not hashed");
       forged.rehash();
       trial.expect_not_certified(forged, what);
     };

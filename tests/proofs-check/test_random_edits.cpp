@@ -67,14 +67,16 @@ TEST(RandomEdits, OfTheCertificateAreNoticed) {
   for (const Exhibit& honest : honest_exhibits()) {
     std::vector<Json::json_pointer> places;
     find_values(honest.certificate, Json::json_pointer(), places);
+    // Reaches are many, and may be others.
+    std::erase_if(places, [&](const auto& at) {
+      return at.to_string().find("/reach/") != std::string::npos && random() % 16 != 0;
+    });
     const std::string field = honest.field_text(), surface = honest.surface_text();
     const std::size_t share = TENSORTOPO_EDITS * 3 / 4 / honest_exhibits().size();
-    for (std::size_t n = 0; n < share; ++n) {
+    for (std::size_t n = 0; n < share; ++n, ++tried) {
       Json altered = honest.certificate;
-      const std::size_t edits = 1 + (random() % 4 == 0 ? random() % 3 : 0);
-      for (std::size_t k = 0; k < edits; ++k) edit(altered, places, random);
-      if (altered == honest.certificate) continue;
-      ++tried;
+      while (altered == honest.certificate)
+        for (std::size_t k = random() % 4 == 0 ? 3 : 1; k > 0; --k) edit(altered, places, random);
       const std::string text = altered.dump(-1, ' ', false, Json::error_handler_t::replace);
       if (court.verdict(field, surface, text) != "certified") continue;
       ++equivalent;
@@ -84,8 +86,7 @@ TEST(RandomEdits, OfTheCertificateAreNoticed) {
   }
   std::cout << "seed " << kSeed << ": " << tried << " certificates, " << equivalent
             << " that may be true\n";
-  EXPECT_GT(tried, TENSORTOPO_EDITS / 2u);
-  EXPECT_LT(equivalent, tried / 4);
+  EXPECT_LT(equivalent, tried / 8);
 }
 
 /// Where two texts differ in numbers, as doubles; elsewhere they may differ in names or comments.
