@@ -114,6 +114,7 @@ Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& modes) {
     const ModeValue mu = ModeValue::parse(mode);
     ExtractOptions options;
     options.keep_topology = true;
+    options.sampling.resolution = 1;  // few triangles
     Extraction e = extract_mode_surface<double>(mesh, mu, options);
     append(result.surface, e.surface);
     levels.push_back(certify(mesh, mu, e));
