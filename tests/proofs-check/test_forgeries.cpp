@@ -90,7 +90,8 @@ TEST(Forgeries, Crossings) {
         const Json& next = level["edges"][(e + 1) % level["edges"].size()];
         if (next[2][2] != level["edges"][e][k][2]) {
           forged = level;
-          std::swap(forged["edges"][e][k][2], forged["edges"][(e + 1) % level["edges"].size()][2][2]);
+          std::swap(forged["edges"][e][k][2],
+                    forged["edges"][(e + 1) % level["edges"].size()][2][2]);
           judge(forged, "vertices exchanged");
         }
         if (level["edges"][e][k][0].is_string()) continue;
@@ -180,7 +181,8 @@ TEST(Forgeries, Sheets) {
           forge("face of an arc", [&](Json& x) { x[s][l][1] = x[s][l][1] == 0 ? 1 : 0; });
           // A closed curve has no direction to claim.
           if (tet[s][l].size() < 4) continue;
-          forge("loop reversed", [&](Json& x) { std::reverse(x[s][l].begin() + 1, x[s][l].end()); });
+          forge("loop reversed",
+                [&](Json& x) { std::reverse(x[s][l].begin() + 1, x[s][l].end()); });
           forge("loop from elsewhere", [&](Json& x) {
             std::rotate(x[s][l].begin(), x[s][l].begin() + 2, x[s][l].end());
           });
@@ -195,7 +197,8 @@ TEST(Forgeries, ComponentsModesAndCounts) {
   for_levels(trial, [](const Json& level, const Judge& judge) {
     alter_entries(level, "components", judge);
     for (std::size_t i = 0; i < level["components"].size(); ++i) {
-      for (const char* key : {"euler_characteristic", "boundary_loops", "triangles", "first_vertex"})
+      for (const char* key :
+           {"euler_characteristic", "boundary_loops", "triangles", "first_vertex"})
         for (const int step : {-2, -1, 1, 2}) {
           Json forged = level;
           forged["components"][i][key] = forged["components"][i][key].get<int>() + step;
@@ -243,8 +246,11 @@ TEST(Forgeries, OtherModes) {
     trial.expect_not_certified(e, mode + " as " + other);
   }
   // A vertex with mode exactly 0: no change of mode or tensor is too small.
-  TetMesh mesh = reference_tet_mesh({SymmetricTensor<double>{1, 0, -1, 0, 0, 0},
-                                     {2, 1, 1, 0, 0, 0}, {2, 1, 0.5, 0, 0, 0}, {1, 1, -3, 0, 0, 0}});
+  const TetTensors tensors{{{1, 0, -1, 0, 0, 0},
+                            {2, 1, 1, 0, 0, 0},
+                            {2, 1, 0.5, 0, 0, 0},
+                            {1, 1, -3, 0, 0, 0}}};
+  const TetMesh mesh = reference_tet_mesh(tensors);
   const Exhibit honest = exhibit(mesh, {"0"});
   ASSERT_EQ(honest.certificate["levels"][0]["on_level"], 1);
   trial.expect("certified", honest, "honest");
@@ -300,7 +306,8 @@ TEST(Forgeries, Distances) {
 TEST(Forgeries, Triangles) {
   Trial trial("triangles");
   for (const Exhibit& honest : honest_exhibits()) {
-    const auto forge = [&](const std::string& what, const std::function<void(SurfaceMesh&)>& change) {
+    const auto forge = [&](const std::string& what,
+                           const std::function<void(SurfaceMesh&)>& change) {
       Exhibit forged = honest;
       change(forged.surface);
       if (forged.surface.triangles == honest.surface.triangles &&

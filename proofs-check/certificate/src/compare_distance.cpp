@@ -96,7 +96,8 @@ class Distances {
   std::array<std::size_t, 3> vertices_of(std::size_t triangle) const {
     std::array<std::size_t, 3> result;
     for (std::size_t i = 0; i < 3; ++i)
-      result[i] = c_.surface.triangles[c_.claims.triangles[0] + triangle][i] - c_.claims.vertices[0];
+      result[i] = c_.surface.triangles[c_.claims.triangles[0] + triangle][i] -
+                  c_.claims.vertices[0];
     return result;
   }
   std::string where(std::size_t tet) const {

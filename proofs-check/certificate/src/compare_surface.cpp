@@ -38,7 +38,8 @@ class Pieces {
   std::size_t tet_of(std::size_t triangle) const {
     const std::size_t first = c_.claims.triangles[0];
     const auto& cells = c_.input.cells;
-    const auto place = std::lower_bound(cells.begin(), cells.end(), c_.surface.cells[first + triangle]);
+    const auto place =
+        std::lower_bound(cells.begin(), cells.end(), c_.surface.cells[first + triangle]);
     const bool found = place != cells.end() && *place == c_.surface.cells[first + triangle];
     return found ? static_cast<std::size_t>(place - cells.begin()) : kNone;
   }
@@ -149,7 +150,8 @@ std::string Pieces::add_chain(std::size_t tet, Vertex opposite, const std::vecto
       return "an edge at vertex " + std::to_string(edge.to) + " not shared through face " +
              text(face);
   }
-  if (closed) std::rotate(numbers.begin(), std::min_element(numbers.begin(), numbers.end()), numbers.end());
+  if (closed)
+    std::rotate(numbers.begin(), std::min_element(numbers.begin(), numbers.end()), numbers.end());
   chains_[face][tet].push_back(std::move(numbers));
   return {};
 }
@@ -179,7 +181,8 @@ std::string Pieces::compare(std::size_t tet, const TetClaim& claim, std::vector<
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const SheetClaim& sheet = claim.sheets[p];
     if (pieces[p].euler_characteristic != sheet.euler_characteristic)
-      return "a piece of Euler characteristic " + std::to_string(pieces[p].euler_characteristic) + where;
+      return "a piece of Euler characteristic " +
+             std::to_string(pieces[p].euler_characteristic) + where;
     std::vector<ClosedLoop> closed_loops;
     if (pieces[p].loops.size() != sheet.loops.size())
       return "a piece with " + std::to_string(pieces[p].loops.size()) + " loops" + where;
@@ -235,7 +238,8 @@ std::string Pieces::compare_chains() const {
       }
       std::sort(chains.begin(), chains.end());
     }
-    if (both.size() == 2 && both[0] != both[1]) return "two sides of face " + text(face) + " differ";
+    if (both.size() == 2 && both[0] != both[1])
+      return "two sides of face " + text(face) + " differ";
   }
   return {};
 }

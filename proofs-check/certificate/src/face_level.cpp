@@ -47,7 +47,8 @@ void trace(const Refinement& r, const RootEdges& root_edges, FaceLevel& face) {
   std::vector<std::array<std::size_t, 2>> arcs;
   for (const Refinement::Cell& cell : r.cells()) {
     if (cell.cut || cell.proof == Proof::empty) continue;
-    const auto arc = arc_in_triangle([&](std::size_t i) { return r.points()[cell.points[i]].above; });
+    const auto arc =
+        arc_in_triangle([&](std::size_t i) { return r.points()[cell.points[i]].above; });
     if (!arc) continue;
     const auto node = [&](const auto& edge) {
       return nodes.add(cell.points[edge[0]], cell.points[edge[1]]);

@@ -124,7 +124,9 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
     for (const auto& x : form.coefficients) g.add(x);
     return g;
   };
-  const auto strict = [](const Signs& s) { return !s.unsure && !s.zero && s.positive != s.negative; };
+  const auto strict = [](const Signs& s) {
+    return !s.unsure && !s.zero && s.positive != s.negative;
+  };
   const auto fails = [](const Signs& s) { return s.zero || (s.positive && s.negative); };
   const Signs by_balls = increases(f);
   if (strict(by_balls)) return ++balls_, Proved<V>{Proof::monotone, *direction};
@@ -188,7 +190,8 @@ bool Level::on_level(const Corner& corner) const {
   const Tensor<mpz_class> m = corner.exact();
   const auto [exact_q, exact_f] = signs_at(m, exact_q_, exact_p_);
   if (trace(m, m) == 0) return false;
-  return sign_ == 0 ? exact_q.zero : exact_f.zero && (sign_ > 0 ? exact_q.positive : exact_q.negative);
+  if (sign_ == 0) return exact_q.zero;
+  return exact_f.zero && (sign_ > 0 ? exact_q.positive : exact_q.negative);
 }
 
 }  // namespace certificate

@@ -80,7 +80,8 @@ bool Boundary::find_regions() {
   nodes_.emplace(count);
   for (std::size_t f = 0; f < 4; ++f) {
     const auto& points = faces_[f]->points();
-    for (Id p = 0; p < points.size(); ++p) nodes_->join(first_[f] + p, first_[f] + regions_[f].find(p));
+    for (Id p = 0; p < points.size(); ++p)
+      nodes_->join(first_[f] + p, first_[f] + regions_[f].find(p));
     for (const unsigned edge : {3U, 5U, 6U}) {
       std::size_t n = 0;
       bool above = points[edges[f].along(edge)[0]].above;
@@ -112,7 +113,9 @@ bool Boundary::join_along(const Weights& direction) {
   each_point([&](std::size_t face, const Refinement::Point& point, std::size_t node) {
     if (!arrived.insert(nodes_->find(node)).second) return;
     const Weights w = weights(face, point);
-    const auto speed = [&](std::size_t i) -> mpz_class { return point.above ? mpz_class(-direction[i]) : direction[i]; };
+    const auto speed = [&](std::size_t i) {
+      return point.above ? mpz_class(-direction[i]) : direction[i];
+    };
     std::size_t out = 4;
     for (std::size_t i = 0; i < 4; ++i)
       if (speed(i) > 0 && (out == 4 || w[i] * speed(out) < w[out] * speed(i))) out = i;

@@ -82,7 +82,8 @@ void MovedVertices::move(std::size_t vertex) {
   // The gradient of the mode, and its length.
   std::array<Tensor<double>, 4> t;
   long scale = c_.field.scale(carrier.corners[0]);
-  for (std::size_t i = 1; i <= size; ++i) scale = std::max(scale, c_.field.scale(carrier.corners[i]));
+  for (std::size_t i = 1; i <= size; ++i)
+    scale = std::max(scale, c_.field.scale(carrier.corners[i]));
   Tensor<double> m{};
   double first = 1;
   for (std::size_t i = 0; i < size; ++i) first -= weights[i];
@@ -133,8 +134,10 @@ void MovedVertices::enclose(const Carrier& carrier, Point& point) const {
   for (std::size_t i = 0; i < carrier.count; ++i) {
     const Vertex v = carrier.corners[i];
     const long down = std::max(c_.field.scale(v) - scale, -2000L);
-    const Ball weight(std::ldexp(point.weights[i], static_cast<int>(down)), down < -20 ? Ball::kTiny : 0);
-    for (std::size_t k = 0; k < 6; ++k) point.ball[k] += weight * (*c_.field.corner(v, false).ball)[k];
+    const Ball weight(std::ldexp(point.weights[i], static_cast<int>(down)),
+                      down < -20 ? Ball::kTiny : 0);
+    const Tensor<Ball>& t = *c_.field.corner(v, false).ball;
+    for (std::size_t k = 0; k < 6; ++k) point.ball[k] += weight * t[k];
     long exponent = 0;
     integer_of(point.weights[i], exponent);
     exponent += c_.field.exponent(v);

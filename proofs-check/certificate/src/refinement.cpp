@@ -42,7 +42,8 @@ void Refinement::note(Cell& cell, const Proved<V>& proved) {
   std::array<mpz_class, 4> direction;
   for (std::size_t i = 0; i < V; ++i) {
     const Point& p = points_[cell.points[i]];
-    const mpz_class factor = mpz_class(proved.direction[i]) << static_cast<unsigned long>(shift - p.shift);
+    const mpz_class factor = mpz_class(proved.direction[i])
+                             << static_cast<unsigned long>(shift - p.shift);
     for (std::size_t k = 0; k < 4; ++k) direction[k] += factor * p.weights[k];
   }
   cell.direction = std::make_shared<const std::array<mpz_class, 4>>(std::move(direction));

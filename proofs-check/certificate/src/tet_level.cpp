@@ -60,10 +60,10 @@ class TetLevel {
   /// For each edge of a cell on an edge between roots: its crossings there, from the smaller id.
   std::unordered_map<std::uint64_t, std::vector<Crossing>> on_roots_;
   std::map<std::size_t, Rim> rim_;
-  std::vector<std::pair<std::size_t, Loop>> closed_;  ///< loops that are one closed curve of a cell's face
+  std::vector<std::pair<std::size_t, Loop>> closed_;  ///< loops in one cell's face, by their nodes
   std::vector<std::array<std::size_t, 2>> arcs_, joins_;
   std::vector<std::pair<std::size_t, long>> pieces_;  ///< a node, and the Euler characteristic
-  std::unordered_map<std::uint64_t, std::size_t> seen_faces_;  ///< and the first closed curve's node
+  std::unordered_map<std::uint64_t, std::size_t> seen_faces_;  ///< their closed curves' first nodes
 };
 
 TetLevel::TetLevel(const Level& level, const std::array<Corner, 4>& corners,
@@ -76,8 +76,8 @@ TetLevel::TetLevel(const Level& level, const std::array<Corner, 4>& corners,
   });
   for (std::size_t f = 0; f < 4; ++f) {
     const auto [i, j, k] = without(f);
-    faces_[Refinement::key(std::array{static_cast<Id>(i), static_cast<Id>(j), static_cast<Id>(k)})] =
-        *boundary.faces[f];
+    const Face ids{static_cast<Id>(i), static_cast<Id>(j), static_cast<Id>(k)};
+    faces_[Refinement::key(ids)] = *boundary.faces[f];
   }
 }
 
@@ -146,7 +146,8 @@ bool TetLevel::add_cell(const Refinement::Cell& cell) {
     if (!level.decided) return false;
     const unsigned bits = support(corners);
     const bool on_boundary = std::popcount(bits) == 3;
-    const auto [first_loop, is_new] = seen_faces_.try_emplace(Refinement::key(corners), nodes_.size());
+    const auto [first_loop, is_new] =
+        seen_faces_.try_emplace(Refinement::key(corners), nodes_.size());
     for (std::size_t i = 0; i < level.loops.size(); ++i) {
       if (is_new) nodes_.emplace_back();
       curves.push_back({in_cell(7, f), i});
@@ -250,7 +251,8 @@ std::optional<std::vector<Sheet>> TetLevel::sheets() {
       loop.face = place->second.face;
       const Node& n = nodes_[at];
       const auto on_root = on_roots_.find(Refinement::key(n.edge[0], n.edge[1]));
-      if (on_root != on_roots_.end()) loop.steps.push_back({on_root->second.at(n.ordinal), loop.face});
+      if (on_root != on_roots_.end())
+        loop.steps.push_back({on_root->second.at(n.ordinal), loop.face});
       at = place->second.next;
       rim_.erase(place);
     } while (at != start);
