@@ -63,6 +63,17 @@ TEST(CertifiedFields, WitnessesAreCertifiedOrNamed) {
   EXPECT_GE(certified, 10u);
 }
 
+/// Near the ends tetrahedra hold thin tubes: some cells have several curves on their boundaries.
+TEST(CertifiedFields, ThinTubesAndDistancesAreCertified) {
+  for (const auto& file : bundled_files()) {
+    if (file.string().find("s4_") == std::string::npos) continue;
+    const Exhibit e = exhibit(read(file), {"99/100", "-9/10"});
+    Court court("tubes");
+    EXPECT_EQ(court.verdict(e), "certified") << file << '\n' << court.report();
+    EXPECT_GT(e.certificate["levels"][0]["tets"].size(), 100u);
+  }
+}
+
 /// The field of diag(1 - s, 2 s, -1 - s), s = x + y / 100 - 0.3: the levels are planes, which the
 /// triangles hit but for rounding. Far from the origin coordinates are rounded by more.
 TEST(CertifiedFields, PlanesAreProvedToBeNear) {

@@ -55,7 +55,9 @@ bool is_covered(const LevelCase& c, const MovedVertices& moved, std::size_t tet,
   for (const ClosedLoop& loop : loops) {
     const auto& vertices = c.input.tets[tet];
     const auto at = std::find(vertices.begin(), vertices.end(), loop.opposite) - vertices.begin();
-    const FaceTopology& face = *c.topology.face(face_of(vertices, static_cast<std::size_t>(at)));
+    const FaceTopology* there = c.topology.face(face_of(vertices, static_cast<std::size_t>(at)));
+    if (found == c.topology.tets.data() + c.topology.tets.size() || there == nullptr) continue;
+    const FaceTopology& face = *there;
     const std::vector<Number> names = curve_names(c, *found, loop.opposite);
     const Number name = *std::min_element(loop.vertices.begin(), loop.vertices.end());
     const auto curve = std::find(names.begin(), names.end(), name);

@@ -10,7 +10,7 @@ namespace certificate {
 /// tetrahedra, with its corners moved by their reaches, is above the level, and moved backwards is
 /// below; and if what is between covers the level: see the README.
 ///
-/// @param placed  null if the triangles are not as claimed: then nothing is decided
+/// @param placed  null if the triangles or other things are not as claimed: then nothing is decided
 void compare_distance(const LevelCase& c, const PlacedSurface* placed,
                       const std::vector<bool>& left_out, Ledger& ledger);
 
