@@ -4,6 +4,7 @@
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
@@ -159,8 +160,14 @@ const std::vector<Exhibit>& honest_exhibits() {
 }
 
 Court::Court(const std::string& name)
-    : folder_(std::filesystem::path(testing::TempDir()) / ("court_" + name)) {
+    : folder_(std::filesystem::path(testing::TempDir()) /
+              ("court_" + name + "_" + std::to_string(getpid()))) {
   std::filesystem::create_directories(folder_);
+}
+
+Court::~Court() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
 }
 
 void Court::put(const char* name, const std::string& text, std::string& last) {

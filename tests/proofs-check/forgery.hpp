@@ -31,10 +31,13 @@ Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& modes);
 /// closed curves on a face, and more than one mode.
 const std::vector<Exhibit>& honest_exhibits();
 
-/// Has files checked, in a folder of its own.
+/// Has files checked, in a folder of its own, which it removes.
 class Court {
  public:
   explicit Court(const std::string& name);
+  ~Court();
+  Court(const Court&) = delete;
+  Court& operator=(const Court&) = delete;
 
   /// "certified", "refuted", "undecided" or "malformed".
   std::string verdict(const std::string& field, const std::string& surface,
