@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two programs that share no code agree: what the extractor draws is what the checker derives.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "certificate_check/check_certificate.hpp"
 #include "certificate_writer.hpp"
@@ -14,7 +15,7 @@ namespace tensortopo::test {
 namespace {
 
 std::filesystem::path folder(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / ("certified_" + name);
+  return std::filesystem::path(testing::TempDir()) / ("certified_" + name + std::to_string(getpid()));
 }
 
 certificate::Report check(const CertifiedSurface& s) {
