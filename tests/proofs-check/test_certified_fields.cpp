@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two programs that share no code agree: what the extractor draws is what the checker derives.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "certificate_check/check_certificate.hpp"
 #include "certificate_writer.hpp"
 #include "extract/bundled_fields.hpp"
+#include "forgery.hpp"
 #include "support/random_fields.hpp"
 #include "support/witness_fields.hpp"
 
@@ -13,7 +15,7 @@ namespace tensortopo::test {
 namespace {
 
 std::filesystem::path folder(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / ("certified_" + name);
+  return std::filesystem::path(testing::TempDir()) / ("certified_" + name + std::to_string(getpid()));
 }
 
 certificate::Report check(const CertifiedSurface& s) {
@@ -60,6 +62,36 @@ TEST(CertifiedFields, WitnessesAreCertifiedOrNamed) {
     }
   }
   EXPECT_GE(certified, 10u);
+}
+
+/// Near the ends tetrahedra hold thin tubes: some cells have several curves on their boundaries.
+TEST(CertifiedFields, ThinTubesAndDistancesAreCertified) {
+  for (const auto& file : bundled_files()) {
+    if (file.string().find("s4_") == std::string::npos) continue;
+    const Exhibit e = exhibit(read(file), {"99/100", "-9/10"});
+    Court court("tubes");
+    EXPECT_EQ(court.verdict(e), "certified") << file << '\n' << court.report();
+    EXPECT_GT(e.certificate["levels"][0]["tets"].size(), 100u);
+  }
+}
+
+/// The field of diag(1 - s, 2 s, -1 - s), s = x + y / 100 - 0.3: the levels are planes, which the
+/// triangles hit but for rounding. Far from the origin coordinates are rounded by more.
+TEST(CertifiedFields, PlanesAreProvedToBeNear) {
+  for (const double far : {0.0, 1e6}) {
+    TetMesh mesh = cube_mesh(1);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const double s = mesh.points[v].x - 0.3 + 0.01 * mesh.points[v].y;
+      mesh.tensors[v] = {1 - s, 2 * s, -1 - s, 0, 0, 0};
+      mesh.points[v].x += far;
+    }
+    const Exhibit e = exhibit(mesh, {"1/2"});
+    Court court("planes");
+    EXPECT_EQ(court.verdict(e), "certified") << court.report();
+    const std::string bound = e.certificate["levels"][0]["distance"]["bound"];
+    EXPECT_LT(std::strtod(bound.c_str(), nullptr), 1e-6);
+    EXPECT_EQ(e.certificate["levels"][0]["distance"]["coarse"].size(), 0u) << bound;
+  }
 }
 
 TEST(CertifiedFields, CborSaysTheSame) {

@@ -44,8 +44,10 @@ TEST(CheckProgram, SaysWhatItFoundByStatusAndJson) {
   EXPECT_EQ(witness.at("claimed"), "1");
   EXPECT_EQ(witness.at("derived"), "0");
 
-  forged = s.certificate;
-  forged["levels"][0]["distance"] = {{"reach", Json::array()}, {"bound", "0x1p0"}};
+  forged = s.certificate;  // it claims nothing of any tetrahedron
+  auto& level = forged["levels"][0];
+  for (int t = 0; t < 6; ++t) level["undecided"].push_back({t, "budget_exhausted"});
+  for (const char* list : {"edges", "faces", "tets"}) level[list] = Json::array();
   const Outcome open = run(forged);
   EXPECT_EQ(open.status, 1);
   EXPECT_EQ(Json::parse(open.out).at("status"), "undecided");

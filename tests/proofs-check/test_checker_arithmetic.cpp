@@ -75,7 +75,7 @@ Proof prove_edge(const Level& level, const Tensor<mpz_class>& a, const Tensor<mp
     corners[i] = {&balls[i], 8, &given, i};
     corners[i].above = level.above(corners[i]);
   }
-  return level.prove<2>(corners);
+  return level.prove<2>(corners).proof;
 }
 
 /// diag(1, 0, -1) has mode 0, diag(2, -1, -1) mode 1; diag(11, 2, -13) exactly -143/343.

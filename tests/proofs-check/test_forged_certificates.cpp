@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No number in a certificate can be altered unseen.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <functional>
@@ -22,7 +23,8 @@ const CertifiedSurface& honest() {
     TetMesh mesh = cube_mesh(2);
     fill_with_smooth_tensors(mesh, 3);
     return certified_surface(mesh, {"1/2", "-1/4"},
-                             std::filesystem::path(testing::TempDir()) / "forged");
+                             std::filesystem::path(testing::TempDir()) /
+                                 ("forged_" + std::to_string(getpid())));
   }();
   return surface;
 }
@@ -106,7 +108,7 @@ TEST(ForgedCertificates, OtherKindsOfForgery) {
       {"refuted", [](Json& c) { c["levels"].erase(1); }},
       {"malformed", [](Json& c) { c["levels"][0]["edges"][0][2][0] = -1; }},
       {"malformed", [](Json& c) { c["levels"][0]["edges"][0][2][1] = 4000000000; }},
-      {"undecided", [](Json& c) { c["levels"][0]["distance"] =
+      {"malformed", [](Json& c) { c["levels"][0]["distance"] =
                                       {{"reach", Json::array()}, {"bound", "0x1p-7"}}; }}};
   for (std::size_t i = 0; i < forgeries.size(); ++i) {
     Json forged = honest().certificate;

@@ -30,6 +30,9 @@ constexpr int kCuts = 2;
 constexpr int kShortest = -4000;
 /// A reach starts at so much of what the mode at a few places asks for.
 constexpr double kMargin = 1.5;
+/// A flat triangle asks for next to nothing, less than can be proved in double: in any case the
+/// reaches may grow to so much of the tetrahedron's size.
+constexpr double kFlat = 0x1p-20;
 /// Of the way to the end of its edge, face or tetrahedron a vertex may go.
 constexpr double kRoom = 0.98;
 
@@ -208,6 +211,7 @@ class Distances {
   /// What each triangle asks for.
   void measure() {
     asked_.resize(surface_.triangles.size());
+    limit_.resize(surface_.triangles.size());
     std::vector<std::array<double, 3>> rooms(surface_.triangles.size());
     for_each(triangles_.size(), [&](std::size_t k) {
       const auto i = triangles_[k];
@@ -230,6 +234,7 @@ class Distances {
       }
       look(centre);
       asked_[i] = reach_of(kMargin * farthest);
+      limit_[i] = std::max(asked_[i] + kGrowth, reach_of(kFlat * cell.size()));
     });
     const auto vertices = surface_.points.size();
     std::vector<double> room(vertices, std::numeric_limits<double>::max());
@@ -278,7 +283,7 @@ class Distances {
         if (proved[i]) continue;
         bool can_grow = false;
         for (const Index v : surface_.triangles[i]) {
-          const int limit = std::min(asked_[i] + kGrowth, most_[as_size(v)]);
+          const int limit = std::min(limit_[i], most_[as_size(v)]);
           can_grow |= grown[as_size(v)] != 0;
           if (grown[as_size(v)] || reach_[as_size(v)] >= limit) continue;
           reach_[as_size(v)] = std::min(reach_[as_size(v)] + kStep, limit);
@@ -303,7 +308,7 @@ class Distances {
   const LevelTopology& topology_;
   const ScaledField<double>& field_;
   const Level<double>& level_;
-  std::vector<int> asked_;         ///< by triangle
+  std::vector<int> asked_, limit_;  ///< by triangle
   std::vector<int> reach_, most_;  ///< by vertex
 };
 
@@ -340,9 +345,14 @@ DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
   for (const Index t : claim.coarse) is_coarse[as_size(t)] = 1;
   for (const auto i : triangles)
     if (!is_coarse[as_size(surface.tet[i])])
-      for (const Index v : surface.triangles[i])
-        claim.bound =
-            std::max(claim.bound, kAbove * reach_length(claim.reach[as_size(v)]));
+      for (const Index v : surface.triangles[i]) {
+        // A position is rounded off the edge or face that holds the vertex.
+        const auto& x = surface.points[as_size(v)];
+        const double rounding = 0x1p-48 * (std::abs(x.x) + std::abs(x.y) + std::abs(x.z) +
+                                           distances.size_of(surface.tet[i]));
+        claim.bound = std::max(claim.bound,
+                               kAbove * (reach_length(claim.reach[as_size(v)]) + rounding));
+      }
   return claim;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "compare_surface.hpp"
+#include "compare_distance.hpp"
 
 namespace certificate {
 namespace {
@@ -79,16 +79,26 @@ void check_level(const LevelClaims& claims, const Input& input, const Field& fie
                  const Triangles& surface, Ledger& ledger) {
   const Level level(claims.numerator, claims.denominator);
   std::vector<bool> left_out(input.tets.size());
+  ledger.begin("left out");
   if (!mark_left_out(claims, input, left_out, ledger)) return;
   const Topology topology = derive_topology(input, field, level, left_out);
   const LevelCase c{input, field, level, surface, claims, topology};
+  ledger.begin("vertices on the level");
   ledger.settle(claims.on_level == topology.on_level, "vertices on the level",
                 std::to_string(claims.on_level), std::to_string(topology.on_level));
+  ledger.begin("edges");
   const CrossingVertices vertices = compare_edges(c, ledger);
+  ledger.begin("faces");
   compare_faces(c, vertices, ledger);
+  ledger.begin("tetrahedra");
   compare_tets(c, vertices, ledger);
-  compare_surface(c, vertices, left_out, ledger);
-  if (claims.distance) ledger.leave_open("distance", "not checked by this program");
+  ledger.begin("surface");
+  const auto placed = compare_surface(c, vertices, left_out, ledger);
+  ledger.begin("distances");
+  // Where something is refuted, vertices need not be where they are claimed to be.
+  const bool is_sound = placed && !ledger.has_refuted();
+  if (claims.distance) compare_distance(c, is_sound ? &*placed : nullptr, left_out, ledger);
+  ledger.count(level.decided_by_balls(), level.decided_exactly());
 }
 
 }  // namespace
@@ -100,6 +110,7 @@ Report check_certificate(const std::string& input_file, const std::string& surfa
   const Triangles surface = read_triangles(surface_file);
   Report report;
   Ledger ledger(report);
+  ledger.begin("files");
   const auto compare = [&](const char* what, const auto& claimed, const auto& derived) {
     ledger.settle(claimed == derived, what, claimed, derived);
   };

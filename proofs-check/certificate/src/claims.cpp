@@ -179,16 +179,23 @@ ComponentClaim component(const Value& value) {
           value["first_vertex"].number()};
 }
 
+double length(const Value& value) {
+  const std::string text = value.text();
+  char* end = nullptr;
+  const double result = std::strtod(text.c_str(), &end);
+  value.require(text.starts_with("0x") && *end == 0 && result >= 0 && result <= 0x1p1000,
+                "not a hexadecimal double");
+  return result;
+}
+
 DistanceClaim distance(const Value& value) {
-  value.has_keys({"reach", "bound"});
+  value.has_keys({"reach", "bound", "coarse", "coarse_bound"});
   DistanceClaim claim;
   claim.reach = list<std::int64_t>(value["reach"], [](const Value& n) { return n.integer(); });
-  const std::string text = value["bound"].text();
-  char* end = nullptr;
-  claim.bound = std::strtod(text.c_str(), &end);
-  value["bound"].require(text.starts_with("0x") && *end == 0 && claim.bound >= 0 &&
-                             claim.bound <= 0x1p1000,
-                         "not a hexadecimal double");
+  claim.bound = length(value["bound"]);
+  claim.coarse = list<Number>(value["coarse"], [](const Value& t) { return t.number(); });
+  require_ascending(value["coarse"], claim.coarse, kItself);
+  claim.coarse_bound = length(value["coarse_bound"]);
   return claim;
 }
 

@@ -46,7 +46,8 @@ struct ComponentClaim {
 };
 struct DistanceClaim {
   std::vector<std::int64_t> reach;
-  double bound = 0;
+  double bound = 0, coarse_bound = 0;
+  std::vector<Number> coarse;
 };
 struct LevelClaims {
   std::string mode;

@@ -89,12 +89,12 @@ CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
       continue;
     }
     listed.insert(edge);
-    if (!truth->decided) {
+    if (!truth->level.decided) {
       ledger.leave_open(name, "no proof closes");
       continue;
     }
-    if (truth->crossings != claim.crossings.size()) {
-      ledger.refute(name, count, std::to_string(truth->crossings));
+    if (truth->level.crossings != claim.crossings.size()) {
+      ledger.refute(name, count, std::to_string(truth->level.crossings));
       continue;
     }
     std::string wrong = wrong_interval(c, claim, edge);
@@ -110,11 +110,12 @@ CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
   }
   bool complete = true;
   for (const EdgeTopology& edge : c.topology.edges) {
-    if ((edge.decided && edge.crossings == 0) || listed.contains(edge.vertices)) continue;
+    if ((edge.level.decided && edge.level.crossings == 0) || listed.contains(edge.vertices))
+      continue;
     complete = false;
-    if (edge.decided)
+    if (edge.level.decided)
       ledger.refute("edge " + text(edge.vertices), "not listed",
-                    std::to_string(edge.crossings) + " crossings");
+                    std::to_string(edge.level.crossings) + " crossings");
     else
       ledger.leave_open("edge " + text(edge.vertices), "no proof closes");
   }
@@ -136,7 +137,7 @@ void compare_faces(const LevelCase& c, const CrossingVertices& vertices, Ledger&
       continue;
     }
     listed.insert(face);
-    if (!truth->decided) {
+    if (!truth->level.decided) {
       ledger.leave_open(name, "no proof closes");
       continue;
     }
@@ -149,19 +150,20 @@ void compare_faces(const LevelCase& c, const CrossingVertices& vertices, Ledger&
     }
     std::sort(arcs.begin(), arcs.end());
     for (const Number v : claim.loops) known = known && !vertices.crossing.contains(v);
-    ledger.settle(known && arcs == truth->arcs && claim.loops.size() == truth->loops, name,
-                  claimed,
-                  std::to_string(truth->arcs.size()) + " arcs, " + std::to_string(truth->loops) +
+    const std::size_t loops = truth->level.loops.size();
+    ledger.settle(known && arcs == truth->arcs && claim.loops.size() == loops, name, claimed,
+                  std::to_string(truth->arcs.size()) + " arcs, " + std::to_string(loops) +
                       " closed, or other ends");
   }
   bool complete = true;
   for (const FaceTopology& face : c.topology.faces) {
-    if ((face.decided && face.arcs.empty() && face.loops == 0) || listed.contains(face.vertices))
+    const std::size_t loops = face.level.loops.size();
+    if ((face.level.decided && face.arcs.empty() && loops == 0) || listed.contains(face.vertices))
       continue;
     complete = false;
-    if (face.decided)
+    if (face.level.decided)
       ledger.refute("face " + text(face.vertices), "not listed",
-                    std::to_string(face.arcs.size()) + " arcs, " + std::to_string(face.loops) +
+                    std::to_string(face.arcs.size()) + " arcs, " + std::to_string(loops) +
                         " closed");
     else
       ledger.leave_open("face " + text(face.vertices), "no proof closes");
@@ -185,7 +187,8 @@ void compare_tets(const LevelCase& c, const CrossingVertices& vertices, Ledger& 
     claims.erase(cell);
     bool names_known = tet.decided;
     for (const MeshSheet& sheet : tet.sheets) {
-      NamedSheet& out = derived.emplace_back(sheet.euler_characteristic, std::vector<std::vector<Number>>{});
+      NamedSheet& out = derived.emplace_back();
+      out.first = sheet.euler_characteristic;
       for (const MeshLoop& loop : sheet.loops) {
         std::vector<Number> curves;
         for (const MeshLoop::Step& step : loop.steps)
@@ -202,7 +205,9 @@ void compare_tets(const LevelCase& c, const CrossingVertices& vertices, Ledger& 
       complete = false;
       continue;
     }
-    const auto first = [](const NamedSheet& s) { return s.second.empty() ? Number{0} : s.second[0][0]; };
+    const auto first = [](const NamedSheet& s) {
+      return s.second.empty() ? Number{0} : s.second[0][0];
+    };
     std::sort(derived.begin(), derived.end(),
               [&](const NamedSheet& a, const NamedSheet& b) { return first(a) < first(b); });
     if (!is_listed && derived.empty()) continue;

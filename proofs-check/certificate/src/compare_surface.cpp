@@ -28,6 +28,7 @@ class Pieces {
 
   /// What is wrong, if anything.
   std::string defect();
+  PlacedSurface place() &&;
 
  private:
   struct Piece {
@@ -37,7 +38,8 @@ class Pieces {
   std::size_t tet_of(std::size_t triangle) const {
     const std::size_t first = c_.claims.triangles[0];
     const auto& cells = c_.input.cells;
-    const auto place = std::lower_bound(cells.begin(), cells.end(), c_.surface.cells[first + triangle]);
+    const auto place =
+        std::lower_bound(cells.begin(), cells.end(), c_.surface.cells[first + triangle]);
     const bool found = place != cells.end() && *place == c_.surface.cells[first + triangle];
     return found ? static_cast<std::size_t>(place - cells.begin()) : kNone;
   }
@@ -57,6 +59,7 @@ class Pieces {
   std::map<std::size_t, std::vector<std::size_t>> by_tet_;
   std::map<Face, std::vector<std::size_t>> tets_at_;  ///< that are crossed or left out
   std::map<Face, std::map<std::size_t, std::vector<Chain>>> chains_;
+  std::vector<std::pair<std::size_t, std::vector<ClosedLoop>>> closed_sheets_;
 };
 
 std::string at(std::size_t cell) { return " in tetrahedron " + std::to_string(cell); }
@@ -147,7 +150,8 @@ std::string Pieces::add_chain(std::size_t tet, Vertex opposite, const std::vecto
       return "an edge at vertex " + std::to_string(edge.to) + " not shared through face " +
              text(face);
   }
-  if (closed) std::rotate(numbers.begin(), std::min_element(numbers.begin(), numbers.end()), numbers.end());
+  if (closed)
+    std::rotate(numbers.begin(), std::min_element(numbers.begin(), numbers.end()), numbers.end());
   chains_[face][tet].push_back(std::move(numbers));
   return {};
 }
@@ -177,7 +181,9 @@ std::string Pieces::compare(std::size_t tet, const TetClaim& claim, std::vector<
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const SheetClaim& sheet = claim.sheets[p];
     if (pieces[p].euler_characteristic != sheet.euler_characteristic)
-      return "a piece of Euler characteristic " + std::to_string(pieces[p].euler_characteristic) + where;
+      return "a piece of Euler characteristic " +
+             std::to_string(pieces[p].euler_characteristic) + where;
+    std::vector<ClosedLoop> closed_loops;
     if (pieces[p].loops.size() != sheet.loops.size())
       return "a piece with " + std::to_string(pieces[p].loops.size()) + " loops" + where;
     for (std::size_t l = 0; l < sheet.loops.size(); ++l) {
@@ -200,11 +206,17 @@ std::string Pieces::compare(std::size_t tet, const TetClaim& claim, std::vector<
             add_chain(tet, static_cast<Vertex>(std::min<Number>(claimed[k + 1], ~Vertex{0})), chain,
                       static_cast<std::uint32_t>(start), closed);
         if (!wrong.empty()) return wrong;
+        if (closed) {
+          ClosedLoop& found = closed_loops.emplace_back(static_cast<Vertex>(claimed[1]), Chain{});
+          for (const Rim& passed : chain) found.vertices.push_back(passed.to);
+        }
         start = edge.to, k += 2;
         chain.clear();
       }
       if (k != claimed.size()) return "fewer crossings on a loop" + where;
     }
+    if (closed_loops.size() == sheet.loops.size())
+      closed_sheets_.emplace_back(tet, std::move(closed_loops));
   }
   return {};
 }
@@ -226,9 +238,30 @@ std::string Pieces::compare_chains() const {
       }
       std::sort(chains.begin(), chains.end());
     }
-    if (both.size() == 2 && both[0] != both[1]) return "two sides of face " + text(face) + " differ";
+    if (both.size() == 2 && both[0] != both[1])
+      return "two sides of face " + text(face) + " differ";
   }
   return {};
+}
+
+/// A vertex that is on no edge or face is inside the tetrahedron of its triangles.
+PlacedSurface Pieces::place() && {
+  const std::size_t first = c_.claims.vertices[0];
+  PlacedSurface result{std::vector<Carrier>(c_.claims.vertices[1]), std::move(tets_),
+                       std::move(closed_sheets_)};
+  for (const auto& [vertex, crossing] : vertices_.crossing)
+    result.carriers[vertex - first] = {{crossing.edge[0], crossing.edge[1]}, 2};
+  for (const auto& [face, sides] : chains_)
+    for (const auto& [tet, chains] : sides)
+      for (const Chain& chain : chains)
+        for (const Number v : chain)
+          if (Carrier& carrier = result.carriers[v - first]; carrier.count != 2)
+            carrier = {{face[0], face[1], face[2]}, 3};
+  for (std::size_t t = 0; t < result.tets.size(); ++t)
+    for (const Number v : mesh_.triangles()[t])
+      if (Carrier& carrier = result.carriers[v - first]; carrier.count == 0)
+        carrier = {c_.input.tets[result.tets[t]], 4};
+  return result;
 }
 
 std::string Pieces::defect() {
@@ -256,23 +289,27 @@ std::string Pieces::defect() {
 
 }  // namespace
 
-void compare_surface(const LevelCase& c, const CrossingVertices& vertices,
-                     const std::vector<bool>& left_out, Ledger& ledger) {
+std::optional<PlacedSurface> compare_surface(const LevelCase& c,
+                                             const CrossingVertices& vertices,
+                                             const std::vector<bool>& left_out, Ledger& ledger) {
   const auto [first, count] = c.claims.triangles;
   const std::span triangles = std::span(c.surface.triangles).subspan(first, count);
   std::vector<bool> used(c.claims.vertices[1]);
   for (const auto& triangle : triangles) {
     for (const std::uint32_t v : triangle) {
       if (v - c.claims.vertices[0] >= used.size())
-        return ledger.refute("triangles", "of this level", "vertex " + std::to_string(v) + " of another");
+        return ledger.refute("triangles", "of this level",
+                             "vertex " + std::to_string(v) + " of another"),
+               std::nullopt;
       used[v - c.claims.vertices[0]] = true;
     }
   }
   if (std::find(used.begin(), used.end(), false) != used.end())
-    return ledger.refute("triangles", "all vertices", "one is in no triangle");
+    return ledger.refute("triangles", "all vertices", "one is in no triangle"), std::nullopt;
   const HalfEdges mesh(triangles);
   std::string defect = mesh.defect();
-  if (defect.empty()) defect = Pieces(c, vertices, left_out, mesh).defect();
+  Pieces pieces(c, vertices, left_out, mesh);
+  if (defect.empty()) defect = pieces.defect();
   ledger.settle(defect.empty(), "triangles", "pieces as in the tetrahedra's sheets", defect);
 
   const std::vector<ComponentClaim> derived = mesh.components();
@@ -289,6 +326,7 @@ void compare_surface(const LevelCase& c, const CrossingVertices& vertices,
                   has_claim ? describe(c.claims.components[i]) : "none",
                   has_truth ? describe(derived[i]) : "none");
   }
+  return defect.empty() ? std::optional(std::move(pieces).place()) : std::nullopt;
 }
 
 }  // namespace certificate

@@ -6,12 +6,33 @@
 
 namespace certificate {
 
+/// The edge, face or tetrahedron that holds a vertex of the surface.
+struct Carrier {
+  std::array<Vertex, 4> corners{};
+  std::size_t count = 0;
+};
+/// A closed curve of triangles on a face, named by its smallest vertex.
+struct ClosedLoop {
+  Vertex opposite;
+  std::vector<Number> vertices;
+};
+/// The triangles of a level, found to be as claimed.
+struct PlacedSurface {
+  std::vector<Carrier> carriers;   ///< of each vertex of the level
+  std::vector<std::size_t> tets;   ///< of each triangle, among the tetrahedra of the input
+  /// The sheets that meet no edge: their tetrahedra, and their loops.
+  std::vector<std::pair<std::size_t, std::vector<ClosedLoop>>> closed_sheets;
+};
+
 /// The triangles of a level: are they a surface, oriented, whose part in each tetrahedron has the
 /// claimed sheets with their loops, glued across faces along the same curves, and are its
 /// components as claimed? One claim for each component, and one for all of the pieces.
 ///
+/// Nothing if they are not.
+///
 /// @param left_out tetrahedra about which nothing is claimed
-void compare_surface(const LevelCase& c, const CrossingVertices& vertices,
-                     const std::vector<bool>& left_out, Ledger& ledger);
+std::optional<PlacedSurface> compare_surface(const LevelCase& c,
+                                             const CrossingVertices& vertices,
+                                             const std::vector<bool>& left_out, Ledger& ledger);
 
 }  // namespace certificate

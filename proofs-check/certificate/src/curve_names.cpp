@@ -17,7 +17,7 @@ Place place_of(const LevelCase& c, const FaceTopology& face, Refinement::Id id) 
   long largest = -1000000;
   for (std::size_t i = 0; i < 3; ++i) {
     mantissa[i] = mpz_get_d_2exp(&exponent[i],
-                                 face.refinement->points()[id].weights[i].get_mpz_t());
+                                 face.level.refinement->points()[id].weights[i].get_mpz_t());
     exponent[i] -= c.field.exponent(face.vertices[i]);  // weights are those of integer tensors
     if (mantissa[i] != 0) largest = std::max(largest, exponent[i]);
   }
@@ -36,7 +36,7 @@ Place place_of(const LevelCase& c, const FaceTopology& face, Refinement::Id id) 
 double distance_to_curve(const LevelCase& c, const FaceTopology& face, std::size_t curve,
                          const Place& from) {
   double best = HUGE_VAL;
-  for (const auto& [a, b] : face.loop_points[curve]) {
+  for (const auto& [a, b] : face.level.loops[curve]) {
     const Place p = place_of(c, face, a), q = place_of(c, face, b);
     double square = 0;
     for (std::size_t k = 0; k < 3; ++k) square += std::pow((p[k] + q[k]) / 2 - from[k], 2);
@@ -55,21 +55,21 @@ std::vector<Number> curve_names(const LevelCase& c, const TetTopology& tet, Vert
   const auto place = std::lower_bound(c.claims.faces.begin(), c.claims.faces.end(), numbers,
                                       [](const FaceClaim& f, const auto& n) { return f.face < n; });
   if (place == c.claims.faces.end() || place->face != numbers ||
-      place->loops.size() != face->loops)
+      place->loops.size() != face->level.loops.size())
     return {};
-  if (face->loops == 1) return place->loops;
+  if (face->level.loops.size() == 1) return place->loops;
   std::map<std::size_t, Number> names;
   for (const Number v : place->loops) {
     if (v >= c.surface.points.size()) return {};
     std::vector<double> distances;
-    for (std::size_t i = 0; i < face->loops; ++i)
+    for (std::size_t i = 0; i < face->level.loops.size(); ++i)
       distances.push_back(distance_to_curve(c, *face, i, c.surface.points[v]));
     names[static_cast<std::size_t>(std::min_element(distances.begin(), distances.end()) -
                                    distances.begin())] = v;
   }
   std::vector<Number> result;
   for (const auto& [curve, name] : names) result.push_back(name);
-  return names.size() == face->loops ? result : std::vector<Number>{};
+  return names.size() == face->level.loops.size() ? result : std::vector<Number>{};
 }
 
 }  // namespace certificate

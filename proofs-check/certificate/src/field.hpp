@@ -15,6 +15,8 @@ class Field : public ExactTensors {
   /// An integer multiple, by 2^-exponent(v), of three times the deviator at a vertex.
   Tensor<mpz_class> exact(std::uint32_t vertex) const override;
   long exponent(std::uint32_t vertex) const { return exponents_[vertex]; }
+  /// The corner's ball is three times the deviator by 2^-scale(v).
+  long scale(std::uint32_t vertex) const { return exponents_[vertex] + shifts_[vertex]; }
   Corner corner(std::uint32_t vertex, bool above) const {
     return {&balls_[vertex], shifts_[vertex], this, vertex, above};
   }

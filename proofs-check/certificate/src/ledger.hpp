@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -15,13 +16,20 @@ class Ledger {
  public:
   explicit Ledger(Report& report) : report_(report) {}
 
-  void certify() { ++report_.certified; }
+  /// What the claims that follow are about.
+  void begin(const std::string& kind) {
+    const auto is_it = [&](const Verdicts& v) { return v.kind == kind; };
+    kind_ = static_cast<std::size_t>(
+        std::find_if(report_.kinds.begin(), report_.kinds.end(), is_it) - report_.kinds.begin());
+    if (kind_ == report_.kinds.size()) report_.kinds.push_back({kind, 0, 0, 0});
+  }
+  void certify() { ++report_.certified, ++report_.kinds.at(kind_).certified; }
   void refute(const std::string& entity, const std::string& claimed, const std::string& derived) {
-    ++report_.refuted;
+    ++report_.refuted, ++report_.kinds.at(kind_).refuted;
     keep(report_.refutations, {level + entity, claimed, derived});
   }
   void leave_open(const std::string& entity, const std::string& why) {
-    ++report_.undecided;
+    ++report_.undecided, ++report_.kinds.at(kind_).undecided;
     keep(report_.open, {level + entity, why, ""});
   }
   void settle(bool holds, const std::string& entity, const std::string& claimed,
@@ -32,6 +40,11 @@ class Ledger {
       refute(entity, claimed, derived);
     }
   }
+  bool has_refuted() const { return report_.refuted > 0; }
+  /// Adds to how often each arithmetic decided.
+  void count(std::uint64_t by_balls, std::uint64_t by_integers) {
+    report_.by_balls += by_balls, report_.by_integers += by_integers;
+  }
   std::string level;  ///< put before each entity
 
  private:
@@ -40,6 +53,7 @@ class Ledger {
     if (findings.size() < kShown) findings.push_back(std::move(finding));
   }
   Report& report_;
+  std::size_t kind_ = 0;
 };
 
 /// Numbers, and numbers of numbers, as JSON has them.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "level.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "direction.hpp"
@@ -58,33 +59,62 @@ bool Level::is_empty(const Forms<N, V>& f, bool above, bool& unsure) const {
   return !f_fails && !q.unsure && !s.unsure;
 }
 
+namespace {
+
 template <std::size_t V>
-Proof Level::prove(const std::array<Corner, V>& corners) const {
+Forms<Ball, V> ball_forms(const std::array<Corner, V>& corners) {
   std::array<const Tensor<Ball>*, V> balls;
-  bool mixed = false;
-  for (std::size_t i = 0; i < V; ++i) {
-    balls[i] = corners[i].ball;
-    mixed = mixed || corners[i].above != corners[0].above;
-  }
+  for (std::size_t i = 0; i < V; ++i) balls[i] = corners[i].ball;
+  return Forms<Ball, V>(balls);
+}
+
+/// The same multiplied by a power of 2.
+template <std::size_t V>
+std::unique_ptr<Forms<mpz_class, V>> exact_forms(const std::array<Corner, V>& corners) {
+  long shift = corners[0].shift;
+  for (const Corner& corner : corners) shift = std::max(shift, corner.shift);
   std::array<Tensor<mpz_class>, V> tensors;
+  std::array<const Tensor<mpz_class>*, V> places;
+  for (std::size_t i = 0; i < V; ++i) {
+    tensors[i] = corners[i].exact();
+    for (mpz_class& x : tensors[i]) x <<= static_cast<unsigned long>(shift - corners[i].shift);
+    places[i] = &tensors[i];
+  }
+  return std::make_unique<Forms<mpz_class, V>>(places);
+}
+
+}  // namespace
+
+template <std::size_t V>
+bool Level::is_one_sided(const std::array<Corner, V>& corners) const {
+  bool unsure = false;
+  if (is_empty(ball_forms(corners), corners[0].above, unsure)) return ++balls_, true;
+  return unsure && is_empty(*exact_forms(corners), corners[0].above, unsure) &&
+         (++exact_count_, true);
+}
+
+template bool Level::is_one_sided<3>(const std::array<Corner, 3>&) const;
+
+template <std::size_t V>
+Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
+  const bool mixed = std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+    return corner.above != corners[0].above;
+  });
   std::unique_ptr<Forms<mpz_class, V>> exact;
-  const auto exact_forms = [&]() -> const Forms<mpz_class, V>& {
-    if (!exact) {
-      std::array<const Tensor<mpz_class>*, V> places;
-      for (std::size_t i = 0; i < V; ++i) places[i] = &(tensors[i] = corners[i].exact());
-      exact = std::make_unique<Forms<mpz_class, V>>(places);
-    }
+  const auto exactly = [&]() -> const Forms<mpz_class, V>& {
+    if (!exact) exact = exact_forms(corners);
     return *exact;
   };
 
-  const Forms<Ball, V> f(balls);
+  const auto f = ball_forms(corners);
   bool unsure = false;
-  if (!mixed && is_empty(f, corners[0].above, unsure)) return ++balls_, Proof::empty;
-  if (unsure && is_empty(exact_forms(), corners[0].above, unsure))
-    return ++exact_count_, Proof::empty;
+  if (!mixed && is_empty(f, corners[0].above, unsure))
+    return ++balls_, Proved<V>{Proof::empty, {}};
+  if (unsure && is_empty(exactly(), corners[0].above, unsure))
+    return ++exact_count_, Proved<V>{Proof::empty, {}};
 
   const auto direction = likely_direction(f);
-  if (!direction) return Proof::open;
+  if (!direction) return {};
   const auto increases = [&](const auto& forms) {
     Signs p, g;
     for (const auto& x : forms.p.coefficients) p.add(x);
@@ -94,18 +124,21 @@ Proof Level::prove(const std::array<Corner, V>& corners) const {
     for (const auto& x : form.coefficients) g.add(x);
     return g;
   };
-  const auto strict = [](const Signs& s) { return !s.unsure && !s.zero && s.positive != s.negative; };
+  const auto strict = [](const Signs& s) {
+    return !s.unsure && !s.zero && s.positive != s.negative;
+  };
   const auto fails = [](const Signs& s) { return s.zero || (s.positive && s.negative); };
   const Signs by_balls = increases(f);
-  if (strict(by_balls)) return ++balls_, Proof::monotone;
-  if (fails(by_balls)) return Proof::open;
-  if (strict(increases(exact_forms()))) return ++exact_count_, Proof::monotone;
-  return Proof::open;
+  if (strict(by_balls)) return ++balls_, Proved<V>{Proof::monotone, *direction};
+  if (fails(by_balls)) return {};
+  if (strict(increases(exactly())))
+    return ++exact_count_, Proved<V>{Proof::monotone, *direction};
+  return {};
 }
 
-template Proof Level::prove<2>(const std::array<Corner, 2>&) const;
-template Proof Level::prove<3>(const std::array<Corner, 3>&) const;
-template Proof Level::prove<4>(const std::array<Corner, 4>&) const;
+template Proved<2> Level::prove<2>(const std::array<Corner, 2>&) const;
+template Proved<3> Level::prove<3>(const std::array<Corner, 3>&) const;
+template Proved<4> Level::prove<4>(const std::array<Corner, 4>&) const;
 
 namespace {
 
@@ -157,7 +190,8 @@ bool Level::on_level(const Corner& corner) const {
   const Tensor<mpz_class> m = corner.exact();
   const auto [exact_q, exact_f] = signs_at(m, exact_q_, exact_p_);
   if (trace(m, m) == 0) return false;
-  return sign_ == 0 ? exact_q.zero : exact_f.zero && (sign_ > 0 ? exact_q.positive : exact_q.negative);
+  if (sign_ == 0) return exact_q.zero;
+  return exact_f.zero && (sign_ > 0 ? exact_q.positive : exact_q.negative);
 }
 
 }  // namespace certificate

@@ -36,6 +36,14 @@ enum class Proof : std::uint8_t {
   monotone,  ///< the mode increases strictly along one direction, and P > 0
 };
 
+/// A proof, and the direction along which it holds if it is `monotone`: in weights of
+/// exact / 2^shift of the corners.
+template <std::size_t V>
+struct Proved {
+  Proof proof = Proof::open;
+  std::array<int, V> direction{};
+};
+
 /// The level of the mode numerator/denominator, and how often each arithmetic decided.
 class Level {
  public:
@@ -50,7 +58,11 @@ class Level {
 
   /// @pre V is 2, 3 or 4
   template <std::size_t V>
-  Proof prove(const std::array<Corner, V>& corners) const;
+  Proved<V> prove(const std::array<Corner, V>& corners) const;
+
+  /// Is all of the simplex on the side of its corners (which is that of the first)?
+  template <std::size_t V>
+  bool is_one_sided(const std::array<Corner, V>& corners) const;
 
   std::uint64_t decided_by_balls() const { return balls_; }
   std::uint64_t decided_exactly() const { return exact_count_; }

@@ -144,7 +144,8 @@ void add_derivative(const Polynomial<N, V, D>& p, std::size_t j, const N& factor
   static constexpr auto places = detail::derivative_table<V, D>();
   for (std::size_t i = 0; i < p.kCount; ++i) {
     const std::size_t e = exponents[i][j];
-    if (e > 0) result.coefficients[places[i][j]] += N(N(N(static_cast<int>(e)) * factor) * p.coefficients[i]);
+    if (e == 0) continue;
+    result.coefficients[places[i][j]] += N(N(N(static_cast<int>(e)) * factor) * p.coefficients[i]);
   }
 }
 

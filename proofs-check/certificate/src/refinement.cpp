@@ -10,13 +10,6 @@ namespace {
 
 constexpr std::size_t kMaxCells = 12000;
 
-template <std::size_t V, class Corners>
-Proof prove_simplex(const Level& level, const Corners& all) {
-  std::array<Corner, V> corners;
-  std::copy_n(all.begin(), V, corners.begin());
-  return level.prove<V>(corners);
-}
-
 }  // namespace
 
 Refinement::Refinement(const Level& level, std::span<const Corner> roots)
@@ -40,13 +33,25 @@ std::uint64_t Refinement::key(std::span<const Id> ids) {
   return sorted[0] << 42 | sorted[1] << 21 | sorted[2];
 }
 
-void Refinement::assume(std::span<const Id> roots, Proof proof) {
-  if (roots.size() == corners()) {
-    cells_[0].proof = proof;
-  } else {
-    proofs_[key(roots)] = proof;
+template <std::size_t V>
+void Refinement::note(Cell& cell, const Proved<V>& proved) {
+  cell.proof = proved.proof;
+  if (proved.proof != Proof::monotone) return;
+  long shift = 0;
+  for (std::size_t i = 0; i < V; ++i) shift = std::max(shift, points_[cell.points[i]].shift);
+  std::array<mpz_class, 4> direction;
+  for (std::size_t i = 0; i < V; ++i) {
+    const Point& p = points_[cell.points[i]];
+    const mpz_class factor = mpz_class(proved.direction[i])
+                             << static_cast<unsigned long>(shift - p.shift);
+    for (std::size_t k = 0; k < 4; ++k) direction[k] += factor * p.weights[k];
   }
+  cell.direction = std::make_shared<const std::array<mpz_class, 4>>(std::move(direction));
 }
+
+template void Refinement::note(Cell&, const Proved<2>&);
+template void Refinement::note(Cell&, const Proved<3>&);
+template void Refinement::note(Cell&, const Proved<4>&);
 
 Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
   Tensor<mpz_class> sum{};
@@ -59,20 +64,20 @@ Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
   return sum;
 }
 
-Proof Refinement::prove(std::span<const Id> ids) const {
-  std::array<Corner, 4> all{};
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const Point& p = points_[ids[i]];
-    all[i] = {&p.ball, p.shift, this, ids[i], p.above};
-  }
-  if (ids.size() == 2) return prove_simplex<2>(level_, all);
-  if (ids.size() == 3) return prove_simplex<3>(level_, all);
-  return prove_simplex<4>(level_, all);
+/// A part of a monotone cell that is not proved to be empty stays monotone.
+void Refinement::prove(Cell& cell) {
+  const auto with = [&](const auto& proved) {
+    if (cell.proof == Proof::open || proved.proof == Proof::empty) note(cell, proved);
+  };
+  const auto& [a, b, c, d] = cell.points;
+  if (corners() == 2) return with(level_.prove(corners_at(std::array{a, b})));
+  if (corners() == 3) return with(level_.prove(corners_at(std::array{a, b, c})));
+  with(level_.prove(corners_at(cell.points)));
 }
 
-Proof Refinement::known(std::span<const Id> ids) {
-  const auto [place, is_new] = proofs_.try_emplace(key(ids), Proof::open);
-  if (is_new) place->second = prove(ids);
+Proof Refinement::known(Id a, Id b) {
+  const auto [place, is_new] = proofs_.try_emplace(key(a, b), Proof::open);
+  if (is_new) place->second = level_.prove(corners_at(std::array{a, b})).proof;
   return place->second;
 }
 
@@ -84,15 +89,9 @@ bool Refinement::is_crossed(const Cell& cell) const {
 
 /// Is a proof missing?
 bool Refinement::is_open(const Cell& cell) {
-  bool found = cell.proof == Proof::open;
-  for (std::size_t size = 2; size < corners() && !found; ++size) {
-    for_subsets(corners(), size, [&](const auto& members) {
-      std::array<Id, 3> ids{};
-      for (std::size_t i = 0; i < size; ++i) ids[i] = cell.points[members[i]];
-      found = found || known({ids.data(), size}) == Proof::open;
-    });
-  }
-  return found;
+  if (cell.proof == Proof::open || corners() != 3) return cell.proof == Proof::open;
+  const auto& [a, b, c, none] = cell.points;
+  return known(a, b) == Proof::open || known(b, c) == Proof::open || known(a, c) == Proof::open;
 }
 
 /// The cosine of the angle between two tensors, or so.
@@ -142,21 +141,13 @@ Refinement::Id Refinement::middle(Id a, Id b) {
   return id;
 }
 
-/// A part of a monotone simplex is monotone, along the same direction.
-void Refinement::inherit(std::span<const Id> simplex, const std::array<Id, 2>& edge, Id m) {
-  const auto place = proofs_.find(key(simplex));
-  if (place == proofs_.end() || place->second == Proof::open) return;
-  const Proof proof = place->second;
-  for (const Id end : edge) {
-    std::array<Id, 3> part{};
-    std::replace_copy(simplex.begin(), simplex.end(), part.begin(), end, m);
-    proofs_[key({part.data(), simplex.size()})] = proof;
-  }
-}
-
 void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
   const Id m = middle(edge[0], edge[1]);
-  inherit(edge, edge, m);
+  if (const auto place = proofs_.find(key(edge[0], edge[1]));
+      place != proofs_.end() && place->second != Proof::open) {
+    const Proof proof = place->second;  // holds for the parts as well
+    for (const Id end : edge) proofs_[key(end, m)] = proof;
+  }
   const std::size_t before = cells_.size();
   for (std::size_t c = 0; c < before; ++c) {
     if (cells_[c].cut || cells_[c].proof == Proof::empty) continue;
@@ -171,10 +162,6 @@ void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
       cells_.push_back(part);
       wait(cells_.size() - 1, waiting);
     }
-    if (corners() < 4) continue;
-    for (const Id third : cell.points)
-      if (third != edge[0] && third != edge[1])
-        inherit(std::array{edge[0], edge[1], third}, edge, m);
   }
 }
 
@@ -191,10 +178,7 @@ bool Refinement::run() {
     waiting.pop();
     if (cells_[c].cut || cells_[c].proof == Proof::empty) continue;
     // A part of a monotone cell may be empty all the same.
-    if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) {
-      const Proof proof = prove({cells_[c].points.data(), corners()});
-      if (proof != Proof::open) cells_[c].proof = proof;
-    }
+    if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) prove(cells_[c]);
     if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
     if (cells_.size() > kMaxCells || has_zero_root) return false;
     bisect(edge, waiting);

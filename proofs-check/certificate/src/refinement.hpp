@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <queue>
 #include <span>
 #include <unordered_map>
@@ -15,7 +16,7 @@
 namespace certificate {
 
 /// A conforming subdivision of a simplex (but for parts that are proved empty, which are left as
-/// they are) into parts with a proof: of each cell and of each of its edges and faces. See the
+/// they are) into parts with a proof: of each cell and, in a face, of each of their edges. See the
 /// README for what follows.
 class Refinement : public ExactTensors {
  public:
@@ -34,13 +35,17 @@ class Refinement : public ExactTensors {
     std::array<Id, 4> points;  ///< those of the dimension; turned like the roots
     Proof proof = Proof::open;
     bool cut = false;  ///< replaced by others
+    /// If it is monotone: along which weights of the roots' exact tensors.
+    std::shared_ptr<const std::array<mpz_class, 4>> direction;
   };
 
   /// @pre 2 to 4 roots
   Refinement(const Level& level, std::span<const Corner> roots);
 
-  /// What is already known of the edge or face of these roots.
-  void assume(std::span<const Id> roots, Proof proof);
+  /// What is already known: of the whole simplex, and of the edge between two roots of a face.
+  template <std::size_t V>
+  void assume(const Proved<V>& proved) { note(cells_[0], proved); }
+  void assume(Id a, Id b, Proof proof) { proofs_[key(a, b)] = proof; }
   /// Cuts. False if that takes more cells than the budget.
   bool run();
 
@@ -50,6 +55,8 @@ class Refinement : public ExactTensors {
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Cell>& cells() const { return cells_; }
   Tensor<mpz_class> exact(std::uint32_t point) const override;
+  template <std::size_t V>
+  std::array<Corner, V> corners_at(const std::array<Id, V>& ids) const;
 
   /// A number for an edge (two ids) or face (three), whatever their order.
   static std::uint64_t key(std::span<const Id> ids);
@@ -65,14 +72,15 @@ class Refinement : public ExactTensors {
   };
   using Waiting = std::priority_queue<Longest>;
 
-  Proof prove(std::span<const Id> ids) const;
-  Proof known(std::span<const Id> ids);
+  template <std::size_t V>
+  void note(Cell& cell, const Proved<V>& proved);
+  void prove(Cell& cell);
+  Proof known(Id a, Id b);
   bool is_open(const Cell& cell);
   void wait(std::size_t cell, Waiting& waiting) const;
   double closeness(Id a, Id b) const;
   Id middle(Id a, Id b);
   void bisect(const std::array<Id, 2>& edge, Waiting& waiting);
-  void inherit(std::span<const Id> simplex, const std::array<Id, 2>& edge, Id middle);
 
   const Level& level_;
   std::vector<Corner> roots_;
@@ -80,6 +88,16 @@ class Refinement : public ExactTensors {
   std::vector<Cell> cells_;
   std::unordered_map<std::uint64_t, Proof> proofs_;
 };
+
+template <std::size_t V>
+std::array<Corner, V> Refinement::corners_at(const std::array<Id, V>& ids) const {
+  std::array<Corner, V> result;
+  for (std::size_t i = 0; i < V; ++i) {
+    const Point& p = points_[ids[i]];
+    result[i] = {&p.ball, p.shift, this, ids[i], p.above};
+  }
+  return result;
+}
 
 /// All subsets of `size` of the first `count` members.
 template <class F>

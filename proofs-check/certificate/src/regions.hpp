@@ -9,13 +9,20 @@
 
 namespace certificate {
 
-/// The regions into which the level cuts a face, as a refinement of it or of a tetrahedron
-/// around shows them. A closed curve is told by the two regions at its sides: all curves together
+/// The sign of the turn from a to b to c, of points by their three weights (or more: the first).
+template <class A, class B, class C>
+int side_of(const A& a, const B& b, const C& c) {
+  return sgn(mpz_class(a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+                       a[2] * (b[0] * c[1] - b[1] * c[0])));
+}
+
+/// The regions into which the level cuts a face, as its refinement shows
+/// them. A closed curve is told by the two regions at its sides: all curves together
 /// cut the face like the edges of a tree.
 class FaceRegions {
  public:
-  /// @param face the bits of three roots, ascending
-  FaceRegions(const Refinement& refinement, unsigned face);
+  /// @pre the refinement is of a face
+  explicit FaceRegions(const Refinement& refinement);
 
   /// The region of a point given by its weights at the three roots, and its side.
   std::optional<std::size_t> find(const std::array<mpz_class, 3>& weights, bool above);
@@ -23,12 +30,7 @@ class FaceRegions {
 
  private:
   const Refinement& refinement_;
-  unsigned face_;
-  std::vector<std::array<Refinement::Id, 3>> tiles_;
   UnionFind regions_;
 };
-
-/// The weights of a point at the roots of the face, in their order.
-std::array<mpz_class, 3> weights_in(const Refinement::Point& point, unsigned face);
 
 }  // namespace certificate

@@ -46,10 +46,8 @@ class Derivation {
   void settle(TetTopology& tet) const;
 
  private:
-  bool know_faces_and_edges(Refinement& refinement, std::span<const Vertex> vertices) const;
-  bool same_counts(const Refinement& refinement, std::span<const Vertex> vertices) const;
-  std::optional<std::size_t> curve_of(const Refinement& refinement, const CrossedEdge& sample,
-                                      unsigned bits, const FaceTopology& face) const;
+  std::optional<TetBoundary> boundary_of(const std::array<Vertex, 4>& vertices) const;
+  static std::optional<std::size_t> curve_of(const Loop& loop, const FaceLevel& face);
 
   const Input& input_;
   const Field& field_;
@@ -64,93 +62,65 @@ MeshCrossing in_mesh(const Crossing& c, std::span<const Vertex> vertices) {
 }
 
 void Derivation::settle(EdgeTopology& edge) const {
-  edge.proof = level_.prove<2>(corners(edge.vertices));
-  Refinement refinement(level_, corners(edge.vertices));
-  refinement.assume(std::array<Refinement::Id, 2>{0, 1}, edge.proof);
-  edge.decided = refinement.run();
-  if (edge.decided) edge.crossings = Crossings(refinement).count(3);
-}
-
-/// Tells the refinement what is proved of edges and faces of the mesh as a whole. False if one of
-/// them is not decided.
-bool Derivation::know_faces_and_edges(Refinement& refinement,
-                                      std::span<const Vertex> vertices) const {
-  bool decided = true;
-  const auto know = [&](const auto* simplex, std::span<const Refinement::Id> ids) {
-    decided = decided && simplex != nullptr && simplex->decided;
-    if (decided) refinement.assume(ids, simplex->proof);
-  };
-  for_subsets(vertices.size(), 2, [&](const auto& m) {
-    const std::array ids{static_cast<Refinement::Id>(m[0]), static_cast<Refinement::Id>(m[1])};
-    know(out_.edge({vertices[m[0]], vertices[m[1]]}), ids);
-  });
-  if (vertices.size() < 4) return decided;
-  for_subsets(4, 3, [&](const auto& m) {
-    const std::array ids{static_cast<Refinement::Id>(m[0]), static_cast<Refinement::Id>(m[1]),
-                         static_cast<Refinement::Id>(m[2])};
-    know(out_.face({vertices[m[0]], vertices[m[1]], vertices[m[2]]}), ids);
-  });
-  return decided;
-}
-
-/// Each refinement proves the crossings of the edges for itself; a difference is a mistake here.
-bool Derivation::same_counts(const Refinement& refinement,
-                             std::span<const Vertex> vertices) const {
-  const Crossings crossings(refinement);
-  bool same = true;
-  for_subsets(vertices.size(), 2, [&](const auto& m) {
-    same = same && crossings.count(1U << m[0] | 1U << m[1]) ==
-                       out_.edge({vertices[m[0]], vertices[m[1]]})->crossings;
-  });
-  return same;
+  edge.level = level_in_edge(level_, corners(edge.vertices));
 }
 
 void Derivation::settle(FaceTopology& face) const {
-  face.proof = level_.prove<3>(corners(face.vertices));
-  auto refinement = std::make_unique<Refinement>(level_, corners(face.vertices));
-  if (!know_faces_and_edges(*refinement, face.vertices)) return;
-  refinement->assume(std::array<Refinement::Id, 3>{0, 1, 2}, face.proof);
-  if (!refinement->run() || !same_counts(*refinement, face.vertices)) return;
-  FaceCurves curves = trace_face(*refinement);
-  for (const auto& [a, b] : curves.arcs) {
-    std::array arc{in_mesh(a, face.vertices), in_mesh(b, face.vertices)};
+  const auto& [a, b, c] = face.vertices;
+  face.level = level_in_face(
+      level_, corners(face.vertices),
+      {&out_.edge({a, b})->level, &out_.edge({a, c})->level, &out_.edge({b, c})->level});
+  for (const auto& [from, to] : face.level.arcs) {
+    std::array arc{in_mesh(from, face.vertices), in_mesh(to, face.vertices)};
     std::sort(arc.begin(), arc.end());
     face.arcs.push_back(arc);
   }
   std::sort(face.arcs.begin(), face.arcs.end());
-  face.loops = curves.loops.size();
-  face.loop_points = std::move(curves.loops);
-  if (face.loops > 1) face.refinement = std::move(refinement);
-  face.decided = true;
 }
 
-/// Which of a face's closed curves goes through a point: that with the same regions beside it.
-std::optional<std::size_t> Derivation::curve_of(const Refinement& refinement,
-                                                const CrossedEdge& sample, unsigned bits,
-                                                const FaceTopology& face) const {
-  if (face.loops == 1) return 0;
-  FaceRegions regions(refinement, bits);
-  std::set<std::size_t> wanted{regions.find(sample[0]), regions.find(sample[1])};
-  for (std::size_t i = 0; i < face.loops; ++i) {
-    std::set<std::size_t> beside;
-    for (const Refinement::Id id : face.loop_points[i][0]) {
-      const Refinement::Point& point = face.refinement->points()[id];
-      if (const auto region = regions.find(weights_in(point, 7), point.above))
-        beside.insert(*region);
-    }
-    if (beside == wanted) return i;
+/// What is known of the edges and faces, or nothing if one of them is not decided.
+std::optional<TetBoundary> Derivation::boundary_of(const std::array<Vertex, 4>& vertices) const {
+  TetBoundary result;
+  bool decided = true;
+  std::size_t n = 0;
+  for_subsets(4, 2, [&](const auto& m) {
+    const EdgeTopology* edge = out_.edge({vertices[m[0]], vertices[m[1]]});
+    result.edges[n++] = &edge->level;
+    decided = decided && edge->level.decided;
+  });
+  for (std::size_t i = 0; i < 4; ++i) {
+    const FaceTopology* face = out_.face(face_of(vertices, i));
+    result.faces[i] = &face->level;
+    decided = decided && face->level.decided;
+  }
+  return decided ? std::optional(result) : std::nullopt;
+}
+
+/// Which of a face's closed curves a loop is: that with the same regions beside it.
+std::optional<std::size_t> Derivation::curve_of(const Loop& loop, const FaceLevel& face) {
+  if (face.loops.size() == 1) return 0;
+  if (face.loops.empty()) return std::nullopt;
+  FaceRegions regions(*face.refinement);
+  std::set<std::size_t> wanted;
+  for (const Loop::Sample& sample : loop.beside) {
+    std::array<mpz_class, 3> weights;
+    for (std::size_t i = 0, n = 0; i < 4; ++i)
+      if ((loop.face >> i & 1U) != 0) weights[n++] = sample.weights[i];
+    if (const auto region = regions.find(weights, sample.above)) wanted.insert(*region);
+  }
+  for (std::size_t i = 0; i < face.loops.size(); ++i) {
+    const auto& [a, b] = face.loops[i][0];
+    if (wanted == std::set{regions.find(a), regions.find(b)}) return i;
   }
   return std::nullopt;
 }
 
 void Derivation::settle(TetTopology& tet) const {
   const std::array<Vertex, 4>& vertices = input_.tets[tet.tet];
-  Refinement refinement(level_, corners(vertices));
   const int turn = orientation(input_, vertices);
-  if (turn == 0 || !know_faces_and_edges(refinement, vertices)) return;
-  refinement.assume(std::array<Refinement::Id, 4>{0, 1, 2, 3}, tet.proof);
-  if (!refinement.run() || !same_counts(refinement, vertices)) return;
-  const auto sheets = trace_tet(refinement);
+  const auto boundary = boundary_of(vertices);
+  if (turn == 0 || !boundary) return;
+  const auto sheets = level_in_tet(level_, corners(vertices), tet.proved, *boundary);
   if (!sheets) return;
   const auto opposite = [&](unsigned face) {
     return static_cast<std::size_t>(std::countr_zero(15U & ~face));
@@ -171,7 +141,7 @@ void Derivation::settle(TetTopology& tet) const {
       }
       if (!in_tet.steps.empty()) continue;
       const FaceTopology* face = out_.face(face_of(vertices, opposite(loop.face)));
-      const auto curve = curve_of(refinement, loop.sample, loop.face, *face);
+      const auto curve = curve_of(loop, face->level);
       if (!curve) return;
       in_tet.curve = *curve;
     }
@@ -218,16 +188,16 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   out.on_level = on_level;
 
   const Derivation derivation(input, field, level, out);
-  std::vector<Proof> proofs(input.tets.size(), Proof::empty);
+  std::vector<Proved<4>> proofs(input.tets.size(), Proved<4>{Proof::empty, {}});
   parallel_for(proofs.size(), [&](std::size_t t) {
     if (!left_out[t]) proofs[t] = level.prove<4>(derivation.corners(input.tets[t]));
   });
   std::vector<std::array<Vertex, 2>> edges;
   std::vector<std::array<Vertex, 3>> faces;
   for (std::uint32_t t = 0; t < proofs.size(); ++t) {
-    if (proofs[t] == Proof::empty) continue;
+    if (proofs[t].proof == Proof::empty) continue;
     TetTopology& tet = out.tets.emplace_back();
-    tet.tet = t, tet.proof = proofs[t];
+    tet.tet = t, tet.proved = proofs[t];
     const std::array<Vertex, 4>& v = input.tets[t];
     for_subsets(4, 2, [&](const auto& m) { edges.push_back({v[m[0]], v[m[1]]}); });
     for (std::size_t i = 0; i < 4; ++i) faces.push_back(face_of(v, i));

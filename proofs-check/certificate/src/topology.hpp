@@ -7,7 +7,7 @@
 #include <set>
 
 #include "field.hpp"
-#include "trace.hpp"
+#include "tet_level.hpp"
 
 namespace certificate {
 
@@ -23,19 +23,12 @@ struct MeshCrossing {
 
 struct EdgeTopology {
   std::array<Vertex, 2> vertices{};
-  bool decided = false;
-  Proof proof = Proof::open;  ///< of the edge as a whole
-  unsigned crossings = 0;
+  EdgeLevel level;
 };
 struct FaceTopology {
   std::array<Vertex, 3> vertices{};
-  bool decided = false;
-  Proof proof = Proof::open;
+  FaceLevel level;
   std::vector<std::array<MeshCrossing, 2>> arcs;  ///< each and all in ascending order
-  std::size_t loops = 0;
-  // If there are several loops: to tell which is which.
-  std::vector<std::vector<CrossedEdge>> loop_points;
-  std::unique_ptr<Refinement> refinement;
 };
 /// A boundary loop: from crossing to crossing, through faces named by their opposite vertices.
 /// A closed curve has no crossings, and is that many-th of its face.
@@ -56,7 +49,7 @@ struct MeshSheet {
 struct TetTopology {
   std::uint32_t tet = 0;  ///< among the tetrahedra of the input
   bool decided = false;
-  Proof proof = Proof::open;
+  Proved<4> proved;
   std::vector<MeshSheet> sheets;
 };
 

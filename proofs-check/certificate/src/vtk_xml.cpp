@@ -56,7 +56,8 @@ std::vector<std::array<double, 6>> read_tensors(const XmlFile& file, const std::
       {"vtk", {0, 1, 2, 3, 4, 5}}, {"voigt", {0, 1, 2, 5, 3, 4}}, {"abaqus", {0, 1, 2, 3, 5, 4}}};
   const bool full = components == "full";
   const auto order = orders.find(components);
-  if (!full && order == orders.end()) file.fail("unknown order of components '" + components.substr(0, 40) + "'");
+  if (!full && order == orders.end())
+    file.fail("unknown order of components '" + components.substr(0, 40) + "'");
   const std::size_t width = full ? 9 : 6;
   const std::vector<double> t = file.reals(file.array("PointData", name), width);
   if (t.size() != width * points) file.fail("not one tensor for each point");

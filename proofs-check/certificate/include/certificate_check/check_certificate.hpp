@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,9 +28,18 @@ struct Finding {
   std::string entity, claimed, derived;
 };
 
+/// What came of the claims of one kind.
+struct Verdicts {
+  std::string kind;
+  std::size_t certified = 0, refuted = 0, undecided = 0;
+};
+
 /// What came of a certificate's claims, each counted once.
 struct Report {
   std::size_t certified = 0, refuted = 0, undecided = 0;
+  std::vector<Verdicts> kinds;  ///< the same by kind
+  /// How many sides and proofs were settled by doubles with an error bound, and by integers.
+  std::uint64_t by_balls = 0, by_integers = 0;
   std::vector<Finding> refutations;  ///< the first ones
   std::vector<Finding> open;         ///< the first undecided ones
 

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "forgery.hpp"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "support/random_fields.hpp"
+#include "support/witness_fields.hpp"
+#include "tensortopo/certify/certificate.hpp"
+#include "tensortopo/io/number_hash.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Json = nlohmann::json;
+using Index = SurfaceMesh::Index;
+
+void append(SurfaceMesh& all, const SurfaceMesh& s) {
+  const Index first = static_cast<Index>(all.points.size());
+  all.points.insert(all.points.end(), s.points.begin(), s.points.end());
+  all.tet.insert(all.tet.end(), s.tet.begin(), s.tet.end());
+  for (auto triangle : s.triangles) {
+    for (Index& v : triangle) v += first;
+    all.triangles.push_back(triangle);
+  }
+}
+
+/// An array of a VTK XML file, in text.
+template <class Numbers>
+void write_array(std::ostream& out, const std::string& type, const std::string& name, int width,
+                 const Numbers& numbers) {
+  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << width
+      << "\" format=\"ascii\">";
+  for (const auto& x : numbers) out << x << ' ';
+  out << "</DataArray>\n";
+}
+
+template <class Cells>
+void write_cells(std::ostream& out, const Cells& cells) {
+  std::vector<Index> connectivity, offsets;
+  for (const auto& cell : cells) {
+    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
+    offsets.push_back(static_cast<Index>(connectivity.size()));
+  }
+  write_array(out, "Int64", "connectivity", 1, connectivity);
+  write_array(out, "Int64", "offsets", 1, offsets);
+}
+
+void write_points(std::ostream& out, const std::vector<Vector3<double>>& points) {
+  std::vector<double> numbers;
+  for (const auto& p : points) numbers.insert(numbers.end(), {p.x, p.y, p.z});
+  out << "<Points>";
+  write_array(out, "Float64", "Points", 3, numbers);
+  out << "</Points>";
+}
+
+std::ostringstream text_stream(const char* type) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
+      << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"><" << type << '>';
+  return out;
+}
+
+}  // namespace
+
+std::string Exhibit::field_text() const {
+  std::ostringstream out = text_stream("UnstructuredGrid");
+  out << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfCells=\""
+      << mesh.tets.size() << "\"><PointData>";
+  std::vector<double> tensors;
+  for (const auto& t : mesh.tensors)
+    tensors.insert(tensors.end(), {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz});
+  write_array(out, "Float64", "stress", 6, tensors);
+  out << "</PointData>";
+  write_points(out, mesh.points);
+  out << "<Cells>";
+  write_cells(out, mesh.tets);
+  write_array(out, "UInt8", "types", 1, std::vector<int>(mesh.tets.size(), 10));
+  out << "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
+  return out.str();
+}
+
+std::string Exhibit::surface_text() const {
+  std::ostringstream out = text_stream("PolyData");
+  out << "<Piece NumberOfPoints=\"" << surface.points.size()
+      << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
+      << surface.triangles.size() << "\"><CellData>";
+  write_array(out, "Int64", "tet", 1, surface.tet);
+  out << "</CellData>";
+  write_points(out, surface.points);
+  out << "<Polys>";
+  write_cells(out, surface.triangles);
+  out << "</Polys></Piece></PolyData></VTKFile>\n";
+  return out.str();
+}
+
+void Exhibit::rehash() {
+  certificate["input"]["sha256"] = field_sha256(mesh);
+  certificate["surface"]["sha256"] = surface_sha256(surface, mesh);
+}
+
+Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& modes) {
+  mesh.cell_ids.clear();
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    mesh.cell_ids.push_back(static_cast<std::int64_t>(t));
+  Exhibit result;
+  std::vector<CertifiedLevel> levels;
+  for (const std::string& mode : modes) {
+    const ModeValue mu = ModeValue::parse(mode);
+    ExtractOptions options;
+    options.keep_topology = true;
+    options.sampling.resolution = 1;  // few triangles
+    Extraction e = extract_mode_surface<double>(mesh, mu, options);
+    append(result.surface, e.surface);
+    levels.push_back(certify(mesh, mu, e));
+  }
+  CertificateSubject subject;
+  subject.tensor = "stress";
+  subject.components = "vtk";
+  subject.points = mesh.points.size();
+  subject.tetrahedra = mesh.tets.size();
+  subject.vertices = result.surface.points.size();
+  subject.triangles = result.surface.triangles.size();
+  subject.field_sha256 = field_sha256(mesh);
+  subject.surface_sha256 = surface_sha256(result.surface, mesh);
+  result.certificate =
+      Json::parse(certificate_bytes(subject, levels, mesh, CertificateEncoding::json));
+  result.mesh = std::move(mesh);
+  return result;
+}
+
+const std::vector<Exhibit>& honest_exhibits() {
+  static const std::vector<Exhibit> all = [] {
+    std::vector<Exhibit> result;
+    TetMesh mesh = cube_mesh(1);
+    fill_with_normal_tensors(mesh, 5);
+    result.push_back(exhibit(mesh, {"1/4", "-1/2"}));
+    for (std::uint64_t seed = 1; result.size() < 2; ++seed) {
+      fill_with_smooth_tensors(mesh, seed, 4, 1);
+      Exhibit e = exhibit(mesh, {"0"});
+      if (e.surface.triangles.size() > 30) result.push_back(std::move(e));
+    }
+    for (const FieldWitness& witness : field_witnesses()) {
+      const TetCase& c = witness.cases.front();
+      const std::string mode =
+          std::to_string(c.mode.numerator) + "/" + std::to_string(c.mode.denominator);
+      Exhibit e = exhibit(single_tet_mesh(c.points, witness.field.at(c.points)), {mode});
+      const bool is_small = !e.surface.triangles.empty() && e.surface.triangles.size() < 400;
+      if (is_small && Court("choice").verdict(e) == "certified") result.push_back(std::move(e));
+    }
+    return result;
+  }();
+  return all;
+}
+
+Court::Court(const std::string& name)
+    : folder_(std::filesystem::path(testing::TempDir()) /
+              ("court_" + name + "_" + std::to_string(getpid()))) {
+  std::filesystem::create_directories(folder_);
+}
+
+Court::~Court() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+void Court::put(const char* name, const std::string& text, std::string& last) {
+  if (text == last) return;
+  std::ofstream(folder_ / name, std::ios::binary) << text;
+  last = text;
+}
+
+std::string Court::verdict(const std::string& field, const std::string& surface,
+                           const std::string& certificate) {
+  put("field.vtu", field, field_);
+  put("surface.vtp", surface, surface_);
+  put("c.json", certificate, certificate_);
+  try {
+    const certificate::Report report = certificate::check_certificate(
+        (folder_ / "field.vtu").string(), (folder_ / "surface.vtp").string(),
+        (folder_ / "c.json").string());
+    report_ = to_text(report);
+    return report.status();
+  } catch (const certificate::Malformed& error) {
+    report_ = error.what();
+    return "malformed";
+  }
+}
+
+namespace {
+
+/// Has one of the intervals [i, k, v] all of the other? (Then both hold the same crossing, if the
+/// wider one holds no more.)
+bool are_nested(const Json& a, const Json& b) {
+  const auto ends = [](const Json& x) {
+    const mpz_class i(x[0].is_string() ? x[0].get<std::string>() : x[0].dump());
+    const mpz_class one = mpz_class(1) << x[1].get<unsigned>();
+    return std::array{mpq_class(i, one), mpq_class(i + 1, one)};
+  };
+  if (a[2] != b[2]) return false;
+  const auto p = ends(a), q = ends(b);
+  return (p[0] <= q[0] && q[1] <= p[1]) || (q[0] <= p[0] && p[1] <= q[1]);
+}
+
+bool is_crossing(const Json& x) { return x.is_array() && x.size() == 3; }
+
+}  // namespace
+
+bool may_be_true(const Json& honest, const Json& altered) {
+  Json a = honest, b = altered;
+  for (std::size_t l = 0; l < a["levels"].size(); ++l) {
+    a["levels"][l].erase("distance"), b["levels"][l].erase("distance");
+    Json &edges = a["levels"][l]["edges"], &others = b["levels"][l]["edges"];
+    if (edges.size() != others.size()) return false;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (edges[e].size() != others[e].size()) return false;
+      for (std::size_t k = 2; k < edges[e].size(); ++k)
+        if (is_crossing(others[e][k]) && are_nested(edges[e][k], others[e][k]))
+          others[e][k] = edges[e][k];
+    }
+  }
+  return a == b;
+}
+
+}  // namespace tensortopo::test

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Any numbers and any bytes of the three files, altered at random.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <random>
+
+#include "forgery.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::uint64_t kSeed = 20241121;
+
+void find_values(const Json& value, const Json::json_pointer& at,
+                 std::vector<Json::json_pointer>& found) {
+  if (!at.empty()) found.push_back(at);
+  if (value.is_array())
+    for (std::size_t i = 0; i < value.size(); ++i) find_values(value[i], at / i, found);
+  if (value.is_object())
+    for (const auto& [key, item] : value.items()) find_values(item, at / key, found);
+}
+
+/// One change of the document; which one is up to chance.
+void edit(Json& document, const std::vector<Json::json_pointer>& places, std::mt19937_64& random) {
+  const Json::json_pointer& place = places[random() % places.size()];
+  if (!document.contains(place)) return;  // an edit before took it away
+  Json& value = document[place];
+  const Json::json_pointer& other = places[random() % places.size()];
+  switch (random() % 6) {
+    case 0:
+      if (document.contains(other)) value = Json(document[other]);
+      return;
+    case 1:
+      if (value.is_array() && !value.empty()) value.erase(random() % value.size());
+      return;
+    case 2:
+      if (value.is_array() && !value.empty())
+        value.push_back(Json(value[random() % value.size()]));
+      return;
+    case 3:
+      if (value.is_array() && value.size() > 1)
+        std::swap(value[random() % value.size()], value[random() % value.size()]);
+      return;
+    default:
+      if (value.is_boolean()) {
+        value = !value.get<bool>();
+      } else if (value.is_number_integer()) {
+        constexpr std::array<std::int64_t, 8> steps{-100, -2, -1, 1, 2, 3, 1000, 1LL << 40};
+        value = static_cast<std::int64_t>(static_cast<std::uint64_t>(value.get<std::int64_t>()) +
+                                          static_cast<std::uint64_t>(steps[random() % 8]));
+      } else if (value.is_string() && !value.get_ref<std::string&>().empty()) {
+        std::string& text = value.get_ref<std::string&>();
+        text[random() % text.size()] = "0123456789abcdef-/xp+."[random() % 22];
+      }
+  }
+}
+
+TEST(RandomEdits, OfTheCertificateAreNoticed) {
+  std::mt19937_64 random(kSeed);
+  Court court("edits");
+  std::size_t tried = 0, equivalent = 0;
+  for (const Exhibit& honest : honest_exhibits()) {
+    std::vector<Json::json_pointer> places;
+    find_values(honest.certificate, Json::json_pointer(), places);
+    // Reaches are many, and may be others.
+    std::erase_if(places, [&](const auto& at) {
+      return at.to_string().find("/reach/") != std::string::npos && random() % 16 != 0;
+    });
+    const std::string field = honest.field_text(), surface = honest.surface_text();
+    const std::size_t share = TENSORTOPO_EDITS * 3 / 4 / honest_exhibits().size();
+    for (std::size_t n = 0; n < share; ++n, ++tried) {
+      Json altered = honest.certificate;
+      while (altered == honest.certificate)
+        for (std::size_t k = random() % 4 == 0 ? 3 : 1; k > 0; --k) edit(altered, places, random);
+      const std::string text = altered.dump(-1, ' ', false, Json::error_handler_t::replace);
+      if (court.verdict(field, surface, text) != "certified") continue;
+      ++equivalent;
+      ASSERT_TRUE(may_be_true(honest.certificate, altered))
+          << "seed " << kSeed << '\n' << Json::diff(honest.certificate, altered);
+    }
+  }
+  std::cout << "seed " << kSeed << ": " << tried << " certificates, " << equivalent
+            << " that may be true\n";
+  EXPECT_LT(equivalent, tried / 8);
+}
+
+/// Where two texts differ in numbers, as doubles; elsewhere they may differ in names or comments.
+bool differ_in_numbers(const std::string& a, const std::string& b) {
+  const auto numbers = [](const std::string& text) {
+    std::vector<double> result;
+    for (std::size_t at = text.find("<Points>"); at != std::string::npos;
+         at = text.find("<DataArray", at + 1)) {
+      const char* p = text.c_str() + text.find('>', text.find("<DataArray", at)) + 1;
+      for (char* end = nullptr;; p = end) {
+        result.push_back(std::strtod(p, &end));
+        if (end == p) break;
+      }
+    }
+    return result;
+  };
+  return numbers(a) != numbers(b);
+}
+
+TEST(RandomEdits, OfAnyByteNeitherCrashNorPass) {
+  std::mt19937_64 random(kSeed + 1);
+  Court court("bytes");
+  std::size_t tried = 0, refused = 0;
+  for (const Exhibit& honest : honest_exhibits()) {
+    const std::array<std::string, 3> files{honest.field_text(), honest.surface_text(),
+                                           honest.certificate.dump()};
+    const std::size_t share = TENSORTOPO_EDITS / 4 / honest_exhibits().size();
+    for (std::size_t n = 0; n < share; ++n) {
+      std::array<std::string, 3> altered = files;
+      const std::size_t which = n % 3;
+      std::string& text = altered[which];
+      const std::size_t at = random() % text.size();
+      if (n % 16 == 0) {
+        text.resize(at);
+      } else {
+        text[at] = n % 2 == 0 ? static_cast<char>(random()) : "0123456789.-e"[random() % 13];
+      }
+      if (text == files[which]) continue;
+      ++tried;
+      if (court.verdict(altered[0], altered[1], altered[2]) != "certified") {
+        ++refused;
+      } else if (which == 2) {
+        ASSERT_TRUE(may_be_true(honest.certificate, Json::parse(text))) << "seed " << kSeed;
+      } else {
+        ASSERT_FALSE(differ_in_numbers(files[which], text)) << "seed " << kSeed;
+      }
+    }
+  }
+  std::cout << "seed " << kSeed + 1 << ": " << tried << " files, " << refused << " refused\n";
+  EXPECT_GT(refused, tried / 2);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
