@@ -224,18 +224,17 @@ void Reader::read(Json& faces, Json& tets) {
     faces.push_back({f[0], f[1], f[2], arcs_[f], loops_[f]});
 }
 
-/// The surfaces of all levels in one.
-void append(SurfaceMesh& all, const SurfaceMesh& s) {
+}  // namespace
+
+void append_level(SurfaceMesh& all, const SurfaceMesh& level) {
   const Index first = static_cast<Index>(all.points.size());
-  all.points.insert(all.points.end(), s.points.begin(), s.points.end());
-  all.tet.insert(all.tet.end(), s.tet.begin(), s.tet.end());
-  for (auto triangle : s.triangles) {
+  all.points.insert(all.points.end(), level.points.begin(), level.points.end());
+  all.tet.insert(all.tet.end(), level.tet.begin(), level.tet.end());
+  for (auto triangle : level.triangles) {
     for (Index& v : triangle) v += first;
     all.triangles.push_back(triangle);
   }
 }
-
-}  // namespace
 
 std::string CertifiedSurface::write(const Json& document, const std::string& name) const {
   const std::string file = (folder / name).string();
@@ -277,7 +276,7 @@ CertifiedSurface certified_surface(const TetMesh& given, const std::vector<std::
     for (const UnresolvedCell& cell : e.unresolved)
       level["undecided"].push_back({cell.tet, name_of(cell.reason)});
     levels.push_back(std::move(level));
-    append(all, e.surface);
+    append_level(all, e.surface);
   }
   write_mesh(mesh, result.input());
   write_surface(all, mesh, result.surface());

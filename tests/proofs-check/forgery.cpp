@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "certificate_writer.hpp"
 #include "support/random_fields.hpp"
 #include "support/witness_fields.hpp"
 #include "tensortopo/certify/certificate.hpp"
@@ -19,16 +20,6 @@ namespace {
 
 using Json = nlohmann::json;
 using Index = SurfaceMesh::Index;
-
-void append(SurfaceMesh& all, const SurfaceMesh& s) {
-  const Index first = static_cast<Index>(all.points.size());
-  all.points.insert(all.points.end(), s.points.begin(), s.points.end());
-  all.tet.insert(all.tet.end(), s.tet.begin(), s.tet.end());
-  for (auto triangle : s.triangles) {
-    for (Index& v : triangle) v += first;
-    all.triangles.push_back(triangle);
-  }
-}
 
 /// An array of a VTK XML file, in text.
 template <class Numbers>
@@ -117,7 +108,7 @@ Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& modes) {
     options.keep_topology = true;
     options.sampling.resolution = 1;  // few triangles
     Extraction e = extract_mode_surface<double>(mesh, mu, options);
-    append(result.surface, e.surface);
+    append_level(result.surface, e.surface);
     levels.push_back(certify(mesh, mu, e));
   }
   CertificateSubject subject;

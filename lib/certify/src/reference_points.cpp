@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 
+#include "tensortopo/extract/exact_side.hpp"
 #include "tensortopo/extract/level.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
@@ -138,15 +139,7 @@ std::optional<Place> place_on_level(const Cell& cell, std::vector<Real50> w,
 
 // The sign of mode - mu at the place w, a multiple of barycentric coordinates.
 Sign side_at(const Cell& cell, const std::vector<Integer>& w, const Rational& mu) {
-  const auto t = tensor_at<Rational>(cell, w);
-  const Rational p = norm_form(t), q = determinant_form(t);
-  if (p == 0) return Sign::zero;
-  const Sign side_of_q = sign_of(q), side_of_mu = sign_of(mu);
-  if (side_of_q != side_of_mu)
-    return static_cast<int>(side_of_q) > static_cast<int>(side_of_mu) ? Sign::positive
-                                                                      : Sign::negative;
-  const Sign larger = sign_of(Rational(Rational(2) * q * q - mu * mu * p * p * p));
-  return side_of_q == Sign::negative ? -larger : larger;
+  return exact_side_of_level(tensor_at<Rational>(cell, w), mu);
 }
 
 bool is_proved(const Cell& cell, const Place& place, const Rational& mu) {

@@ -3,7 +3,6 @@
 #include "tensortopo/extract/exact_side.hpp"
 
 #include "tensortopo/scalar/rational.hpp"
-#include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
 
@@ -28,14 +27,7 @@ Sign exact_side_of_level(std::span<const SymmetricTensor<double>> tensors,
                                           Rational(s.xy), Rational(s.yz), Rational(s.xz)};
     t = t + (Rational(weights[i]) * power_of_two(exponents[i])) * deviator(exact);
   }
-  const Rational p = norm_form(t), q = determinant_form(t), mu = to_scalar<Rational>(mode);
-  if (p == 0) return Sign::zero;
-  const Sign side_of_q = sign_of(q), side_of_mu = sign_of(mu);
-  if (side_of_q != side_of_mu)
-    return static_cast<int>(side_of_q) > static_cast<int>(side_of_mu) ? Sign::positive
-                                                                      : Sign::negative;
-  const Sign larger = sign_of(Rational(Rational(2) * q * q - mu * mu * p * p * p));
-  return side_of_q == Sign::negative ? -larger : larger;
+  return exact_side_of_level(t, to_scalar<Rational>(mode));
 }
 
 }  // namespace tensortopo

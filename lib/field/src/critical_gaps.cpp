@@ -96,12 +96,9 @@ class Clearing {
   bool half_of_face(const Tensor& a, const Tensor& b,
                     const std::array<SymmetricTensor<Range>, 3>& dual) {
     const Line line(a, b);
-    const Polynomial cubic = minus(times(line.quadratic(line.m), line.linear(line.k)),
-                                   times(line.quadratic(line.k), line.linear(line.m)));
+    const Polynomial cubic = line.critical_cubic();
     std::array<Polynomial, 3> weights;
-    for (std::size_t i = 0; i < 3; ++i)
-      weights[i] = minus(times(line.norm, line.quadratic(dual[i])),
-                         times(line.determinant, line.linear(dual[i])));
+    for (std::size_t i = 0; i < 3; ++i) weights[i] = line.critical_weight(dual[i]);
     parts_ = 0;
     return search(Range(-1, 1), 0, [&](const Range& x, int depth) {
       if (is_not_zero(range_of(cubic, x))) return Answer::settled;

@@ -75,12 +75,9 @@ class FaceSearch {
  private:
   void half(const Tensor& a, const Tensor& b, std::vector<CriticalPoint>& points) const {
     const Line line(a, b);
-    const Polynomial cubic = minus(times(line.quadratic(line.m), line.linear(line.k)),
-                                   times(line.quadratic(line.k), line.linear(line.m)));
+    const Polynomial cubic = line.critical_cubic();
     std::array<Polynomial, 3> weights;
-    for (std::size_t i = 0; i < 3; ++i)
-      weights[i] = minus(times(line.norm, line.quadratic(dual_[i])),
-                         times(line.determinant, line.linear(dual_[i])));
+    for (std::size_t i = 0; i < 3; ++i) weights[i] = line.critical_weight(dual_[i]);
     // Weights of both signs: the point is outside.
     const auto is_outside = [&](const Range& x) {
       bool positive = false, negative = false;

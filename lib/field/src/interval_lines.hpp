@@ -64,6 +64,16 @@ struct Line {
     return {inner(squares[0], t), inner(squares[1], t), inner(squares[2], t), Range(0), Range(0)};
   }
 
+  /// The binary cubic that vanishes at the N to which a critical tensor
+  /// G = N^2 - (|N|^2 / 3) I - (tr N^3 / |N|^2) N of the space across the line belongs.
+  Polynomial critical_cubic() const {
+    return minus(times(quadratic(m), linear(k)), times(quadratic(k), linear(m)));
+  }
+  /// <G, T>, up to a positive factor: the weight of a vertex whose dual is T.
+  Polynomial critical_weight(const SymmetricTensor<Range>& t) const {
+    return minus(times(norm, quadratic(t)), times(determinant, linear(t)));
+  }
+
   SymmetricTensor<Range> m, k;
   std::array<SymmetricTensor<Range>, 3> squares;
   Polynomial norm, determinant;  ///< P and Q

@@ -7,10 +7,26 @@
 #include <span>
 
 #include "tensortopo/scalar/sign.hpp"
+#include "tensortopo/tensor/deviator.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo {
+
+/// Sign of mode - mu of a tensor, in a scalar whose arithmetic is exact.
+///
+/// @return zero also for the zero deviator, whose mode is undefined
+template <class Exact>
+Sign exact_side_of_level(const Deviator<Exact>& t, const Exact& mu) {
+  const Exact p = norm_form(t), q = determinant_form(t);
+  if (p == 0) return Sign::zero;
+  const Sign side_of_q = sign_of(q), side_of_mu = sign_of(mu);
+  if (side_of_q != side_of_mu)
+    return static_cast<int>(side_of_q) > static_cast<int>(side_of_mu) ? Sign::positive
+                                                                      : Sign::negative;
+  const Sign larger = sign_of(Exact(Exact(2) * q * q - mu * mu * p * p * p));
+  return side_of_q == Sign::negative ? -larger : larger;
+}
 
 /// Sign of mode - mu for the field of a simplex at barycentric coordinates, in exact rational
 /// arithmetic: the last tier, asked only where rounding could have decided.
