@@ -56,10 +56,10 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
     std::cerr << "tensortopo: " << options.input.string() << ": " << note << '\n';
   if (common.json) {
     nlohmann::ordered_json json{{"output", {{"path", output}, {"bytes", report.bytes}}},
-                                      {"width", command.view.width},
-                                      {"height", command.view.height},
-                                      {"modes", report.modes},
-                                      {"seconds", report.seconds}};
+                                {"width", report.width},
+                                {"height", report.height},
+                                {"modes", report.modes},
+                                {"seconds", report.seconds}};
     if (report.bifurcation_mode) json["bifurcation_mode"] = *report.bifurcation_mode;
     if (!report.frames.empty()) {
       json["frames"] = nlohmann::ordered_json::array();
@@ -68,8 +68,8 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
     if (!report.notes.empty()) json["notes"] = report.notes;
     print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   } else {
-    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", output, command.view.width,
-                      command.view.height, report.seconds));
+    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", output, report.width,
+                      report.height, report.seconds));
   }
   return ExitStatus::done;
 }
@@ -95,8 +95,9 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
       ->type_name("AZIMUTH,ELEVATION");
   add_mode_option(app, options->modes)
       ->required(false)
-      ->description("Extract this mode from the mesh and draw it; repeatable (with --tet: side by "
-                    "side)");
+      ->description(
+          "Extract this mode from the mesh and draw it; repeatable (with --tet: side by "
+          "side)");
   app.add_flag("--generalized", options->command.generalized, "With each mode its opposite");
   app.add_option("--animate", options->animation,
                  "A frame for each of N modes from A to B: FILE-000.png and so on; with ffmpeg "

@@ -155,7 +155,7 @@ void add_lines(vtkRenderer& renderer, vtkPolyData* shape, const Colour& colour, 
   renderer.AddActor(actor);
 }
 
-void add_coloured(vtkRenderer& renderer, vtkPolyData* shape, bool flat, double opacity) {
+void add_coloured(vtkRenderer& renderer, vtkPolyData* shape, bool soft, double opacity) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(shape);
   mapper->ScalarVisibilityOn();
@@ -163,7 +163,11 @@ void add_coloured(vtkRenderer& renderer, vtkPolyData* shape, bool flat, double o
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   finish(*actor->GetProperty(), opacity);
-  if (flat) actor->GetProperty()->LightingOff();
+  if (soft) {
+    actor->GetProperty()->SetAmbient(0.55);
+    actor->GetProperty()->SetDiffuse(0.5);
+    actor->GetProperty()->SetSpecular(0);
+  }
   renderer.AddActor(actor);
 }
 

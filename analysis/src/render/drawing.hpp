@@ -17,6 +17,7 @@ namespace tensortopo {
 /// Where a scene is looked at from, and the size of its picture.
 struct View {
   int width = 1600, height = 1200;  ///< pixels
+  bool sized = false;               ///< somebody asked for this size
   double azimuth = 30;              ///< degrees to the right of the front (the side of small y)
   double elevation = 22;            ///< degrees above the horizon (z points up)
 };
@@ -43,8 +44,8 @@ void add_triangles(vtkRenderer& renderer, vtkPolyData* shape, const Look& look, 
 void add_curves(vtkRenderer& renderer, vtkPolyData* shape, const Look& look, double radius);
 /// Lines as such, unlit.
 void add_lines(vtkRenderer& renderer, vtkPolyData* shape, const Colour& colour, double width);
-/// Triangles with the colours of their vertices; unlit if `flat`.
-void add_coloured(vtkRenderer& renderer, vtkPolyData* shape, bool flat, double opacity = 1);
+/// Triangles with the colours of their vertices; `soft` light leaves these easy to tell.
+void add_coloured(vtkRenderer& renderer, vtkPolyData* shape, bool soft, double opacity = 1);
 void add_ball(vtkRenderer& renderer, const std::array<double, 3>& middle, double radius,
               const Colour& colour);
 

@@ -16,7 +16,7 @@ namespace {
 using Index = SurfaceMesh::Index;
 
 // Steps along a line, in cells, and how many edges one step may cross.
-constexpr double kStep = 0.5;
+constexpr double kStep = 0.7;
 constexpr int kMostEdges = 64;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -162,13 +162,14 @@ double convolved(const Walker& walker, const SurfacePlace& start, const LicOptio
 
 // A random number in [0, 1] for each point of the lattice.
 double grain(std::int64_t x, std::int64_t y, std::int64_t z, std::uint32_t seed) {
-  std::uint64_t h = seed;
-  for (const std::int64_t k : {x, y, z}) {
-    h ^= static_cast<std::uint64_t>(k) + 0x9e3779b97f4a7c15u + (h << 6) + (h >> 2);
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
-    h ^= h >> 31;
-  }
+  // The finalizer of SplitMix64, on a number for the point.
+  std::uint64_t h = seed * 0x9e3779b97f4a7c15u +
+                    static_cast<std::uint64_t>(x) * 0x8cb92ba72f3d8dd7u +
+                    static_cast<std::uint64_t>(y) * 0xd6e8feb86659fd93u +
+                    static_cast<std::uint64_t>(z) * 0xa0761d6478bd642fu;
+  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+  h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+  h ^= h >> 31;
   return static_cast<double>(h >> 11) / static_cast<double>((std::uint64_t{1} << 53) - 1);
 }
 

@@ -26,7 +26,7 @@ struct SurfacePlace {
 
 struct LicOptions {
   double cell = 1;          ///< size of a grain of the noise, in units of length
-  double half_length = 20;  ///< of the piece of a line that is averaged, in cells
+  double half_length = 16;  ///< of the piece of a line that is averaged, in cells
   std::uint32_t seed = 1;   ///< of the noise
 };
 

@@ -104,6 +104,7 @@ void parse_size(std::string_view text, View& view) {
                                  kSmallest, kLargest));
   }
   std::tie(view.width, view.height) = *size;
+  view.sized = true;
 }
 
 void parse_view(std::string_view text, View& view) {
@@ -130,7 +131,10 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
         progress("drawing", 0.1 + 0.8 * static_cast<double>(i) / static_cast<double>(count));
       const auto modes =
           command.frames.empty() ? command.modes : std::vector<ModeValue>{command.frames[i]};
-      pictures.push_back(png_bytes(subject.picture(modes, report)));
+      const auto image = subject.picture(modes, report);
+      std::tie(report.width, report.height) =
+          std::pair{image->GetDimensions()[0], image->GetDimensions()[1]};
+      pictures.push_back(png_bytes(image));
     }
   } catch (const IoError&) {
     throw;

@@ -39,6 +39,7 @@ struct RenderCommand {
 };
 
 struct RenderReport {
+  int width = 0, height = 0;  ///< pixels
   std::vector<double> modes;
   std::vector<std::filesystem::path> frames;  ///< the files of an animation
   /// Of a tetrahedron: the mode at which the topology of its generalized mode surface changes,

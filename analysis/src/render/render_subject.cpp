@@ -101,6 +101,7 @@ vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue
     picture.beyond = command_.beyond;
     picture.marked = command_.marked;
     picture.view = command_.view;
+    if (!picture.view.sized) set_default_size(picture);
     try {
       const TetDirections directions(picture.field, modes.front());
       const double mode = directions.manifold().characteristic().mode;

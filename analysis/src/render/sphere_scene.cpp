@@ -22,13 +22,14 @@ namespace {
 using Polyline = std::vector<Vector3<double>>;
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kGridLines = 12;      // in half a turn
-constexpr int kSamples = 240;       // of a line of the grid
-constexpr int kLatitudes = 96;      // of the triangles that carry the texture's lines
-constexpr double kRim = -0.04;      // how far behind the visible half triangles are kept
-constexpr double kPixels = 1.8;     // of the window: edges of coloured triangles
+constexpr int kGridLines = 12;     // in half a turn
+constexpr int kSamples = 240;      // of a line of the grid
+constexpr int kLatitudes = 96;     // of the triangles that carry the texture's lines
+constexpr double kRim = -0.04;     // how far behind the visible half triangles are kept
+constexpr double kNearRim = 0.09;  // cosine: lines beyond would stick out
+constexpr double kPixels = 2.5;    // of the window: edges of coloured triangles
+constexpr double kTexturePixels = 3.4;
 constexpr double kGrainPixels = 3;  // of the window
-constexpr double kPale = 0.55;
 constexpr std::size_t kMostVertices = 2500000;
 
 Vector3<double> unit(const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
@@ -68,7 +69,7 @@ Colour plain_colour(const TetDirections& directions, const Vector3<double>& v,
   if (!look.inside) return colour;
   const int sign = directions.sign_inside(v);
   if (sign != 0) return sheet_colour(sign * directions.manifold().mode().abs_mu);
-  return mix(colour, kWhite, kind == DirectionKind::complex_domain ? 0.25 : kPale);
+  return mix(colour, kWhite, kind == DirectionKind::complex_domain ? kPaleGrey : kPale);
 }
 
 // The texture's values at the places; 1/2 where there is no direction.
@@ -168,14 +169,25 @@ bool inside_is_behind(const TetDirections& directions, const SphereFrame& frame)
   return behind > front;
 }
 
-void add_sphere_lines(vtkRenderer& renderer, const std::vector<Polyline>& lines,
-                      const Colour& colour, double width, double height) {
+void add_sphere_lines(vtkRenderer& renderer, const SphereFrame& frame,
+                      const std::vector<Polyline>& lines, const Colour& colour, double width,
+                      double height) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
+  std::vector<vtkIdType> piece;
+  const auto end = [&] {
+    if (piece.size() > 1) cells->InsertNextCell(static_cast<vtkIdType>(piece.size()), piece.data());
+    piece.clear();
+  };
   for (const Polyline& line : lines) {
-    cells->InsertNextCell(static_cast<int>(line.size()));
-    for (const auto& v : line)
-      cells->InsertCellPoint(points->InsertNextPoint(height * v.x, height * v.y, height * v.z));
+    for (const auto& v : line) {
+      if (dot(v, frame.viewer) > kNearRim) {
+        piece.push_back(points->InsertNextPoint(height * v.x, height * v.y, height * v.z));
+      } else {
+        end();
+      }
+    }
+    end();
   }
   vtkNew<vtkPolyData> shape;
   shape->SetPoints(points);
@@ -186,7 +198,8 @@ void add_sphere_lines(vtkRenderer& renderer, const std::vector<Polyline>& lines,
 void add_sphere(vtkRenderer& renderer, const TetDirections& directions, const SphereFrame& frame,
                 const SphereLook& look) {
   const SurfaceMesh sphere = visible_half(frame);
-  const FineSurface fine = fine_surface(sphere, kPixels / look.radius_pixels, kMostVertices);
+  const double pixels = look.texture == Texture::none ? kPixels : kTexturePixels;
+  const FineSurface fine = fine_surface(sphere, pixels / look.radius_pixels, kMostVertices);
   const std::vector<double> values = texture_values(directions, sphere, fine, look);
   std::vector<Colour> colours(fine.vertices.size());
   tbb::parallel_for(std::size_t{0}, colours.size(), [&](std::size_t i) {
@@ -214,7 +227,7 @@ void add_sphere(vtkRenderer& renderer, const TetDirections& directions, const Sp
   shape->SetPolys(triangles);
   shape->GetPointData()->SetScalars(bytes);
   shape->GetPointData()->SetNormals(normals);
-  add_coloured(renderer, shape, false);
+  add_coloured(renderer, shape, true);
 
   const auto& manifold = directions.manifold();
   if (look.grid) {
@@ -229,21 +242,22 @@ void add_sphere(vtkRenderer& renderer, const TetDirections& directions, const Sp
       grid.push_back(across);
       if (k <= kGridLines) grid.push_back(along);
     }
-    add_sphere_lines(renderer, grid, mix(kInk, kWhite, 0.35), 0.6 * look.line, 1.002);
+    add_sphere_lines(renderer, frame, grid, mix(kInk, kWhite, 0.35), 0.6 * look.line, 1.002);
   }
   if (!manifold.complex_domain_empty()) {
     std::vector<Polyline> boundary, within;
     boundary_pieces(directions, false, boundary);
     boundary_pieces(directions, true, look.inside ? within : boundary);
-    add_sphere_lines(renderer, boundary, kInk, 1.3 * look.line);
-    add_sphere_lines(renderer, within, kGreen, 2.6 * look.line);
+    add_sphere_lines(renderer, frame, boundary, kInk, 1.3 * look.line);
+    add_sphere_lines(renderer, frame, within, kGreen, 2.6 * look.line);
   }
   for (const auto& s : manifold.singularities())
     for (const double sign : {1.0, -1.0})
       add_ball(renderer, {sign * s.x, sign * s.y, sign * s.z}, 0.022, kYellow);
 }
 
-void aim_at_sphere(vtkRenderer& renderer, const SphereFrame& frame, double aspect, double share) {
+void aim_at_sphere(vtkRenderer& renderer, const SphereFrame& frame, double aspect, double share,
+                   double rise) {
   vtkCamera& camera = *renderer.GetActiveCamera();
   const auto& [right, up, viewer] = frame;
   camera.ParallelProjectionOn();
@@ -251,6 +265,7 @@ void aim_at_sphere(vtkRenderer& renderer, const SphereFrame& frame, double aspec
   camera.SetPosition(5 * viewer.x, 5 * viewer.y, 5 * viewer.z);
   camera.SetViewUp(up.x, up.y, up.z);
   camera.SetParallelScale(1 / share / (aspect < 1 ? aspect : 1));
+  camera.SetWindowCenter(0, -rise);
   camera.SetClippingRange(1, 9);
 }
 

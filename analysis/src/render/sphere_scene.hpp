@@ -20,6 +20,9 @@ inline constexpr Colour kComplexGrey{0.60, 0.60, 0.60};
 inline constexpr Colour kChartreuse{0.62, 0.85, 0.12};
 inline constexpr Colour kRed{0.88, 0.10, 0.10};
 
+/// How much white is in the colours of directions that are not in the tetrahedron.
+inline constexpr double kPale = 0.55, kPaleGrey = 0.25;
+
 Colour colour_of(DirectionKind kind);
 /// Of the sheets of a mode: teal, gold, or for mode 0 chartreuse.
 Colour sheet_colour(double mode);
@@ -49,11 +52,14 @@ bool inside_is_behind(const TetDirections& directions, const SphereFrame& frame)
 void add_sphere(vtkRenderer& renderer, const TetDirections& directions, const SphereFrame& frame,
                 const SphereLook& look);
 
-/// Polylines on the sphere, just above it.
-void add_sphere_lines(vtkRenderer& renderer, const std::vector<std::vector<Vector3<double>>>& lines,
-                      const Colour& colour, double width, double height = 1.004);
+/// The visible parts of polylines on the sphere, just above it.
+void add_sphere_lines(vtkRenderer& renderer, const SphereFrame& frame,
+                      const std::vector<std::vector<Vector3<double>>>& lines, const Colour& colour,
+                      double width, double height = 1.004);
 
-/// Looks at the sphere with parallel rays; it fills the frame up to `share`.
-void aim_at_sphere(vtkRenderer& renderer, const SphereFrame& frame, double aspect, double share);
+/// Looks at the sphere with parallel rays. It fills `share` of the frame, and its middle is above
+/// that of the frame by `rise` of half the height.
+void aim_at_sphere(vtkRenderer& renderer, const SphereFrame& frame, double aspect, double share,
+                   double rise);
 
 }  // namespace tensortopo

@@ -3,6 +3,7 @@
 #include "render/tet_picture.hpp"
 
 #include <fmt/format.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -24,8 +25,9 @@ namespace {
 
 using Polyline = std::vector<Vector3<double>>;
 
-constexpr double kSphereShare = 0.86;  // of its panel
-constexpr double kGrain = 1.7;         // pixels
+constexpr double kSphereShare = 0.9;                                      // of its panel
+constexpr double kGrain = 1.7;                                            // pixels
+constexpr double kPanelWidth = 720, kPanelHeight = 840, kLargest = 4096;  // pixels
 constexpr Colour kFaceCurve{0.05, 0.16, 0.72};
 
 std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
@@ -38,7 +40,17 @@ struct Scale {
 
   double least() const { return std::min(panel_width, panel_height); }
   double aspect() const { return panel_width / panel_height; }
+  // How far what is drawn is above the middle, for the words below: of half the height.
+  double rise() const { return 0.7 * std::max(0.0, 1 - panel_width / panel_height); }
 };
+
+Scale scale_of(const TetPicture& picture) {
+  Scale scale;
+  const bool one = picture.modes.size() == 1;
+  scale.columns = static_cast<int>(one ? picture.panels.size() : picture.modes.size());
+  scale.rows = static_cast<int>(one ? 1 : picture.panels.size());
+  return scale;
+}
 
 // One mode: what is drawn in each of its panels.
 struct Subject {
@@ -107,13 +119,13 @@ void draw_manifold(vtkRenderer& renderer, const TetPicture& picture, const Subje
       for (const auto& t : triangles)
         for (std::size_t k = 0; wires && t && k < 3; ++k) add(edges, (*t)[k], (*t)[(k + 1) % 3]);
     }
-    add_sphere_lines(renderer, edges, kInk, 0.6 * scale.line, 1.003);
-    add_sphere_lines(renderer, rims, kFaceCurve, 2.2 * scale.line, 1.005);
+    add_sphere_lines(renderer, frame, edges, kInk, 0.6 * scale.line, 1.003);
+    add_sphere_lines(renderer, frame, rims, kFaceCurve, 2.2 * scale.line, 1.005);
   }
   if (picture.marked)
     for (const double sign : {1.0, -1.0})
       add_ball(renderer, array_of(sign * *picture.marked), 0.03, kRed);
-  aim_at_sphere(renderer, frame, scale.aspect(), kSphereShare);
+  aim_at_sphere(renderer, frame, scale.aspect(), kSphereShare, scale.rise());
 }
 
 void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject& subject,
@@ -156,36 +168,53 @@ void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject&
   double bounds[6];
   domain->GetBounds(bounds);
   aim(renderer, bounds, picture.view, scale.aspect());
+  vtkCamera& camera = *renderer.GetActiveCamera();
+  const double* const middle = camera.GetWindowCenter();
+  camera.SetWindowCenter(middle[0], middle[1] - scale.rise());
 }
 
-std::vector<LegendEntry> legend_of(const TetPicture& picture, const Subject& subject, Panel panel) {
-  const bool neutral = subject.mode.sign() == 0, inside = !(picture.beyond > 1);
+std::vector<LegendEntry> sphere_legend(const TetPicture& picture) {
+  const bool inside = !(picture.beyond > 1);
+  bool neutral = false, other = false;
+  for (const ModeValue& mode : picture.modes) (mode.sign() == 0 ? neutral : other) = true;
   std::vector<LegendEntry> entries;
   const auto add = [&](const Colour& colour, const char* text) {
     entries.push_back({{colour, 1}, text});
   };
-  if (panel == Panel::manifold || panel == Panel::triangles) {
-    const auto pale = [&](const Colour& c) { return inside ? mix(c, kWhite, 0.55) : c; };
-    if (!neutral) {
-      add(inside ? mix(kComplexGrey, kWhite, 0.25) : kComplexGrey, "complex domain");
-      add(pale(kCyan), "two points of mode > 0");
-      add(pale(kMagenta), "two of mode < 0");
-      add(pale(kBlue), "one of each");
+  const auto pale = [&](const Colour& c) { return inside ? mix(c, kWhite, kPale) : c; };
+  if (other) {
+    add(inside ? mix(kComplexGrey, kWhite, kPaleGrey) : kComplexGrey, "complex domain");
+    add(pale(kCyan), "two points of mode > 0");
+    add(pale(kMagenta), "two of mode < 0");
+    add(pale(kBlue), "one of each");
+  }
+  if (inside && other) add(kTeal, "in the tetrahedron, mode > 0");
+  if (inside && other) add(kGold, "in the tetrahedron, mode < 0");
+  if (inside && neutral) add(kChartreuse, "in the tetrahedron, mode 0");
+  return entries;
+}
+
+// Of what is in space in any column.
+std::vector<LegendEntry> space_legend(const std::vector<Subject>& subjects, bool curves) {
+  bool positive = false, negative = false, neutral = false, linear = false, planar = false;
+  for (const Subject& subject : subjects) {
+    for (const SurfaceMesh& surface : subject.surface.surfaces) {
+      if (surface.triangles.empty()) continue;
+      const double mode = surface.mode.front();
+      (mode > 0 ? positive : mode < 0 ? negative : neutral) = true;
     }
-    if (inside && neutral) add(kChartreuse, "in the tetrahedron");
-    if (inside && !neutral) add(kTeal, "in the tetrahedron, mode > 0");
-    if (inside && !neutral) add(kGold, "in the tetrahedron, mode < 0");
-    return entries;
+    linear = linear || !subject.surface.curves[0].lines.empty();
+    planar = planar || !subject.surface.curves[1].lines.empty();
   }
-  for (const SurfaceMesh& surface : subject.surface.surfaces) {
-    if (surface.triangles.empty()) continue;
-    const double mode = surface.mode.front();
-    entries.push_back(
-        {{sheet_colour(mode), 1}, mode == 0 ? "mode 0, neutral" : fmt::format("mode {:+g}", mode)});
-  }
-  if (panel == Panel::curves) return entries;
-  if (!subject.surface.curves[0].lines.empty()) add(kGreen, "mode +1, linear degenerate");
-  if (!subject.surface.curves[1].lines.empty()) add(kYellow, "mode -1, planar degenerate");
+  std::vector<LegendEntry> entries;
+  const auto add = [&](bool there, const Colour& colour, const char* text) {
+    if (there) entries.push_back({{colour, 1}, text});
+  };
+  add(positive, kTeal, "mode > 0");
+  add(negative, kGold, "mode < 0");
+  add(neutral, kChartreuse, "mode 0, neutral");
+  add(linear && curves, kGreen, "mode +1, linear degenerate");
+  add(planar && curves, kYellow, "mode -1, planar degenerate");
   return entries;
 }
 
@@ -218,38 +247,50 @@ std::vector<Panel> parse_panels(std::string_view text) {
   return panels;
 }
 
+void set_default_size(TetPicture& picture) {
+  const Scale scale = scale_of(picture);
+  const double fit = std::min(
+      {1.0, kLargest / (kPanelWidth * scale.columns), kLargest / (kPanelHeight * scale.rows)});
+  picture.view.width = static_cast<int>(fit * kPanelWidth * scale.columns);
+  picture.view.height = static_cast<int>(fit * kPanelHeight * scale.rows);
+}
+
 TetImage draw_tet(const TetPicture& picture) {
-  Scale scale;
+  Scale scale = scale_of(picture);
   const bool one = picture.modes.size() == 1;
-  scale.columns = static_cast<int>(one ? picture.panels.size() : picture.modes.size());
-  scale.rows = static_cast<int>(one ? 1 : picture.panels.size());
   scale.panel_width = static_cast<double>(picture.view.width) * kOversampling / scale.columns;
   scale.panel_height = static_cast<double>(picture.view.height) * kOversampling / scale.rows;
   scale.line = std::max(1.0, scale.least() / kOversampling / 560) * kOversampling;
   scale.unit = 0.034 * scale.least();
 
   TetImage result;
+  std::vector<Subject> subjects;
+  for (const ModeValue& mode : picture.modes) {
+    subjects.push_back({mode, TetDirections(picture.field, mode),
+                        tet_surface(picture.field, mode, picture.beyond)});
+    const auto& notes = subjects.back().surface.notes;
+    result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+  }
   std::vector<vtkSmartPointer<vtkRenderer>> scenes;
-  for (std::size_t m = 0; m < picture.modes.size(); ++m) {
-    const ModeValue& mode = picture.modes[m];
-    const Subject subject{mode, TetDirections(picture.field, mode),
-                          tet_surface(picture.field, mode, picture.beyond)};
-    result.notes.insert(result.notes.end(), subject.surface.notes.begin(),
-                        subject.surface.notes.end());
+  for (std::size_t m = 0; m < subjects.size(); ++m) {
     for (std::size_t p = 0; p < picture.panels.size(); ++p) {
       const auto column = static_cast<double>(one ? p : m), row = static_cast<double>(one ? 0 : p);
       scenes.push_back(new_scene({column / scale.columns, 1 - (row + 1) / scale.rows,
                                   (column + 1) / scale.columns, 1 - row / scale.rows}));
       vtkRenderer& scene = *scenes.back();
       const Panel panel = picture.panels[p];
-      if (panel == Panel::manifold || panel == Panel::triangles) {
-        draw_manifold(scene, picture, subject, panel == Panel::triangles, scale);
+      const bool sphere = panel == Panel::manifold || panel == Panel::triangles;
+      if (sphere) {
+        draw_manifold(scene, picture, subjects[m], panel == Panel::triangles, scale);
       } else {
-        draw_space(scene, picture, subject, panel == Panel::curves, scale);
+        draw_space(scene, picture, subjects[m], panel == Panel::curves, scale);
       }
       if (m == 0 && panel != Panel::triangles)
-        add_legend(scene, legend_of(picture, subject, panel), scale.unit);
-      if (p == 0) add_title(scene, title_of(mode), scale.unit, scale.panel_height);
+        add_legend(
+            scene,
+            sphere ? sphere_legend(picture) : space_legend(subjects, panel == Panel::surface),
+            scale.unit);
+      if (p == 0) add_title(scene, title_of(subjects[m].mode), scale.unit, scale.panel_height);
     }
   }
   result.image = grab(scenes, picture.view.width, picture.view.height);

@@ -41,6 +41,9 @@ struct TetPicture {
   double sphere_azimuth = 24, sphere_elevation = 28;  ///< from the complex domain, in degrees
 };
 
+/// The size of a picture for which nobody asked for one: upright panels.
+void set_default_size(TetPicture& picture);
+
 struct TetImage {
   vtkSmartPointer<vtkImageData> image;
   std::vector<std::string> notes;  ///< what could not be extracted, and so is not drawn

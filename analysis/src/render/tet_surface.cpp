@@ -22,8 +22,10 @@
 namespace tensortopo {
 namespace {
 
-// Denser samples than an extraction's default: there is one tetrahedron to be drawn.
-constexpr double kResolution = 14;
+// Denser samples than an extraction's default, until there are so many triangles: there is one
+// tetrahedron to be drawn.
+constexpr double kFirstResolution = 14, kLastResolution = 900;
+constexpr std::size_t kEnoughTriangles = 1500;
 
 std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
 
@@ -64,6 +66,19 @@ TetMesh cube_around(const TetField& field, double beyond) {
   return mesh;
 }
 
+Extraction finely_extracted(const TetMesh& mesh, const ModeValue& mode) {
+  ExtractOptions options;
+  options.sampling.resolution = kFirstResolution;
+  for (;;) {
+    Extraction extraction = extract_mode_surface<double>(mesh, mode, options);
+    const std::size_t triangles = extraction.surface.triangles.size();
+    options.sampling.resolution *= 2;
+    if (triangles == 0 || triangles >= kEnoughTriangles ||
+        options.sampling.resolution > kLastResolution)
+      return extraction;
+  }
+}
+
 void add_points(vtkPolyData& shape, const std::vector<Vector3<double>>& points) {
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
@@ -77,13 +92,13 @@ TetSurface tet_surface(const TetField& field, const ModeValue& mode, double beyo
   TetSurface result;
   result.mesh = beyond > 1 ? cube_around(field, beyond) : one_tet(field);
   ExtractOptions options;
-  options.sampling.resolution = kResolution;
+  options.sampling.resolution = kFirstResolution;
   const bool degenerate = std::abs(mode.approx()) == 1;
   if (!degenerate) {
     std::vector<ModeValue> both{mode.sign() < 0 ? mode.opposite() : mode};
     if (mode.sign() != 0) both.push_back(both[0].opposite());
     for (const ModeValue& one : both) {
-      Extraction extraction = extract_mode_surface<double>(result.mesh, one, options);
+      Extraction extraction = finely_extracted(result.mesh, one);
       result.surfaces.push_back(std::move(extraction.surface));
       for (const auto& cell : extraction.unresolved)
         result.notes.push_back(fmt::format("mode {}: part {} of the picture is left out ({})",

@@ -21,8 +21,8 @@ namespace {
 
 constexpr const char* kLines = "line_field";
 constexpr std::size_t kMostVertices = 3000000;
-// Triangles are a little smaller than grains.
-constexpr double kEdge = 0.9;
+// Longest edge of the fine triangles, in grains.
+constexpr double kEdge = 1.25;
 
 std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
 
