@@ -61,6 +61,9 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
                                 {"modes", report.modes},
                                 {"seconds", report.seconds}};
     if (report.bifurcation_mode) json["bifurcation_mode"] = *report.bifurcation_mode;
+    for (const auto& [point, mode, drawn] : report.marked)
+      json["direction"].push_back(
+          {{"point", {point.x, point.y, point.z}}, {"mode", mode}, {"drawn", drawn}});
     if (!report.frames.empty()) {
       json["frames"] = nlohmann::ordered_json::array();
       for (const auto& file : report.frames) json["frames"].push_back(file.string());
@@ -68,8 +71,8 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
     if (!report.notes.empty()) json["notes"] = report.notes;
     print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   } else {
-    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", output, report.width,
-                      report.height, report.seconds));
+    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", output, report.width, report.height,
+                      report.seconds));
   }
   return ExitStatus::done;
 }

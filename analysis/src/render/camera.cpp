@@ -70,7 +70,7 @@ vtkSmartPointer<vtkRenderer> new_scene(const std::array<double, 4>& part) {
   return renderer;
 }
 
-void aim(vtkRenderer& renderer, const double* bounds, const View& view, double aspect) {
+void aim(vtkRenderer& renderer, const double* bounds, const View& view, const Frame& frame) {
   constexpr double degree = std::numbers::pi / 180;
   const double a = view.azimuth * degree, e = view.elevation * degree;
   double middle[3];
@@ -83,11 +83,14 @@ void aim(vtkRenderer& renderer, const double* bounds, const View& view, double a
   camera.SetViewUp(0, from_above ? 1 : 0, from_above ? 0 : 1);
   camera.SetViewAngle(24);
   renderer.ResetCamera(bounds);
-  vtkMatrix4x4& projection = *camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1);
+  vtkMatrix4x4& projection = *camera.GetCompositeProjectionTransformMatrix(frame.aspect, -1, 1);
   double low[2]{HUGE_VAL, HUGE_VAL}, high[2]{-HUGE_VAL, -HUGE_VAL};
-  for (int corner = 0; corner < 8; ++corner) {
-    const double place[4]{bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
-                          bounds[4 + (corner >> 2)], 1};
+  std::vector<std::array<double, 3>> points = frame.points;
+  for (int corner = 0; frame.points.empty() && corner < 8; ++corner)
+    points.push_back(
+        {bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)]});
+  for (const auto& point : points) {
+    const double place[4]{point[0], point[1], point[2], 1};
     double seen[4];
     projection.MultiplyPoint(place, seen);
     for (int k = 0; k < 2; ++k) {
@@ -95,11 +98,12 @@ void aim(vtkRenderer& renderer, const double* bounds, const View& view, double a
       high[k] = std::max(high[k], seen[k] / seen[3]);
     }
   }
-  const double reach = std::max(high[0] - low[0], high[1] - low[1]) / 2;
+  const double reach = std::max(high[0] - low[0], (high[1] - low[1]) / (1 - frame.rise)) / 2;
   if (reach > 0) {
     const double zoom = kFill / reach;
     camera.Zoom(zoom);
-    camera.SetWindowCenter(zoom * (low[0] + high[0]) / 2, zoom * (low[1] + high[1]) / 2);
+    camera.SetWindowCenter(zoom * (low[0] + high[0]) / 2,
+                           zoom * (low[1] + high[1]) / 2 - frame.rise);
   }
   renderer.ResetCameraClippingRange(bounds);
 }

@@ -49,8 +49,16 @@ void add_coloured(vtkRenderer& renderer, vtkPolyData* shape, bool soft, double o
 void add_ball(vtkRenderer& renderer, const std::array<double, 3>& middle, double radius,
               const Colour& colour);
 
-/// Aims at the middle of a box and comes as near as the frame allows; `aspect` is width / height.
-void aim(vtkRenderer& renderer, const double* bounds, const View& view, double aspect);
+/// What a scene has to fit in.
+struct Frame {
+  double aspect = 1;  ///< width / height
+  double rise =
+      0;  ///< how far its middle is above the picture's, of half the height: below are words
+  std::vector<std::array<double, 3>> points;  ///< that must be seen; none: the corners of the box
+};
+
+/// Aims at the middle of a box and comes as near as the frame allows.
+void aim(vtkRenderer& renderer, const double* bounds, const View& view, const Frame& frame);
 
 /// What the scenes look like, one byte a channel, RGB. Throws std::runtime_error.
 vtkSmartPointer<vtkImageData> grab(const std::vector<vtkSmartPointer<vtkRenderer>>& renderers,

@@ -45,6 +45,7 @@ struct RenderReport {
   /// Of a tetrahedron: the mode at which the topology of its generalized mode surface changes,
   /// sqrt(1 - mode^2) of the characteristic tensor.
   std::optional<double> bifurcation_mode;
+  std::vector<MarkedPoint> marked;
   std::vector<std::string> notes;  ///< what is not drawn, and why
   std::uintmax_t bytes = 0;        ///< of all files
   double seconds = 0;

@@ -107,6 +107,7 @@ vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue
       const double mode = directions.manifold().characteristic().mode;
       report.bifurcation_mode = std::sqrt((1 - mode) * (1 + mode));
       TetImage result = draw_tet(picture);
+      report.marked.insert(report.marked.end(), result.marked.begin(), result.marked.end());
       report.notes.insert(report.notes.end(), result.notes.begin(), result.notes.end());
       return result.image;
     } catch (const std::invalid_argument& problem) {

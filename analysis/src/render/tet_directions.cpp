@@ -24,15 +24,6 @@ CharacteristicTensor<double> characteristic_of(const TetField& field) {
   throw std::invalid_argument("the deviators at its corners are dependent");
 }
 
-std::array<double, 4> barycentric(const TetField& field, const Vector3<double>& point) {
-  const auto& c = field.corners;
-  const Vector3<double> e1 = c[1] - c[0], e2 = c[2] - c[0], e3 = c[3] - c[0], x = point - c[0];
-  const double volume = dot(e1, cross(e2, e3));
-  const double a = dot(x, cross(e2, e3)) / volume, b = dot(e1, cross(x, e3)) / volume,
-               d = dot(e1, cross(e2, x)) / volume;
-  return {1 - a - b - d, a, b, d};
-}
-
 SymmetricTensor<double> combined(const TetField& field, const std::array<double, 4>& w) {
   return w[0] * field.tensors[0] + w[1] * field.tensors[1] + w[2] * field.tensors[2] +
          w[3] * field.tensors[3];
@@ -48,8 +39,17 @@ int common_sign(const std::array<double, 4>& w) {
 
 }  // namespace
 
+std::array<double, 4> TetField::weights(const Vector3<double>& point) const {
+  const auto& c = corners;
+  const Vector3<double> e1 = c[1] - c[0], e2 = c[2] - c[0], e3 = c[3] - c[0], x = point - c[0];
+  const double volume = dot(e1, cross(e2, e3));
+  const double a = dot(x, cross(e2, e3)) / volume, b = dot(e1, cross(x, e3)) / volume,
+               d = dot(e1, cross(e2, x)) / volume;
+  return {1 - a - b - d, a, b, d};
+}
+
 SymmetricTensor<double> TetField::at(const Vector3<double>& point) const {
-  return combined(*this, barycentric(*this, point));
+  return combined(*this, weights(point));
 }
 
 TetField tet_field(const TetMesh& mesh, std::size_t tet) {
@@ -120,7 +120,7 @@ Vector3<double> TetDirections::line(const Vector3<double>& v, Texture texture) c
 
 Vector3<double> medium_eigenvector_derivative(const TetField& field, const Vector3<double>& point,
                                               const Vector3<double>& step) {
-  std::array<double, 4> rate = barycentric(field, field.corners[0] + step);
+  std::array<double, 4> rate = field.weights(field.corners[0] + step);
   rate[0] -= 1;
   const SymmetricTensor<double> change = combined(field, rate);
   const auto [values, vectors] = eigen_decomposition(field.at(point));

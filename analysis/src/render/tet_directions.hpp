@@ -19,6 +19,8 @@ struct TetField {
 
   /// The linear field, in the tetrahedron and beyond.
   SymmetricTensor<double> at(const Vector3<double>& point) const;
+  /// The barycentric coordinates of a point.
+  std::array<double, 4> weights(const Vector3<double>& point) const;
 };
 
 /// The tetrahedron of a mesh as a field.

@@ -3,7 +3,6 @@
 #include "render/tet_picture.hpp"
 
 #include <fmt/format.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -19,6 +18,7 @@
 #include "render/sphere_scene.hpp"
 #include "render/tet_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo {
 namespace {
@@ -128,6 +128,26 @@ void draw_manifold(vtkRenderer& renderer, const TetPicture& picture, const Subje
   aim_at_sphere(renderer, frame, scale.aspect(), kSphereShare, scale.rise());
 }
 
+bool is_within(const TetMesh& mesh, const Vector3<double>& point) {
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const std::array<double, 4> weights = tet_field(mesh, i).weights(point);
+    if (*std::min_element(weights.begin(), weights.end()) >= 0) return true;
+  }
+  return false;
+}
+
+std::vector<MarkedPoint> marked_points(const TetPicture& picture, const Subject& subject) {
+  std::vector<MarkedPoint> points;
+  if (!picture.marked) return points;
+  for (const double sign : {1.0, -1.0}) {
+    const auto place = subject.directions.place(sign * *picture.marked);
+    if (!place) continue;
+    const double m = mode(deviator(picture.field.at(*place)));
+    points.push_back({*place, m, is_within(subject.surface.mesh, *place)});
+  }
+  return points;
+}
+
 void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject& subject,
                 bool only_curves, const Scale& scale) {
   const auto domain = domain_boundary(subject.surface.mesh);
@@ -161,16 +181,13 @@ void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject&
     const Sheet sheet = sheet_of(subject.surface.curves[i], i == 0 ? 1 : -1);
     add_curves(renderer, sheet.shape, {i == 0 ? kGreen : kYellow, 1}, 0.006 * size);
   }
-  if (picture.marked)
-    for (const double sign : {1.0, -1.0})
-      if (const auto place = subject.directions.place(sign * *picture.marked))
-        add_ball(renderer, array_of(*place), 0.014 * size, kRed);
+  for (const MarkedPoint& marked : marked_points(picture, subject))
+    if (marked.drawn) add_ball(renderer, array_of(marked.point), 0.014 * size, kRed);
   double bounds[6];
   domain->GetBounds(bounds);
-  aim(renderer, bounds, picture.view, scale.aspect());
-  vtkCamera& camera = *renderer.GetActiveCamera();
-  const double* const middle = camera.GetWindowCenter();
-  camera.SetWindowCenter(middle[0], middle[1] - scale.rise());
+  Frame frame{scale.aspect(), scale.rise(), {}};
+  for (const auto& p : subject.surface.mesh.points) frame.points.push_back(array_of(p));
+  aim(renderer, bounds, picture.view, frame);
 }
 
 std::vector<LegendEntry> sphere_legend(const TetPicture& picture) {
@@ -268,6 +285,8 @@ TetImage draw_tet(const TetPicture& picture) {
   for (const ModeValue& mode : picture.modes) {
     subjects.push_back({mode, TetDirections(picture.field, mode),
                         tet_surface(picture.field, mode, picture.beyond)});
+    for (const MarkedPoint& point : marked_points(picture, subjects.back()))
+      result.marked.push_back(point);
     const auto& notes = subjects.back().surface.notes;
     result.notes.insert(result.notes.end(), notes.begin(), notes.end());
   }

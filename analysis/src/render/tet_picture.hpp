@@ -44,8 +44,16 @@ struct TetPicture {
 /// The size of a picture for which nobody asked for one: upright panels.
 void set_default_size(TetPicture& picture);
 
+/// A point whose medium eigenvector is the marked direction.
+struct MarkedPoint {
+  Vector3<double> point{};
+  double mode = 0;
+  bool drawn = false;  ///< it is in the picture
+};
+
 struct TetImage {
   vtkSmartPointer<vtkImageData> image;
+  std::vector<MarkedPoint> marked;
   std::vector<std::string> notes;  ///< what could not be extracted, and so is not drawn
 };
 
