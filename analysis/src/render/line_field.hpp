@@ -15,6 +15,14 @@ namespace tensortopo {
 /// interpolated; where a tensor is isotropic in the plane (0, an umbilic) there is no direction.
 using LineField = std::vector<SymmetricTensor<double>>;
 
+/// Which directions a surface's texture shows.
+enum class Texture {
+  none,
+  major,     ///< of the larger principal curvature (positive where normals spread)
+  minor,     ///< of the smaller one
+  dominant,  ///< the dominant eigenvector, projected
+};
+
 /// d d^T. A direction and its opposite give the same bits.
 SymmetricTensor<double> dyad(const Vector3<double>& d);
 

@@ -15,6 +15,7 @@
 #include <numbers>
 
 #include "render/fine_surface.hpp"
+#include "render/texture.hpp"
 
 namespace tensortopo {
 namespace {

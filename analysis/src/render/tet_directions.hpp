@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "render/texture.hpp"
+#include "render/line_field.hpp"
 #include "tensortopo/manifold/field_lift.hpp"
 #include "tensortopo/manifold/medium_eigenvector_manifold.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"

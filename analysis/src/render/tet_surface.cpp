@@ -15,6 +15,7 @@
 #include <numeric>
 
 #include "analyze/surface_curvature.hpp"
+#include "render/texture.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"

@@ -5,21 +5,12 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <optional>
 #include <string_view>
 
 #include "render/line_field.hpp"
 #include "render/look.hpp"
 
 namespace tensortopo {
-
-/// Which directions a surface's texture shows.
-enum class Texture {
-  none,
-  major,     ///< of the larger principal curvature (positive where normals spread)
-  minor,     ///< of the smaller one
-  dominant,  ///< the dominant eigenvector, projected
-};
 
 /// "major", "minor", "dominant". Throws UsageError.
 Texture parse_texture(std::string_view text);
