@@ -20,11 +20,11 @@ TEST(RenderModes, DrawsWhatAnExtractedFileHolds) {
   ASSERT_EQ(extract.status, 0) << extract.err;
   for (const std::string texture : {"minor", "dominant"}) {
     const Outcome file = run_program({"render", folder / "s.vtp", "--mesh", mesh, "--texture",
-                                      texture, "--size", "300x200", "-o", folder / "file.png"});
+                                      texture, "--size", "150x100", "-o", folder / "file.png"});
     ASSERT_EQ(file.status, 0) << file.err;
     const Outcome direct =
         run_program({"render", mesh, "--mode", "-1/2", "--generalized", "--texture", texture,
-                     "--size", "300x200", "-o", folder / (texture + ".png")});
+                     "--size", "150x100", "-o", folder / (texture + ".png")});
     ASSERT_EQ(direct.status, 0) << direct.err;
     EXPECT_EQ(contents(folder / "file.png"), contents(folder / (texture + ".png")));
   }

@@ -54,6 +54,7 @@ struct Frame {
   double aspect = 1;  ///< width / height
   double rise =
       0;  ///< how far its middle is above the picture's, of half the height: below are words
+  double margin = 0;  ///< above and below together, of half the height: above is the title
   std::vector<std::array<double, 3>> points;  ///< that must be seen; none: the corners of the box
 };
 

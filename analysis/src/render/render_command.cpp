@@ -42,6 +42,7 @@ std::string png_bytes(vtkImageData* image) {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
   writer->WriteToMemoryOn();
+  writer->SetCompressionLevel(9);
   writer->Write();
   vtkUnsignedCharArray* const bytes = writer->GetResult();
   return {reinterpret_cast<const char*>(bytes->GetPointer(0)),

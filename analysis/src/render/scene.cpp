@@ -47,7 +47,7 @@ vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   add_legend(*renderer, legend, unit);
-  aim(*renderer, bounds, view, {static_cast<double>(view.width) / view.height, 0, {}});
+  aim(*renderer, bounds, view, {static_cast<double>(view.width) / view.height, 0, 0, {}});
   return grab({renderer}, view.width, view.height);
 }
 

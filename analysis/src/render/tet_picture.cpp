@@ -182,10 +182,10 @@ void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject&
     add_curves(renderer, sheet.shape, {i == 0 ? kGreen : kYellow, 1}, 0.006 * size);
   }
   for (const MarkedPoint& marked : marked_points(picture, subject))
-    if (marked.drawn) add_ball(renderer, array_of(marked.point), 0.014 * size, kRed);
+    if (marked.drawn) add_ball(renderer, array_of(marked.point), 0.019 * size, kRed);
   double bounds[6];
   domain->GetBounds(bounds);
-  Frame frame{scale.aspect(), scale.rise(), {}};
+  Frame frame{scale.aspect(), scale.rise(), 0.12, {}};
   for (const auto& p : subject.surface.mesh.points) frame.points.push_back(array_of(p));
   aim(renderer, bounds, picture.view, frame);
 }
