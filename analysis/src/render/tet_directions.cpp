@@ -106,6 +106,8 @@ Vector3<double> TetDirections::canonical(const Vector3<double>& v,
 Vector3<double> TetDirections::line(const Vector3<double>& v, Texture texture) const {
   if (texture == Texture::none || !manifold_.in_real_domain(v)) return {};
   if (texture == Texture::dominant) return manifold_.dominant_eigenvector(v);
+  // Degenerate points fill no surface.
+  if (manifold_.mode().abs_mu == 1) return {};
   const auto point = place(v);
   if (!point) return {};
   const auto curvature = level_curvature(field_.corners, field_.tensors, *point);

@@ -59,7 +59,7 @@ class TetDirections {
   /// The direction of the texture at v, tangent to the sphere: the dominant eigenvector of v's
   /// point (an eigenvector of the paper's asymmetric tensor), or that of a principal direction of
   /// the surface there, carried over by the derivative of the medium eigenvector. Without a
-  /// direction 0.
+  /// direction (as at mode 1) 0.
   Vector3<double> line(const Vector3<double>& v, Texture texture) const;
 
  private:
