@@ -31,6 +31,21 @@ TEST(RenderModes, DrawsWhatAnExtractedFileHolds) {
   EXPECT_NE(contents(folder / "minor.png"), contents(folder / "dominant.png"));
 }
 
+TEST(RenderModes, DrawsCurvesBesideATexture) {
+  const Folder folder;
+  const std::string mesh = field("s4_slab");
+  for (const std::string mode : {"1", "3/4"}) {
+    const Outcome extract = run_program(
+        {"extract", mesh, "-o", folder / (mode.substr(0, 1) + ".vtp"), "--mode", mode, "--quiet"});
+    ASSERT_EQ(extract.status, 0) << extract.err;
+  }
+  const Outcome run =
+      run_program({"render", folder / "3.vtp", "--surface", folder / "1.vtp", "--mesh", mesh,
+                   "--texture", "major", "--size", "150x100", "-o", folder / "both.png", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["modes"], nlohmann::json({0.75, 1}));
+}
+
 // A program of this name that only keeps what it reads.
 class FakeFfmpeg {
  public:

@@ -98,7 +98,8 @@ void aim(vtkRenderer& renderer, const double* bounds, const View& view, const Fr
       high[k] = std::max(high[k], seen[k] / seen[3]);
     }
   }
-  const double reach = std::max(high[0] - low[0], (high[1] - low[1]) / (1 - frame.rise - frame.margin)) / 2;
+  const double reach =
+      std::max(high[0] - low[0], (high[1] - low[1]) / (1 - frame.rise - frame.margin)) / 2;
   if (reach > 0) {
     const double zoom = kFill / reach;
     camera.Zoom(zoom);

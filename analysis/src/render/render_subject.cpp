@@ -37,6 +37,8 @@ std::size_t place_of_cell(const TetMesh& mesh, std::int64_t cell) {
 // The sheets of a file, with the lines of the texture.
 std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetMesh& mesh,
                                    Texture texture) {
+  // A file of curves has nothing to be textured.
+  if (const auto all = read_poly_data(file); all->GetNumberOfPolys() == 0) return sheets_of(all);
   SurfaceInput input = read_surface(file);
   if (texture == Texture::dominant) {
     vtkDataArray* const vectors = input.file->GetPointData()->GetArray("dominant_eigenvector");
