@@ -14,7 +14,7 @@
 #include <functional>
 #include <limits>
 
-#include "analyze/surface_input.hpp"
+#include "render/surface_input.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_text.hpp"

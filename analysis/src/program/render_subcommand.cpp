@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
+#include "render/animation.hpp"
 #include "render/render_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 
@@ -20,7 +22,8 @@ namespace {
 struct Options {
   RenderCommand command;
   std::filesystem::path input, mesh;
-  std::string size, view;
+  std::string size, view, texture, panels, direction, animation;
+  std::vector<std::string> modes;
 };
 
 RenderCommand command_of(const Options& options) {
@@ -35,6 +38,11 @@ RenderCommand command_of(const Options& options) {
   }
   if (!options.size.empty()) parse_size(options.size, command.view);
   if (!options.view.empty()) parse_view(options.view, command.view);
+  command.modes = parse_modes(options.modes);
+  if (!options.animation.empty()) command.frames = parse_animation(options.animation);
+  if (!options.texture.empty()) command.texture = parse_texture(options.texture);
+  if (!options.panels.empty()) command.panels = parse_panels(options.panels);
+  if (!options.direction.empty()) command.marked = parse_direction(options.direction);
   return command;
 }
 
@@ -44,16 +52,27 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
   const RenderReport report = run_render(command, bar.callback());
   bar.erase();
   const std::string output = command.output.string();
+  for (const std::string& note : report.notes)
+    std::cerr << "tensortopo: " << options.input.string() << ": " << note << '\n';
   if (common.json) {
-    const nlohmann::ordered_json json{{"output", {{"path", output}, {"bytes", report.bytes}}},
-                                      {"width", command.view.width},
-                                      {"height", command.view.height},
-                                      {"modes", report.modes},
-                                      {"seconds", report.seconds}};
+    nlohmann::ordered_json json{{"output", {{"path", output}, {"bytes", report.bytes}}},
+                                {"width", report.width},
+                                {"height", report.height},
+                                {"modes", report.modes},
+                                {"seconds", report.seconds}};
+    if (report.bifurcation_mode) json["bifurcation_mode"] = *report.bifurcation_mode;
+    for (const auto& [point, mode, drawn] : report.marked)
+      json["direction"].push_back(
+          {{"point", {point.x, point.y, point.z}}, {"mode", mode}, {"drawn", drawn}});
+    if (!report.frames.empty()) {
+      json["frames"] = nlohmann::ordered_json::array();
+      for (const auto& file : report.frames) json["frames"].push_back(file.string());
+    }
+    if (!report.notes.empty()) json["notes"] = report.notes;
     print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   } else {
-    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", output, command.view.width,
-                      command.view.height, report.seconds));
+    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", output, report.width, report.height,
+                      report.seconds));
   }
   return ExitStatus::done;
 }
@@ -77,6 +96,33 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
                  "Where to look from, in degrees: right of the front, above the horizon "
                  "(default: 30,22)")
       ->type_name("AZIMUTH,ELEVATION");
+  add_mode_option(app, options->modes)
+      ->required(false)
+      ->description(
+          "Extract this mode from the mesh and draw it; repeatable (with --tet: side by "
+          "side)");
+  app.add_flag("--generalized", options->command.generalized, "With each mode its opposite");
+  app.add_option("--animate", options->animation,
+                 "A frame for each of N modes from A to B: FILE-000.png and so on; with ffmpeg "
+                 "and a FILE.gif or FILE.mp4 also a film")
+      ->type_name("A:B:N");
+  app.add_option("--texture", options->texture,
+                 "Lines on the surface: major, minor (principal directions, by the field's "
+                 "derivatives), or dominant (eigenvectors)")
+      ->type_name("LINES");
+  app.add_option("--tet", options->command.tet,
+                 "Draw the medium eigenvector manifold and the surface of this tetrahedron")
+      ->type_name("ID");
+  app.add_option("--panels", options->panels,
+                 "With --tet: some of curves, manifold, triangles, surface "
+                 "(default: manifold,surface)")
+      ->type_name("LIST");
+  app.add_option("--beyond", options->command.beyond,
+                 "With --tet: the tetrahedron's linear field, in a cube K times as large")
+      ->type_name("K");
+  app.add_option("--direction", options->direction,
+                 "With --tet: mark a medium eigenvector and the points that have it")
+      ->type_name("X,Y,Z");
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return render(*options, common); };

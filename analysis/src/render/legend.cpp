@@ -63,4 +63,8 @@ void add_legend(vtkRenderer& renderer, const std::vector<LegendEntry>& entries, 
   }
 }
 
+void add_title(vtkRenderer& renderer, const std::string& words, double unit, double height) {
+  add_text(renderer, 0.9 * unit, height - 1.3 * unit, 0.9 * unit, words);
+}
+
 }  // namespace tensortopo

@@ -14,11 +14,11 @@
 #include <tuple>
 #include <utility>
 
+#include "render/animation.hpp"
 #include "render/display_server.hpp"
-#include "render/domain_boundary.hpp"
+#include "render/render_subject.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
-#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/io/write_text.hpp"
 
 namespace tensortopo {
@@ -42,13 +42,60 @@ std::string png_bytes(vtkImageData* image) {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
   writer->WriteToMemoryOn();
+  writer->SetCompressionLevel(9);
   writer->Write();
   vtkUnsignedCharArray* const bytes = writer->GetResult();
   return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
           static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }
 
+void check(const RenderCommand& command) {
+  const auto need = [](bool condition, const std::string& problem) {
+    if (!condition) throw UsageError(problem);
+  };
+  const bool modes = !command.modes.empty(), frames = !command.frames.empty();
+  if (frames) {
+    need(command.output.extension() == ".png" || is_film(command.output),
+         command.output.string() + ": the name must end in .png, .gif or .mp4");
+  } else {
+    need(command.output.extension() == ".png",
+         command.output.string() + ": the name must end in .png");
+  }
+  need(!command.surfaces.empty() || command.mesh, "nothing to draw");
+  need(!(modes && frames), "--animate gives the modes, so --mode has no meaning");
+  need(command.surfaces.empty() || !(modes || frames),
+       "--mode and --animate extract from a mesh, but surfaces are given");
+  need(command.mesh || command.texture == Texture::none || command.texture == Texture::dominant,
+       "--texture needs the field that the surface was extracted from (--mesh)");
+  if (command.tet) {
+    need(command.surfaces.empty(), "--tet takes a mesh, not surfaces");
+    need(modes || frames, "--tet needs --mode or --animate");
+    need(std::isfinite(command.beyond) && command.beyond >= 1 && command.beyond <= 1000,
+         "--beyond: must be from 1 to 1000");
+  } else {
+    need(command.panels.empty() && command.beyond == 1 && !command.marked,
+         "--panels, --beyond and --direction are about one tetrahedron (--tet)");
+    need(command.texture == Texture::none || modes || frames || !command.surfaces.empty(),
+         "--texture needs surfaces, or --mode");
+  }
+}
+
 }  // namespace
+
+Vector3<double> parse_direction(std::string_view text) {
+  const auto fail = [&] {
+    throw UsageError(fmt::format("--direction {}: must be X,Y,Z, not all zero", text));
+  };
+  const std::size_t comma = text.find(',');
+  const auto first = two_numbers<double>(std::string(text.substr(0, comma)) + ",0", ',');
+  if (comma == std::string_view::npos || !first) fail();
+  const auto rest = two_numbers<double>(text.substr(comma + 1), ',');
+  if (!rest) fail();
+  const Vector3<double> v{first->first, rest->first, rest->second};
+  const double length = std::sqrt(dot(v, v));
+  if (!(length > 0) || !std::isfinite(length)) fail();
+  return (1 / length) * v;
+}
 
 void parse_size(std::string_view text, View& view) {
   const auto size = two_numbers<int>(text, 'x');
@@ -58,6 +105,7 @@ void parse_size(std::string_view text, View& view) {
                                  kSmallest, kLargest));
   }
   std::tie(view.width, view.height) = *size;
+  view.sized = true;
 }
 
 void parse_view(std::string_view text, View& view) {
@@ -71,36 +119,41 @@ void parse_view(std::string_view text, View& view) {
 
 RenderReport run_render(const RenderCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  if (command.output.extension() != ".png") {
-    throw UsageError(command.output.string() + ": the name must end in .png");
-  }
-  if (command.surfaces.empty() && !command.mesh) throw UsageError("nothing to draw");
-
+  check(command);
   if (progress) progress("reading", 0);
-  std::vector<Sheet> sheets;
-  for (const auto& file : command.surfaces) {
-    for (Sheet& sheet : read_sheets(file)) sheets.push_back(std::move(sheet));
-  }
-  vtkSmartPointer<vtkPolyData> domain;
-  if (command.mesh) domain = domain_boundary(read_mesh(*command.mesh).mesh);
-
-  if (progress) progress("drawing", 0.3);
-  vtkSmartPointer<vtkImageData> image;
+  RenderSubject subject(command);
+  RenderReport report;
+  const std::size_t count = command.frames.empty() ? 1 : command.frames.size();
+  std::vector<std::string> pictures;
   try {
     const DisplayServer display;
-    image = draw(sheets, domain, command.view);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (progress)
+        progress("drawing", 0.1 + 0.8 * static_cast<double>(i) / static_cast<double>(count));
+      const auto modes =
+          command.frames.empty() ? command.modes : std::vector<ModeValue>{command.frames[i]};
+      const auto image = subject.picture(modes, report);
+      std::tie(report.width, report.height) =
+          std::pair{image->GetDimensions()[0], image->GetDimensions()[1]};
+      pictures.push_back(png_bytes(image));
+    }
+  } catch (const IoError&) {
+    throw;
   } catch (const std::runtime_error& problem) {
     throw IoError(IoError::Kind::unwritable, command.output, problem.what());
   }
   if (progress) progress("writing", 0.9);
-  const std::string bytes = png_bytes(image);
-  write_text(command.output, bytes);
-
-  RenderReport report;
-  for (const Sheet& sheet : sheets) {
-    if (sheet.mode) report.modes.push_back(*sheet.mode);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const auto file =
+        command.frames.empty() ? command.output : frame_file(command.output, i, pictures.size());
+    write_text(file, pictures[i]);
+    report.bytes += pictures[i].size();
+    if (!command.frames.empty()) report.frames.push_back(file);
   }
-  report.bytes = bytes.size();
+  if (is_film(command.output)) {
+    write_film(command.output, pictures);
+    report.bytes += std::filesystem::file_size(command.output);
+  }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

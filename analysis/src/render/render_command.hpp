@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,23 +10,49 @@
 #include <vector>
 
 #include "render/scene.hpp"
+#include "render/tet_picture.hpp"
+#include "render/texture.hpp"
 #include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo {
 
-/// From surfaces, and the field that they were extracted from, to a picture.
+/// From surfaces, a field, or one tetrahedron of a field, to a picture or a row of pictures.
 struct RenderCommand {
   std::vector<std::filesystem::path> surfaces;  ///< .vtp
   std::optional<std::filesystem::path> mesh;    ///< the domain: .vtu, .pvtu or legacy .vtk
-  std::filesystem::path output;                 ///< .png
+  ReadOptions read;                             ///< of the mesh
+  std::filesystem::path output;                 ///< .png; with frames also .gif, .mp4
   View view;
+
+  /// Surfaces (of 1 and -1 curves) to extract from the mesh and draw; of a tetrahedron the modes
+  /// whose generalized surfaces are drawn side by side.
+  std::vector<ModeValue> modes;
+  bool generalized = false;       ///< with each mode its opposite; of a tetrahedron always
+  std::vector<ModeValue> frames;  ///< a picture for each of these, instead of `modes`
+  Texture texture = Texture::none;
+
+  std::optional<std::int64_t> tet;  ///< draw this tetrahedron of the mesh, by its cell in the file
+  std::vector<Panel> panels;        ///< none: the manifold and the surface
+  double beyond = 1;                ///< see TetPicture
+  std::optional<Vector3<double>> marked;
 };
 
 struct RenderReport {
+  int width = 0, height = 0;  ///< pixels
   std::vector<double> modes;
-  std::uintmax_t bytes = 0;
+  std::vector<std::filesystem::path> frames;  ///< the files of an animation
+  /// Of a tetrahedron: the mode at which the topology of its generalized mode surface changes,
+  /// sqrt(1 - mode^2) of the characteristic tensor.
+  std::optional<double> bifurcation_mode;
+  std::vector<MarkedPoint> marked;
+  std::vector<std::string> notes;  ///< what is not drawn, and why
+  std::uintmax_t bytes = 0;        ///< of all files
   double seconds = 0;
 };
+
+/// "1,-2,0.5", not zero. Throws UsageError.
+Vector3<double> parse_direction(std::string_view text);
 
 /// "1600x1200". Throws UsageError.
 void parse_size(std::string_view text, View& view);

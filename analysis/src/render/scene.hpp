@@ -8,15 +8,10 @@
 
 #include <vector>
 
+#include "render/drawing.hpp"
 #include "render/surface_file.hpp"
 
 namespace tensortopo {
-
-struct View {
-  int width = 1600, height = 1200;  ///< pixels
-  double azimuth = 30;              ///< degrees to the right of the front (the side of small y)
-  double elevation = 22;            ///< degrees above the horizon (z points up)
-};
 
 /// Draws sheets and, unless null, the boundary of their domain. Needs a display.
 /// The image is RGB, one byte a channel. Throws std::runtime_error.

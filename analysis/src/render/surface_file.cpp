@@ -63,7 +63,10 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
 }
 
 std::vector<Sheet> read_sheets(const std::filesystem::path& file) {
-  const vtkSmartPointer<vtkPolyData> all = read_poly_data(file);
+  return sheets_of(read_poly_data(file));
+}
+
+std::vector<Sheet> sheets_of(vtkPolyData* all) {
   vtkPointData* const data = all->GetPointData();
   if (vtkDataArray* const normals = data->GetArray("normal");
       normals != nullptr && normals->GetNumberOfComponents() == 3) {

@@ -24,4 +24,7 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file);
 /// Throws IoError.
 std::vector<Sheet> read_sheets(const std::filesystem::path& file);
 
+/// The same from what a file holds.
+std::vector<Sheet> sheets_of(vtkPolyData* all);
+
 }  // namespace tensortopo

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "analyze/surface_input.hpp"
+#include "render/surface_input.hpp"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/animation.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <stdexcept>
+#include <system_error>
+
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/scalar/rational.hpp"
+
+namespace tensortopo {
+namespace {
+
+constexpr std::size_t kMostFrames = 10000;
+constexpr int kExecFailed = 127;
+
+// The child: becomes ffmpeg, which reads PNG files from `input`, one after the other.
+[[noreturn]] void become_ffmpeg(int input, const std::filesystem::path& file) {
+  dup2(input, STDIN_FILENO);
+  const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  std::vector<std::string> words{"ffmpeg", "-y", "-f", "image2pipe", "-c:v",
+                                 "png",    "-r", "12", "-i",         "-"};
+  if (file.extension() == ".gif") {
+    // One palette for all frames.
+    words.insert(words.end(), {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse"});
+  } else {
+    words.insert(words.end(), {"-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"});
+  }
+  // A path that looks like an option or a protocol is none.
+  words.push_back("file:" + file.string());
+  std::vector<char*> arguments;
+  for (auto& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execvp("ffmpeg", arguments.data());
+  _exit(kExecFailed);
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<ModeValue> parse_animation(std::string_view text) {
+  const auto fail = [&](const std::string& why) {
+    throw UsageError("--animate " + std::string(text) + ": " + why);
+  };
+  const std::size_t one = text.find(':'), two = text.find(':', one + 1);
+  if (one == std::string_view::npos || two == std::string_view::npos) fail("must be A:B:N");
+  const std::string_view count = text.substr(two + 1);
+  std::size_t frames = 0;
+  const auto read = std::from_chars(count.data(), count.data() + count.size(), frames);
+  if (read.ec != std::errc() || read.ptr != count.data() + count.size() || frames < 2 ||
+      frames > kMostFrames)
+    fail(fmt::format("N must be a number of frames, 2 to {}", kMostFrames));
+  std::vector<ModeValue> modes;
+  try {
+    const auto from = to_scalar<Rational>(ModeValue::parse(text.substr(0, one)));
+    const auto to = to_scalar<Rational>(ModeValue::parse(text.substr(one + 1, two - one - 1)));
+    for (std::size_t i = 0; i < frames; ++i) {
+      const Rational share =
+          Rational(static_cast<long>(i)) / Rational(static_cast<long>(frames - 1));
+      modes.push_back(ModeValue::parse(Rational(from + share * (to - from)).str()));
+    }
+  } catch (const std::invalid_argument& problem) {
+    fail(problem.what());
+  }
+  return modes;
+}
+
+std::filesystem::path frame_file(const std::filesystem::path& picture, std::size_t frame,
+                                 std::size_t count) {
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(count - 1).size());
+  std::filesystem::path file = picture;
+  file.replace_filename(fmt::format("{}-{:0{}}.png", picture.stem().string(), frame, digits));
+  return file;
+}
+
+bool is_film(const std::filesystem::path& file) {
+  return file.extension() == ".gif" || file.extension() == ".mp4";
+}
+
+void write_film(const std::filesystem::path& file, const std::vector<std::string>& pictures) {
+  const auto fail = [&](const std::string& why) {
+    throw IoError(IoError::Kind::unwritable, file, why);
+  };
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) fail("cannot make a pipe for ffmpeg");
+  const bool was_there = std::filesystem::exists(file);
+  const pid_t child = fork();
+  if (child == 0) become_ffmpeg(ends[0], file);
+  close(ends[0]);
+  if (child < 0) {
+    close(ends[1]);
+    fail("cannot start ffmpeg");
+  }
+  // A child that ends early is told by its status, not by a signal.
+  struct sigaction ignore {
+  }, before{};
+  ignore.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &ignore, &before);
+  bool whole = true;
+  for (const std::string& picture : pictures) whole = whole && write_all(ends[1], picture);
+  close(ends[1]);
+  sigaction(SIGPIPE, &before, nullptr);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kExecFailed)
+    fail("films need the program ffmpeg (Debian package ffmpeg); the frames are written");
+  if (whole && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+  std::error_code ignored;
+  if (!was_there) std::filesystem::remove(file, ignored);
+  fail("ffmpeg makes no film of the frames; these are written");
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tensortopo/tensor/mode_parameter.hpp"
+
+namespace tensortopo {
+
+/// Reads A:B:N, as in "-0.9:0.9:37": N modes from A to B, evenly spaced, exact. Throws UsageError.
+std::vector<ModeValue> parse_animation(std::string_view text);
+
+/// The file of a frame: for FILE.png FILE-007.png, with as many digits as `count` frames need.
+std::filesystem::path frame_file(const std::filesystem::path& picture, std::size_t frame,
+                                 std::size_t count);
+
+/// Whether the name ends in .gif or .mp4.
+bool is_film(const std::filesystem::path& file);
+
+/// Makes a film of pictures, each the bytes of a PNG, by the program ffmpeg.
+/// Throws IoError, also where there is no ffmpeg.
+void write_film(const std::filesystem::path& file, const std::vector<std::string>& pictures);
+
+}  // namespace tensortopo

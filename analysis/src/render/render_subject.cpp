@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/render_subject.hpp"
+
+#include <fmt/format.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "render/domain_boundary.hpp"
+#include "render/surface_input.hpp"
+#include "render/tet_surface.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
+#include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/io/io_error.hpp"
+
+namespace tensortopo {
+namespace {
+
+std::size_t place_of_cell(const TetMesh& mesh, std::int64_t cell) {
+  const auto found = std::find(mesh.cell_ids.begin(), mesh.cell_ids.end(), cell);
+  if (found == mesh.cell_ids.end()) {
+    const auto [least, greatest] = std::minmax_element(mesh.cell_ids.begin(), mesh.cell_ids.end());
+    throw UsageError(
+        fmt::format("--tet {}: no such tetrahedron; the mesh has {}, numbered from {} "
+                    "to {}",
+                    cell, mesh.cell_ids.size(), *least, *greatest));
+  }
+  return static_cast<std::size_t>(found - mesh.cell_ids.begin());
+}
+
+// The sheets of a file, with the lines of the texture.
+std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetMesh& mesh,
+                                   Texture texture) {
+  // A file of curves has nothing to be textured.
+  if (const auto all = read_poly_data(file); all->GetNumberOfPolys() == 0) return sheets_of(all);
+  SurfaceInput input = read_surface(file);
+  if (texture == Texture::dominant) {
+    vtkDataArray* const vectors = input.file->GetPointData()->GetArray("dominant_eigenvector");
+    if (vectors == nullptr || vectors->GetNumberOfComponents() != 3)
+      throw IoError(IoError::Kind::invalid, file, "has no point data 'dominant_eigenvector'");
+    for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+      input.surface.dominant_eigenvector.push_back(
+          {vectors->GetComponent(i, 0), vectors->GetComponent(i, 1), vectors->GetComponent(i, 2)});
+  } else {
+    locate_in_mesh(input, mesh, file);
+  }
+  set_line_field(*input.file, surface_lines(input.surface, mesh, texture));
+  return sheets_of(input.file);
+}
+
+}  // namespace
+
+RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
+  if (command.mesh) {
+    mesh_ = read_mesh(*command.mesh, command.read).mesh;
+    if (command.tet) {
+      tet_ = place_of_cell(mesh_, *command.tet);
+    } else {
+      domain_ = domain_boundary(mesh_);
+    }
+  }
+  for (const auto& file : command.surfaces) {
+    auto sheets = command.texture == Texture::none ? read_sheets(file)
+                                                   : textured_sheets(file, mesh_, command.texture);
+    for (Sheet& sheet : sheets) sheets_.push_back(std::move(sheet));
+  }
+}
+
+std::vector<Sheet> RenderSubject::extracted(const ModeValue& mode, RenderReport& report) const {
+  const double value = mode.approx();
+  const auto note = [&](std::size_t cells) {
+    if (cells > 0)
+      report.notes.push_back(fmt::format("mode {}: {} of {} tetrahedra unresolved, and not drawn",
+                                         mode.text(), cells, mesh_.tets.size()));
+  };
+  if (std::abs(value) == 1) {
+    const auto kind = value > 0 ? Degeneracy::linear : Degeneracy::planar;
+    const CurveExtraction extraction = extract_degenerate_curves(mesh_, kind);
+    note(extraction.unresolved.size());
+    return {sheet_of(extraction.curves, value)};
+  }
+  const Extraction extraction = extract_mode_surface<double>(mesh_, mode);
+  note(extraction.unresolved.size());
+  const LineField lines = surface_lines(extraction.surface, mesh_, command_.texture);
+  return {sheet_of(extraction.surface, value, lines)};
+}
+
+vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue>& modes,
+                                                     RenderReport& report) {
+  for (const ModeValue& mode : modes) report.modes.push_back(mode.approx());
+  if (command_.tet) {
+    TetPicture picture;
+    picture.field = tet_field(mesh_, tet_);
+    picture.modes = modes;
+    if (!command_.panels.empty()) picture.panels = command_.panels;
+    picture.texture = command_.texture;
+    picture.beyond = command_.beyond;
+    picture.marked = command_.marked;
+    picture.view = command_.view;
+    if (!picture.view.sized) set_default_size(picture);
+    try {
+      const TetDirections directions(picture.field, modes.front());
+      const double mode = directions.manifold().characteristic().mode;
+      report.bifurcation_mode = std::sqrt((1 - mode) * (1 + mode));
+      TetImage result = draw_tet(picture);
+      report.marked.insert(report.marked.end(), result.marked.begin(), result.marked.end());
+      report.notes.insert(report.notes.end(), result.notes.begin(), result.notes.end());
+      return result.image;
+    } catch (const std::invalid_argument& problem) {
+      throw IoError(IoError::Kind::invalid, *command_.mesh,
+                    fmt::format("{} (tetrahedron {})", problem.what(), *command_.tet));
+    }
+  }
+  std::vector<Sheet> sheets = sheets_;
+  for (const ModeValue& mode : modes) {
+    std::vector<ModeValue> signs{mode};
+    if (command_.generalized && mode.sign() != 0) signs.push_back(mode.opposite());
+    for (const ModeValue& one : signs)
+      for (Sheet& sheet : extracted(one, report)) sheets.push_back(std::move(sheet));
+  }
+  if (modes.empty())
+    for (const Sheet& sheet : sheets)
+      if (sheet.mode) report.modes.push_back(*sheet.mode);
+  return draw(sheets, domain_, command_.view);
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "render/render_command.hpp"
+
+namespace tensortopo {
+
+/// What a command draws, read once and drawn at one mode after the other.
+class RenderSubject {
+ public:
+  /// Reads the files. Throws UsageError (no such tetrahedron), IoError.
+  explicit RenderSubject(const RenderCommand& command);
+
+  /// One picture; adds to the report's modes and notes. Needs a display. Throws IoError where a
+  /// tetrahedron has no manifold, std::runtime_error where nothing can be drawn.
+  vtkSmartPointer<vtkImageData> picture(const std::vector<ModeValue>& modes, RenderReport& report);
+
+ private:
+  std::vector<Sheet> extracted(const ModeValue& mode, RenderReport& report) const;
+
+  const RenderCommand& command_;
+  TetMesh mesh_;
+  std::vector<Sheet> sheets_;
+  vtkSmartPointer<vtkPolyData> domain_;
+  std::size_t tet_ = 0;
+};
+
+}  // namespace tensortopo
