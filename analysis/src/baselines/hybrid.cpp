@@ -11,6 +11,7 @@
 
 #include "baselines/edge_roots.hpp"
 #include "baselines/neutral_map.hpp"
+#include "tensortopo/field/characteristic_tensor.hpp"
 
 namespace tensortopo::baselines {
 
@@ -18,7 +19,7 @@ namespace {
 
 using Vector = Vector3<double>;
 
-constexpr int kDeepest = 28;             // of a triangle of directions: 2^-14 of the sphere's
+constexpr int kDeepest = 60;             // of a triangle of directions: 2^-30 of the sphere's
 constexpr std::size_t kMost = 4000;      // triangles of directions for one tetrahedron
 constexpr std::array<std::array<double, 2>, 10> kWhere{// of a cubic's coefficients: shares of b, c
     {{0, 0}, {1. / 3, 0}, {2. / 3, 0}, {1, 0}, {0, 1. / 3}, {1. / 3, 1. / 3}, {2. / 3, 1. / 3},
@@ -29,21 +30,29 @@ double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 /// One of v and -v.
 bool is_turned(const Vector& v) { return v.x != 0 ? v.x < 0 : v.y != 0 ? v.y < 0 : v.z < 0; }
 
+/// The coefficient of the cube of a corner.
+constexpr std::array<std::size_t, 3> kCorner{cubic_place(0, 0), cubic_place(3, 0),
+                                             cubic_place(0, 3)};
+
 struct Cell {
   std::array<Vector, 3> corners;
   std::array<Cubic, 4> weights;
+  std::array<bool, 3> singular{};  ///< the corner is a singularity: all weights are 0
   int depth = 0;
 };
 
 struct Leaf {
   std::array<Vector, 3> corners;
+  std::array<bool, 3> singular{};
   double sign = 1;  ///< of the weights inside
 };
 
+/// A direction; of a singularity, its place as it is approached from another direction.
 struct Vertex {
   Vector v;
-  std::array<double, 4> weights{};
-  unsigned faces = 0;  ///< those that it is on
+  std::array<double, 4> weights{};  ///< up to a factor
+  unsigned faces = 0;               ///< those that it is on
+  bool singular = false;
 };
 
 struct InOrder {
@@ -72,10 +81,21 @@ class Hybrid {
   }
 
   bool run() {
-    const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-    // The upper half of an octahedron.
-    for (const auto& start : {std::array{x, y, z}, {-x, y, z}, {x, -y, z}, {-x, -y, z}})
-      cells_.push_back({start, map_.on(start), 0});
+    const auto found = characteristic_tensor(TetrahedronField<double>{
+        {corners_[0].tensor, corners_[1].tensor, corners_[2].tensor, corners_[3].tensor}});
+    if (!found) return false;
+    const auto& [high, middle, low] = found->eigenvalues;
+    const Vector e = std::sqrt((high - middle) / (high - low)) * found->eigenvectors[0],
+                 f = std::sqrt((middle - low) / (high - low)) * found->eigenvectors[2];
+    if (!(length(e) > 1e-4)) return false;
+    const Vector n = found->eigenvectors[1], s = polished(e + f, e - f, n),
+                 t = polished(f - e, e + f, n);
+    // Half of an octahedron.
+    for (const auto& start : {std::array{s, t, n}, {-s, t, n}, {s, -t, n}, {-s, -t, n}}) {
+      Cell cell{start, map_.on(start), {true, true, false}, 0};
+      for (Cubic& b : cell.weights) b[kCorner[0]] = b[kCorner[1]] = 0;
+      cells_.push_back(cell);
+    }
     for (std::size_t done = 0; !cells_.empty(); ++done) {
       if (done == kMost) return false;
       const Cell cell = cells_.back();
@@ -83,14 +103,11 @@ class Hybrid {
       const auto [positive, negative] = possible_signs(cell);
       if (!positive && !negative) continue;
       const double sign = positive ? 1 : -1;
-      if (cell.depth == kDeepest) {
-        if (positive) leaves_.push_back({cell.corners, 1});
-        if (negative) leaves_.push_back({cell.corners, -1});
-      } else if (positive != negative && is_flat(cell, sign)) {
-        leaves_.push_back({cell.corners, sign});
-      } else {
+      if (cell.depth == kDeepest) continue;  // next to a singularity, to rounding
+      if (positive != negative && is_flat(cell, sign))
+        leaves_.push_back({cell.corners, cell.singular, sign});
+      else
         cut(cell);
-      }
     }
     for (const Leaf& leaf : leaves_) mesh(leaf);
     return true;
@@ -98,6 +115,23 @@ class Hybrid {
 
  private:
   const Vector& place(std::size_t i) const { return corners_[i].position; }
+
+  /// A singularity by Gauss and Newton's method, from nearby, along d and e.
+  Vector polished(Vector v, const Vector& d, const Vector& e) const {
+    for (int step = 0; step < 4; ++step) {
+      const auto b = map_.weights(v), p = map_.slopes(v, d), q = map_.slopes(v, e);
+      double pp = 0, pq = 0, qq = 0, bp = 0, bq = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        pp += p[i] * p[i], pq += p[i] * q[i], qq += q[i] * q[i];
+        bp += b[i] * p[i], bq += b[i] * q[i];
+      }
+      const double det = pp * qq - pq * pq;
+      const double x = (pq * bq - qq * bp) / det, y = (pq * bp - pp * bq) / det;
+      if (!(std::abs(x) + std::abs(y) < 0.01)) break;
+      v = v + x * d + y * e;
+    }
+    return v;
+  }
 
   /// Whether the tetrahedron may be met with all weights positive, or all negative.
   static std::pair<bool, bool> possible_signs(const Cell& cell) {
@@ -113,7 +147,17 @@ class Hybrid {
   bool is_flat(const Cell& cell, double sign) const {
     std::array<Vector, 10> net;
     std::array<double, 10> sums;
+    std::array<bool, 10> is_place;
+    is_place.fill(true);
+    std::array<std::size_t, 3> base = kCorner;
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (!cell.singular[a]) continue;
+      // A quadrilateral: the corner stands for the line between its neighbours in the net.
+      is_place[kCorner[a]] = false;
+      base[a] = a == 0 ? cubic_place(1, 0) : a == 1 ? cubic_place(2, 0) : cubic_place(0, 2);
+    }
     for (std::size_t k = 0; k < 10; ++k) {
+      if (!is_place[k]) continue;
       Vector sum{};
       sums[k] = 0;
       for (std::size_t i = 0; i < 4; ++i) {
@@ -125,15 +169,18 @@ class Hybrid {
       net[k] = (1 / sums[k]) * sum;
     }
     // The image is in the convex hull of the net.
-    const auto normal = cross(net[3] - net[0], net[9] - net[0]);
+    const auto normal = cross(net[base[1]] - net[base[0]], net[base[2]] - net[base[0]]);
     const double size = length(normal);
-    for (const Vector& x : net)
-      if (!(std::abs(dot(normal, x - net[0])) <= tolerance_ * size)) return false;
+    for (std::size_t k = 0; k < 10; ++k)
+      if (is_place[k] &&
+          !(std::abs(dot(normal, net[k] - net[base[0]])) <= tolerance_ * size))
+        return false;
     for (std::size_t i = 0; i < 4; ++i) {
       const Cubic& b = cell.weights[i];
       const auto [low, high] = std::minmax_element(b.begin(), b.end());
       if (*low >= 0 || *high <= 0) continue;
       for (std::size_t k = 0; k < 10; ++k) {
+        if (!is_place[k]) continue;
         const auto& [s, t] = kWhere[k];
         const double line = b[0] + s * (b[3] - b[0]) + t * (b[9] - b[0]);
         if (!(std::abs(b[k] - line) * heights_[i] <= tolerance_ * sums[k])) return false;
@@ -142,11 +189,35 @@ class Hybrid {
     return true;
   }
 
-  void cut(const Cell& cell) {
+  /// The corner at which the side to be cut next begins: the longest one, next to a singularity in
+  /// polar coordinates around it. (Similar triangles would never tell directions at it apart.)
+  static std::size_t side_to_cut(const Cell& cell) {
+    const auto count = std::count(cell.singular.begin(), cell.singular.end(), true);
+    std::array<double, 3> size;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+      size[a] = length(cell.corners[b] - cell.corners[a]);
+      if (count == 2 && cell.singular[a] && cell.singular[b]) return a;
+      if (count == 1 && cell.singular[c]) {
+        const Vector p = cell.corners[a] - cell.corners[c], q = cell.corners[b] - cell.corners[c];
+        size[a] = length(cross(p, q)) / (length(p) * length(q));
+      }
+    }
+    return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  }
+
+  void cut(Cell cell) {
+    for (std::size_t turn = side_to_cut(cell); turn > 0; --turn) {
+      for (Cubic& b : cell.weights) b = turned(b);
+      std::rotate(cell.corners.begin(), cell.corners.begin() + 1, cell.corners.end());
+      std::rotate(cell.singular.begin(), cell.singular.begin() + 1, cell.singular.end());
+    }
     const auto& [a, b, c] = cell.corners;
     const Vector m = 0.5 * (a + b);
     middles_.insert(is_turned(m) ? -m : m);
-    Cell first{{c, a, m}, {}, cell.depth + 1}, second{{b, c, m}, {}, cell.depth + 1};
+    const auto& [a_singular, b_singular, c_singular] = cell.singular;
+    Cell first{{c, a, m}, {}, {c_singular, a_singular, false}, cell.depth + 1},
+        second{{b, c, m}, {}, {b_singular, c_singular, false}, cell.depth + 1};
     for (std::size_t i = 0; i < 4; ++i) {
       const auto parts = halves(cell.weights[i]);
       first.weights[i] = parts[0];
@@ -157,26 +228,49 @@ class Hybrid {
   }
 
   Vertex vertex(const Vector& v, double sign) const {
-    Vertex result{v, map_.weights(v), 0};
+    Vertex result{v, map_.weights(v)};
     for (double& b : result.weights) b *= sign;
     return result;
   }
 
-  /// From a on, without b, with the corners of finer neighbours in between.
-  void add_side(const Vector& a, const Vector& b, double sign, std::vector<Vertex>& polygon) const {
+  Vertex singular_vertex(const Vector& v, const Vector& towards, double sign) const {
+    Vertex result{v, map_.slopes(v, towards - v), 0, true};
+    for (double& b : result.weights) b *= sign;
+    return result;
+  }
+
+  /// The corners of finer neighbours between a and b, in order.
+  void add_between(const Vector& a, const Vector& b, std::vector<Vector>& out) const {
     const Vector m = 0.5 * (a + b);
-    if (middles_.contains(is_turned(m) ? -m : m)) {
-      add_side(a, m, sign, polygon);
-      add_side(m, b, sign, polygon);
-    } else {
-      polygon.push_back(vertex(a, sign));
+    if (!middles_.contains(is_turned(m) ? -m : m)) return;
+    add_between(a, m, out);
+    out.push_back(m);
+    add_between(m, b, out);
+  }
+
+  std::vector<Vertex> outline(const Leaf& leaf) const {
+    std::vector<Vector> around;
+    std::vector<bool> singular;
+    for (std::size_t a = 0; a < 3; ++a) {
+      around.push_back(leaf.corners[a]);
+      singular.push_back(leaf.singular[a]);
+      add_between(leaf.corners[a], leaf.corners[(a + 1) % 3], around);
+      singular.resize(around.size(), false);
     }
+    std::vector<Vertex> polygon;
+    for (std::size_t k = 0, n = around.size(); k < n; ++k) {
+      if (!singular[k]) {
+        polygon.push_back(vertex(around[k], leaf.sign));
+        continue;
+      }
+      polygon.push_back(singular_vertex(around[k], around[(k + n - 1) % n], leaf.sign));
+      polygon.push_back(singular_vertex(around[k], around[(k + 1) % n], leaf.sign));
+    }
+    return polygon;
   }
 
   void mesh(const Leaf& leaf) {
-    std::vector<Vertex> polygon, clipped;
-    for (std::size_t a = 0; a < 3; ++a)
-      add_side(leaf.corners[a], leaf.corners[(a + 1) % 3], leaf.sign, polygon);
+    std::vector<Vertex> polygon = outline(leaf), clipped;
     for (std::size_t i = 0; i < 4; ++i) {
       const auto is_inside = [&](const Vertex& p) { return p.weights[i] >= 0; };
       if (std::all_of(polygon.begin(), polygon.end(), is_inside)) continue;
@@ -195,20 +289,37 @@ class Hybrid {
   Vertex crossing(const Vertex& p, const Vertex& q, std::size_t i, const Leaf& leaf) const {
     // In one order whichever cell asks, and whichever of v and -v it has.
     const bool turned = is_turned(p.v + q.v);
-    if (comes_first(turned ? -q.v : q.v, turned ? -p.v : p.v)) return crossing(q, p, i, leaf);
-    double low = 0, high = 1, f_low = p.weights[i], f_high = q.weights[i], t = 0.5;
-    for (int step = 0; step < 60 && high - low > 1e-16; ++step) {
-      // False position, with the Illinois rule.
-      t = low + (high - low) * (f_low / (f_low - f_high));
-      if (!(t > low && t < high)) break;
+    if (p.singular != q.singular ? q.singular
+                                 : comes_first(turned ? -q.v : q.v, turned ? -p.v : p.v))
+      return crossing(q, p, i, leaf);
+    // From a singularity on all weights grow like t: that is no zero to be found.
+    const auto at = [&](double t) {
       const double f = leaf.sign * map_.weights(p.v + t * (q.v - p.v))[i];
+      return p.singular ? f / t : f;
+    };
+    double low = 0, high = 1, f_low = p.weights[i], f_high = q.weights[i];
+    double t = f_low / (f_low - f_high);
+    const auto at_singularity = [&](double share) {
+      Vertex result = p;
+      for (std::size_t k = 0; k < 4; ++k)
+        result.weights[k] = p.weights[k] + share * (q.weights[k] - p.weights[k]);
+      result.weights[i] = 0;
+      result.faces = 1U << i | (p.faces & q.faces);
+      return result;
+    };
+    if (p.singular && q.singular) return at_singularity(t);
+    for (int step = 0; step < 60 && t > low && t < high; ++step) {
+      const double f = at(t);
       if (f == 0) break;
+      // False position, with the Illinois rule.
       if ((f > 0) == (f_low > 0)) {
         low = t, f_low = f, f_high *= 0.5;
       } else {
         high = t, f_high = f, f_low *= 0.5;
       }
+      t = low + (high - low) * (f_low / (f_low - f_high));
     }
+    if (p.singular && t < 1e-9) return at_singularity(0);
     Vertex result = vertex(p.v + t * (q.v - p.v), leaf.sign);
     result.faces = 1U << i;
     const unsigned common = p.faces & q.faces;
@@ -241,15 +352,19 @@ class Hybrid {
       if (moved > 2) return std::nullopt;
       if (std::abs(s) + std::abs(t) < 1e-13) break;
     }
+    // There all weights vanish.
+    for (std::size_t a = 0; a < 3; ++a)
+      if (leaf.singular[a] && length(v - leaf.corners[a]) < 1e-6 * (length(d) + length(e)))
+        return std::nullopt;
     Vertex result = vertex(v, leaf.sign);
     result.faces = 1U << i | 1U << j;
     return result;
   }
 
   Vector image(const Vertex& p) const {
-    std::array<double, 4> b{};
-    double sum = 0;
-    for (std::size_t i = 0; i < 4; ++i) sum += b[i] = std::max(p.weights[i], 0.0);
+    // A weight that clipping has left below zero stays: better outside than off the surface.
+    const auto& b = p.weights;
+    const double sum = b[0] + b[1] + b[2] + b[3];
     Vector x{};
     for (std::size_t i = 0; i < 4; ++i) x += (b[i] / sum) * place(i);
     if (std::count(b.begin(), b.end(), 0.0) != 2 || p.faces == 0) return x;

@@ -31,6 +31,17 @@ std::array<double, 4> NeutralMap::weights(const Vector& v) const {
   return b;
 }
 
+std::array<double, 4> NeutralMap::slopes(const Vector& v, const Vector& d) const {
+  std::array<Vector, 4> at, along;
+  for (std::size_t i = 0; i < 4; ++i) at[i] = tensors_[i] * v, along[i] = tensors_[i] * d;
+  std::array<double, 4> b;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [j, k, l] = kMinors[i];
+    b[i] = det(along[j], at[k], at[l]) + det(at[j], along[k], at[l]) + det(at[j], at[k], along[l]);
+  }
+  return b;
+}
+
 std::array<double, 4> NeutralMap::squares(const Vector& v) const {
   std::array<double, 4> s;
   for (std::size_t i = 0; i < 4; ++i) s[i] = dot(v, tensors_[i] * v);
@@ -61,6 +72,14 @@ std::array<Cubic, 4> NeutralMap::on(const std::array<Vector, 3>& corners) const 
     c[cubic_place(1, 2)] = polar(1, 2, 2);
     c[cubic_place(1, 1)] = (polar(0, 1, 2) + polar(0, 2, 1)) / 2;
   }
+  return result;
+}
+
+Cubic turned(const Cubic& cubic) {
+  Cubic result;
+  for (std::size_t k = 0; k <= 3; ++k)
+    for (std::size_t j = 0; j + k <= 3; ++j)
+      result[cubic_place(k, 3 - j - k)] = cubic[cubic_place(j, k)];
   return result;
 }
 

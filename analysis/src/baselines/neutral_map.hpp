@@ -32,6 +32,9 @@ class NeutralMap {
 
   std::array<double, 4> weights(const Vector3<double>& v) const;
 
+  /// Their derivatives at v along d.
+  std::array<double, 4> slopes(const Vector3<double>& v, const Vector3<double>& d) const;
+
   /// The weights on the triangle of directions with these corners.
   std::array<Cubic, 4> on(const std::array<Vector3<double>, 3>& corners) const;
 
@@ -42,6 +45,9 @@ class NeutralMap {
  private:
   std::array<SymmetricTensor<double>, 4> tensors_;
 };
+
+/// The same cubic with the corners (a, b, c) named (b, c, a).
+Cubic turned(const Cubic& cubic);
 
 /// Cuts a triangle of corners a, b, c across the middle m of its first edge: the cubic on (c, a, m)
 /// and on (b, c, m).

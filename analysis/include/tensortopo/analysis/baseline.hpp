@@ -31,7 +31,7 @@ struct BaselineOptions {
   int samples = 2;    ///< of a patch, along each side
   /// Of method `hybrid`: largest distance of its triangles from the surface, in units of the longest
   /// edge of the tetrahedron.
-  double flatness = 1.0 / 64;
+  double flatness = 1.0 / 32;
 };
 
 /// The surface {mode = mu}, |mu| < 1, with `points`, `triangles` (counter-clockwise seen from the
