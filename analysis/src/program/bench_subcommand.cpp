@@ -17,7 +17,7 @@ namespace {
 
 struct Options {
   BenchCommand command;
-  std::vector<std::string> modes;
+  std::vector<std::string> modes, only;
 };
 
 ExitStatus bench(const Options& options, const CommonOptions& common) {
@@ -28,6 +28,7 @@ ExitStatus bench(const Options& options, const CommonOptions& common) {
       throw UsageError("--mode " + mode.text() + ": VTK has no counterpart to degenerate curves");
     }
   }
+  if (!options.only.empty()) command.only = options.only;
   ProgressBar bar(!common.quiet);
   const BenchReport report = run_bench(command, bar.callback());
   bar.erase();
@@ -39,7 +40,7 @@ ExitStatus bench(const Options& options, const CommonOptions& common) {
 
 void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand(
-      "bench", "Time extraction against VTK's contours of the vertex modes");
+      "bench", "Time extraction against VTK's contours of the vertex modes and other methods");
   const auto options = std::make_shared<Options>();
   BenchCommand& command = options->command;
   app.add_option("--input", command.input, "Tetrahedral mesh with tensors")
@@ -51,6 +52,16 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       ->type_name("N")
       ->check(CLI::Range(5, 1000))
       ->capture_default_str();
+  app.add_option("--only", options->only,
+                 "Of the slow comparisons only this one; repeatable (default: all on small meshes)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember([] {
+        auto names = BenchCommand::comparisons();
+        names.push_back("none");
+        return names;
+      }()))
+      ->allow_extra_args(false);
+  app.add_flag("--all", command.all, "All comparisons, whatever the size of the mesh");
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return bench(*options, common); };
