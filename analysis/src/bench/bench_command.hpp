@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/curves.hpp"
 #include "bench/judge.hpp"
 #include "bench/timing.hpp"
 #include "tensortopo/analysis/progress.hpp"
@@ -21,12 +22,13 @@ struct BenchCommand {
   std::filesystem::path input;
   std::vector<ModeValue> modes;  ///< of each, the surfaces of M and -M
   int repeat = 5;                ///< at least 5
-  /// Of "certified", "a_patches", "hybrid", "vtk_subdivided", "errors": which to run beside the
-  /// plain ones. Not given: all on meshes of at most `kSmall` tetrahedra, none on larger ones.
+  /// Which of `comparisons` to run beside the plain ones; if not given, "certified" alone, since the
+  /// others take a hundred times as long.
   std::optional<std::vector<std::string>> only;
-  bool all = false;  ///< all of these
+  bool all = false;     ///< all of these
+  bool curves = false;  ///< time against error as well
 
-  static constexpr std::size_t kSmall = 20000;
+  /// "certified", "a_patches", "hybrid", "vtk_subdivided", "errors".
   static const std::vector<std::string>& comparisons();
 };
 
@@ -48,6 +50,7 @@ struct BenchReport {
   std::size_t peak_memory_bytes = 0;     ///< after our first run, before others'; the mesh included
   std::vector<MethodErrors> errors;      ///< empty if none was measured
   std::size_t undecided = 0;             ///< tetrahedra without truth, if there are errors
+  std::vector<ErrorCurve> curves;        ///< if asked for
 };
 
 /// Threads that a contender may use.

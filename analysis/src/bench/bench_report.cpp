@@ -86,6 +86,17 @@ std::string to_json(const BenchReport& report) {
     json["notes"]["errors"] = "not measured: see --only and --all";
   else
     json["undecided_tetrahedra"] = report.undecided;
+  for (const ErrorCurve& curve : report.curves) {
+    Json points = Json::array();
+    for (const ErrorPoint& point : curve.points)
+      points.push_back({{"setting", point.setting},
+                        {"seconds", point.seconds},
+                        {"root_mean_square", number(point.root_mean_square)},
+                        {"largest", number(point.largest)},
+                        {"triangles", point.triangles}});
+    json["curves"][curve.method] = std::move(points);
+    if (!curve.note.empty()) json["notes"]["curves_" + curve.method] = curve.note;
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -123,6 +134,11 @@ std::string to_text(const BenchReport& report) {
                                  e.true_crossings));
     fmt::format_to(out, "  {}\n", e.setting);
   }
+  for (const ErrorCurve& curve : report.curves)
+    for (const ErrorPoint& point : curve.points)
+      fmt::format_to(out, "{:<16} {:<16} {:>10.4f} s {:>12.4g} rms {:>10} triangles\n",
+                     curve.method, point.setting, point.seconds, point.root_mean_square,
+                     point.triangles);
   fmt::format_to(out, "peak memory {:.0f} MB\n",
                  static_cast<double>(report.peak_memory_bytes) / 1e6);
   return text;
