@@ -63,9 +63,10 @@ std::size_t threads_in_use();
 ///   vtk_contour_3d_linear_grid    vtkContour3DLinearGrid, the same, with shared vertices as ours
 /// and if asked for:
 ///   certified                     extraction with everything that a certificate claims
-///   a_patches                     the baseline at its defaults
+///   a_patches                     the baseline at its defaults, or coarser where our error does not
+///                                 come down to its
 ///   extract_for_a_patches         ours at the lowest resolution of 1, 2, 4, 8, 16 at which our error
-///                                 is at most theirs
+///                                 is at most its
 ///   hybrid, extract_for_hybrid    the same for neutral surfaces (whatever the modes are)
 ///   vtk_subdivided                vtkContour3DLinearGrid on the mesh subdivided as often as its
 ///                                 error takes to be ours at most
