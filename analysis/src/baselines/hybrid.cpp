@@ -7,10 +7,9 @@
 #include <cstddef>
 #include <optional>
 #include <set>
-#include <utility>
 
+#include "baselines/direction_cell.hpp"
 #include "baselines/edge_roots.hpp"
-#include "baselines/neutral_map.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 
 namespace tensortopo::baselines {
@@ -21,25 +20,10 @@ using Vector = Vector3<double>;
 
 constexpr int kDeepest = 60;             // of a triangle of directions: 2^-30 of the sphere's
 constexpr std::size_t kMost = 4000;      // triangles of directions for one tetrahedron
-constexpr std::array<std::array<double, 2>, 10> kWhere{// of a cubic's coefficients: shares of b, c
-    {{0, 0}, {1. / 3, 0}, {2. / 3, 0}, {1, 0}, {0, 1. / 3}, {1. / 3, 1. / 3}, {2. / 3, 1. / 3},
-     {0, 2. / 3}, {1. / 3, 2. / 3}, {0, 1}}};
-
 double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
 /// One of v and -v.
 bool is_turned(const Vector& v) { return v.x != 0 ? v.x < 0 : v.y != 0 ? v.y < 0 : v.z < 0; }
-
-/// The coefficient of the cube of a corner.
-constexpr std::array<std::size_t, 3> kCorner{cubic_place(0, 0), cubic_place(3, 0),
-                                             cubic_place(0, 3)};
-
-struct Cell {
-  std::array<Vector, 3> corners;
-  std::array<Cubic, 4> weights;
-  std::array<bool, 3> singular{};  ///< the corner is a singularity: all weights are 0
-  int depth = 0;
-};
 
 struct Leaf {
   std::array<Vector, 3> corners;
@@ -71,13 +55,16 @@ class Hybrid {
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j)
         longest = std::max(longest, length(place(i) - place(j)));
-    tolerance_ = tolerance * longest;
+    tolerance_.distance = tolerance * longest;
     const double volume = dot(cross(place(1) - place(0), place(2) - place(0)), place(3) - place(0));
     const auto gradient = [&](std::size_t a, std::size_t b, std::size_t c) {
       return (1 / volume) * cross(place(b) - place(a), place(c) - place(a));
     };
     gradients_ = {-gradient(1, 2, 3), gradient(0, 2, 3), -gradient(0, 1, 3), gradient(0, 1, 2)};
-    for (std::size_t i = 0; i < 4; ++i) heights_[i] = 1 / length(gradients_[i]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      tolerance_.places[i] = place(i);
+      tolerance_.heights[i] = 1 / length(gradients_[i]);
+    }
   }
 
   bool run() {
@@ -92,19 +79,19 @@ class Hybrid {
                  t = polished(f - e, e + f, n);
     // Half of an octahedron.
     for (const auto& start : {std::array{s, t, n}, {-s, t, n}, {s, -t, n}, {-s, -t, n}}) {
-      Cell cell{start, map_.on(start), {true, true, false}, 0};
+      DirectionCell cell{start, map_.on(start), {true, true, false}, 0};
       for (Cubic& b : cell.weights) b[kCorner[0]] = b[kCorner[1]] = 0;
       cells_.push_back(cell);
     }
     for (std::size_t done = 0; !cells_.empty(); ++done) {
       if (done == kMost) return false;
-      const Cell cell = cells_.back();
+      const DirectionCell cell = cells_.back();
       cells_.pop_back();
       const auto [positive, negative] = possible_signs(cell);
       if (!positive && !negative) continue;
       const double sign = positive ? 1 : -1;
       if (cell.depth == kDeepest) continue;  // next to a singularity, to rounding
-      if (positive != negative && is_flat(cell, sign))
+      if (positive != negative && is_flat(cell, sign, tolerance_))
         leaves_.push_back({cell.corners, cell.singular, sign});
       else
         cut(cell);
@@ -133,98 +120,12 @@ class Hybrid {
     return v;
   }
 
-  /// Whether the tetrahedron may be met with all weights positive, or all negative.
-  static std::pair<bool, bool> possible_signs(const Cell& cell) {
-    bool positive = true, negative = true;
-    for (const Cubic& b : cell.weights) {
-      const auto [low, high] = std::minmax_element(b.begin(), b.end());
-      positive = positive && *high > 0;
-      negative = negative && *low < 0;
+  void cut(const DirectionCell& cell) {
+    for (const DirectionCell& half : halves(cell)) {
+      const Vector& m = half.corners[2];
+      middles_.insert(is_turned(m) ? -m : m);
+      cells_.push_back(half);
     }
-    return {positive, negative};
-  }
-
-  bool is_flat(const Cell& cell, double sign) const {
-    std::array<Vector, 10> net;
-    std::array<double, 10> sums;
-    std::array<bool, 10> is_place;
-    is_place.fill(true);
-    std::array<std::size_t, 3> base = kCorner;
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (!cell.singular[a]) continue;
-      // A quadrilateral: the corner stands for the line between its neighbours in the net.
-      is_place[kCorner[a]] = false;
-      base[a] = a == 0 ? cubic_place(1, 0) : a == 1 ? cubic_place(2, 0) : cubic_place(0, 2);
-    }
-    for (std::size_t k = 0; k < 10; ++k) {
-      if (!is_place[k]) continue;
-      Vector sum{};
-      sums[k] = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const double b = sign * cell.weights[i][k];
-        sums[k] += b;
-        sum += b * place(i);
-      }
-      if (!(sums[k] > 0)) return false;
-      net[k] = (1 / sums[k]) * sum;
-    }
-    // The image is in the convex hull of the net.
-    const auto normal = cross(net[base[1]] - net[base[0]], net[base[2]] - net[base[0]]);
-    const double size = length(normal);
-    for (std::size_t k = 0; k < 10; ++k)
-      if (is_place[k] &&
-          !(std::abs(dot(normal, net[k] - net[base[0]])) <= tolerance_ * size))
-        return false;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Cubic& b = cell.weights[i];
-      const auto [low, high] = std::minmax_element(b.begin(), b.end());
-      if (*low >= 0 || *high <= 0) continue;
-      for (std::size_t k = 0; k < 10; ++k) {
-        if (!is_place[k]) continue;
-        const auto& [s, t] = kWhere[k];
-        const double line = b[0] + s * (b[3] - b[0]) + t * (b[9] - b[0]);
-        if (!(std::abs(b[k] - line) * heights_[i] <= tolerance_ * sums[k])) return false;
-      }
-    }
-    return true;
-  }
-
-  /// The corner at which the side to be cut next begins: the longest one, next to a singularity in
-  /// polar coordinates around it. (Similar triangles would never tell directions at it apart.)
-  static std::size_t side_to_cut(const Cell& cell) {
-    const auto count = std::count(cell.singular.begin(), cell.singular.end(), true);
-    std::array<double, 3> size;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-      size[a] = length(cell.corners[b] - cell.corners[a]);
-      if (count == 2 && cell.singular[a] && cell.singular[b]) return a;
-      if (count == 1 && cell.singular[c]) {
-        const Vector p = cell.corners[a] - cell.corners[c], q = cell.corners[b] - cell.corners[c];
-        size[a] = length(cross(p, q)) / (length(p) * length(q));
-      }
-    }
-    return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
-  }
-
-  void cut(Cell cell) {
-    for (std::size_t turn = side_to_cut(cell); turn > 0; --turn) {
-      for (Cubic& b : cell.weights) b = turned(b);
-      std::rotate(cell.corners.begin(), cell.corners.begin() + 1, cell.corners.end());
-      std::rotate(cell.singular.begin(), cell.singular.begin() + 1, cell.singular.end());
-    }
-    const auto& [a, b, c] = cell.corners;
-    const Vector m = 0.5 * (a + b);
-    middles_.insert(is_turned(m) ? -m : m);
-    const auto& [a_singular, b_singular, c_singular] = cell.singular;
-    Cell first{{c, a, m}, {}, {c_singular, a_singular, false}, cell.depth + 1},
-        second{{b, c, m}, {}, {b_singular, c_singular, false}, cell.depth + 1};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto parts = halves(cell.weights[i]);
-      first.weights[i] = parts[0];
-      second.weights[i] = parts[1];
-    }
-    cells_.push_back(first);
-    cells_.push_back(second);
   }
 
   Vertex vertex(const Vector& v, double sign) const {
@@ -403,10 +304,9 @@ class Hybrid {
   const std::array<FieldPoint, 4>& corners_;
   NeutralMap map_;
   SurfaceMesh::Index tet_;
-  double tolerance_ = 0;
+  CellTolerance tolerance_;
   std::array<Vector, 4> gradients_{};  ///< of the barycentric coordinates
-  std::array<double, 4> heights_{};    ///< of the corners over their faces
-  std::vector<Cell> cells_;
+  std::vector<DirectionCell> cells_;
   std::vector<Leaf> leaves_;
   std::set<Vector, InOrder> middles_;  ///< of sides that were cut
   std::vector<SoupTriangle>& out_;

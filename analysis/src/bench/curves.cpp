@@ -16,7 +16,7 @@
 namespace tensortopo {
 namespace {
 
-constexpr std::size_t kLargest = 2'000'000;  // tetrahedra of a subdivided mesh
+constexpr std::size_t kLargest = 1'000'000;  // tetrahedra of a subdivided mesh
 
 TetMesh subdivided(const TetMesh& mesh, int times) {
   TetMesh fine = mesh;

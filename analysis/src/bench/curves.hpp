@@ -27,7 +27,7 @@ struct ErrorCurve {
 
 /// Time against error for the surfaces of all modes together: ours over resolutions, A-patches over
 /// samples of a patch, VTK's vtkContour3DLinearGrid over subdivisions (done, with the modes of
-/// the vertices, in the time; up to 2,000,000 tetrahedra), and for mode 0 alone the hybrid method
+/// the vertices, in the time; up to 1,000,000 tetrahedra), and for mode 0 alone the hybrid method
 /// over its flatness. All settings are timed in turn, `repeat` times.
 /// @param modes  each that is wanted, opposites included
 std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<ModeValue>& modes,
