@@ -140,6 +140,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (command.baseline && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
     throw UsageError("--method: degenerate curves (--mode 1 or -1) have no other method");
   }
+  if (command.baseline == Baseline::hybrid &&
+      std::any_of(modes.begin(), modes.end(), [](const auto& mode) { return mode.sign() != 0; })) {
+    throw UsageError("--method hybrid: extracts neutral surfaces (--mode 0) only");
+  }
   if (command.baseline && command.max_error > 0) {
     throw UsageError("--max-error: only surfaces of the method `manifold` come with proofs");
   }

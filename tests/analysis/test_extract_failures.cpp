@@ -38,6 +38,7 @@ TEST(ExtractFailures, BadUsageIsTwoAndLeavesNoFile) {
       {{"--mode", "0.5", "--method", "marching", "--certify", "c.json"}, "--certify"},
       {{"--mode", "0.5", "--max-error", "-1"}, "--max-error"},
       {{"--mode", "0.5", "--method", "no-such-method"}, "--method"},
+      {{"--mode", "0", "--mode", "0.5", "--method", "hybrid"}, "--method hybrid"},
       {{"--mode", "1", "--method", "a-patches"}, "--method"},
       {{"--mode", "half"}, "half"},
       {{"--mode", "1.5"}, "1.5"},

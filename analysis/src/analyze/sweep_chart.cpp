@@ -5,18 +5,11 @@
 #include <fmt/format.h>
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
-#include <vtkContextActor.h>
 #include <vtkContextItem.h>
-#include <vtkContextScene.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPNGWriter.h>
 #include <vtkPen.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/display_server.hpp"
+#include "render/context_picture.hpp"
 
 namespace tensortopo {
 namespace {
@@ -48,19 +41,6 @@ struct Panel {
   bool steps = false;  ///< known everywhere; else at the dots
   std::vector<std::vector<std::pair<double, double>>> lines;  ///< mode and value
 };
-
-/// The round numbers of an axis.
-std::vector<double> ticks(double low, double high, int about, bool whole) {
-  const double rough = (high - low) / about, power = std::pow(10, std::floor(std::log10(rough)));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.0, 1.0})
-    if (factor * power >= rough) step = factor * power;
-  if (whole) step = std::max(1.0, std::round(step));
-  std::vector<double> values;
-  for (double k = std::ceil(low / step); k * step <= high * (1 + 1e-12) + 1e-12; ++k)
-    values.push_back(k * step);
-  return values;
-}
 
 template <class Value>
 Panel panel(const Sweep& sweep, const std::string& title, Rgb colour, const Value& value) {
@@ -187,7 +167,7 @@ class Chart : public vtkContextItem {
     const auto y_of = [&](double v) {
       return bottom + static_cast<float>((v - low) / (high - low)) * (top - bottom);
     };
-    for (const double v : ticks(low, high, 4, whole)) {
+    for (const double v : axis_ticks(low, high, 4, whole)) {
       pen(kPale, 1.5F);
       painter_->DrawLine(kLeft, y_of(v), kRight, y_of(v));
       words(kLeft - 12, y_of(v), fmt::format("{:g}", v + 0.0), 22, false, VTK_TEXT_RIGHT);
@@ -222,7 +202,7 @@ class Chart : public vtkContextItem {
       }
     pen(kInk, 1.5F);
     painter_->DrawLine(kLeft, bottom, kRight, bottom);
-    for (const double v : ticks(from_, to_, 10, false)) {
+    for (const double v : axis_ticks(from_, to_, 10, false)) {
       painter_->DrawLine(x_of(v), bottom - 8, x_of(v), bottom);
       words(x_of(v), bottom - 26, fmt::format("{:g}", std::abs(v) < 1e-12 ? 0 : v), 22, false,
             VTK_TEXT_CENTERED);
@@ -253,32 +233,9 @@ vtkStandardNewMacro(Chart)
 }  // namespace
 
 std::string sweep_chart(const Sweep& sweep, const SweepOptions& options) {
-  const DisplayServer display;
   vtkNew<Chart> chart;
   chart->show(sweep, options);
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(chart);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1, 1, 1);
-  renderer->AddActor(actor);
-  actor->GetScene()->SetRenderer(renderer);
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(8);
-  window->SetSize(kWidth, kHeight);
-  window->AddRenderer(renderer);
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(window);
-  image->SetInputBufferTypeToRGB();
-  image->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(image->GetOutputPort());
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* const bytes = writer->GetResult();
-  return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
-          static_cast<std::size_t>(bytes->GetNumberOfValues())};
+  return picture_of(*chart, kWidth, kHeight);
 }
 
 }  // namespace tensortopo

@@ -10,7 +10,9 @@
 #include <stdexcept>
 
 #include "baselines/a_patches.hpp"
+#include "baselines/hybrid.hpp"
 #include "baselines/marching.hpp"
+#include "tensortopo/extract/mode_forms.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo {
@@ -55,9 +57,18 @@ SurfaceMesh by_marching(const TetMesh& mesh, double mu) {
                mu);
 }
 
-SurfaceMesh by_a_patches(const TetMesh& mesh, const ModeValue& mu,
-                         const BaselineOptions& options) {
-  const auto level = make_level<double>(mu);
+/// Whether the determinant has Bernstein coefficients of both signs.
+bool may_be_neutral(const std::array<FieldPoint, 4>& corners) {
+  std::array<Deviator<double>, 4> tensors;
+  for (std::size_t i = 0; i < 4; ++i) tensors[i] = corners[i].tensor;
+  const auto c = mode_forms(tensors).determinant.coefficients;
+  return std::any_of(c.begin(), c.end(), [](double x) { return x > 0; }) &&
+         std::any_of(c.begin(), c.end(), [](double x) { return x < 0; });
+}
+
+/// Runs `add` on every tetrahedron that has a deviator, its corners scaled.
+template <class Add>
+SurfaceMesh by_tets(const TetMesh& mesh, double mu, const Add& add) {
   return merge(for_each_tet(mesh,
                             [&](std::size_t t, std::vector<SoupTriangle>& out) {
                               std::array<FieldPoint, 4> corners;
@@ -71,10 +82,28 @@ SurfaceMesh by_a_patches(const TetMesh& mesh, const ModeValue& mu,
                               // Degree six overflows early.
                               const double scale = std::exp2(-std::ilogb(std::sqrt(largest)));
                               for (auto& corner : corners) corner.tensor = scale * corner.tensor;
-                              add_a_patches(corners, static_cast<SurfaceMesh::Index>(t), level,
-                                            options, out);
+                              add(corners, static_cast<SurfaceMesh::Index>(t), out);
                             }),
-               mu.approx());
+               mu);
+}
+
+SurfaceMesh by_a_patches(const TetMesh& mesh, const ModeValue& mu,
+                         const BaselineOptions& options) {
+  const auto level = make_level<double>(mu);
+  return by_tets(mesh, mu.approx(),
+                 [&](const auto& corners, SurfaceMesh::Index tet, std::vector<SoupTriangle>& out) {
+                   add_a_patches(corners, tet, level, options, out);
+                 });
+}
+
+SurfaceMesh by_hybrid(const TetMesh& mesh, const BaselineOptions& options) {
+  const auto level = make_level<double>(ModeValue());
+  return by_tets(mesh, 0,
+                 [&](const auto& corners, SurfaceMesh::Index tet, std::vector<SoupTriangle>& out) {
+                   if (!may_be_neutral(corners)) return;
+                   if (!add_hybrid(corners, tet, options.flatness, out))
+                     add_a_patches(corners, tet, level, options, out);
+                 });
 }
 
 }  // namespace
@@ -83,8 +112,18 @@ SurfaceMesh baseline_surface(Baseline method, const TetMesh& mesh, const ModeVal
                              const BaselineOptions& options) {
   if (std::abs(mu.approx()) >= 1)
     throw std::invalid_argument("mode surfaces exist for |mode| < 1, not for " + mu.text());
-  return method == Baseline::marching ? by_marching(mesh, mu.approx())
-                                      : by_a_patches(mesh, mu, options);
+  switch (method) {
+    case Baseline::marching:
+      return by_marching(mesh, mu.approx());
+    case Baseline::a_patches:
+      return by_a_patches(mesh, mu, options);
+    case Baseline::hybrid:
+      break;
+  }
+  if (mu.sign() != 0)
+    throw std::invalid_argument("the hybrid method extracts neutral surfaces (mode 0) only, not " +
+                                mu.text());
+  return by_hybrid(mesh, options);
 }
 
 }  // namespace tensortopo

@@ -2,28 +2,277 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/bench_command.hpp"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
-#include <functional>
+#include <memory>
+#include <utility>
 
+#include "bench/methods.hpp"
 #include "bench/vtk_contours.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
-#include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/extract/face_curves.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/mesh/subdivide.hpp"
 
 namespace tensortopo {
 namespace {
 
 constexpr int kFewest = 5;
+constexpr std::size_t kLargestSubdivided = 4'000'000;  // tetrahedra
+constexpr std::array<double, 5> kResolutions{1, 2, 4, 8, 16};
 
 std::size_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+std::vector<double> approximations(const std::vector<ModeValue>& modes) {
+  std::vector<double> values;
+  for (const ModeValue& mode : modes) values.push_back(mode.approx());
+  return values;
+}
+
+std::string resolution_text(double resolution) { return fmt::format("resolution {:g}", resolution); }
+
+/// Collects contenders, and the ratios to make of their medians.
+class Bench {
+ public:
+  Bench(const BenchCommand& command, const TetMesh& mesh, const Progress& progress)
+      : command_(command),
+        mesh_(mesh),
+        modes_(with_opposites(command.modes)),
+        values_(approximations(modes_)),
+        progress_(progress) {}
+
+  BenchReport run() {
+    report_.threads = threads_in_use();
+    (void)our_surfaces(mesh_, modes_, resolution_, &stages_);
+    report_.peak_memory_bytes = peak_memory_bytes();
+    vtk_ = std::make_unique<VtkContours>(mesh_, static_cast<int>(report_.threads));
+    vtk_->contour_grid(values_);
+    vtk_->contour_3d_linear_grid(values_);
+    add("extract", [this] {
+      return triangles_of(our_surfaces(mesh_, modes_, resolution_, &stages_));
+    });
+    add("vtk_contour", [this] { return vtk_->contour_grid(values_); });
+    add("vtk_contour_3d_linear_grid", [this] { return vtk_->contour_3d_linear_grid(values_); });
+    compare("extract", "vtk_contour", "");
+    compare("extract", "vtk_contour_3d_linear_grid", "");
+
+    add_certified();
+    if (is_wanted("errors") || is_wanted("a_patches") || is_wanted("vtk_subdivided")) judge();
+    add_a_patches();
+    add_hybrid();
+    add_vtk_subdivided();
+    time();
+    if (command_.curves)
+      report_.curves = error_curves(mesh_, modes_, command_.repeat, progress_);
+    return std::move(report_);
+  }
+
+ private:
+  struct Pair {
+    std::string ratio, over, under, note;
+  };
+
+  bool is_wanted(const std::string& comparison) const {
+    if (command_.all) return true;
+    if (command_.only)
+      return std::find(command_.only->begin(), command_.only->end(), comparison) !=
+             command_.only->end();
+    return comparison == "certified";
+  }
+
+  void add(const std::string& name, std::function<std::size_t()> run) {
+    contenders_.push_back({name, std::move(run)});
+  }
+  void compare(const std::string& over, const std::string& under, const std::string& note) {
+    pairs_.push_back({over + "_over_" + under, over, under, note});
+  }
+  void leave_out(const std::string& ratio, const std::string& why) {
+    pairs_.push_back({ratio, "", "", why});
+  }
+  static std::string not_asked() { return "not run: see --only and --all"; }
+  void tell(double fraction) const {
+    if (progress_) progress_("measuring errors", fraction);
+  }
+
+  void judge() {
+    tell(0);
+    judge_ = std::make_unique<Judge>(mesh_, modes_);
+    report_.undecided = judge_->undecided();
+    report_.errors.push_back(judge_->reference());
+    tell(0.3);
+    const auto ours = our_surfaces(mesh_, modes_, resolution_);
+    report_.errors.push_back(judge_->errors("extract", resolution_text(resolution_), ours, mesh_));
+    our_error_ = report_.errors.back().distance.root_mean_square();
+    tell(0.5);
+    report_.errors.push_back(judge_->errors("vtk_contour", "the mesh as it is",
+                                            baseline_surfaces(Baseline::marching, mesh_, modes_),
+                                            mesh_));
+  }
+
+  void add_certified() {
+    if (!is_wanted("certified")) return leave_out("certified_over_vtk_contour", not_asked());
+    add("certified", [this] { return certify_all(mesh_, modes_, resolution_); });
+    compare("certified", "vtk_contour", "");
+  }
+
+  /// The lowest resolution at which our error is at most this one.
+  std::optional<double> matching_resolution(const Judge& judge, const std::vector<ModeValue>& modes,
+                                            double error, double* ours) const {
+    for (const double resolution : kResolutions) {
+      *ours = judge.distance(our_surfaces(mesh_, modes, resolution)).root_mean_square();
+      if (*ours <= error) return resolution;
+    }
+    return std::nullopt;
+  }
+
+  struct Setting {
+    std::string text;
+    BaselineOptions options;
+  };
+
+  /// Times a baseline, and ours with an error no larger: at the first of its settings (defaults
+  /// first, then coarser ones) at which there is such a resolution.
+  void add_matched(const std::string& name, const std::string& ratio, const Judge& judge,
+                   const std::vector<ModeValue>& modes, Baseline method,
+                   const std::vector<Setting>& settings) {
+    double error = 0, ours = 0;
+    std::optional<double> resolution;
+    Setting chosen;
+    for (const Setting& setting : settings) {
+      chosen = setting;
+      error = judge.distance(baseline_surfaces(method, mesh_, modes, setting.options))
+                  .root_mean_square();
+      resolution = matching_resolution(judge, modes, error, &ours);
+      if (resolution) break;
+    }
+    report_.errors.push_back(judge.errors(
+        name, chosen.text, baseline_surfaces(method, mesh_, modes, chosen.options), mesh_));
+    add(name, [this, modes, method, options = chosen.options] {
+      return triangles_of(baseline_surfaces(method, mesh_, modes, options));
+    });
+    if (!resolution)
+      return leave_out(ratio, fmt::format("our error does not come down to its {:.3g} at {}: {:.3g} "
+                                          "at resolution {:g}",
+                                          error, chosen.text, ours, kResolutions.back()));
+    const std::string our_name = "extract_for_" + name;
+    add(our_name, [this, modes, r = *resolution] {
+      return triangles_of(our_surfaces(mesh_, modes, r));
+    });
+    pairs_.push_back({ratio, name, our_name,
+                      fmt::format("its error {:.3g} at {}, ours {:.3g} at resolution {:g}", error,
+                                  chosen.text, ours, *resolution)});
+  }
+
+  void add_a_patches() {
+    if (!is_wanted("a_patches")) return leave_out("a_patches_over_extract", not_asked());
+    tell(0.6);
+    std::vector<Setting> settings;
+    for (const int samples : {2, 1}) {
+      settings.push_back({fmt::format("{} samples", samples), {}});
+      settings.back().options.samples = samples;
+    }
+    add_matched("a_patches", "a_patches_over_extract", *judge_, modes_, Baseline::a_patches,
+                settings);
+  }
+
+  void add_hybrid() {
+    if (!is_wanted("hybrid")) return leave_out("hybrid_over_neutral", not_asked());
+    tell(0.7);
+    const std::vector<ModeValue> neutral{ModeValue()};
+    const Judge judge(mesh_, neutral);
+    std::vector<Setting> settings;
+    for (const int parts : {32, 8, 2, 1}) {
+      settings.push_back({fmt::format("flatness 1/{}", parts), {}});
+      settings.back().options.flatness = 1.0 / parts;
+    }
+    add_matched("hybrid", "hybrid_over_neutral", judge, neutral, Baseline::hybrid, settings);
+  }
+
+  void add_vtk_subdivided() {
+    const std::string ratio = "vtk_subdivided_over_extract";
+    if (!is_wanted("vtk_subdivided")) return leave_out(ratio, not_asked());
+    double error = 0;
+    int times = 0;
+    for (subdivided_ = mesh_;; subdivided_ = subdivide(subdivided_), ++times) {
+      tell(0.8);
+      error = judge_->distance(baseline_surfaces(Baseline::marching, subdivided_, modes_),
+                               subdivided_)
+                  .root_mean_square();
+      if (error <= our_error_ || 8 * subdivided_.tets.size() > kLargestSubdivided) break;
+    }
+    const std::string reached =
+        fmt::format("{} tetrahedra after {} subdivisions: its error {:.3g}, ours {:.3g}",
+                    subdivided_.tets.size(), times, error, our_error_);
+    report_.errors.push_back(judge_->errors(
+        "vtk_subdivided", fmt::format("{} subdivisions", times),
+        baseline_surfaces(Baseline::marching, subdivided_, modes_), subdivided_));
+    vtk_subdivided_ =
+        std::make_unique<VtkContours>(subdivided_, static_cast<int>(report_.threads));
+    add("vtk_subdivided", [this] { return vtk_subdivided_->contour_3d_linear_grid(values_); });
+    add("vtk_subdivided_whole", [this, times] {
+      TetMesh fine = mesh_;
+      for (int i = 0; i < times; ++i) fine = subdivide(fine);
+      return VtkContours(fine, static_cast<int>(report_.threads)).contour_3d_linear_grid(values_);
+    });
+    if (error <= our_error_)
+      pairs_.push_back({ratio, "vtk_subdivided", "extract", reached});
+    else
+      leave_out(ratio, fmt::format("not reached within {} tetrahedra; {}", kLargestSubdivided,
+                                   reached));
+  }
+
+  void time() {
+    std::vector<std::map<std::string, double>> stages;
+    if (progress_) progress_("timing", 0);
+    report_.series =
+        time_in_turn(contenders_, command_.repeat, [&](std::size_t contender, double fraction) {
+          if (contender == 0) stages.push_back(stages_);
+          if (progress_) progress_("timing", fraction);
+        });
+    report_.stages = stages[median_place(report_.series.front().seconds)];
+    for (const Pair& pair : pairs_) {
+      BenchRatio ratio{pair.ratio, std::nullopt, pair.note};
+      if (!pair.over.empty()) ratio.value = median_of(pair.over) / median_of(pair.under);
+      report_.ratios.push_back(ratio);
+    }
+  }
+
+  double median_of(const std::string& name) const {
+    const auto found = std::find_if(report_.series.begin(), report_.series.end(),
+                                    [&](const BenchSeries& s) { return s.name == name; });
+    return found->median();
+  }
+
+  const BenchCommand& command_;
+  const TetMesh& mesh_;
+  std::vector<ModeValue> modes_;
+  std::vector<double> values_;
+  const Progress& progress_;
+  double resolution_ = Sampling().resolution;
+  BenchReport report_;
+  std::map<std::string, double> stages_;
+  std::unique_ptr<VtkContours> vtk_, vtk_subdivided_;
+  std::unique_ptr<Judge> judge_;
+  double our_error_ = 0;
+  TetMesh subdivided_;
+  std::vector<Contender> contenders_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& BenchCommand::comparisons() {
+  static const std::vector<std::string> names{"certified", "a_patches", "hybrid", "vtk_subdivided",
+                                              "errors"};
+  return names;
 }
 
 std::size_t threads_in_use() {
@@ -32,89 +281,15 @@ std::size_t threads_in_use() {
   return std::min(allowed, static_cast<std::size_t>(tbb::info::default_concurrency()));
 }
 
-double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Where the median stands among the values (the upper one of two).
-std::size_t median_place(const std::vector<double>& values) {
-  std::vector<std::size_t> order(values.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  return order[order.size() / 2];
-}
-
-// Our surfaces of all modes: the number of triangles, and the stages' seconds.
-std::size_t extract_all(const TetMesh& mesh, const std::vector<ModeValue>& modes,
-                        std::map<std::string, double>& stages) {
-  std::size_t triangles = 0;
-  stages.clear();
-  using Use = PreparedField<double>::Use;
-  const PreparedField<double> field(mesh, modes.size() > 1 ? Use::several_modes : Use::one_mode);
-  for (const ModeValue& mode : modes) {
-    const Extraction extraction = extract_mode_surface(field, mode);
-    triangles += extraction.surface.triangles.size();
-    stages["edges"] += extraction.statistics.seconds_edges;
-    stages["faces"] += extraction.statistics.seconds_faces;
-    stages["tets"] += extraction.statistics.seconds_tets;
-    stages["stitch"] += extraction.statistics.seconds_stitch;
-  }
-  return triangles;
-}
-
-}  // namespace
-
-double BenchSeries::median() const { return seconds.at(median_place(seconds)); }
-
 BenchReport run_bench(const BenchCommand& command, const Progress& progress) {
   if (command.repeat < kFewest) throw UsageError("--repeat: must be at least 5");
   if (command.modes.empty()) throw UsageError("no mode given");
-  const auto tell = [&](double fraction) {
-    if (progress) progress("timing", fraction);
-  };
-  tell(0);
+  if (progress) progress("reading", 0);
   const ReadResult read = read_mesh(command.input);
-  std::vector<ModeValue> modes;
-  std::vector<double> values;
-  for (const ModeValue& mode : command.modes) {
-    for (const ModeValue& either : {mode, mode.opposite()}) {
-      if (std::find(modes.begin(), modes.end(), either) != modes.end()) continue;
-      modes.push_back(either);
-      values.push_back(either.approx());
-    }
-  }
-
-  BenchReport report;
+  BenchReport report = Bench(command, read.mesh, progress).run();
   report.input = command.input;
   report.modes = command.modes;
   report.tetrahedra = read.mesh.tets.size();
-  report.threads = threads_in_use();
-  report.series = {
-      {"extract", {}, 0}, {"vtk_contour", {}, 0}, {"vtk_contour_3d_linear_grid", {}, 0}};
-
-  std::map<std::string, double> stages;
-  extract_all(read.mesh, modes, stages);
-  report.peak_memory_bytes = peak_memory_bytes();
-  VtkContours vtk(read.mesh, static_cast<int>(report.threads));
-  vtk.contour_grid(values);
-  vtk.contour_3d_linear_grid(values);
-
-  std::vector<std::map<std::string, double>> stages_of_runs;
-  const std::vector<std::function<std::size_t()>> contenders{
-      [&] { return extract_all(read.mesh, modes, stages); },
-      [&] { return vtk.contour_grid(values); }, [&] { return vtk.contour_3d_linear_grid(values); }};
-  for (int run = 0; run < command.repeat; ++run) {
-    tell(static_cast<double>(run) / command.repeat);
-    for (std::size_t i = 0; i < contenders.size(); ++i) {
-      BenchSeries& series = report.series[i];
-      series.seconds.push_back(seconds_of([&] { series.triangles = contenders[i](); }));
-    }
-    stages_of_runs.push_back(stages);
-  }
-  report.stages = stages_of_runs[median_place(report.series.front().seconds)];
   return report;
 }
 

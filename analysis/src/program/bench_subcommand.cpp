@@ -1,35 +1,77 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "bench/bench_command.hpp"
+#include "bench/scaling.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/write_text.hpp"
 
 namespace tensortopo {
 namespace {
 
 struct Options {
   BenchCommand command;
-  std::vector<std::string> modes;
+  std::vector<std::string> modes, only;
+  std::string scaling;
+  std::filesystem::path curves, chart;
+  std::size_t largest = ScalingCommand().largest;
 };
 
-ExitStatus bench(const Options& options, const CommonOptions& common) {
-  BenchCommand command = options.command;
-  command.modes = modes_to_extract(parse_modes(options.modes), false);
-  for (const ModeValue& mode : command.modes) {
+const std::map<std::string, ScalingOver>& scalings() {
+  static const std::map<std::string, ScalingOver> known{{"size", ScalingOver::size},
+                                                        {"mode", ScalingOver::mode},
+                                                        {"threads", ScalingOver::threads},
+                                                        {"modes", ScalingOver::modes}};
+  return known;
+}
+
+std::vector<ModeValue> surface_modes(const Options& options) {
+  const auto modes = parse_modes(options.modes);
+  for (const ModeValue& mode : modes) {
     if (is_degenerate(mode)) {
       throw UsageError("--mode " + mode.text() + ": VTK has no counterpart to degenerate curves");
     }
   }
+  return modes;
+}
+
+ExitStatus scaling(const Options& options, const CommonOptions& common) {
+  ScalingCommand command;
+  command.over = scalings().at(options.scaling);
+  command.input = options.command.input;
+  command.modes = surface_modes(options);
+  command.largest = options.largest;
+  command.repeat = options.command.repeat;
+  ProgressBar bar(!common.quiet);
+  const ScalingReport report = run_scaling(command, bar.callback());
+  if (!options.chart.empty()) write_text(options.chart, scaling_chart(report));
+  bar.erase();
+  print(common.json ? to_json(report) + '\n' : to_text(report));
+  return ExitStatus::done;
+}
+
+ExitStatus bench(const Options& options, const CommonOptions& common) {
+  if (!options.scaling.empty()) return scaling(options, common);
+  if (!options.chart.empty()) throw UsageError("--chart: only with --scaling");
+  BenchCommand command = options.command;
+  if (command.input.empty()) throw UsageError("--input is required");
+  command.modes = modes_to_extract(surface_modes(options), false);
+  if (!options.only.empty()) command.only = options.only;
+  command.curves = !options.curves.empty();
   ProgressBar bar(!common.quiet);
   const BenchReport report = run_bench(command, bar.callback());
+  if (command.curves)
+    write_text(options.curves, curves_chart(report.curves, command.input.filename().string()));
   bar.erase();
   print(common.json ? to_json(report) + '\n' : to_text(report));
   return ExitStatus::done;
@@ -39,18 +81,38 @@ ExitStatus bench(const Options& options, const CommonOptions& common) {
 
 void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand(
-      "bench", "Time extraction against VTK's contours of the vertex modes");
+      "bench", "Time extraction against VTK's contours of the vertex modes and other methods");
   const auto options = std::make_shared<Options>();
   BenchCommand& command = options->command;
-  app.add_option("--input", command.input, "Tetrahedral mesh with tensors")
-      ->type_name("FILE")
-      ->required();
+  app.add_option("--input", command.input, "Tetrahedral mesh with tensors")->type_name("FILE");
   add_mode_option(app, options->modes)
-      ->description("Mode M; surfaces of M and -M are timed; repeatable");
+      ->description("Mode M; surfaces of M and -M are timed; repeatable")
+      ->required(false);
   app.add_option("--repeat", command.repeat, "Timings of each, interleaved; medians are reported")
       ->type_name("N")
       ->check(CLI::Range(5, 1000))
       ->capture_default_str();
+  app.add_option("--only", options->only,
+                 "Of the slow comparisons only this one; repeatable (default: certified; or none)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember([] {
+        auto names = BenchCommand::comparisons();
+        names.push_back("none");
+        return names;
+      }()))
+      ->allow_extra_args(false);
+  app.add_flag("--all", command.all, "All comparisons, whatever the size of the mesh");
+  app.add_option("--curves", options->curves, "Also time against error, and a chart of it")
+      ->type_name("P.png");
+  std::vector<std::string> names;
+  for (const auto& [name, over] : scalings()) names.push_back(name);
+  app.add_option("--scaling", options->scaling,
+                 "Instead: time over the mesh's size (no input), the mode, threads, or number of modes")
+      ->check(CLI::IsMember(names));
+  app.add_option("--largest", options->largest, "Tetrahedra, of --scaling size")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--chart", options->chart, "Of --scaling")->type_name("P.png");
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return bench(*options, common); };

@@ -30,6 +30,7 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
   command.modes = parse_modes(options.modes);
   if (options.method == "marching") command.baseline = Baseline::marching;
   if (options.method == "a-patches") command.baseline = Baseline::a_patches;
+  if (options.method == "hybrid") command.baseline = Baseline::hybrid;
   if (!options.components.empty()) command.read.components = orders.at(options.components);
 
   ProgressBar bar(!common.quiet);
@@ -87,11 +88,15 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->type_name("E")
       ->check(CLI::PositiveNumber);
   app.add_option("--method", options->method, "How to extract")
-      ->check(CLI::IsMember({"manifold", "marching", "a-patches"}))
+      ->check(CLI::IsMember({"manifold", "marching", "a-patches", "hybrid"}))
       ->capture_default_str();
   app.add_option("--patch-samples", command.baseline_options.samples,
                  "Samples along each side of a patch (method a-patches)")
       ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--flatness", command.baseline_options.flatness,
+                 "Largest distance from the surface, in edges of the tetrahedron (method hybrid)")
+      ->check(CLI::Range(1e-9, 1.0))
       ->capture_default_str();
   app.add_option("--certify", command.certificate,
                  "Also prove the topology and distances; JSON, or CBOR if named .cbor")

@@ -32,9 +32,11 @@ void ProgressBar::erase() {
 
 void ProgressBar::show(std::string_view stage, double fraction) {
   const auto now = std::chrono::steady_clock::now();
-  if (stage == stage_ && fraction < 1 && now - last_ < kInterval) return;
+  const bool is_full = fraction >= 1;
+  if (stage == stage_ && (is_full ? full_ : now - last_ < kInterval)) return;
   last_ = now;
   stage_ = stage;
+  full_ = is_full;
   const double part = std::clamp(fraction, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(part * static_cast<double>(kWidth));
   const std::string line = fmt::format("\r\033[K[{}{}] {:3.0f} % {}", std::string(full, '#'),

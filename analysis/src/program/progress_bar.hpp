@@ -30,6 +30,7 @@ class ProgressBar {
   bool shown_ = false;
   bool active_;
   std::string stage_;
+  bool full_ = false;  ///< the stage has been shown as done
   std::chrono::steady_clock::time_point last_{};
 };
 
