@@ -22,7 +22,7 @@ std::string deck_number(double x) {
   return text;
 }
 
-std::string deck(const Scenario& scenario) {
+std::string deck(const Scenario& scenario, Solver solver) {
   const HexMesh& mesh = scenario.mesh;
   fmt::memory_buffer buffer;
   const auto out = std::back_inserter(buffer);
@@ -49,9 +49,8 @@ std::string deck(const Scenario& scenario) {
                    "*SOLID SECTION, ELSET=E{0}, MATERIAL=M{0}\n",
                    m + 1, deck_number(scenario.materials[m].young),
                    deck_number(scenario.materials[m].poisson));
-  fmt::format_to(out,
-                 "*BOUNDARY\nBOTTOM, 1, 3\n"
-                 "*STEP\n*STATIC, SOLVER=ITERATIVE SCALING\n*DLOAD\n");
+  fmt::format_to(out, "*BOUNDARY\nBOTTOM, 1, 3\n*STEP\n*STATIC, SOLVER={}\n*DLOAD\n",
+                 solver == Solver::direct ? "SPOOLES" : "ITERATIVE SCALING");
   // P2 is the face of corners 5 to 8.
   for (const auto& [hex, pressure] : surface_pressures(scenario))
     fmt::format_to(out, "{}, P2, {}\n", hex + 1, deck_number(pressure));

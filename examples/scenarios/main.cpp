@@ -23,13 +23,15 @@ using namespace tensortopo::scenarios;
 
 struct Options {
   std::string name, output, job, first, second;
-  bool small = false;
+  bool small = false, direct = false, iterative = false;
   Scenario scenario() const { return make_scenario(name, small ? Size::small : Size::full); }
 };
 
 void write_deck(const Options& options) {
   const Scenario scenario = options.scenario();
-  write_text(options.output, deck(scenario));
+  // A direct solve of a full block takes too much memory.
+  const bool direct = options.direct || (options.small && !options.iterative);
+  write_text(options.output, deck(scenario, direct ? Solver::direct : Solver::iterative));
   fmt::print("{}: {} hexahedra, {} nodes\n", options.output, scenario.mesh.hexes.size(),
              scenario.mesh.points.size());
 }
@@ -66,6 +68,11 @@ int main(int argc, char** argv) {
   deck_command->add_option("-o,--output", options.output, "Deck to write")
       ->required()
       ->type_name("JOB.inp");
+  auto* direct = deck_command->add_flag("--direct", options.direct,
+                                        "Direct solver (default of the small blocks)");
+  deck_command
+      ->add_flag("--iterative", options.iterative, "Iterative solver (default of the full blocks)")
+      ->excludes(direct);
   auto* field_command = app.add_subcommand(
       "field", "Check CalculiX's results and write the stress as a field of tetrahedra");
   add_scenario(*field_command, options);
