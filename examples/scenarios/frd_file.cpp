@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "file_bytes.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -18,7 +19,8 @@ namespace {
 // columns 25 to 36, and in its last column what the numbers are.
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& file) : file_(file), bytes_(file_bytes(file)) {}
+  Reader(std::string bytes, const std::filesystem::path& file)
+      : file_(file), bytes_(std::move(bytes)) {}
 
   FrdFile read() {
     FrdFile result;
@@ -122,6 +124,12 @@ class Reader {
 
 }  // namespace
 
-FrdFile read_frd_file(const std::filesystem::path& file) { return Reader(file).read(); }
+FrdFile parse_frd_file(std::string bytes, const std::filesystem::path& file) {
+  return Reader(std::move(bytes), file).read();
+}
+
+FrdFile read_frd_file(const std::filesystem::path& file) {
+  return parse_frd_file(file_bytes(file), file);
+}
 
 }  // namespace tensortopo::scenarios

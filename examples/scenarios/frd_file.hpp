@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "hex_mesh.hpp"
@@ -19,5 +20,8 @@ struct FrdFile {
 /// block DISP and one STRESS; other blocks are skipped.
 /// Throws  IoError (`unreadable`, `invalid`).
 FrdFile read_frd_file(const std::filesystem::path& file);
+
+/// The same of bytes that are at hand; `file` is for messages.
+FrdFile parse_frd_file(std::string bytes, const std::filesystem::path& file);
 
 }  // namespace tensortopo::scenarios

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "file_bytes.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -24,7 +25,8 @@ using Records = std::vector<std::string_view>;
 
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& file) : file_(file), bytes_(file_bytes(file)) {}
+  Reader(std::string bytes, const std::filesystem::path& file)
+      : file_(file), bytes_(std::move(bytes)) {}
 
   RestartFile read() const {
     const Records records = split();
@@ -129,6 +131,12 @@ class Reader {
 
 }  // namespace
 
-RestartFile read_restart_file(const std::filesystem::path& file) { return Reader(file).read(); }
+RestartFile parse_restart_file(std::string bytes, const std::filesystem::path& file) {
+  return Reader(std::move(bytes), file).read();
+}
+
+RestartFile read_restart_file(const std::filesystem::path& file) {
+  return parse_restart_file(file_bytes(file), file);
+}
 
 }  // namespace tensortopo::scenarios

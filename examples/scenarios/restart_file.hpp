@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "hex_mesh.hpp"
@@ -30,5 +31,8 @@ struct RestartFile {
 /// record of theirs before. CalculiX lists xx yy zz xy XZ YZ; the order here is ours. Throws
 /// IoError (`unreadable`, `invalid`).
 RestartFile read_restart_file(const std::filesystem::path& file);
+
+/// The same of bytes that are at hand; `file` is for messages.
+RestartFile parse_restart_file(std::string bytes, const std::filesystem::path& file);
 
 }  // namespace tensortopo::scenarios
