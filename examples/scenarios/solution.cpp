@@ -75,7 +75,7 @@ void check_balance(const Scenario& scenario, const Reactions& reactions, Solutio
   if (!(worst <= kLargestImbalance))
     throw BadSolution(fmt::format(
         "reactions differ from the loads by {:.2g} % of them ({:.2g} % is the limit): the solver "
-        "has not converged",
+        "has not converged, or has solved something else",
         100 * worst, 100 * kLargestImbalance));
 }
 

@@ -50,6 +50,19 @@ INSTANTIATE_TEST_SUITE_P(Bundled, Solve,
                          testing::Values("s1_compress_off", "s2_pushpull", "s3_three", "s4_slab"),
                          [](const auto& test) { return test.param; });
 
+// CalculiX's ITERATIVE CHOLESKY ends here as if all were well, and reactions are a percent off.
+TEST(Solve, WithoutConvergenceIsRefused) {
+  if (!run("command -v ccx > /dev/null")) GTEST_SKIP() << "CalculiX is not installed";
+  const Scenario scenario = make_scenario("s3_three", Size::small);
+  const Folder folder;
+  std::string text = deck(scenario, Solver::direct);
+  text.replace(text.find("SPOOLES"), 7, "ITERATIVE CHOLESKY");
+  put(folder / "job.inp", text);
+  ASSERT_TRUE(
+      run("cd " + (folder / "").string() + " && OMP_NUM_THREADS=1 ccx -i job > job.log 2>&1"));
+  EXPECT_THROW(read_solution(scenario, folder / "job"), BadSolution);
+}
+
 TEST(FieldDifference, CountsWhatDiffers) {
   TetMesh a;
   a.points = {{0, 0, 0}, {1, 0, 0}};
