@@ -29,7 +29,7 @@ struct SolutionChecks {
   double weights = 0;  ///< what those weights change, by the largest component
 };
 
-/// Reactions may miss the loads by so much. (ITERATIVE SCALING misses about a millionth.)
+/// Reactions may miss the loads by so much. (ITERATIVE SCALING misses some millionths.)
 inline constexpr double kLargestImbalance = 1e-3;
 /// The .frd file has float32.
 inline constexpr double kLargestFrdDifference = 1e-6;
