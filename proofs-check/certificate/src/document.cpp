@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "document.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <vector>
+
+#include "certificate_check/check_certificate.hpp"
+
+namespace certificate {
+namespace {
+
+/// What may stand where. An array has what is listed up to "*n", and then any number of the
+/// item that follows, ascending by their first n entries (as numbers, if n is 1 and they are).
+const Json& shape() {
+  static const Json result = Json::parse(R"({
+    "format": "text", "version": "natural",
+    "input": {"tensor": "text", "components": "text", "points": "natural",
+              "tetrahedra": "natural", "sha256": "text"},
+    "surface": {"vertices": "natural", "triangles": "natural", "sha256": "text"},
+    "levels": ["*0", {
+      "mode": "text", "vertices": ["natural", "natural"], "triangles": ["natural", "natural"],
+      "on_level": "natural",
+      "undecided": ["*1", ["natural", "text"]],
+      "edges": ["*2", ["natural", "natural", "*0", ["natural or text", "natural", "natural"]]],
+      "faces": ["*3", ["natural", "natural", "natural",
+                       ["*2", ["natural", "natural"]], ["*1", "natural"]]],
+      "tets": ["*1", ["natural", "*0", ["integer", "*0", ["natural", "natural", "*0", "natural"]]]],
+      "components": ["*0", {"euler_characteristic": "integer", "boundary_loops": "integer",
+                            "orientable": "boolean", "triangles": "natural",
+                            "first_vertex": "natural"}],
+      "distance or null": {"reach": ["*0", "integer"], "bound": "text",
+                           "coarse": ["*1", "natural"], "coarse_bound": "text"}}]})");
+  return result;
+}
+
+bool is_natural(const Json& value) { return value.is_number_unsigned(); }
+bool is_integer(const Json& value) {
+  return value.is_number_integer() && (!is_natural(value) || value.get<std::uint64_t>() <= INT64_MAX);
+}
+
+/// Is the first in front of the second, by `count` entries?
+bool ascend(const Json& first, const Json& second, std::size_t count) {
+  if (!first.is_array()) return first < second;
+  for (std::size_t i = 0; i < count; ++i)
+    if (first[i] != second[i]) return first[i] < second[i];
+  return count == 0;
+}
+
+/// Where a value is not of a shape, and how; or nothing.
+std::string misfit(const Json& value, const Json& shape) {
+  if (shape.is_string()) {
+    const auto& type = shape.get_ref<const std::string&>();
+    const bool fits = type == "natural"           ? is_natural(value)
+                      : type == "integer"         ? is_integer(value)
+                      : type == "boolean"         ? value.is_boolean()
+                      : type == "natural or text" ? is_natural(value) || value.is_string()
+                                                  : value.is_string();
+    return fits ? "" : ": no " + type;
+  }
+  if (shape.is_object()) {
+    if (!value.is_object()) return ": no object";
+    if (value.size() != shape.size()) return ": other keys";
+    for (const auto& [name, inner] : shape.items()) {
+      const std::string key = name.substr(0, name.find(' '));
+      const auto found = value.find(key);
+      if (found == value.end()) return ": no key '" + key + "'";
+      if (key != name && found->is_null()) continue;
+      if (const std::string wrong = misfit(*found, inner); !wrong.empty())
+        return "/" + key + wrong;
+    }
+    return {};
+  }
+  if (!value.is_array()) return ": no array";
+  const auto is_star = [](const Json& s) {
+    return s.is_string() && s.get_ref<const std::string&>()[0] == '*';
+  };
+  std::size_t fixed = 0;
+  while (fixed < shape.size() && !is_star(shape[fixed])) ++fixed;
+  if (value.size() < fixed || (fixed == shape.size() && value.size() > fixed))
+    return ": of another length";
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (const std::string wrong = misfit(value[i], shape[i < fixed ? i : fixed + 1]);
+        !wrong.empty())
+      return "/" + std::to_string(i) + wrong;
+    if (i <= fixed) continue;
+    const auto count = static_cast<std::size_t>(shape[fixed].get_ref<const std::string&>()[1] - '0');
+    if (count > 0 && !ascend(value[i - 1], value[i], count))
+      return "/" + std::to_string(i) + ": not ascending";
+  }
+  return {};
+}
+
+/// Reads events, and stops at the first that a certificate cannot have.
+class Guard : public nlohmann::json_sax<Json> {
+ public:
+  std::string problem;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override {
+    return fail("a number that is no integer of 64 bits");
+  }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return fail("binary data"); }
+  bool start_object(std::size_t) override { return deeper(); }
+  bool end_object() override { return higher(); }
+  bool start_array(std::size_t) override { return deeper(); }
+  bool end_array() override { return higher(); }
+  bool key(string_t& name) override {
+    return keys_.back().insert(name).second || fail("a key given twice");
+  }
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::detail::exception&) override {
+    return fail("not well-formed at byte " + std::to_string(position));
+  }
+
+ private:
+  bool fail(std::string what) {
+    if (problem.empty()) problem = std::move(what);
+    return false;
+  }
+  bool deeper() {
+    constexpr std::size_t kMaxDepth = 16;
+    keys_.emplace_back();
+    return keys_.size() <= kMaxDepth || fail("nested too deeply");
+  }
+  bool higher() {
+    keys_.pop_back();
+    return true;
+  }
+  std::vector<std::set<std::string>> keys_;
+};
+
+const std::string& text_of(const Json& value) {
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.size() > 1000) throw Malformed("", "a text that is too long");
+  return text;
+}
+
+}  // namespace
+
+std::string file_bytes(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw Malformed(file, "cannot be read");
+  return bytes;
+}
+
+Json read_document(const std::string& file) {
+  const std::string bytes = file_bytes(file);
+  const bool cbor = file.ends_with(".cbor");
+  Guard guard;
+  if (!Json::sax_parse(bytes, &guard,
+                       cbor ? Json::input_format_t::cbor : Json::input_format_t::json) ||
+      !guard.problem.empty())
+    throw Malformed(file, guard.problem.empty() ? "not well-formed" : guard.problem);
+  Json document = cbor ? Json::from_cbor(bytes) : Json::parse(bytes);
+  if (const std::string wrong = misfit(document, shape()); !wrong.empty())
+    throw Malformed(file, wrong);
+  if (document["format"] != "tensortopo certificate" || document["version"] != 1)
+    throw Malformed(file, "no certificate of version 1");
+  return document;
+}
+
+mpq_class mode_of(const Json& value) {
+  mpq_class mode;
+  if (mode.set_str(text_of(value), 10) != 0 || mode.get_den() == 0)
+    throw Malformed("", "a mode that is no fraction");
+  mode.canonicalize();
+  if (mode.get_str() != text_of(value) || abs(mode) >= 1)
+    throw Malformed("", "a mode that is not between -1 and 1 in lowest terms");
+  return mode;
+}
+
+double length_of(const Json& value) {
+  const std::string& text = text_of(value);
+  char* end = nullptr;
+  const double length = std::strtod(text.c_str(), &end);
+  if (!text.starts_with("0x") || *end != 0 || !(length >= 0 && length <= 0x1p1000))
+    throw Malformed("", "a length that is no hexadecimal double");
+  return length;
+}
+
+std::string reason_of(const Json& value) {
+  static const std::set<std::string> reasons{
+      "zero_deviator_vertex",   "zero_deviator_inside",   "level_constant_in_cell",
+      "level_constant_on_face", "level_constant_on_edge", "critical_value_in_cell",
+      "critical_value_on_face", "critical_value_on_edge", "budget_exhausted",
+      "inconsistent_samples"};
+  if (!reasons.contains(text_of(value))) throw Malformed("", "no such reason");
+  return text_of(value);
+}
+
+Interval interval_of(const Json& crossing) {
+  Interval result;
+  const bool is_text = crossing[0].is_string();
+  const std::string digits = is_text ? text_of(crossing[0]) : crossing[0].dump();
+  if (crossing[1] > 2048 || is_text != (crossing[1] > 53) || result.i.set_str(digits, 10) != 0 ||
+      result.i.get_str() != digits)
+    throw Malformed("", "no interval " + digits);
+  result.k = crossing[1].get<unsigned>();
+  if (result.i < 0 || result.i >= mpz_class(1) << result.k)
+    throw Malformed("", "an interval that leaves the edge");
+  return result;
+}
+
+}  // namespace certificate
