@@ -32,8 +32,10 @@ struct Forms {
     std::array<Polynomial<N, V, 1>, 6> x;
     for (std::size_t k = 0; k < 6; ++k)
       for (std::size_t i = 0; i < V; ++i) x[k].coefficients[i] = (*m[i])[k];
-    const auto aside = x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
-    p = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + aside + aside;
+    static constexpr auto places = detail::product_table<V, 1, 1>();
+    for (std::size_t i = 0; i < V; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        p.coefficients[places[i][j]] = N(N(i == j ? 1 : 2) * trace(*m[i], *m[j]));
     q = x[0] * (x[1] * x[2] - x[3] * x[3]) + x[5] * (x[3] * x[4] - x[2] * x[5]) +
         x[4] * (x[3] * x[5] - x[1] * x[4]);
   }

@@ -4,32 +4,32 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "union_find.hpp"
 
 namespace certificate {
-namespace {
 
-std::uint64_t directed(std::uint32_t from, std::uint32_t to) {
-  return static_cast<std::uint64_t>(from) << 32 | to;
-}
-
-}  // namespace
-
-HalfEdges::HalfEdges(std::span<const Triangle> triangles) : triangles_(triangles) {
-  by_edge_.reserve(3 * triangles.size());
+HalfEdges::HalfEdges(std::span<const Triangle> triangles)
+    : triangles_(triangles), across_(triangles.size()) {
+  std::unordered_map<std::uint64_t, std::size_t> by_edge;  // directed
+  by_edge.reserve(3 * triangles.size());
+  const auto key = [&](std::size_t t, std::size_t from, std::size_t to) {
+    return static_cast<std::uint64_t>(triangles[t][from]) << 32 | triangles[t][to];
+  };
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
-      by_edge_.emplace(directed(triangles[t][i], triangles[t][(i + 1) % 3]), t);
-}
-
-std::size_t HalfEdges::across(std::size_t t, std::size_t i) const {
-  const auto place = by_edge_.find(directed(triangles_[t][(i + 1) % 3], triangles_[t][i]));
-  return place == by_edge_.end() ? kNone : place->second;
+      if (!by_edge.emplace(key(t, i, (i + 1) % 3), t).second) has_double_edge_ = true;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto other = by_edge.find(key(t, (i + 1) % 3, i));
+      across_[t][i] = other == by_edge.end() ? kNone : other->second;
+    }
+  }
 }
 
 void HalfEdges::require_manifold() const {
-  if (by_edge_.size() != 3 * triangles_.size())
+  if (has_double_edge_)
     throw Wrong("an edge that two triangles run along in the same direction");
   // Corners of one vertex that a common edge joins are in one fan.
   UnionFind fans;
@@ -40,7 +40,7 @@ void HalfEdges::require_manifold() const {
   };
   for (std::size_t t = 0; t < triangles_.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
-      if (const std::size_t other = across(t, i); other != kNone)
+      if (const std::size_t other = across_[t][i]; other != kNone)
         for (const std::size_t end : {i, (i + 1) % 3})
           fans.join(3 * t + end, corner_at(other, triangles_[t][end]));
   std::unordered_map<std::uint32_t, std::size_t> fan_of;
@@ -62,7 +62,7 @@ std::vector<Piece> HalfEdges::pieces(std::span<const std::size_t> some,
     const Triangle& corners = triangles_[some[n]];
     for (std::size_t i = 0; i < 3; ++i) {
       triangle_at.emplace(corners[i], n);
-      const std::size_t other = across(some[n], i);
+      const std::size_t other = across_[some[n]][i];
       const bool is_inside = other != kNone && among(other);
       if (!is_inside || other > some[n]) ++edges[n];
       if (is_inside) {
@@ -92,7 +92,8 @@ std::vector<Piece> HalfEdges::pieces(std::span<const std::size_t> some,
       loop.push_back(next.mapped());
       at = next.mapped().to;
     }
-    if (at != loop.front().from) throw Wrong("a rim that does not close at vertex " + std::to_string(at));
+    if (at != loop.front().from)
+      throw Wrong("a rim that does not close at vertex " + std::to_string(at));
   }
   return found;
 }

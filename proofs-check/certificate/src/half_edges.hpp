@@ -8,7 +8,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace certificate {
@@ -52,11 +51,10 @@ class HalfEdges {
                             const std::function<bool(std::size_t)>& among) const;
 
  private:
-  /// The triangle at the other side of edge i of a triangle (from corner i to the next), or kNone.
-  std::size_t across(std::size_t triangle, std::size_t i) const;
-
   std::span<const Triangle> triangles_;
-  std::unordered_map<std::uint64_t, std::size_t> by_edge_;
+  /// The triangles at the other sides of the edges (from corner i to the next), or kNone.
+  std::vector<std::array<std::size_t, 3>> across_;
+  bool has_double_edge_ = false;
 };
 
 }  // namespace certificate

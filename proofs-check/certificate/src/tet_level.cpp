@@ -212,14 +212,15 @@ bool Regions::join_along(const Refinement::Weights& direction, const Corners& co
   const Place<4> upwards = weights_at(rows, direction);
   struct Moving {
     Place<4> place;
-    bool above;
-    std::size_t node;
+    bool above = false;
+    std::size_t node = 0;
   };
   std::vector<Moving> all;
   for (std::size_t f = 0; f < 4; ++f) {
     const FacePart& part = face(face_of(corners, f));
     const auto add = [&](const auto& weights, bool above, std::size_t node) {
-      Moving& m = all.emplace_back(Place<4>{}, above, node);
+      Moving& m = all.emplace_back();
+      m.above = above, m.node = node;
       for (std::size_t i = 0, n = 0; i < 4; ++i)
         if (i != f) m.place[i] = weights[n++];
     };
