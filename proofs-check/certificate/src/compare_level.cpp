@@ -33,7 +33,8 @@ void compare_list(const char* kind, const Json& claims, const std::vector<Simple
   for (const Json& claim : claims) {
     std::array<Number, Count> numbers;
     for (std::size_t i = 0; i < Count; ++i) numbers[i] = claim[i].get<Number>();
-    for (; next != truth.end() && key(*next) < numbers; ++next) compare(&*next, nullptr, key(*next));
+    for (; next != truth.end() && key(*next) < numbers; ++next)
+      compare(&*next, nullptr, key(*next));
     const bool found = next != truth.end() && key(*next) == numbers;
     compare(found ? &*next : nullptr, &claim, numbers);
     if (found) ++next;
@@ -80,7 +81,8 @@ Json named(const LevelCase& c, const CrossingVertices& vertices, const TetTopolo
   }
   std::rotate(steps.begin(), std::min_element(steps.begin(), steps.end()), steps.end());
   Json numbers = Json::array();
-  for (const auto& [vertex, opposite] : steps) numbers.push_back(vertex), numbers.push_back(opposite);
+  for (const auto& step : steps)
+    for (const Number number : step) numbers.push_back(number);
   return numbers;
 }
 
@@ -154,7 +156,9 @@ void compare_tets(const LevelCase& c, const CrossingVertices& vertices, Ledger& 
     derived.insert(derived.begin(), claim[0]);
     ledger.settle(claim == derived, name, claim.dump(), derived.dump());
   };
-  const auto key = [&](const TetTopology& t) { return std::array<Number, 1>{c.input.cells[t.tet]}; };
+  const auto key = [&](const TetTopology& tet) {
+    return std::array<Number, 1>{c.input.cells[tet.tet]};
+  };
   compare_list<1>("tetrahedron ", c.claims["tets"], c.topology.tets, key, settle, ledger);
 }
 

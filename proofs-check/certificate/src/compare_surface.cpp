@@ -28,7 +28,8 @@ class Pieces {
   void group();
   void compare(std::size_t tet, const Json& claim, std::vector<Piece> pieces);
   std::vector<ClosedLoop> compare(std::size_t tet, const Json& claim, std::vector<RimEdge>& loop);
-  void add_chain(std::size_t tet, const Json& opposite, std::span<const RimEdge> edges, bool closed);
+  void add_chain(std::size_t tet, const Json& opposite, std::span<const RimEdge> edges,
+                 bool closed);
   void compare_chains() const;
 
   const LevelCase& c_;

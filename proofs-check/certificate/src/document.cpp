@@ -38,7 +38,8 @@ const Json& shape() {
 
 bool is_natural(const Json& value) { return value.is_number_unsigned(); }
 bool is_integer(const Json& value) {
-  return value.is_number_integer() && (!is_natural(value) || value.get<std::uint64_t>() <= INT64_MAX);
+  return value.is_number_integer() &&
+         (!is_natural(value) || value.get<std::uint64_t>() <= INT64_MAX);
 }
 
 /// Is the first in front of the second, by `count` entries?
@@ -86,52 +87,37 @@ std::string misfit(const Json& value, const Json& shape) {
         !wrong.empty())
       return "/" + std::to_string(i) + wrong;
     if (i <= fixed) continue;
-    const auto count = static_cast<std::size_t>(shape[fixed].get_ref<const std::string&>()[1] - '0');
+    const auto count =
+        static_cast<std::size_t>(shape[fixed].get_ref<const std::string&>()[1] - '0');
     if (count > 0 && !ascend(value[i - 1], value[i], count))
       return "/" + std::to_string(i) + ": not ascending";
   }
   return {};
 }
 
-/// Reads events, and stops at the first that a certificate cannot have.
-class Guard : public nlohmann::json_sax<Json> {
- public:
-  std::string problem;
+/// Makes a document of what is read, and stops where a certificate would not go on so.
+class Builder : public nlohmann::detail::json_sax_dom_parser<Json> {
+  using Base = nlohmann::detail::json_sax_dom_parser<Json>;
 
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override {
-    return fail("a number that is no integer of 64 bits");
-  }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return fail("binary data"); }
-  bool start_object(std::size_t) override { return deeper(); }
-  bool end_object() override { return higher(); }
-  bool start_array(std::size_t) override { return deeper(); }
-  bool end_array() override { return higher(); }
-  bool key(string_t& name) override {
-    return keys_.back().insert(name).second || fail("a key given twice");
-  }
-  bool parse_error(std::size_t position, const std::string&,
-                   const nlohmann::detail::exception&) override {
-    return fail("not well-formed at byte " + std::to_string(position));
+ public:
+  explicit Builder(Json& document) : Base(document, false) {}
+
+  std::string problem = "not well-formed";
+
+  bool start_object(std::size_t size) { return deeper() && Base::start_object(size); }
+  bool start_array(std::size_t size) { return deeper() && Base::start_array(size); }
+  bool end_object() { return keys_.pop_back(), Base::end_object(); }
+  bool end_array() { return keys_.pop_back(), Base::end_array(); }
+  bool key(std::string& name) {
+    return (keys_.back().insert(name).second || fail("a key given twice")) && Base::key(name);
   }
 
  private:
-  bool fail(std::string what) {
-    if (problem.empty()) problem = std::move(what);
-    return false;
-  }
+  bool fail(const char* what) { return problem = what, false; }
   bool deeper() {
     constexpr std::size_t kMaxDepth = 16;
     keys_.emplace_back();
     return keys_.size() <= kMaxDepth || fail("nested too deeply");
-  }
-  bool higher() {
-    keys_.pop_back();
-    return true;
   }
   std::vector<std::set<std::string>> keys_;
 };
@@ -154,12 +140,14 @@ std::string file_bytes(const std::string& file) {
 Json read_document(const std::string& file) {
   const std::string bytes = file_bytes(file);
   const bool cbor = file.ends_with(".cbor");
-  Guard guard;
-  if (!Json::sax_parse(bytes, &guard,
-                       cbor ? Json::input_format_t::cbor : Json::input_format_t::json) ||
-      !guard.problem.empty())
-    throw Malformed(file, guard.problem.empty() ? "not well-formed" : guard.problem);
-  Json document = cbor ? Json::from_cbor(bytes) : Json::parse(bytes);
+  const auto format = cbor ? Json::input_format_t::cbor : Json::input_format_t::json;
+  Json document;
+  Builder builder(document);
+  try {
+    if (!Json::sax_parse(bytes, &builder, format)) throw Malformed(file, builder.problem);
+  } catch (const Json::exception& error) {
+    throw Malformed(file, error.what());
+  }
   if (const std::string wrong = misfit(document, shape()); !wrong.empty())
     throw Malformed(file, wrong);
   if (document["format"] != "tensortopo certificate" || document["version"] != 1)

@@ -64,7 +64,9 @@ class Digest {
       for (const std::uint64_t x : item) add(x);
     return *this;
   }
-  Digest& add(const std::vector<std::uint64_t>& items) { return add(items.data(), 8 * items.size()); }
+  Digest& add(const std::vector<std::uint64_t>& items) {
+    return add(items.data(), 8 * items.size());
+  }
   std::string hex() const {
     std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
     SHA256(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size(), digest.data());

@@ -106,7 +106,8 @@ bool MovedVertices::stays(std::size_t vertex) const {
 long MovedVertices::unit_of(const Carrier& carrier, const Point& point) const {
   long lowest = 0;
   for (std::size_t i = 0; i < carrier.count; ++i) {
-    const long unit = certificate::unit_of(point.weights[i]) + c_.field.exponent(carrier.corners[i]);
+    const long unit =
+        certificate::unit_of(point.weights[i]) + c_.field.exponent(carrier.corners[i]);
     lowest = i == 0 ? unit : std::min(lowest, unit);
   }
   return lowest;

@@ -159,8 +159,8 @@ std::array<Id, 3> Regions::face_of(const Corners& c, std::size_t opposite) {
 /// Joins the regions on the boundary of a cell, and notes the pieces of the level in it.
 ///
 /// On a sphere two regions have one closed curve between them, so the curves are those pairs.
-/// If there are several, regions may be joined inside the cell; what curves have the same regions at
-/// both sides then bound one piece.
+/// If there are several, regions may be joined inside the cell; curves with the same regions at both
+/// sides then bound one piece.
 bool Regions::add_cell(const Refinement::Cell& cell) {
   Corners corners = cell.points;
   std::sort(corners.begin(), corners.end());
@@ -370,7 +370,8 @@ std::optional<std::vector<Sheet>> Regions::sheets(const TetBoundary& boundary,
       --at(beside(edge(a, b), a, c.ordinal)).euler_characteristic;
     }
   }
-  for (const Piece& piece : pieces_) at(piece.sides).euler_characteristic += piece.euler_characteristic;
+  for (const Piece& piece : pieces_)
+    at(piece.sides).euler_characteristic += piece.euler_characteristic;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const auto sides = sides_of(curves[i], boundary);
     if (!sides) return std::nullopt;
