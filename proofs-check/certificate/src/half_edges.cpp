@@ -68,9 +68,10 @@ std::vector<Piece> HalfEdges::pieces(std::span<const std::size_t> some,
       if (is_inside) {
         joined.join(n, static_cast<std::size_t>(std::lower_bound(some.begin(), some.end(), other) -
                                                 some.begin()));
-      } else if (!rim.emplace(corners[i], RimEdge{corners[i], corners[(i + 1) % 3], other}).second) {
-        throw Wrong("the rim passes vertex " + std::to_string(corners[i]) + " twice");
+        continue;
       }
+      if (!rim.emplace(corners[i], RimEdge{corners[i], corners[(i + 1) % 3], other}).second)
+        throw Wrong("the rim passes vertex " + std::to_string(corners[i]) + " twice");
     }
   }
   std::map<std::size_t, std::size_t> numbers;  // of the pieces, by their first triangles

@@ -159,8 +159,8 @@ std::array<Id, 3> Regions::face_of(const Corners& c, std::size_t opposite) {
 /// Joins the regions on the boundary of a cell, and notes the pieces of the level in it.
 ///
 /// On a sphere two regions have one closed curve between them, so the curves are those pairs.
-/// If there are several, regions may be joined inside the cell; curves with the same regions at both
-/// sides then bound one piece.
+/// If there are several, regions may be joined inside the cell; curves with the same regions at
+/// both sides then bound one piece.
 bool Regions::add_cell(const Refinement::Cell& cell) {
   Corners corners = cell.points;
   std::sort(corners.begin(), corners.end());
