@@ -13,7 +13,8 @@ namespace certificate {
 namespace {
 
 /// What may stand where. An array has what is listed up to "*n", and then any number of the
-/// item that follows, ascending by their first n entries (as numbers, if n is 1 and they are).
+/// item that follows, ascending by their first n entries; numbers by themselves, and objects by
+/// their first vertex.
 const Json& shape() {
   static const Json result = Json::parse(R"({
     "format": "text", "version": "natural",
@@ -28,7 +29,7 @@ const Json& shape() {
       "faces": ["*3", ["natural", "natural", "natural",
                        ["*2", ["natural", "natural"]], ["*1", "natural"]]],
       "tets": ["*1", ["natural", "*0", ["integer", "*0", ["natural", "natural", "*0", "natural"]]]],
-      "components": ["*0", {"euler_characteristic": "integer", "boundary_loops": "integer",
+      "components": ["*1", {"euler_characteristic": "integer", "boundary_loops": "integer",
                             "orientable": "boolean", "triangles": "natural",
                             "first_vertex": "natural"}],
       "distance or null": {"reach": ["*0", "integer"], "bound": "text",
@@ -44,6 +45,7 @@ bool is_integer(const Json& value) {
 
 /// Is the first in front of the second, by `count` entries?
 bool ascend(const Json& first, const Json& second, std::size_t count) {
+  if (first.is_object()) return first["first_vertex"] < second["first_vertex"];
   if (!first.is_array()) return first < second;
   for (std::size_t i = 0; i < count; ++i)
     if (first[i] != second[i]) return first[i] < second[i];

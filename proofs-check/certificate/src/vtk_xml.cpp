@@ -39,7 +39,8 @@ XmlFile::XmlFile(const std::string& file, const char* kind)
     appended_ = std::string_view(bytes_).substr(start + 1);
     xml = bytes_.substr(0, open) + "/></VTKFile>";
   }
-  if (!document_.load_buffer(xml.data(), xml.size())) fail("not well-formed XML");
+  if (!document_.load_buffer(xml.data(), xml.size()))
+    fail("no VTK XML file; others are to be converted");
   const pugi::xml_node root = document_.child("VTKFile"), data = root.child(kind);
   if (root.attribute("type").value() != std::string_view(kind) || !data)
     fail(std::string("not of type ") + kind);
