@@ -42,24 +42,33 @@ struct Ball {
   Ball& operator-=(const Ball& b) { return *this = *this - b; }
 };
 
-/// What is known of the signs of some numbers.
-struct Signs {
-  bool positive = false, negative = false, zero = false, unsure = false;
+enum class Answer : unsigned char { no, yes, unsure };
 
-  void add(const Ball& x) {
-    if (x.value > x.error) {
-      positive = true;
-    } else if (-x.value > x.error) {
-      negative = true;
-    } else {
-      unsure = true;
-    }
-  }
-  void add(const mpz_class& x) {
-    const int s = sgn(x);
-    (s > 0 ? positive : s < 0 ? negative : zero) = true;
-  }
-};
+/// Both, or one of them; the second is asked only if need be.
+template <class Question>
+Answer both(Answer first, const Question& second) {
+  if (first == Answer::no) return first;
+  const Answer other = second();
+  return other == Answer::no || first == Answer::yes ? other : first;
+}
+template <class Question>
+Answer either(Answer first, const Question& second) {
+  if (first == Answer::yes) return first;
+  const Answer other = second();
+  return other == Answer::yes || first == Answer::no ? other : first;
+}
+
+enum class Zero : bool { fails, will_do };
+
+/// Has x this sign, 1 or -1? (The zero in doubles may be any small number.)
+inline Answer has_sign(const Ball& x, int sign, Zero) {
+  const double v = sign * x.value;
+  return v > x.error ? Answer::yes : -v > x.error ? Answer::no : Answer::unsure;
+}
+inline Answer has_sign(const mpz_class& x, int sign, Zero zero) {
+  const int s = sgn(x) * sign;
+  return s > 0 || (s == 0 && zero == Zero::will_do) ? Answer::yes : Answer::no;
+}
 
 /// x / 2^shift, enclosed.
 inline Ball ball_of(const mpz_class& x, long shift) {

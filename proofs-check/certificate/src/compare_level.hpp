@@ -6,16 +6,16 @@
 #include <map>
 #include <unordered_map>
 
-#include "claims.hpp"
+#include "document.hpp"
 #include "ledger.hpp"
 #include "topology.hpp"
 
 namespace certificate {
 
-/// Which vertex of the surface is which crossing, as the certificate claims.
-struct CrossingVertices {
-  std::map<MeshCrossing, Number> vertex;
-  std::unordered_map<Number, MeshCrossing> crossing;
+using Number = std::uint64_t;
+
+struct Range {
+  Number first = 0, count = 0;
 };
 
 /// One level of a certificate beside the truth about it.
@@ -24,8 +24,16 @@ struct LevelCase {
   const Field& field;
   const Level& level;
   const Triangles& surface;
-  const LevelClaims& claims;
+  const Json& claims;
+  Range vertices, triangles;           ///< of the level, in the surface
+  const std::vector<bool>& left_out;   ///< tetrahedra about which nothing is claimed
   const Topology& topology;
+};
+
+/// Which vertex of the surface is which crossing, as the certificate claims.
+struct CrossingVertices {
+  std::map<MeshCrossing, Number> vertex;
+  std::unordered_map<Number, MeshCrossing> crossing;
 };
 
 CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger);

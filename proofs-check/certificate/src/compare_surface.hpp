@@ -29,10 +29,7 @@ struct PlacedSurface {
 /// components as claimed? One claim for each component, and one for all of the pieces.
 ///
 /// Nothing if they are not.
-///
-/// @param left_out tetrahedra about which nothing is claimed
 std::optional<PlacedSurface> compare_surface(const LevelCase& c,
-                                             const CrossingVertices& vertices,
-                                             const std::vector<bool>& left_out, Ledger& ledger);
+                                             const CrossingVertices& vertices, Ledger& ledger);
 
 }  // namespace certificate

@@ -8,10 +8,10 @@
 namespace certificate {
 namespace {
 
-using Place = std::array<double, 3>;
+using Point = std::array<double, 3>;
 
 /// Where a point of a face's refinement lies in space, roughly.
-Place place_of(const LevelCase& c, const FaceTopology& face, Refinement::Id id) {
+Point place_of(const LevelCase& c, const FaceTopology& face, Refinement::Id id) {
   std::array<double, 3> mantissa{};
   std::array<long, 3> exponent{};
   long largest = -1000000;
@@ -21,7 +21,7 @@ Place place_of(const LevelCase& c, const FaceTopology& face, Refinement::Id id) 
     exponent[i] -= c.field.exponent(face.vertices[i]);  // weights are those of integer tensors
     if (mantissa[i] != 0) largest = std::max(largest, exponent[i]);
   }
-  Place sum{};
+  Point sum{};
   double total = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double w = std::ldexp(
@@ -34,10 +34,10 @@ Place place_of(const LevelCase& c, const FaceTopology& face, Refinement::Id id) 
 }
 
 double distance_to_curve(const LevelCase& c, const FaceTopology& face, std::size_t curve,
-                         const Place& from) {
+                         const Point& from) {
   double best = HUGE_VAL;
   for (const auto& [a, b] : face.level.loops[curve]) {
-    const Place p = place_of(c, face, a), q = place_of(c, face, b);
+    const Point p = place_of(c, face, a), q = place_of(c, face, b);
     double square = 0;
     for (std::size_t k = 0; k < 3; ++k) square += std::pow((p[k] + q[k]) / 2 - from[k], 2);
     best = std::min(best, square);
@@ -47,29 +47,38 @@ double distance_to_curve(const LevelCase& c, const FaceTopology& face, std::size
 
 }  // namespace
 
-std::vector<Number> curve_names(const LevelCase& c, const TetTopology& tet, Vertex opposite) {
-  const auto& vertices = c.input.tets[tet.tet];
-  const auto at = std::find(vertices.begin(), vertices.end(), opposite) - vertices.begin();
-  const FaceTopology* face = c.topology.face(face_of(vertices, static_cast<std::size_t>(at)));
-  const std::array<Number, 3> numbers{face->vertices[0], face->vertices[1], face->vertices[2]};
-  const auto place = std::lower_bound(c.claims.faces.begin(), c.claims.faces.end(), numbers,
-                                      [](const FaceClaim& f, const auto& n) { return f.face < n; });
-  if (place == c.claims.faces.end() || place->face != numbers ||
-      place->loops.size() != face->level.loops.size())
+const FaceTopology& face_opposite(const LevelCase& c, std::size_t tet, Vertex opposite) {
+  std::array<Vertex, 3> face{};
+  std::size_t n = 0;
+  for (const Vertex v : c.input.tets[tet])
+    if (v != opposite && n < 3) face[n++] = v;
+  return *c.topology.face(face);
+}
+
+std::vector<Number> curve_names(const LevelCase& c, const FaceTopology& face) {
+  const std::size_t count = face.level.loops.size();
+  const Json numbers = face.vertices, &faces = c.claims["faces"];
+  const auto claim = std::lower_bound(faces.begin(), faces.end(), numbers,
+                                      [](const Json& f, const Json& n) {
+                                        return std::array{f[0], f[1], f[2]} <
+                                               std::array{n[0], n[1], n[2]};
+                                      });
+  if (claim == faces.end() || (*claim)[4].size() != count ||
+      Json::array({(*claim)[0], (*claim)[1], (*claim)[2]}) != numbers)
     return {};
-  if (face->level.loops.size() == 1) return place->loops;
   std::map<std::size_t, Number> names;
-  for (const Number v : place->loops) {
-    if (v >= c.surface.points.size()) return {};
+  for (const Json& v : (*claim)[4]) {
+    const Number vertex = v.get<Number>();
+    if (vertex >= c.surface.points.size()) return {};
     std::vector<double> distances;
-    for (std::size_t i = 0; i < face->level.loops.size(); ++i)
-      distances.push_back(distance_to_curve(c, *face, i, c.surface.points[v]));
+    for (std::size_t i = 0; i < count && count > 1; ++i)
+      distances.push_back(distance_to_curve(c, face, i, c.surface.points[vertex]));
     names[static_cast<std::size_t>(std::min_element(distances.begin(), distances.end()) -
-                                   distances.begin())] = v;
+                                   distances.begin())] = vertex;
   }
   std::vector<Number> result;
   for (const auto& [curve, name] : names) result.push_back(name);
-  return names.size() == face->level.loops.size() ? result : std::vector<Number>{};
+  return names.size() == count ? result : std::vector<Number>{};
 }
 
 }  // namespace certificate

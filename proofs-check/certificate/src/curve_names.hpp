@@ -6,12 +6,15 @@
 
 namespace certificate {
 
-/// The vertices that name the closed curves of a face of a tetrahedron, in the order of
-/// `FaceTopology::loop_points`; empty if the certificate has none that could.
+/// The face of a tetrahedron without this vertex of it. @pre it is among those of the topology
+const FaceTopology& face_opposite(const LevelCase& c, std::size_t tet, Vertex opposite);
+
+/// The vertices that name the closed curves of a face, in the order of its `level.loops`; empty if
+/// the certificate has none that could.
 ///
 /// Where there are several, each name goes to the nearest curve, in plain doubles. That is
 /// no proof and need not be one: if *any* one-to-one naming fits the sheets at both sides, the
 /// triangles are homeomorphic to the level by a map that keeps the face.
-std::vector<Number> curve_names(const LevelCase& c, const TetTopology& tet, Vertex opposite);
+std::vector<Number> curve_names(const LevelCase& c, const FaceTopology& face);
 
 }  // namespace certificate

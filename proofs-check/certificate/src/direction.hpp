@@ -16,18 +16,17 @@ namespace certificate {
 /// which is linear in the direction.
 template <std::size_t V>
 std::optional<std::array<int, V>> likely_direction(const Forms<Ball, V>& f) {
-  Polynomial<double, V, 2> p;
-  Polynomial<double, V, 3> q;
-  for (std::size_t i = 0; i < p.kCount; ++i) p.coefficients[i] = f.p.coefficients[i].value;
-  for (std::size_t i = 0; i < q.kCount; ++i) q.coefficients[i] = f.q.coefficients[i].value;
+  Forms<double, V> plain;
+  for (std::size_t i = 0; i < f.p.kCount; ++i)
+    plain.p.coefficients[i] = f.p.coefficients[i].value;
+  for (std::size_t i = 0; i < f.q.kCount; ++i)
+    plain.q.coefficients[i] = f.q.coefficients[i].value;
   constexpr std::size_t kCount = Monomials<V, 4>::kCount;
   std::array<std::array<double, V>, kCount> rows{};
   for (std::size_t j = 0; j < V; ++j) {
-    Polynomial<double, V, 2> dq;
-    Polynomial<double, V, 1> dp;
-    add_derivative(q, j, 1.0, dq);
-    add_derivative(p, j, 1.0, dp);
-    const auto g = combination(2.0, p * dq, 3.0, q * dp);
+    std::array<int, V> axis{};
+    axis[j] = 1;
+    const auto g = increase(plain, axis);
     for (std::size_t i = 0; i < kCount; ++i) rows[i][j] = g.coefficients[i];
   }
   std::array<double, V> d{};

@@ -3,9 +3,7 @@
 #include "face_level.hpp"
 
 #include <algorithm>
-#include <bit>
-
-#include "union_find.hpp"
+#include <map>
 
 namespace certificate {
 namespace {
@@ -20,87 +18,65 @@ std::optional<std::array<std::array<std::size_t, 2>, 2>> arc_in_triangle(const A
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     if (above(i) == above(j) || above(i) == above(k)) continue;
     const std::array next{i, j}, before{i, k};
-    if (above(i)) return std::array{next, before};
-    return std::array{before, next};
+    return above(i) ? std::array{next, before} : std::array{before, next};
   }
   return std::nullopt;
 }
 
-/// Crossed edges, numbered.
-class Nodes {
- public:
-  std::size_t add(Id a, Id b) {
-    const auto [place, is_new] = numbers_.try_emplace(Refinement::key(a, b), edges_.size());
-    if (is_new) edges_.push_back({a, b});
-    return place->second;
-  }
-  const std::vector<CrossedEdge>& edges() const { return edges_; }
+/// The crossed parts of an edge between roots, in order.
+std::vector<CrossedEdge> crossed_along(const Refinement& r, Id a, Id b) {
+  const std::vector<Id> along = points_along(r, a, b);
+  std::vector<CrossedEdge> result;
+  for (std::size_t i = 0; i + 1 < along.size(); ++i)
+    if (r.points()[along[i]].above != r.points()[along[i + 1]].above)
+      result.push_back({std::min(along[i], along[i + 1]), std::max(along[i], along[i + 1])});
+  return result;
+}
 
- private:
-  std::unordered_map<std::uint64_t, std::size_t> numbers_;
-  std::vector<CrossedEdge> edges_;
-};
-
-/// Joins the arcs of a refined face's triangles.
-void trace(const Refinement& r, const RootEdges& root_edges, FaceLevel& face) {
-  Nodes nodes;
-  std::vector<std::array<std::size_t, 2>> arcs;
+/// Joins the arcs of a refined face's triangles. False if one ends inside.
+bool trace(const Refinement& r, const std::map<CrossedEdge, Crossing>& ends, FaceLevel& face) {
+  std::map<CrossedEdge, CrossedEdge> next;
   for (const Refinement::Cell& cell : r.cells()) {
     if (cell.cut || cell.proof == Proof::empty) continue;
     const auto arc =
         arc_in_triangle([&](std::size_t i) { return r.points()[cell.points[i]].above; });
-    if (!arc) continue;
-    const auto node = [&](const auto& edge) {
-      return nodes.add(cell.points[edge[0]], cell.points[edge[1]]);
+    const auto edge = [&](const auto& corners) {
+      const Id a = cell.points[corners[0]], b = cell.points[corners[1]];
+      return CrossedEdge{std::min(a, b), std::max(a, b)};
     };
-    const std::size_t from = node((*arc)[0]);
-    arcs.push_back({from, node((*arc)[1])});
+    if (arc) next[edge((*arc)[0])] = edge((*arc)[1]);
   }
-  UnionFind curves(nodes.edges().size());
-  std::vector<char> starts(nodes.edges().size());
-  for (const auto& [from, to] : arcs) curves.join(from, to), starts[from] = 1;
-  std::map<std::size_t, std::vector<std::size_t>> members;
-  for (std::size_t i = 0; i < nodes.edges().size(); ++i) members[curves.find(i)].push_back(i);
-  for (const auto& [root, all] : members) {
-    std::array<std::optional<Crossing>, 2> ends;
-    std::vector<CrossedEdge> edges;
-    for (const std::size_t i : all) {
-      edges.push_back(nodes.edges()[i]);
-      if (const auto end = root_edges.at(edges.back())) ends[starts[i] != 0 ? 0 : 1] = end;
-    }
-    if (ends[0] && ends[1]) {
-      face.arcs.push_back({*ends[0], *ends[1]});
-    } else {
-      face.loops.push_back(std::move(edges));
-    }
+  const auto follow = [&](CrossedEdge at) {
+    std::vector<CrossedEdge> passed{at};
+    while (const auto step = next.extract(at)) passed.push_back(at = step.mapped());
+    return passed;
+  };
+  for (const auto& [edge, crossing] : ends) {
+    if (!next.contains(edge)) continue;
+    const auto end = ends.find(follow(edge).back());
+    if (end == ends.end()) return false;
+    face.arcs.push_back({crossing, end->second});
   }
+  while (!next.empty()) {
+    face.loops.push_back(follow(next.begin()->first));
+    if (face.loops.back().front() != face.loops.back().back()) return false;
+    face.loops.back().pop_back();
+  }
+  return true;
 }
 
 }  // namespace
 
-RootEdges::RootEdges(const Refinement& refinement) {
+std::vector<Id> points_along(const Refinement& refinement, Id a, Id b) {
   const auto& points = refinement.points();
-  for_subsets(refinement.corners(), 2, [&](const auto& ends) {
-    const std::size_t a = ends[0], b = ends[1];
-    const unsigned edge = 1U << a | 1U << b;
-    std::vector<Id>& along = along_[edge];
-    for (Id i = 0; i < points.size(); ++i)
-      if ((points[i].support & ~edge) == 0) along.push_back(i);
-    std::sort(along.begin(), along.end(), [&](Id i, Id j) {
-      const auto &p = points[i].weights, &q = points[j].weights;
-      return p[b] * q[a] < q[b] * p[a];
-    });
-    unsigned n = 0;
-    for (std::size_t i = 0; i + 1 < along.size(); ++i)
-      if (points[along[i]].above != points[along[i + 1]].above)
-        crossings_[Refinement::key(along[i], along[i + 1])] = {edge, n++};
-    counts_[edge] = n;
+  std::vector<Id> along;
+  for (Id i = 0; i < points.size(); ++i)
+    if ((points[i].support & ~(1U << a | 1U << b)) == 0) along.push_back(i);
+  std::sort(along.begin(), along.end(), [&](Id i, Id j) {
+    const auto &p = points[i].weights, &q = points[j].weights;
+    return p[b] * q[a] < q[b] * p[a];
   });
-}
-
-std::optional<Crossing> RootEdges::at(const CrossedEdge& edge) const {
-  const auto place = crossings_.find(Refinement::key(edge[0], edge[1]));
-  return place == crossings_.end() ? std::nullopt : std::optional(place->second);
+  return along;
 }
 
 EdgeLevel level_in_edge(const Level& level, const std::array<Corner, 2>& corners) {
@@ -109,7 +85,7 @@ EdgeLevel level_in_edge(const Level& level, const std::array<Corner, 2>& corners
     return {true, proved.proof, corners[0].above != corners[1].above ? 1U : 0U};
   Refinement refinement(level, corners);
   if (!refinement.run()) return {};
-  return {true, Proof::open, RootEdges(refinement).count(3)};
+  return {true, Proof::open, static_cast<unsigned>(crossed_along(refinement, 0, 1).size())};
 }
 
 FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners,
@@ -129,19 +105,23 @@ FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners
     if (arc) face.arcs.push_back({on((*arc)[0]), on((*arc)[1])});
     return face;
   }
-  auto refinement = std::make_shared<Refinement>(level, corners);
+  const auto refinement = std::make_shared<Refinement>(level, corners);
   refinement->assume(proved);
-  refinement->assume(0, 1, edges[0]->proof);
-  refinement->assume(0, 2, edges[1]->proof);
-  refinement->assume(1, 2, edges[2]->proof);
+  constexpr std::array<std::array<Id, 2>, 3> kEnds{{{0, 1}, {0, 2}, {1, 2}}};
+  for (std::size_t e = 0; e < 3; ++e)
+    refinement->assume(kEnds[e][0], kEnds[e][1], edges[e]->proof);
   if (!refinement->run()) return face;
-  const RootEdges root_edges(*refinement);
-  trace(*refinement, root_edges, face);
-  // Each proves the crossings for itself; a difference would be a mistake here.
-  face.decided = root_edges.count(3) == edges[0]->crossings &&
-                 root_edges.count(5) == edges[1]->crossings &&
-                 root_edges.count(6) == edges[2]->crossings;
-  if (!face.loops.empty()) face.refinement = std::move(refinement);
+  face.decided = true;
+  std::map<CrossedEdge, Crossing> ends;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const auto [a, b] = kEnds[e];
+    const std::vector<CrossedEdge> crossed = crossed_along(*refinement, a, b);
+    for (unsigned n = 0; n < crossed.size(); ++n) ends[crossed[n]] = {1U << a | 1U << b, n};
+    // Each proves the crossings for itself; a difference would be a mistake here.
+    face.decided = face.decided && crossed.size() == edges[e]->crossings;
+  }
+  face.decided = face.decided && trace(*refinement, ends, face);
+  face.refinement = refinement;
   return face;
 }
 

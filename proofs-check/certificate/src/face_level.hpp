@@ -4,7 +4,6 @@
 #pragma once
 
 #include <compare>
-#include <map>
 #include <optional>
 
 #include "refinement.hpp"
@@ -19,25 +18,12 @@ struct Crossing {
   auto operator<=>(const Crossing&) const = default;
 };
 
-/// An edge of a refinement, as a point of the level on it.
+/// An edge of a refinement, as a point of the level on it: its ends, ascending.
 using CrossedEdge = std::array<Refinement::Id, 2>;
 
-/// The points of a refined simplex along the edges between its roots.
-class RootEdges {
- public:
-  explicit RootEdges(const Refinement& refinement);
-
-  /// Those on one edge, from root to root.
-  const std::vector<Refinement::Id>& along(unsigned edge) const { return along_.at(edge); }
-  unsigned count(unsigned edge) const { return counts_.at(edge); }
-  /// The crossing on an edge of the refinement; nothing if that lies on no edge between roots.
-  std::optional<Crossing> at(const CrossedEdge& edge) const;
-
- private:
-  std::map<std::uint64_t, Crossing> crossings_;
-  std::map<unsigned, std::vector<Refinement::Id>> along_;
-  std::map<unsigned, unsigned> counts_;
-};
+/// The points of a refined simplex along the edge from root a to root b, in that order.
+std::vector<Refinement::Id> points_along(const Refinement& refinement, Refinement::Id a,
+                                         Refinement::Id b);
 
 struct EdgeLevel {
   bool decided = false;
@@ -52,7 +38,7 @@ struct FaceLevel {
   bool decided = false;
   std::vector<std::array<Crossing, 2>> arcs;
   std::vector<std::vector<CrossedEdge>> loops;  ///< of each closed curve the edges that it crosses
-  std::shared_ptr<const Refinement> refinement;  ///< if there are closed curves
+  std::shared_ptr<const Refinement> refinement;  ///< if it took one
 };
 /// @param edges  of the corners 0 and 1, 0 and 2, 1 and 2
 FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners,

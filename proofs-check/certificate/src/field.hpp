@@ -3,7 +3,7 @@
 #pragma once
 
 #include "level.hpp"
-#include "vtk_xml.hpp"
+#include "files.hpp"
 
 namespace certificate {
 

@@ -2,17 +2,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
-#include <unordered_map>
-
-#include "claims.hpp"
-#include "vtk_xml.hpp"
+#include <vector>
 
 namespace certificate {
 
-/// The triangles of a level with their neighbours.
+/// What is not as it should be.
+struct Wrong : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// An edge of a triangle at the rim of a piece of triangles.
+struct RimEdge {
+  std::uint32_t from, to;
+  std::size_t across;  ///< the triangle at the other side, or kNone
+};
+
+/// A connected piece of triangles.
+struct Piece {
+  long euler_characteristic = 0;
+  std::size_t triangles = 0;
+  std::uint32_t first_vertex = 0;  ///< the smallest
+  std::vector<std::vector<RimEdge>> loops;
+};
+
+/// Triangles with their neighbours.
 class HalfEdges {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -21,17 +40,21 @@ class HalfEdges {
   explicit HalfEdges(std::span<const Triangle> triangles);
 
   std::span<const Triangle> triangles() const { return triangles_; }
-  /// The triangle at the other side of edge i of a triangle (from corner i to the next), or kNone.
-  std::size_t across(std::size_t triangle, std::size_t i) const;
-  /// What keeps it from being an oriented manifold with boundary, or nothing: two triangles with
-  /// an edge in one direction, or a vertex around which they form more than one fan.
-  std::string defect() const;
-  /// Its components, in the order of their smallest vertices.
-  std::vector<ComponentClaim> components() const;
+  /// Throws Wrong unless they are an oriented manifold with boundary: no two triangles have an
+  /// edge in one direction, and around each vertex they form one fan.
+  void require_manifold() const;
+  /// The pieces of some triangles, in the order of their smallest vertices. Throws Wrong if
+  /// the rim passes a vertex twice.
+  /// @param some  ascending
+  /// @param among  is a triangle one of these?
+  std::vector<Piece> pieces(std::span<const std::size_t> some,
+                            const std::function<bool(std::size_t)>& among) const;
 
  private:
   std::span<const Triangle> triangles_;
-  std::unordered_map<std::uint64_t, std::size_t> by_edge_;
+  /// The triangles at the other sides of the edges (from corner i to the next), or kNone.
+  std::vector<std::array<std::size_t, 3>> across_;
+  bool has_double_edge_ = false;
 };
 
 }  // namespace certificate

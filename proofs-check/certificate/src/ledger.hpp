@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -55,17 +54,5 @@ class Ledger {
   Report& report_;
   std::size_t kind_ = 0;
 };
-
-/// Numbers, and numbers of numbers, as JSON has them.
-template <class T>
-std::string text(const T& item) {
-  if constexpr (requires { item.begin(); }) {
-    std::string result = "[";
-    for (const auto& x : item) result += (result.size() > 1 ? ", " : "") + text(x);
-    return result + "]";
-  } else {
-    return std::to_string(item);
-  }
-}
 
 }  // namespace certificate

@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <memory>
 
 #include "ball.hpp"
 #include "forms.hpp"
@@ -64,21 +63,26 @@ class Level {
   template <std::size_t V>
   bool is_one_sided(const std::array<Corner, V>& corners) const;
 
-  std::uint64_t decided_by_balls() const { return balls_; }
-  std::uint64_t decided_exactly() const { return exact_count_; }
+  std::uint64_t decided_by_balls() const { return by_balls_; }
+  std::uint64_t decided_exactly() const { return by_integers_; }
 
  private:
+  /// F = q Q^2 + p P^3.
+  template <class N>
+  struct Factors {
+    N q, p;
+  };
   template <class N, std::size_t V>
-  bool is_empty(const Forms<N, V>& f, bool above, bool& unsure) const;
-  template <class N>
-  const N& q_factor() const;
-  template <class N>
-  const N& p_factor() const;
+  Polynomial<N, V, 6> degree_six(const Forms<N, V>& f) const;
+  template <class N, std::size_t V>
+  Answer lies(bool above, const Forms<N, V>& f) const;
+  template <std::size_t V>
+  class Simplex;
 
-  int sign_;                         ///< of mu
-  mpz_class exact_q_, exact_p_;      ///< F = exact_q Q^2 - exact_p P^3
-  Ball ball_q_, ball_p_;             ///< both divided by one positive number
-  mutable std::atomic<std::uint64_t> balls_{0}, exact_count_{0};
+  int sign_;  ///< of mu
+  Factors<mpz_class> exact_;
+  Factors<Ball> balls_;  ///< both divided by one positive number
+  mutable std::atomic<std::uint64_t> by_balls_{0}, by_integers_{0};
 };
 
 }  // namespace certificate

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "compare_surface.hpp"
+#include "places.hpp"
 
 namespace certificate {
 
@@ -18,13 +19,16 @@ class MovedVertices : public ExactTensors {
  public:
   enum Way : std::uint32_t { kBehind = 0, kAhead = 1 };
 
-  /// @pre a reach for each vertex
-  MovedVertices(const LevelCase& c, const PlacedSurface& placed);
+  /// @param reach  for each vertex
+  MovedVertices(const LevelCase& c, const PlacedSurface& placed,
+                const std::vector<std::int64_t>& reach);
 
   /// Weights at the corners of the carrier; not all positive if the vertex would leave it.
   const std::array<double, 4>& weights(std::size_t vertex, Way way) const {
     return points_[2 * vertex + way].weights;
   }
+  /// The weights of the field's exact tensors there. @pre stays(vertex)
+  Place<4> place(std::size_t vertex, Way way) const;
   bool stays(std::size_t vertex) const;
   /// Its tensor, and the side on which it should be. @pre stays(vertex)
   Corner corner(std::size_t vertex, Way way) const {
@@ -41,8 +45,10 @@ class MovedVertices : public ExactTensors {
     Tensor<Ball> ball;
     long shift = 0;
   };
-  void move(std::size_t vertex);
+  void move(std::size_t vertex, double reach);
   void enclose(const Carrier& carrier, Point& point) const;
+  long scale_of(const Carrier& carrier) const;
+  long unit_of(const Carrier& carrier, const Point& point) const;
 
   const LevelCase& c_;
   const PlacedSurface& placed_;

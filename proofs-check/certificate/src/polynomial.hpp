@@ -86,34 +86,6 @@ constexpr auto derivative_table() {
   return result;
 }
 
-/// Where the product of variables i, j, and of i, j, k, is.
-template <std::size_t V>
-constexpr auto pair_table() {
-  std::array<std::array<unsigned char, V>, V> result{};
-  for (std::size_t i = 0; i < V; ++i) {
-    for (std::size_t j = 0; j < V; ++j) {
-      typename Monomials<V, 2>::Exponents e{};
-      ++e[i], ++e[j];
-      result[i][j] = static_cast<unsigned char>(Monomials<V, 2>::index(e));
-    }
-  }
-  return result;
-}
-template <std::size_t V>
-constexpr auto triple_table() {
-  std::array<std::array<std::array<unsigned char, V>, V>, V> result{};
-  for (std::size_t i = 0; i < V; ++i) {
-    for (std::size_t j = 0; j < V; ++j) {
-      for (std::size_t k = 0; k < V; ++k) {
-        typename Monomials<V, 3>::Exponents e{};
-        ++e[i], ++e[j], ++e[k];
-        result[i][j][k] = static_cast<unsigned char>(Monomials<V, 3>::index(e));
-      }
-    }
-  }
-  return result;
-}
-
 }  // namespace detail
 
 template <class N, std::size_t V, std::size_t D, std::size_t E>
@@ -126,27 +98,37 @@ Polynomial<N, V, D + E> operator*(const Polynomial<N, V, D>& a, const Polynomial
   return result;
 }
 
-/// a p - b q.
+/// a p + b q.
 template <class N, std::size_t V, std::size_t D>
 Polynomial<N, V, D> combination(const N& a, const Polynomial<N, V, D>& p, const N& b,
                                 const Polynomial<N, V, D>& q) {
   Polynomial<N, V, D> result;
   for (std::size_t i = 0; i < p.kCount; ++i)
-    result.coefficients[i] = a * p.coefficients[i] - b * q.coefficients[i];
+    result.coefficients[i] = a * p.coefficients[i] + b * q.coefficients[i];
   return result;
 }
-
-/// Adds factor times the derivative of p by its variable j.
 template <class N, std::size_t V, std::size_t D>
-void add_derivative(const Polynomial<N, V, D>& p, std::size_t j, const N& factor,
-                    Polynomial<N, V, D - 1>& result) {
+Polynomial<N, V, D> operator+(Polynomial<N, V, D> p, const Polynomial<N, V, D>& q) {
+  for (std::size_t i = 0; i < p.kCount; ++i) p.coefficients[i] += q.coefficients[i];
+  return p;
+}
+template <class N, std::size_t V, std::size_t D>
+Polynomial<N, V, D> operator-(Polynomial<N, V, D> p, const Polynomial<N, V, D>& q) {
+  for (std::size_t i = 0; i < p.kCount; ++i) p.coefficients[i] -= q.coefficients[i];
+  return p;
+}
+
+/// The derivative along d.
+template <class N, std::size_t V, std::size_t D>
+Polynomial<N, V, D - 1> derivative(const Polynomial<N, V, D>& p, const std::array<int, V>& d) {
   static constexpr auto exponents = Monomials<V, D>::table();
   static constexpr auto places = detail::derivative_table<V, D>();
-  for (std::size_t i = 0; i < p.kCount; ++i) {
-    const std::size_t e = exponents[i][j];
-    if (e == 0) continue;
-    result.coefficients[places[i][j]] += N(N(N(static_cast<int>(e)) * factor) * p.coefficients[i]);
-  }
+  Polynomial<N, V, D - 1> result;
+  for (std::size_t i = 0; i < p.kCount; ++i)
+    for (std::size_t j = 0; j < V; ++j)
+      if (const int factor = static_cast<int>(exponents[i][j]) * d[j]; factor != 0)
+        result.coefficients[places[i][j]] += N(N(factor) * p.coefficients[i]);
+  return result;
 }
 
 }  // namespace certificate

@@ -49,7 +49,6 @@ void Refinement::note(Cell& cell, const Proved<V>& proved) {
   cell.direction = std::make_shared<const std::array<mpz_class, 4>>(std::move(direction));
 }
 
-template void Refinement::note(Cell&, const Proved<2>&);
 template void Refinement::note(Cell&, const Proved<3>&);
 template void Refinement::note(Cell&, const Proved<4>&);
 
@@ -165,23 +164,49 @@ void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
   }
 }
 
-/// The longest edge of all comes first: so each open cell is cut through its own longest edge
-/// only, which keeps parts from getting long and thin, in angles.
+/// The cell with the longest edge of all comes first: so each open cell is cut through its own
+/// longest edge only, which keeps parts from getting long and thin, in angles.
+std::optional<std::size_t> Refinement::longest(Waiting& waiting, std::array<Id, 2>& edge) const {
+  while (!waiting.empty()) {
+    const Longest next = waiting.top();
+    waiting.pop();
+    if (cells_[next.cell].cut || cells_[next.cell].proof == Proof::empty) continue;
+    edge = next.edge;
+    return next.cell;
+  }
+  return std::nullopt;
+}
+
 bool Refinement::run() {
   // Around a zero deviator all modes meet: nothing would ever be monotone there.
   const bool has_zero_root = std::any_of(points_.begin(), points_.end(),
                                          [](const Point& p) { return !(p.length > 0); });
   Waiting waiting;
   wait(0, waiting);
-  while (!waiting.empty()) {
-    const auto [cosine, c, edge] = waiting.top();
-    waiting.pop();
-    if (cells_[c].cut || cells_[c].proof == Proof::empty) continue;
+  std::array<Id, 2> edge;
+  while (const auto c = longest(waiting, edge)) {
     // A part of a monotone cell may be empty all the same.
-    if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) prove(cells_[c]);
-    if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
+    if (cells_[*c].proof == Proof::open || !is_crossed(cells_[*c])) prove(cells_[*c]);
+    if (cells_[*c].proof == Proof::empty || !is_open(cells_[*c])) continue;
     if (cells_.size() > kMaxCells || has_zero_root) return false;
     bisect(edge, waiting);
+  }
+  return true;
+}
+
+bool Refinement::is_one_sided() {
+  Waiting waiting;
+  wait(0, waiting);
+  std::array<Id, 2> edge;
+  while (const auto c = longest(waiting, edge)) {
+    const auto& [i, j, k, none] = cells_[*c].points;
+    if (level_.is_one_sided(corners_at(std::array{i, j, k}))) {
+      cells_[*c].proof = Proof::empty;
+      continue;
+    }
+    if (cells_.size() > kMaxCells / 4) return false;
+    bisect(edge, waiting);
+    if (points_.back().above != points_.front().above) return false;
   }
   return true;
 }

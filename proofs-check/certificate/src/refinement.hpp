@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <queue>
 #include <span>
 #include <unordered_map>
@@ -21,12 +22,13 @@ namespace certificate {
 class Refinement : public ExactTensors {
  public:
   using Id = std::uint32_t;
+  using Weights = std::array<mpz_class, 4>;
   /// A tensor with its place: `weights` are those of the roots' exact tensors in its own, and
   /// ball encloses exact / 2^shift.
   struct Point {
     Tensor<Ball> ball;
     long shift = 0;
-    std::array<mpz_class, 4> weights;
+    Weights weights;
     double length = 0;     ///< of ball, roughly
     unsigned support = 0;  ///< a bit for each root of nonzero weight
     bool above = false;
@@ -36,7 +38,7 @@ class Refinement : public ExactTensors {
     Proof proof = Proof::open;
     bool cut = false;  ///< replaced by others
     /// If it is monotone: along which weights of the roots' exact tensors.
-    std::shared_ptr<const std::array<mpz_class, 4>> direction;
+    std::shared_ptr<const Weights> direction;
   };
 
   /// @pre 2 to 4 roots
@@ -48,6 +50,9 @@ class Refinement : public ExactTensors {
   void assume(Id a, Id b, Proof proof) { proofs_[key(a, b)] = proof; }
   /// Cuts. False if that takes more cells than the budget.
   bool run();
+  /// Cuts until each part is proved to be on the side of the roots. False if one is not.
+  /// @pre 3 roots of one side; nothing else was called
+  bool is_one_sided();
 
   /// Are points of the cell on both sides?
   bool is_crossed(const Cell& cell) const;
@@ -77,6 +82,7 @@ class Refinement : public ExactTensors {
   void prove(Cell& cell);
   Proof known(Id a, Id b);
   bool is_open(const Cell& cell);
+  std::optional<std::size_t> longest(Waiting& waiting, std::array<Id, 2>& edge) const;
   void wait(std::size_t cell, Waiting& waiting) const;
   double closeness(Id a, Id b) const;
   Id middle(Id a, Id b);

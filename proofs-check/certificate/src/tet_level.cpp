@@ -4,263 +4,381 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
+#include <set>
 
-#include "monotone_cell.hpp"
+#include "places.hpp"
 #include "union_find.hpp"
 
 namespace certificate {
 namespace {
 
 using Id = Refinement::Id;
-using Weights = std::array<mpz_class, 4>;
+using Join = std::array<std::size_t, 2>;
+using Sides = std::array<std::size_t, 2>;  ///< a node below and one above a part of the level
 
-/// A tetrahedron cut into monotone and empty cells; the level at their edges and faces, each
-/// settled by itself; and the pieces in the cells, joined.
-class TetLevel {
- public:
-  TetLevel(const Level& level, const std::array<Corner, 4>& corners, const Proved<4>& proved,
-           const TetBoundary& boundary);
-
-  std::optional<std::vector<Sheet>> sheets();
-
- private:
-  using Face = std::array<Id, 3>;
-  /// One arc, or one closed curve, of the boundary of the tetrahedron.
-  struct Rim {
-    std::size_t next;
-    unsigned face;  ///< the roots' bits
-  };
-
-  const EdgeLevel& edge(Id a, Id b);
-  const FaceLevel& face(const Face& ids);
-  unsigned support(const auto& ids) const {
-    unsigned all = 0;
-    for (const Id id : ids) all |= cells_.points()[id].support;
-    return all;
-  }
-  std::size_t node(Id a, Id b, unsigned ordinal);
-  bool number_crossings();
-  bool add_cell(const Refinement::Cell& cell);
-  std::array<Loop::Sample, 2> beside(std::size_t node) const;
-  template <std::size_t Count>
-  Loop::Sample sample(const Refinement& part, Id point, const std::array<Id, Count>& roots) const;
-
-  const Level& level_;
-  const TetBoundary& boundary_;
-  Refinement cells_;
-  std::unordered_map<std::uint64_t, EdgeLevel> edges_;
-  std::unordered_map<std::uint64_t, FaceLevel> faces_;
-  std::map<std::pair<std::uint64_t, unsigned>, std::size_t> node_numbers_;
-  /// Crossings of the cells' edges, and closed curves of their faces.
-  struct Node {
-    std::array<Id, 2> edge{};  ///< none for a closed curve
-    unsigned ordinal = 0;
-  };
-  std::vector<Node> nodes_;
-  /// For each edge of a cell on an edge between roots: its crossings there, from the smaller id.
-  std::unordered_map<std::uint64_t, std::vector<Crossing>> on_roots_;
-  std::map<std::size_t, Rim> rim_;
-  std::vector<std::pair<std::size_t, Loop>> closed_;  ///< loops in one cell's face, by their nodes
-  std::vector<std::array<std::size_t, 2>> arcs_, joins_;
-  std::vector<std::pair<std::size_t, long>> pieces_;  ///< a node, and the Euler characteristic
-  std::unordered_map<std::uint64_t, std::size_t> seen_faces_;  ///< their closed curves' first nodes
+/// The part between two crossings, or a crossing and an end, is a node each.
+struct EdgePart {
+  EdgeLevel level;
+  std::size_t first = 0;
+  std::array<Join, 2> joins{};  ///< with its ends
+};
+struct FacePart {
+  std::array<Id, 3> corners{};
+  FaceLevel level;
+  std::size_t first = 0;  ///< nodes of the points of its refinement; without one it has none
+  std::vector<Join> joins;
 };
 
-TetLevel::TetLevel(const Level& level, const std::array<Corner, 4>& corners,
-                   const Proved<4>& proved, const TetBoundary& boundary)
-    : level_(level), boundary_(boundary), cells_(level, corners) {
-  cells_.assume(proved);
-  std::size_t n = 0;
-  for_subsets(4, 2, [&](const auto& m) {
-    edges_[Refinement::key(static_cast<Id>(m[0]), static_cast<Id>(m[1]))] = *boundary.edges[n++];
-  });
-  for (std::size_t f = 0; f < 4; ++f) {
-    const auto [i, j, k] = without(f);
-    const Face ids{static_cast<Id>(i), static_cast<Id>(j), static_cast<Id>(k)};
-    faces_[Refinement::key(ids)] = *boundary.faces[f];
+/// The nodes around a cell, joined for itself.
+class Around {
+ public:
+  std::size_t find(std::size_t node) {
+    return classes_.find(numbers_.try_emplace(node, numbers_.size()).first->second);
   }
-}
+  Sides find(const Sides& s) { return {find(s[0]), find(s[1])}; }
+  void join(std::size_t a, std::size_t b) { classes_.join(find(a), find(b)); }
 
-const EdgeLevel& TetLevel::edge(Id a, Id b) {
+ private:
+  std::unordered_map<std::size_t, std::size_t> numbers_;
+  UnionFind classes_;
+};
+
+class Regions {
+ public:
+  Regions(const Level& level, const std::array<Corner, 4>& corners, const Proved<4>& proved)
+      : level_(level), cells_(level, corners) {
+    cells_.assume(proved);
+  }
+  std::optional<std::vector<Sheet>> sheets(const TetBoundary& boundary,
+                                           const std::vector<RimCurve>& curves);
+
+ private:
+  using Corners = std::array<Id, 4>;  ///< of a cell, ascending
+  struct Piece {
+    Sides sides;
+    long euler_characteristic;
+  };
+
+  EdgePart& edge(Id a, Id b);
+  FacePart& face(const std::array<Id, 3>& corners);
+  std::size_t new_nodes(std::size_t count) { return (nodes_ += count) - count; }
+  bool is_above(Id point) const { return cells_.points()[point].above; }
+  Sides beside(const EdgePart& part, Id start, std::size_t crossing) const;
+  static Sides beside(const FacePart& part, const std::vector<CrossedEdge>& curve);
+  static std::array<Id, 3> face_of(const Corners& c, std::size_t opposite);
+  bool add_cell(const Refinement::Cell& cell);
+  template <class Action>
+  bool join_along(const Refinement::Weights& direction, const Corners& corners, Around& around,
+                  const Action& join);
+  bool number_crossings(const TetBoundary& boundary);
+  std::optional<std::size_t> find(const FacePart& part, const Place<3>& place, bool above) const;
+  std::optional<std::size_t> find(std::size_t opposite, const Place<3>& place, bool above);
+  std::optional<Sides> sides_of(const RimCurve& curve, const TetBoundary& boundary);
+
+  const Level& level_;
+  Refinement cells_;
+  std::unordered_map<std::uint64_t, EdgePart> edges_;
+  std::unordered_map<std::uint64_t, FacePart> faces_;
+  std::size_t nodes_ = 0;  ///< the first are the points of the cells
+  UnionFind all_;
+  std::map<unsigned, std::vector<Sides>> on_roots_;  ///< crossings of the edges between roots
+  std::vector<Piece> pieces_;
+};
+
+/// @pre a < b
+EdgePart& Regions::edge(Id a, Id b) {
   const auto [place, is_new] = edges_.try_emplace(Refinement::key(a, b));
-  if (is_new) place->second = level_in_edge(level_, cells_.corners_at(std::array{a, b}));
-  return place->second;
+  EdgePart& part = place->second;
+  if (is_new) {
+    part.level = level_in_edge(level_, cells_.corners_at(std::array{a, b}));
+    part.first = new_nodes(part.level.crossings + 1);
+    part.joins = {Join{a, part.first}, Join{b, part.first + part.level.crossings}};
+  }
+  return part;
 }
 
-/// @pre ids ascend
-const FaceLevel& TetLevel::face(const Face& ids) {
-  const auto [place, is_new] = faces_.try_emplace(Refinement::key(ids));
-  if (is_new)
-    place->second = level_in_face(level_, cells_.corners_at(ids),
-                                  {&edge(ids[0], ids[1]), &edge(ids[0], ids[2]),
-                                   &edge(ids[1], ids[2])});
-  return place->second;
+/// @pre the corners ascend
+FacePart& Regions::face(const std::array<Id, 3>& corners) {
+  const auto [place, is_new] = faces_.try_emplace(Refinement::key(corners));
+  FacePart& part = place->second;
+  if (!is_new) return part;
+  const auto& [a, b, c] = corners;
+  part.corners = corners;
+  part.level = level_in_face(level_, cells_.corners_at(corners),
+                             {&edge(a, b).level, &edge(a, c).level, &edge(b, c).level});
+  if (!part.level.refinement) {
+    for_subsets(3, 2, [&](const auto& m) {
+      if (is_above(corners[m[0]]) == is_above(corners[m[1]]))
+        part.joins.push_back({corners[m[0]], corners[m[1]]});
+    });
+    return part;
+  }
+  // In a part of it, an edge between points of one side does not meet the level.
+  const Refinement& r = *part.level.refinement;
+  part.first = new_nodes(r.points().size());
+  for (const Refinement::Cell& cell : r.cells()) {
+    if (cell.cut) continue;
+    for_subsets(3, 2, [&](const auto& m) {
+      const Id p = cell.points[m[0]], q = cell.points[m[1]];
+      if (r.points()[p].above == r.points()[q].above)
+        part.joins.push_back({part.first + p, part.first + q});
+    });
+  }
+  for_subsets(3, 2, [&](const auto& m) {
+    std::size_t segment = edge(corners[m[0]], corners[m[1]]).first;
+    bool above = is_above(corners[m[0]]);
+    for (const Id p : points_along(r, static_cast<Id>(m[0]), static_cast<Id>(m[1]))) {
+      if (r.points()[p].above != above) above = !above, ++segment;
+      part.joins.push_back({part.first + p, segment});
+    }
+  });
+  return part;
 }
 
-std::size_t TetLevel::node(Id a, Id b, unsigned ordinal) {
-  const auto [place, is_new] =
-      node_numbers_.try_emplace({Refinement::key(a, b), ordinal}, nodes_.size());
-  if (is_new) nodes_.push_back({{a, b}, ordinal});
-  return place->second;
+/// @param start  the first end of the edge
+Sides Regions::beside(const EdgePart& part, Id start, std::size_t crossing) const {
+  const std::size_t before = part.first + crossing;
+  return is_above(start) == (crossing % 2 == 0) ? Sides{before + 1, before}
+                                                : Sides{before, before + 1};
+}
+
+Sides Regions::beside(const FacePart& part, const std::vector<CrossedEdge>& curve) {
+  const auto [a, b] = curve[0];
+  const bool above = part.level.refinement->points()[a].above;
+  return above ? Sides{part.first + b, part.first + a} : Sides{part.first + a, part.first + b};
+}
+
+std::array<Id, 3> Regions::face_of(const Corners& c, std::size_t opposite) {
+  std::array<Id, 3> face{};
+  for (std::size_t i = 0, n = 0; i < 4; ++i)
+    if (i != opposite) face[n++] = c[i];
+  return face;
+}
+
+/// Joins the regions on the boundary of a cell, and notes the pieces of the level in it.
+///
+/// On a sphere two regions have one closed curve between them, so the curves are those pairs.
+/// If there are several, regions may be joined inside the cell; curves with the same regions at
+/// both sides then bound one piece.
+bool Regions::add_cell(const Refinement::Cell& cell) {
+  Corners corners = cell.points;
+  std::sort(corners.begin(), corners.end());
+  Around around;
+  const auto join = [&](const Join& nodes) {
+    around.join(nodes[0], nodes[1]);
+    all_.join(nodes[0], nodes[1]);
+  };
+  bool decided = true;
+  std::vector<Sides> crossings;
+  for_subsets(4, 2, [&](const auto& m) {
+    const EdgePart& part = edge(corners[m[0]], corners[m[1]]);
+    decided = decided && part.level.decided;
+    for (const Join& nodes : part.joins) join(nodes);
+    for (std::size_t k = 0; k < part.level.crossings; ++k)
+      crossings.push_back(beside(part, corners[m[0]], k));
+  });
+  for (std::size_t f = 0; f < 4 && decided; ++f) {
+    const FacePart& part = face(face_of(corners, f));
+    decided = part.level.decided;
+    for (const Join& nodes : part.joins) join(nodes);
+    for (const auto& curve : part.level.loops) crossings.push_back(beside(part, curve));
+  }
+  if (!decided) return false;
+  std::map<Sides, Sides> curves;
+  for (const Sides& s : crossings) curves.emplace(around.find(s), s);
+  if (curves.size() > 1 && !join_along(*cell.direction, corners, around, join)) return false;
+  std::map<Sides, Piece> pieces;
+  std::set<std::size_t> components;
+  for (const auto& [key, s] : curves) {
+    const Sides beside = around.find(s);
+    --pieces.try_emplace(beside, Piece{s, 2}).first->second.euler_characteristic;
+    components.insert(beside.begin(), beside.end());
+  }
+  for (const auto& [key, piece] : pieces) pieces_.push_back(piece);
+  // The components are joined like a tree by the pieces between them.
+  return pieces.empty() || components.size() == pieces.size() + 1;
+}
+
+/// Along the direction of a monotone cell each point above can be moved to the upper part of the
+/// boundary, from where larger modes leave the cell, and stays above: so the points above fall into
+/// the components that are seen in the upper part, and a region that lies below that part belongs
+/// to where any of its points comes out. The same holds for points below and the lower part.
+template <class Action>
+bool Regions::join_along(const Refinement::Weights& direction, const Corners& corners,
+                         Around& around, const Action& join) {
+  std::array<Place<4>, 4> rows;
+  for (std::size_t i = 0; i < 4; ++i) rows[i] = cells_.points()[corners[i]].weights;
+  const Place<4> upwards = weights_at(rows, direction);
+  struct Moving {
+    Place<4> place;
+    bool above = false;
+    std::size_t node = 0;
+  };
+  std::vector<Moving> all;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const FacePart& part = face(face_of(corners, f));
+    const auto add = [&](const auto& weights, bool above, std::size_t node) {
+      Moving& m = all.emplace_back();
+      m.above = above, m.node = node;
+      for (std::size_t i = 0, n = 0; i < 4; ++i)
+        if (i != f) m.place[i] = weights[n++];
+    };
+    for (std::size_t i = 0; i < 3 && !part.level.refinement; ++i) {
+      Place<3> unit;
+      unit[i] = 1;
+      add(unit, is_above(part.corners[i]), part.corners[i]);
+    }
+    for (Id p = 0; part.level.refinement && p < part.level.refinement->points().size(); ++p) {
+      const auto& point = part.level.refinement->points()[p];
+      add(point.weights, point.above, part.first + p);
+    }
+  }
+  const auto speed = [&](const Moving& m, std::size_t i) {
+    return m.above ? mpz_class(-upwards[i]) : upwards[i];
+  };
+  std::set<std::size_t> arrived;
+  for (const Moving& m : all)
+    for (std::size_t i = 0; i < 4; ++i)
+      if (m.place[i] == 0 && speed(m, i) >= 0) arrived.insert(around.find(m.node));
+  std::vector<Join> joins;
+  for (const Moving& m : all) {
+    if (!arrived.insert(around.find(m.node)).second) continue;
+    std::size_t out = 4;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (speed(m, i) > 0 &&
+          (out == 4 || m.place[i] * speed(m, out) < m.place[out] * speed(m, i)))
+        out = i;
+    if (out == 4) return false;
+    Place<4> exit;
+    for (std::size_t i = 0; i < 4; ++i)
+      exit[i] = m.place[i] * speed(m, out) - m.place[out] * speed(m, i);
+    const auto node = find(face(face_of(corners, out)), without(exit, out), m.above);
+    if (!node) return false;
+    joins.push_back({m.node, *node});
+  }
+  for (const Join& nodes : joins) join(nodes);
+  return true;
+}
+
+/// The region of a face's part at a place of it, by weights of its corners.
+std::optional<std::size_t> Regions::find(const FacePart& part, const Place<3>& place,
+                                         bool above) const {
+  if (!part.level.refinement) {
+    for (const Id corner : part.corners)
+      if (is_above(corner) == above) return corner;
+    return std::nullopt;
+  }
+  const auto& points = part.level.refinement->points();
+  for (const Refinement::Cell& cell : part.level.refinement->cells()) {
+    if (cell.cut) continue;
+    std::array<Place<3>, 3> tile;
+    for (std::size_t i = 0; i < 3; ++i) tile[i] = without(points[cell.points[i]].weights, 3);
+    const Place<3> inside = weights_at(tile, place);
+    if (inside[0] < 0 || inside[1] < 0 || inside[2] < 0) continue;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (points[cell.points[i]].above == above) return part.first + cell.points[i];
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// The region at a place of a face of the tetrahedron.
+std::optional<std::size_t> Regions::find(std::size_t opposite, const Place<3>& place, bool above) {
+  for (const Refinement::Cell& cell : cells_.cells()) {
+    if (cell.cut) continue;
+    Corners corners = cell.points;
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t f = 0; f < 4; ++f) {
+      const auto ids = face_of(corners, f);
+      unsigned support = 0;
+      std::array<Place<3>, 3> tile;
+      for (std::size_t i = 0; i < 3; ++i) {
+        support |= cells_.points()[ids[i]].support;
+        tile[i] = without(cells_.points()[ids[i]].weights, opposite);
+      }
+      if ((support >> opposite & 1U) != 0) continue;
+      const Place<3> inside = weights_at(tile, place);
+      if (inside[0] < 0 || inside[1] < 0 || inside[2] < 0) continue;
+      if (cell.proof != Proof::empty) return find(face(ids), inside, above);
+      return is_above(ids[0]) == above ? std::optional<std::size_t>(ids[0]) : std::nullopt;
+    }
+  }
+  return std::nullopt;
 }
 
 /// The crossings along the edges between roots, part by part.
-bool TetLevel::number_crossings() {
-  const RootEdges root_edges(cells_);
+bool Regions::number_crossings(const TetBoundary& boundary) {
   std::size_t which = 0;
   bool same = true;
-  for_subsets(4, 2, [&](const auto& ends) {
-    const unsigned bits = 1U << ends[0] | 1U << ends[1];
-    const auto& along = root_edges.along(bits);
-    unsigned n = 0;
+  for_subsets(4, 2, [&](const auto& m) {
+    std::vector<Sides>& all = on_roots_[1U << m[0] | 1U << m[1]];
+    const auto along = points_along(cells_, static_cast<Id>(m[0]), static_cast<Id>(m[1]));
     for (std::size_t i = 0; i + 1 < along.size(); ++i) {
       const Id a = std::min(along[i], along[i + 1]), b = std::max(along[i], along[i + 1]);
-      const EdgeLevel& part = edge(a, b);
-      same = same && part.decided;
-      std::vector<Crossing>& crossings = on_roots_[Refinement::key(a, b)];
-      for (unsigned k = 0; k < part.crossings; ++k) crossings.push_back({bits, n++});
-      if (a != along[i]) std::reverse(crossings.begin(), crossings.end());
+      const EdgePart& part = edge(a, b);
+      same = same && part.level.decided;
+      for (std::size_t n = part.level.crossings, k = 0; k < n; ++k)
+        all.push_back(beside(part, a, a == along[i] ? k : n - 1 - k));
     }
-    same = same && n == boundary_.edges[which++]->crossings;
+    same = same && all.size() == boundary.edges[which++]->crossings;
   });
   return same;
 }
 
-/// The closed curves on the boundary of a cell, and the pieces of the level that they bound.
-bool TetLevel::add_cell(const Refinement::Cell& cell) {
-  std::array<Id, 4> ids = cell.points;
-  bool is_odd = false;  // against the roots
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j)
-      is_odd = is_odd != (cell.points[i] > cell.points[j]);
-  std::sort(ids.begin(), ids.end());
-  std::array<const FaceLevel*, 4> faces;
-  std::map<std::size_t, std::size_t> next;
-  std::vector<RimCurve> curves;
-  std::vector<std::size_t> on_curve;  // a node of each
-  for (std::size_t f = 0; f < 4; ++f) {
-    const auto places = without(f);
-    const Face corners{ids[places[0]], ids[places[1]], ids[places[2]]};
-    const FaceLevel& level = face(corners);
-    faces[f] = &level;
-    if (!level.decided) return false;
-    const unsigned bits = support(corners);
-    const bool on_boundary = std::popcount(bits) == 3;
-    const auto [first_loop, is_new] =
-        seen_faces_.try_emplace(Refinement::key(corners), nodes_.size());
-    for (std::size_t i = 0; i < level.loops.size(); ++i) {
-      if (is_new) nodes_.emplace_back();
-      curves.push_back({in_cell(7, f), i});
-      on_curve.push_back(first_loop->second + i);
-      if (!on_boundary) continue;
-      const auto [p, q] = level.loops[i][0];
-      const Refinement& part = *level.refinement;
-      closed_.push_back({on_curve.back(),
-                         {{}, bits, {sample(part, p, corners), sample(part, q, corners)}}});
-    }
-    const auto node_at = [&](const Crossing& c) {
-      return node(corners.at(static_cast<std::size_t>(std::countr_zero(c.edge))),
-                  corners.at(static_cast<std::size_t>(std::bit_width(c.edge) - 1)), c.ordinal);
-    };
-    for (const auto& arc : level.arcs) {
-      std::array ends{node_at(arc[0]), node_at(arc[1])};
-      if (is_new) arcs_.push_back(ends);
-      if (is_odd != (f % 2 == 1)) std::swap(ends[0], ends[1]);  // seen from outside
-      if (!next.emplace(ends[0], ends[1]).second) return false;
-      if (on_boundary && !rim_.emplace(ends[0], Rim{ends[1], bits}).second) return false;
+std::optional<Sides> Regions::sides_of(const RimCurve& curve, const TetBoundary& boundary) {
+  if (std::popcount(curve.simplex) == 2) return on_roots_.at(curve.simplex).at(curve.number);
+  const auto opposite = static_cast<std::size_t>(std::countr_zero(15U & ~curve.simplex));
+  const FaceLevel& level = *boundary.faces[opposite];
+  Sides result{};
+  for (const Id id : level.loops.at(curve.number)[0]) {
+    const auto& point = level.refinement->points()[id];
+    const auto node = find(opposite, without(point.weights, 3), point.above);
+    if (!node) return std::nullopt;
+    result[point.above ? 1 : 0] = *node;
+  }
+  return result;
+}
+
+std::optional<std::vector<Sheet>> Regions::sheets(const TetBoundary& boundary,
+                                                  const std::vector<RimCurve>& curves) {
+  if (!cells_.run()) return std::nullopt;
+  new_nodes(cells_.points().size());
+  if (!number_crossings(boundary)) return std::nullopt;
+  for (const Refinement::Cell& cell : cells_.cells()) {
+    if (cell.cut) continue;
+    if (cell.proof != Proof::empty) {
+      if (!add_cell(cell)) return std::nullopt;
+    } else {
+      for (std::size_t i = 1; i < 4; ++i) all_.join(cell.points[0], cell.points[i]);
     }
   }
-  while (!next.empty()) {
-    const std::size_t start = next.begin()->first;
-    const Node& first = nodes_[start];
-    const auto place = [&](Id id) { return std::find(ids.begin(), ids.end(), id) - ids.begin(); };
-    curves.push_back({1U << place(first.edge[0]) | 1U << place(first.edge[1]), first.ordinal});
-    on_curve.push_back(start);
-    for (std::size_t at = start;;) {
-      const auto step = next.find(at);
-      if (step == next.end()) return false;
-      joins_.push_back({start, at});
-      at = step->second;
-      next.erase(step);
-      if (at == start) break;
+  std::map<Sides, Sheet> found;
+  const auto at = [&](const Sides& s) -> Sheet& {
+    return found[{all_.find(s[0]), all_.find(s[1])}];
+  };
+  for (const auto& [key, part] : edges_) {
+    const Id start = static_cast<Id>(part.joins[0][0]);
+    for (std::size_t k = 0; k < part.level.crossings; ++k)
+      ++at(beside(part, start, k)).euler_characteristic;
+  }
+  for (auto& [key, part] : faces_) {
+    for (const auto& arc : part.level.arcs) {
+      const Crossing& c = arc[0];
+      const Id a = part.corners.at(static_cast<std::size_t>(std::countr_zero(c.edge))),
+               b = part.corners.at(static_cast<std::size_t>(std::bit_width(c.edge) - 1));
+      --at(beside(edge(a, b), a, c.ordinal)).euler_characteristic;
     }
   }
-  if (curves.empty()) return true;  // a piece has a boundary, as it is a graph over a plane
-  std::vector<std::size_t> piece_of(curves.size());
-  if (curves.size() > 1) {
-    auto pieces = pieces_of_cell(level_, cells_, ids, faces, *cell.direction, curves);
-    if (!pieces) return false;
-    piece_of = std::move(*pieces);
-  }
-  std::map<std::size_t, std::pair<std::size_t, long>> found;  // planar: 2 less its curves
+  for (const Piece& piece : pieces_)
+    at(piece.sides).euler_characteristic += piece.euler_characteristic;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const auto place = found.try_emplace(piece_of[i], on_curve[i], 2).first;
-    --place->second.second;
-    joins_.push_back({place->second.first, on_curve[i]});
-  }
-  for (const auto& [number, piece] : found) pieces_.push_back(piece);
-  return true;
-}
-
-template <std::size_t Count>
-Loop::Sample TetLevel::sample(const Refinement& part, Id point,
-                              const std::array<Id, Count>& roots) const {
-  Loop::Sample result;
-  const Refinement::Point& p = part.points()[point];
-  result.above = p.above;
-  for (std::size_t i = 0; i < Count; ++i)
-    for (std::size_t k = 0; k < 4; ++k)
-      result.weights[k] += p.weights[i] * cells_.points()[roots[i]].weights[k];
-  return result;
-}
-
-/// Points at both sides of a crossing.
-std::array<Loop::Sample, 2> TetLevel::beside(std::size_t node) const {
-  const auto& [edge, ordinal] = nodes_[node];
-  Refinement part(level_, cells_.corners_at(edge));
-  part.run();
-  const RootEdges points(part);
-  const std::vector<Id>& along = points.along(3);
-  std::array<Loop::Sample, 2> result;
-  unsigned n = 0;
-  for (std::size_t i = 0; i + 1 < along.size(); ++i)
-    if (part.points()[along[i]].above != part.points()[along[i + 1]].above && n++ == ordinal)
-      result = {sample(part, along[i], edge), sample(part, along[i + 1], edge)};
-  return result;
-}
-
-std::optional<std::vector<Sheet>> TetLevel::sheets() {
-  if (!cells_.run() || !number_crossings()) return std::nullopt;
-  for (const Refinement::Cell& cell : cells_.cells())
-    if (!cell.cut && cell.proof != Proof::empty && !add_cell(cell)) return std::nullopt;
-
-  UnionFind sheets(nodes_.size());
-  for (const auto& [a, b] : joins_) sheets.join(a, b);
-  std::map<std::size_t, Sheet> found;
-  for (const auto& [key, n] : node_numbers_) ++found[sheets.find(n)].euler_characteristic;
-  for (const auto& arc : arcs_) --found[sheets.find(arc[0])].euler_characteristic;
-  for (const auto& [n, chi] : pieces_) found[sheets.find(n)].euler_characteristic += chi;
-  for (auto& [n, loop] : closed_) found[sheets.find(n)].loops.push_back(std::move(loop));
-  while (!rim_.empty()) {
-    const std::size_t start = rim_.begin()->first;
-    Loop loop;
-    std::size_t at = start;
-    do {
-      const auto place = rim_.find(at);
-      if (place == rim_.end()) return std::nullopt;
-      loop.face = place->second.face;
-      const Node& n = nodes_[at];
-      const auto on_root = on_roots_.find(Refinement::key(n.edge[0], n.edge[1]));
-      if (on_root != on_roots_.end())
-        loop.steps.push_back({on_root->second.at(n.ordinal), loop.face});
-      at = place->second.next;
-      rim_.erase(place);
-    } while (at != start);
-    if (loop.steps.empty()) loop.beside = beside(start);
-    found[sheets.find(start)].loops.push_back(std::move(loop));
+    const auto sides = sides_of(curves[i], boundary);
+    if (!sides) return std::nullopt;
+    at(*sides).loops.push_back(i);
   }
   std::vector<Sheet> result;
-  for (auto& [root, sheet] : found) result.push_back(std::move(sheet));
+  for (auto& [sides, sheet] : found) result.push_back(std::move(sheet));
   return result;
 }
 
@@ -269,8 +387,12 @@ std::optional<std::vector<Sheet>> TetLevel::sheets() {
 std::optional<std::vector<Sheet>> level_in_tet(const Level& level,
                                                const std::array<Corner, 4>& corners,
                                                const Proved<4>& proved,
-                                               const TetBoundary& boundary) {
-  return TetLevel(level, corners, proved, boundary).sheets();
+                                               const TetBoundary& boundary,
+                                               const std::vector<RimCurve>& curves) {
+  // Each piece of a monotone tetrahedron has a boundary curve, and one curve bounds a disc.
+  if (proved.proof == Proof::monotone && curves.size() < 2)
+    return std::vector<Sheet>(curves.size(), Sheet{1, {0}});
+  return Regions(level, corners, proved).sheets(boundary, curves);
 }
 
 }  // namespace certificate

@@ -7,25 +7,15 @@
 
 namespace certificate {
 
-/// A boundary loop of a sheet. For roots that are positively oriented it runs such that from
-/// outside the larger modes are seen to its left.
-struct Loop {
-  struct Step {
-    Crossing from;
-    unsigned face;  ///< through which the arc from there goes: its roots' bits
-  };
-  /// A point, by its weights at the roots, on the side `above` of the level.
-  struct Sample {
-    std::array<mpz_class, 4> weights;
-    bool above = false;
-  };
-  std::vector<Step> steps;  ///< none if it is a closed curve in one face
-  unsigned face = 0;        ///< in that case
-  std::array<Sample, 2> beside;  ///< in that case: points of the face at both sides, near by
+/// A closed curve of the level on the boundary of a tetrahedron, by a crossing on it, or by its
+/// number in the face of which it is a closed curve.
+struct RimCurve {
+  unsigned simplex = 0;  ///< a bit for each corner of the edge or face
+  std::size_t number = 0;
 };
 struct Sheet {
   long euler_characteristic = 0;
-  std::vector<Loop> loops;
+  std::vector<std::size_t> loops;  ///< which of the closed curves
 };
 
 /// What is known of a tetrahedron's faces and edges.
@@ -34,10 +24,17 @@ struct TetBoundary {
   std::array<const FaceLevel*, 4> faces{};  ///< by the opposite corner
 };
 
-/// Nothing if no proof closes.
+/// The sheets of a tetrahedron, by the closed curves on its boundary. Nothing if no proof closes.
+///
+/// It is cut into monotone and empty cells, whose edges and faces are settled each by itself.
+/// The level leaves regions of these, and what touches is joined; so a part of the level is known
+/// by the region below it and that above it: two regions of a ball have one sheet between them.
+/// Euler characteristics are counted: 1 for a crossing, -1 for an open arc, and for an open piece
+/// in a cell, which is planar, 2 less the number of its boundary curves.
 std::optional<std::vector<Sheet>> level_in_tet(const Level& level,
                                                const std::array<Corner, 4>& corners,
                                                const Proved<4>& proved,
-                                               const TetBoundary& boundary);
+                                               const TetBoundary& boundary,
+                                               const std::vector<RimCurve>& curves);
 
 }  // namespace certificate

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 
 #include "parallel.hpp"
-#include "regions.hpp"
 
 namespace certificate {
 namespace {
@@ -46,8 +46,8 @@ class Derivation {
   void settle(TetTopology& tet) const;
 
  private:
-  std::optional<TetBoundary> boundary_of(const std::array<Vertex, 4>& vertices) const;
-  static std::optional<std::size_t> curve_of(const Loop& loop, const FaceLevel& face);
+  bool trace_rim(const std::array<Vertex, 4>& tet, int turn, std::vector<MeshLoop>& loops,
+                 std::vector<RimCurve>& curves) const;
 
   const Input& input_;
   const Field& field_;
@@ -70,81 +70,64 @@ void Derivation::settle(FaceTopology& face) const {
   face.level = level_in_face(
       level_, corners(face.vertices),
       {&out_.edge({a, b})->level, &out_.edge({a, c})->level, &out_.edge({b, c})->level});
-  for (const auto& [from, to] : face.level.arcs) {
-    std::array arc{in_mesh(from, face.vertices), in_mesh(to, face.vertices)};
-    std::sort(arc.begin(), arc.end());
-    face.arcs.push_back(arc);
-  }
-  std::sort(face.arcs.begin(), face.arcs.end());
+  if (face.level.loops.empty()) face.level.refinement.reset();
+  for (const auto& [from, to] : face.level.arcs)
+    face.arcs.push_back({in_mesh(from, face.vertices), in_mesh(to, face.vertices)});
 }
 
-/// What is known of the edges and faces, or nothing if one of them is not decided.
-std::optional<TetBoundary> Derivation::boundary_of(const std::array<Vertex, 4>& vertices) const {
-  TetBoundary result;
-  bool decided = true;
-  std::size_t n = 0;
-  for_subsets(4, 2, [&](const auto& m) {
-    const EdgeTopology* edge = out_.edge({vertices[m[0]], vertices[m[1]]});
-    result.edges[n++] = &edge->level;
-    decided = decided && edge->level.decided;
-  });
+/// The closed curves on the boundary of a tetrahedron: from outside larger modes are to the left.
+bool Derivation::trace_rim(const std::array<Vertex, 4>& tet, int turn,
+                           std::vector<MeshLoop>& loops, std::vector<RimCurve>& curves) const {
+  std::map<MeshCrossing, std::pair<MeshCrossing, Vertex>> next;
   for (std::size_t i = 0; i < 4; ++i) {
-    const FaceTopology* face = out_.face(face_of(vertices, i));
-    result.faces[i] = &face->level;
-    decided = decided && face->level.decided;
+    const FaceTopology& face = *out_.face(face_of(tet, i));
+    for (auto [from, to] : face.arcs) {
+      if ((i % 2 == 1) != (turn < 0)) std::swap(from, to);
+      if (!next.try_emplace(from, to, tet[i]).second) return false;
+    }
+    for (std::size_t n = 0; n < face.level.loops.size(); ++n) {
+      loops.push_back({{}, tet[i], n});
+      curves.push_back({15U & ~(1U << i), n});
+    }
   }
-  return decided ? std::optional(result) : std::nullopt;
-}
-
-/// Which of a face's closed curves a loop is: that with the same regions beside it.
-std::optional<std::size_t> Derivation::curve_of(const Loop& loop, const FaceLevel& face) {
-  if (face.loops.size() == 1) return 0;
-  if (face.loops.empty()) return std::nullopt;
-  FaceRegions regions(*face.refinement);
-  std::set<std::size_t> wanted;
-  for (const Loop::Sample& sample : loop.beside) {
-    std::array<mpz_class, 3> weights;
-    for (std::size_t i = 0, n = 0; i < 4; ++i)
-      if ((loop.face >> i & 1U) != 0) weights[n++] = sample.weights[i];
-    if (const auto region = regions.find(weights, sample.above)) wanted.insert(*region);
+  while (!next.empty()) {
+    const MeshCrossing first = next.begin()->first;
+    MeshLoop& loop = loops.emplace_back();
+    MeshCrossing at = first;
+    while (const auto step = next.extract(at)) {
+      loop.steps.push_back({at, step.mapped().second});
+      at = step.mapped().first;
+    }
+    if (at != first) return false;
+    unsigned edge = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (tet[i] == first.edge[0] || tet[i] == first.edge[1]) edge |= 1U << i;
+    curves.push_back({edge, first.ordinal});
   }
-  for (std::size_t i = 0; i < face.loops.size(); ++i) {
-    const auto& [a, b] = face.loops[i][0];
-    if (wanted == std::set{regions.find(a), regions.find(b)}) return i;
-  }
-  return std::nullopt;
+  return true;
 }
 
 void Derivation::settle(TetTopology& tet) const {
   const std::array<Vertex, 4>& vertices = input_.tets[tet.tet];
   const int turn = orientation(input_, vertices);
-  const auto boundary = boundary_of(vertices);
-  if (turn == 0 || !boundary) return;
-  const auto sheets = level_in_tet(level_, corners(vertices), tet.proved, *boundary);
+  TetBoundary boundary;
+  bool decided = turn != 0;
+  std::size_t n = 0;
+  for_subsets(4, 2, [&](const auto& m) {
+    boundary.edges[n++] = &out_.edge({vertices[m[0]], vertices[m[1]]})->level;
+  });
+  for (std::size_t i = 0; i < 4; ++i) boundary.faces[i] = &out_.face(face_of(vertices, i))->level;
+  for (const EdgeLevel* edge : boundary.edges) decided = decided && edge->decided;
+  for (const FaceLevel* face : boundary.faces) decided = decided && face->decided;
+  std::vector<MeshLoop> loops;
+  std::vector<RimCurve> curves;
+  if (!decided || !trace_rim(vertices, turn, loops, curves)) return;
+  const auto sheets = level_in_tet(level_, corners(vertices), tet.proved, boundary, curves);
   if (!sheets) return;
-  const auto opposite = [&](unsigned face) {
-    return static_cast<std::size_t>(std::countr_zero(15U & ~face));
-  };
   for (const Sheet& sheet : *sheets) {
     MeshSheet& found = tet.sheets.emplace_back();
     found.euler_characteristic = sheet.euler_characteristic;
-    for (const Loop& loop : sheet.loops) {
-      MeshLoop& in_tet = found.loops.emplace_back();
-      in_tet.opposite = vertices[opposite(loop.face)];
-      for (const Loop::Step& step : loop.steps)
-        in_tet.steps.push_back({in_mesh(step.from, vertices), vertices[opposite(step.face)]});
-      if (turn < 0) {  // backwards: the face before a crossing is then the one after it
-        auto& steps = in_tet.steps;
-        std::reverse(steps.begin(), steps.end());
-        for (std::size_t i = 0; i + 1 < steps.size(); ++i)
-          std::swap(steps[i].opposite, steps[i + 1].opposite);
-      }
-      if (!in_tet.steps.empty()) continue;
-      const FaceTopology* face = out_.face(face_of(vertices, opposite(loop.face)));
-      const auto curve = curve_of(loop, face->level);
-      if (!curve) return;
-      in_tet.curve = *curve;
-    }
+    for (const std::size_t i : sheet.loops) found.loops.push_back(loops[i]);
   }
   tet.decided = true;
 }

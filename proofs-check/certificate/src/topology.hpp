@@ -3,9 +3,6 @@
 // The topology of a level in a mesh, derived from the field alone.
 #pragma once
 
-#include <memory>
-#include <set>
-
 #include "field.hpp"
 #include "tet_level.hpp"
 
@@ -24,11 +21,17 @@ struct MeshCrossing {
 struct EdgeTopology {
   std::array<Vertex, 2> vertices{};
   EdgeLevel level;
+
+  bool is_decided() const { return level.decided; }
+  bool is_crossed() const { return level.crossings > 0; }
 };
 struct FaceTopology {
   std::array<Vertex, 3> vertices{};
   FaceLevel level;
-  std::vector<std::array<MeshCrossing, 2>> arcs;  ///< each and all in ascending order
+  std::vector<std::array<MeshCrossing, 2>> arcs;  ///< as in `level`
+
+  bool is_decided() const { return level.decided; }
+  bool is_crossed() const { return !arcs.empty() || !level.loops.empty(); }
 };
 /// A boundary loop: from crossing to crossing, through faces named by their opposite vertices.
 /// A closed curve has no crossings, and is that many-th of its face.
@@ -51,6 +54,9 @@ struct TetTopology {
   bool decided = false;
   Proved<4> proved;
   std::vector<MeshSheet> sheets;
+
+  bool is_decided() const { return decided; }
+  bool is_crossed() const { return !sheets.empty(); }
 };
 
 /// What holds in all tetrahedra but those left out. Edges, faces and tetrahedra that are not

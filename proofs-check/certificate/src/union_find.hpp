@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace certificate {
@@ -11,10 +10,8 @@ namespace certificate {
 /// Classes of 0, 1, ...; the smallest member stands for its class.
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
   std::size_t find(std::size_t i) {
+    while (i >= parent_.size()) parent_.push_back(parent_.size());
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }

@@ -2,124 +2,186 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vtk_xml.hpp"
 
-#include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <map>
+#include <openssl/evp.h>
+#include <zlib.h>
 
-#include "data_arrays.hpp"
-#include "file_bytes.hpp"
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
 #include "certificate_check/check_certificate.hpp"
+#include "document.hpp"
+
+static_assert(std::endian::native == std::endian::little);
 
 namespace certificate {
 namespace {
 
-constexpr std::size_t kMaxIndex = 0x7fffffff;
-
-std::vector<std::array<double, 3>> read_points(const XmlFile& file) {
-  const std::size_t count = file.count("NumberOfPoints");
-  const std::vector<double> x = file.reals(file.array("Points"), 3);
-  if (count > kMaxIndex || x.size() != 3 * count) file.fail("not the points that it declares");
-  std::vector<std::array<double, 3>> points(count);
-  for (std::size_t i = 0; i < x.size(); ++i) points[i / 3][i % 3] = x[i];
-  return points;
-}
-
-/// The corners of cell i, in ascending order.
-template <std::size_t Count>
-std::array<std::uint32_t, Count> corners(const XmlFile& file,
-                                         const std::vector<std::uint64_t>& connectivity,
-                                         const std::vector<std::uint64_t>& offsets, std::size_t i,
-                                         std::size_t points) {
-  const std::uint64_t first = i == 0 ? 0 : offsets[i - 1];
-  if (first > offsets[i] || offsets[i] - first != Count || offsets[i] > connectivity.size())
-    file.fail("cell " + std::to_string(i) + " has the wrong number of corners");
-  std::array<std::uint32_t, Count> result;
-  for (std::size_t k = 0; k < Count; ++k) {
-    if (connectivity[first + k] >= points)
-      file.fail("cell " + std::to_string(i) + " has a corner that is no point");
-    result[k] = static_cast<std::uint32_t>(connectivity[first + k]);
-  }
-  auto sorted = result;
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    file.fail("cell " + std::to_string(i) + " has a corner twice");
-  return result;
-}
-
-double mean(double a, double b) { return a == b ? a : a / 2 + b / 2; }
-
-std::vector<std::array<double, 6>> read_tensors(const XmlFile& file, const std::string& name,
-                                                const std::string& components,
-                                                std::size_t points) {
-  static const std::map<std::string, std::array<std::size_t, 6>> orders{
-      {"vtk", {0, 1, 2, 3, 4, 5}}, {"voigt", {0, 1, 2, 5, 3, 4}}, {"abaqus", {0, 1, 2, 3, 5, 4}}};
-  const bool full = components == "full";
-  const auto order = orders.find(components);
-  if (!full && order == orders.end())
-    file.fail("unknown order of components '" + components.substr(0, 40) + "'");
-  const std::size_t width = full ? 9 : 6;
-  const std::vector<double> t = file.reals(file.array("PointData", name), width);
-  if (t.size() != width * points) file.fail("not one tensor for each point");
-  std::vector<std::array<double, 6>> tensors(points);
-  for (std::size_t i = 0; i < points; ++i) {
-    const double* v = t.data() + width * i;
-    if (full) {
-      tensors[i] = {v[0], v[4], v[8], mean(v[1], v[3]), mean(v[5], v[7]), mean(v[2], v[6])};
-    } else {
-      for (std::size_t k = 0; k < 6; ++k) tensors[i][k] = v[order->second[k]];
-    }
-  }
-  return tensors;
+std::string_view trim(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 }  // namespace
 
-std::string file_bytes(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad()) throw Malformed(file, "cannot be read");
+void XmlFile::fail(const std::string& what) const { throw Malformed(file_, what); }
+
+XmlFile::XmlFile(const std::string& file, const char* kind)
+    : file_(file), bytes_(file_bytes(file)) {
+  // The appended bytes are no XML: from the underscore on they are cut off.
+  std::string xml = bytes_;
+  if (const std::size_t tag = bytes_.find("<AppendedData"); tag != std::string::npos) {
+    const std::size_t open = bytes_.find('>', tag);
+    const std::size_t start = open == std::string::npos ? open : bytes_.find('_', open);
+    if (start == std::string::npos) fail("AppendedData without data");
+    appended_ = std::string_view(bytes_).substr(start + 1);
+    xml = bytes_.substr(0, open) + "/></VTKFile>";
+  }
+  if (!document_.load_buffer(xml.data(), xml.size()))
+    fail("no VTK XML file; others are to be converted");
+  const pugi::xml_node root = document_.child("VTKFile"), data = root.child(kind);
+  if (root.attribute("type").value() != std::string_view(kind) || !data)
+    fail(std::string("not of type ") + kind);
+  if (root.attribute("byte_order").value() != std::string_view("LittleEndian"))
+    fail("not little-endian");
+  const std::string compressor = root.attribute("compressor").value();
+  zlib_ = !compressor.empty();
+  if (zlib_ && compressor != "vtkZLibDataCompressor") fail("unknown compressor");
+  const std::string header = root.attribute("header_type").as_string("UInt32");
+  if (header != "UInt32" && header != "UInt64") fail("unknown header_type");
+  header_ = header == "UInt64" ? 8 : 4;
+  appended_base64_ =
+      root.child("AppendedData").attribute("encoding").value() != std::string_view("raw");
+  if (appended_base64_) appended_ = trim(appended_.substr(0, appended_.find('<')));
+  piece_ = data.child("Piece");
+  if (!piece_ || piece_.next_sibling("Piece")) fail("not of one piece");
+}
+
+std::size_t XmlFile::count(const char* attribute) const {
+  const unsigned long long n = piece_.attribute(attribute).as_ullong(0);
+  if (n > bytes_.size() * 1100) fail(std::string(attribute) + " is more than the file can hold");
+  return n;
+}
+
+/// The next bytes of a text; those of base64 end with a group of four characters.
+std::string XmlFile::take(std::string_view& text, std::size_t size, bool base64) const {
+  if (size > text.size()) fail("data that end too early");
+  const std::size_t length = base64 ? (size + 2) / 3 * 4 : size;
+  if (length > text.size() || length > 0x7fffffff) fail("data that end too early");
+  std::string bytes(text.substr(0, length));
+  text.remove_prefix(length);
+  if (base64) {
+    auto* place = reinterpret_cast<unsigned char*>(bytes.data());
+    const std::string source = bytes;
+    if (EVP_DecodeBlock(place, reinterpret_cast<const unsigned char*>(source.data()),
+                        static_cast<int>(length)) != static_cast<int>(length / 4 * 3))
+      fail("text that is no base64");
+    bytes.resize(size);
+  }
   return bytes;
 }
 
-Input read_input(const std::string& name, const std::string& tensor,
-                 const std::string& components) {
-  const XmlFile file(name, "UnstructuredGrid");
-  Input input;
-  input.points = read_points(file);
-  input.tensors = read_tensors(file, tensor, components, input.points.size());
-  const auto connectivity = file.naturals(file.array("Cells", "connectivity"));
-  const auto offsets = file.naturals(file.array("Cells", "offsets"));
-  const auto types = file.naturals(file.array("Cells", "types"));
-  const std::size_t cells = file.count("NumberOfCells");
-  if (offsets.size() != cells || types.size() != cells) file.fail("not the cells that it declares");
-  constexpr std::uint64_t kTetrahedron = 10;
-  for (std::size_t i = 0; i < cells; ++i) {
-    if (types[i] != kTetrahedron) continue;
-    auto tet = corners<4>(file, connectivity, offsets, i, input.points.size());
-    std::sort(tet.begin(), tet.end());
-    input.tets.push_back(tet);
-    input.cells.push_back(i);
-  }
-  return input;
+std::uint64_t XmlFile::word(const std::string& words, std::size_t i) const {
+  std::uint64_t value = 0;
+  std::memcpy(&value, words.data() + i * header_, header_);
+  return value;
 }
 
-Triangles read_triangles(const std::string& name) {
-  const XmlFile file(name, "PolyData");
-  for (const char* other : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"})
-    if (file.count(other) != 0) file.fail("holds more than triangles");
-  Triangles result;
-  result.points = read_points(file);
-  if (file.count("NumberOfPolys") == 0) return result;  // then arrays may be missing
-  const auto connectivity = file.naturals(file.array("Polys", "connectivity"));
-  const auto offsets = file.naturals(file.array("Polys", "offsets"));
-  result.cells = file.naturals(file.array("CellData", "tet"));
-  const std::size_t cells = file.count("NumberOfPolys");
-  if (offsets.size() != cells || result.cells.size() != cells)
-    file.fail("not the triangles that it declares");
-  for (std::size_t i = 0; i < cells; ++i)
-    result.triangles.push_back(
-        corners<3>(file, connectivity, offsets, i, result.points.size()));
+/// Undoes base64 and compression of a block that starts with its size, or sizes.
+std::string XmlFile::decode(std::string_view text, bool base64) const {
+  std::string_view ahead = text;
+  const std::uint64_t first = word(take(ahead, header_, base64), 0);
+  if (first > text.size()) fail("data that end too early");
+  // Base64 encodes the header by itself if the data are compressed, else all as one.
+  if (!zlib_) return take(text, header_ + first, base64).substr(header_);
+  if (first == 0) return {};
+  const std::string header = take(text, (3 + first) * header_, base64);
+  std::string result;
+  std::uint64_t packed_size = 0;
+  for (std::uint64_t i = 0; i < first; ++i) {
+    if (word(header, 3 + i) > text.size()) fail("data that end too early");
+    packed_size += word(header, 3 + i);
+  }
+  const std::string packed = take(text, packed_size, base64);
+  const char* source = packed.data();
+  for (std::uint64_t i = 0; i < first; ++i) {
+    const std::uint64_t size = word(header, 3 + i), last = word(header, 2);
+    const std::uint64_t target = i + 1 == first && last != 0 ? last : word(header, 1);
+    if (target / 1100 > size) fail("a block that cannot hold so much");  // zlib: at most 1032:1
+    const std::size_t before = result.size();
+    result.resize(before + target);
+    uLongf produced = target;
+    if (uncompress(reinterpret_cast<Bytef*>(result.data() + before), &produced,
+                   reinterpret_cast<const Bytef*>(source), size) != Z_OK ||
+        produced != target)
+      fail("a block that does not decompress");
+    source += size;
+  }
+  return result;
+}
+
+template <class Stored>
+std::vector<double> XmlFile::read(pugi::xml_node array) const {
+  std::vector<double> result;
+  const std::string_view format = array.attribute("format").value();
+  if (format == "ascii") {
+    const char* place = array.child_value();
+    for (char* end = nullptr;; place = end) {
+      const double x = sizeof(Stored) == 4 && std::is_floating_point_v<Stored>
+                           ? static_cast<double>(std::strtof(place, &end))
+                           : std::strtod(place, &end);
+      if (end == place) break;
+      result.push_back(x);
+    }
+    if (!trim(place).empty()) fail("text that is no number");
+    return result;
+  }
+  const unsigned long long start = array.attribute("offset").as_ullong(~0ULL);
+  if (format != "binary" && start > appended_.size()) fail("an offset outside the appended data");
+  const std::string bytes = format == "binary"
+                                ? decode(trim(array.child_value()), true)
+                                : decode(appended_.substr(start), appended_base64_);
+  if (bytes.size() % sizeof(Stored) != 0) fail("an array with a part of a number");
+  result.resize(bytes.size() / sizeof(Stored));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    Stored value;
+    std::memcpy(&value, bytes.data() + i * sizeof(Stored), sizeof(Stored));
+    result[i] = static_cast<double>(value);
+  }
+  return result;
+}
+
+std::vector<double> XmlFile::numbers(const char* section, const std::string& name,
+                                     std::size_t components) const {
+  pugi::xml_node array;
+  for (const pugi::xml_node child : piece_.child(section).children("DataArray")) {
+    if (!name.empty() && child.attribute("Name").value() != name) continue;
+    if (array) fail(std::string(section) + " has two arrays '" + name + "'");
+    array = child;
+  }
+  if (!array) fail(std::string(section) + " has no array '" + name + "'");
+  if (array.attribute("NumberOfComponents").as_ullong(1) != components)
+    fail("an array of other than " + std::to_string(components) + " components");
+  const std::string_view type = array.attribute("type").value();
+  const auto result = type == "Float64"   ? read<double>(array)
+                      : type == "Float32" ? read<float>(array)
+                      : type == "Int64"   ? read<std::int64_t>(array)
+                      : type == "Int32"   ? read<std::int32_t>(array)
+                      : type == "UInt8"   ? read<std::uint8_t>(array)
+                                          : std::vector<double>{HUGE_VAL};
+  for (const double x : result)
+    if (!std::isfinite(x)) fail("a number that is not finite, or of unknown type");
+  return result;
+}
+
+std::vector<std::uint64_t> XmlFile::naturals(const char* section, const char* name) const {
+  std::vector<std::uint64_t> result;
+  for (const double x : numbers(section, name)) {
+    if (!(x >= 0 && x < 0x1p53) || x != std::floor(x)) fail("no natural number");
+    result.push_back(static_cast<std::uint64_t>(x));
+  }
   return result;
 }
 

@@ -2,34 +2,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <pugixml.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace certificate {
 
-/// The input: points with tensors (XX YY ZZ XY YZ XZ), tetrahedra in ascending vertices, and
-/// their positions among all cells of the file.
-struct Input {
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<double, 6>> tensors;
-  std::vector<std::array<std::uint32_t, 4>> tets;
-  std::vector<std::uint64_t> cells;
-};
+/// A VTK XML file of one piece, and the numbers in its arrays. Its members throw Malformed.
+class XmlFile {
+ public:
+  /// @param kind what the file must hold, such as "UnstructuredGrid"
+  XmlFile(const std::string& file, const char* kind);
 
-/// The output: triangles, and the cell of the input that holds each.
-struct Triangles {
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint64_t> cells;
-};
+  /// A count that the piece declares.
+  std::size_t count(const char* attribute) const;
+  /// The finite numbers of the array of that name in a section of the piece, or of its only one.
+  std::vector<double> numbers(const char* section, const std::string& name,
+                              std::size_t components = 1) const;
+  /// The same of an array of integers from 0 to 2^53.
+  std::vector<std::uint64_t> naturals(const char* section, const char* name) const;
+  [[noreturn]] void fail(const std::string& what) const;
 
-/// Reads a .vtu of one piece: little-endian; ascii, inline or appended, plain or zlib.
-/// Every number is finite and every index in range. Throws Malformed.
-Input read_input(const std::string& file, const std::string& tensor,
-                 const std::string& components);
-/// The same of a .vtp with a cell array `tet`.
-Triangles read_triangles(const std::string& file);
+ private:
+  std::string take(std::string_view& text, std::size_t size, bool base64) const;
+  std::uint64_t word(const std::string& words, std::size_t i) const;
+  std::string decode(std::string_view text, bool base64) const;
+  template <class Stored>
+  std::vector<double> read(pugi::xml_node array) const;
+
+  std::string file_, bytes_;
+  std::string_view appended_;
+  pugi::xml_document document_;
+  pugi::xml_node piece_;
+  bool appended_base64_ = false, zlib_ = false;
+  std::size_t header_ = 8;
+};
 
 }  // namespace certificate

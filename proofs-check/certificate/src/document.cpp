@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "document.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <vector>
+
+#include "certificate_check/check_certificate.hpp"
+
+namespace certificate {
+namespace {
+
+/// What may stand where. An array has what is listed up to "*n", and then any number of the
+/// item that follows, ascending by their first n entries; numbers by themselves, and objects by
+/// their first vertex.
+const Json& shape() {
+  static const Json result = Json::parse(R"({
+    "format": "text", "version": "natural",
+    "input": {"tensor": "text", "components": "text", "points": "natural",
+              "tetrahedra": "natural", "sha256": "text"},
+    "surface": {"vertices": "natural", "triangles": "natural", "sha256": "text"},
+    "levels": ["*0", {
+      "mode": "text", "vertices": ["natural", "natural"], "triangles": ["natural", "natural"],
+      "on_level": "natural",
+      "undecided": ["*1", ["natural", "text"]],
+      "edges": ["*2", ["natural", "natural", "*0", ["natural or text", "natural", "natural"]]],
+      "faces": ["*3", ["natural", "natural", "natural",
+                       ["*2", ["natural", "natural"]], ["*1", "natural"]]],
+      "tets": ["*1", ["natural", "*0", ["integer", "*0", ["natural", "natural", "*0", "natural"]]]],
+      "components": ["*1", {"euler_characteristic": "integer", "boundary_loops": "integer",
+                            "orientable": "boolean", "triangles": "natural",
+                            "first_vertex": "natural"}],
+      "distance or null": {"reach": ["*0", "integer"], "bound": "text",
+                           "coarse": ["*1", "natural"], "coarse_bound": "text"}}]})");
+  return result;
+}
+
+bool is_natural(const Json& value) { return value.is_number_unsigned(); }
+bool is_integer(const Json& value) {
+  return value.is_number_integer() &&
+         (!is_natural(value) || value.get<std::uint64_t>() <= INT64_MAX);
+}
+
+/// Is the first in front of the second, by `count` entries?
+bool ascend(const Json& first, const Json& second, std::size_t count) {
+  if (first.is_object()) return first["first_vertex"] < second["first_vertex"];
+  if (!first.is_array()) return first < second;
+  for (std::size_t i = 0; i < count; ++i)
+    if (first[i] != second[i]) return first[i] < second[i];
+  return count == 0;
+}
+
+/// Where a value is not of a shape, and how; or nothing.
+std::string misfit(const Json& value, const Json& shape) {
+  if (shape.is_string()) {
+    const auto& type = shape.get_ref<const std::string&>();
+    const bool fits = type == "natural"           ? is_natural(value)
+                      : type == "integer"         ? is_integer(value)
+                      : type == "boolean"         ? value.is_boolean()
+                      : type == "natural or text" ? is_natural(value) || value.is_string()
+                                                  : value.is_string();
+    return fits ? "" : ": no " + type;
+  }
+  if (shape.is_object()) {
+    if (!value.is_object()) return ": no object";
+    if (value.size() != shape.size()) return ": other keys";
+    for (const auto& [name, inner] : shape.items()) {
+      const std::string key = name.substr(0, name.find(' '));
+      const auto found = value.find(key);
+      if (found == value.end()) return ": no key '" + key + "'";
+      if (key != name && found->is_null()) continue;
+      if (const std::string wrong = misfit(*found, inner); !wrong.empty())
+        return "/" + key + wrong;
+    }
+    return {};
+  }
+  if (!value.is_array()) return ": no array";
+  const auto is_star = [](const Json& s) {
+    return s.is_string() && s.get_ref<const std::string&>()[0] == '*';
+  };
+  std::size_t fixed = 0;
+  while (fixed < shape.size() && !is_star(shape[fixed])) ++fixed;
+  if (value.size() < fixed || (fixed == shape.size() && value.size() > fixed))
+    return ": of another length";
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (const std::string wrong = misfit(value[i], shape[i < fixed ? i : fixed + 1]);
+        !wrong.empty())
+      return "/" + std::to_string(i) + wrong;
+    if (i <= fixed) continue;
+    const auto count =
+        static_cast<std::size_t>(shape[fixed].get_ref<const std::string&>()[1] - '0');
+    if (count > 0 && !ascend(value[i - 1], value[i], count))
+      return "/" + std::to_string(i) + ": not ascending";
+  }
+  return {};
+}
+
+/// Makes a document of what is read, and stops where a certificate would not go on so.
+class Builder : public nlohmann::detail::json_sax_dom_parser<Json> {
+  using Base = nlohmann::detail::json_sax_dom_parser<Json>;
+
+ public:
+  explicit Builder(Json& document) : Base(document, false) {}
+
+  std::string problem = "not well-formed";
+
+  bool start_object(std::size_t size) { return deeper() && Base::start_object(size); }
+  bool start_array(std::size_t size) { return deeper() && Base::start_array(size); }
+  bool end_object() { return keys_.pop_back(), Base::end_object(); }
+  bool end_array() { return keys_.pop_back(), Base::end_array(); }
+  bool key(std::string& name) {
+    return (keys_.back().insert(name).second || fail("a key given twice")) && Base::key(name);
+  }
+
+ private:
+  bool fail(const char* what) { return problem = what, false; }
+  bool deeper() {
+    constexpr std::size_t kMaxDepth = 16;
+    keys_.emplace_back();
+    return keys_.size() <= kMaxDepth || fail("nested too deeply");
+  }
+  std::vector<std::set<std::string>> keys_;
+};
+
+const std::string& text_of(const Json& value) {
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.size() > 1000) throw Malformed("", "a text that is too long");
+  return text;
+}
+
+}  // namespace
+
+std::string file_bytes(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw Malformed(file, "cannot be read");
+  return bytes;
+}
+
+Json read_document(const std::string& file) {
+  const std::string bytes = file_bytes(file);
+  const bool cbor = file.ends_with(".cbor");
+  const auto format = cbor ? Json::input_format_t::cbor : Json::input_format_t::json;
+  Json document;
+  Builder builder(document);
+  try {
+    if (!Json::sax_parse(bytes, &builder, format)) throw Malformed(file, builder.problem);
+  } catch (const Json::exception& error) {
+    throw Malformed(file, error.what());
+  }
+  if (const std::string wrong = misfit(document, shape()); !wrong.empty())
+    throw Malformed(file, wrong);
+  if (document["format"] != "tensortopo certificate" || document["version"] != 1)
+    throw Malformed(file, "no certificate of version 1");
+  return document;
+}
+
+mpq_class mode_of(const Json& value) {
+  mpq_class mode;
+  if (mode.set_str(text_of(value), 10) != 0 || mode.get_den() == 0)
+    throw Malformed("", "a mode that is no fraction");
+  mode.canonicalize();
+  if (mode.get_str() != text_of(value) || abs(mode) >= 1)
+    throw Malformed("", "a mode that is not between -1 and 1 in lowest terms");
+  return mode;
+}
+
+double length_of(const Json& value) {
+  const std::string& text = text_of(value);
+  char* end = nullptr;
+  const double length = std::strtod(text.c_str(), &end);
+  if (!text.starts_with("0x") || *end != 0 || !(length >= 0 && length <= 0x1p1000))
+    throw Malformed("", "a length that is no hexadecimal double");
+  return length;
+}
+
+std::string reason_of(const Json& value) {
+  static const std::set<std::string> reasons{
+      "zero_deviator_vertex",   "zero_deviator_inside",   "level_constant_in_cell",
+      "level_constant_on_face", "level_constant_on_edge", "critical_value_in_cell",
+      "critical_value_on_face", "critical_value_on_edge", "budget_exhausted",
+      "inconsistent_samples"};
+  if (!reasons.contains(text_of(value))) throw Malformed("", "no such reason");
+  return text_of(value);
+}
+
+Interval interval_of(const Json& crossing) {
+  Interval result;
+  const bool is_text = crossing[0].is_string();
+  const std::string digits = is_text ? text_of(crossing[0]) : crossing[0].dump();
+  if (crossing[1] > 2048 || is_text != (crossing[1] > 53) || result.i.set_str(digits, 10) != 0 ||
+      result.i.get_str() != digits)
+    throw Malformed("", "no interval " + digits);
+  result.k = crossing[1].get<unsigned>();
+  if (result.i < 0 || result.i >= mpz_class(1) << result.k)
+    throw Malformed("", "an interval that leaves the edge");
+  return result;
+}
+
+}  // namespace certificate

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// A certificate as FORMAT.md describes it.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace certificate {
+
+using Json = nlohmann::json;
+
+/// All bytes of a file. Throws Malformed.
+std::string file_bytes(const std::string& file);
+
+/// Reads a certificate, JSON or CBOR (.cbor), of bounded depth and without keys given twice. Throws
+/// Malformed unless it has the keys, types, lengths and order that the format asks for; what
+/// the numbers and texts say is not looked at.
+Json read_document(const std::string& file);
+
+/// Texts and numbers of a document. These throw Malformed, without the file's name.
+mpq_class mode_of(const Json& value);      ///< in lowest terms, between -1 and 1
+double length_of(const Json& value);       ///< not negative, hexadecimal
+std::string reason_of(const Json& value);  ///< one of FORMAT.md's
+/// The ends of a crossing's interval [i / 2^k, (i + 1) / 2^k], in [0, 1].
+struct Interval {
+  mpz_class i;
+  unsigned k = 0;
+
+  mpq_class end(int which) const { return mpq_class(i + which, mpz_class(1) << k); }
+};
+Interval interval_of(const Json& crossing);
+
+}  // namespace certificate

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "files.hpp"
+
+#include <openssl/sha.h>
+
+#include <algorithm>
+#include <map>
+
+#include "vtk_xml.hpp"
+
+namespace certificate {
+namespace {
+
+/// The numbers of one cell or point after the other; cells ascend or not.
+template <class T, std::size_t Count>
+std::vector<std::array<T, Count>> grouped(const XmlFile& file, const std::vector<T>& numbers,
+                                          std::size_t count) {
+  if (count > 0x7fffffff || numbers.size() != Count * count) file.fail("not as many as declared");
+  std::vector<std::array<T, Count>> result(count);
+  for (std::size_t i = 0; i < numbers.size(); ++i) result[i / Count][i % Count] = numbers[i];
+  return result;
+}
+
+std::vector<std::array<double, 3>> read_points(const XmlFile& file) {
+  return grouped<double, 3>(file, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
+}
+
+/// Calls add(i, corners) for each cell of this many corners that is asked for.
+template <std::size_t Count, class Asked, class Add>
+void read_cells(const XmlFile& file, const char* section, std::size_t cells, std::size_t points,
+                const Asked& asked, const Add& add) {
+  const auto connectivity = file.naturals(section, "connectivity");
+  const auto offsets = file.naturals(section, "offsets");
+  if (offsets.size() != cells) file.fail("not the cells that it declares");
+  for (std::size_t i = 0; i < cells; ++i) {
+    if (!asked(i)) continue;
+    const std::string name = "cell " + std::to_string(i);
+    const std::uint64_t first = i == 0 ? 0 : offsets[i - 1];
+    if (first > offsets[i] || offsets[i] - first != Count || offsets[i] > connectivity.size())
+      file.fail(name + " has the wrong number of corners");
+    std::array<std::uint32_t, Count> corners;
+    for (std::size_t k = 0; k < Count; ++k) {
+      if (connectivity[first + k] >= points) file.fail(name + " has a corner that is no point");
+      corners[k] = static_cast<std::uint32_t>(connectivity[first + k]);
+      if (std::find(corners.begin(), corners.begin() + k, corners[k]) != corners.begin() + k)
+        file.fail(name + " has a corner twice");
+    }
+    add(i, corners);
+  }
+}
+
+/// SHA-256 of numbers of 64 bits, little-endian as the machine is.
+class Digest {
+ public:
+  Digest& add(std::uint64_t word) { return add(&word, 8); }
+  template <std::size_t Count>
+  Digest& add(const std::vector<std::array<double, Count>>& items) {
+    return add(items.data(), items.size() * sizeof(items[0]));
+  }
+  template <std::size_t Count>
+  Digest& add(const std::vector<std::array<std::uint32_t, Count>>& items) {
+    for (const auto& item : items)
+      for (const std::uint64_t x : item) add(x);
+    return *this;
+  }
+  Digest& add(const std::vector<std::uint64_t>& items) {
+    return add(items.data(), 8 * items.size());
+  }
+  std::string hex() const {
+    std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
+    SHA256(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size(), digest.data());
+    std::string text;
+    for (const unsigned char byte : digest)
+      text += {"0123456789abcdef"[byte >> 4], "0123456789abcdef"[byte & 15]};
+    return text;
+  }
+
+ private:
+  Digest& add(const void* bytes, std::size_t size) {
+    bytes_.append(static_cast<const char*>(bytes), size);
+    return *this;
+  }
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::size_t Input::tet_at(std::uint64_t cell) const {
+  const auto place = std::lower_bound(cells.begin(), cells.end(), cell);
+  return place == cells.end() || *place != cell ? kNone
+                                                : static_cast<std::size_t>(place - cells.begin());
+}
+
+std::string Input::sha256() const {
+  return Digest().add(points.size()).add(points).add(tensors).add(tets.size()).add(tets).hex();
+}
+
+std::string Triangles::sha256() const {
+  return Digest().add(points.size()).add(points).add(triangles.size()).add(triangles).add(cells)
+      .hex();
+}
+
+Input read_input(const std::string& name, const std::string& tensor,
+                 const std::string& components) {
+  static const std::map<std::string, std::array<std::size_t, 6>> orders{
+      {"vtk", {0, 1, 2, 3, 4, 5}},
+      {"voigt", {0, 1, 2, 5, 3, 4}},
+      {"abaqus", {0, 1, 2, 3, 5, 4}},
+      {"full", {0, 4, 8, 1, 5, 2}}};
+  const XmlFile file(name, "UnstructuredGrid");
+  const auto order = orders.find(components);
+  if (order == orders.end()) file.fail("unknown order of components");
+  Input input;
+  input.points = read_points(file);
+  const auto read = [&]<std::size_t Width>() {
+    const auto numbers = grouped<double, Width>(file, file.numbers("PointData", tensor, Width),
+                                                input.points.size());
+    for (const auto& t : numbers) {
+      std::array<double, 6>& result = input.tensors.emplace_back();
+      for (std::size_t k = 0; k < 6; ++k) {
+        const std::size_t i = order->second[k];
+        result[k] = t[i];
+        const double mirrored = Width == 9 ? t[i % 3 * 3 + i / 3] : t[i];
+        if (mirrored != t[i]) result[k] = t[i] / 2 + mirrored / 2;
+      }
+    }
+  };
+  if (components == "full") read.operator()<9>(); else read.operator()<6>();
+  const auto types = file.naturals("Cells", "types");
+  const std::size_t cells = file.count("NumberOfCells");
+  if (types.size() != cells) file.fail("not the cells that it declares");
+  constexpr std::uint64_t kTetrahedron = 10;
+  read_cells<4>(
+      file, "Cells", cells, input.points.size(),
+      [&](std::size_t i) { return types[i] == kTetrahedron; },
+      [&](std::size_t i, auto corners) {
+        std::sort(corners.begin(), corners.end());
+        input.tets.push_back(corners);
+        input.cells.push_back(i);
+      });
+  return input;
+}
+
+Triangles read_triangles(const std::string& name) {
+  const XmlFile file(name, "PolyData");
+  for (const char* other : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"})
+    if (file.count(other) != 0) file.fail("holds more than triangles");
+  Triangles result;
+  result.points = read_points(file);
+  const std::size_t cells = file.count("NumberOfPolys");
+  if (cells == 0) return result;  // then arrays may be missing
+  result.cells = file.naturals("CellData", "tet");
+  if (result.cells.size() != cells) file.fail("not the triangles that it declares");
+  read_cells<3>(
+      file, "Polys", cells, result.points.size(), [](std::size_t) { return true; },
+      [&](std::size_t, const auto& corners) { result.triangles.push_back(corners); });
+  return result;
+}
+
+}  // namespace certificate

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace certificate {
+
+/// The input: points with tensors (XX YY ZZ XY YZ XZ), tetrahedra in ascending vertices, and
+/// their positions among all cells of the file.
+struct Input {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<double, 6>> tensors;
+  std::vector<std::array<std::uint32_t, 4>> tets;
+  std::vector<std::uint64_t> cells;
+
+  /// Which tetrahedron is that cell of the file? kNone if none is.
+  std::size_t tet_at(std::uint64_t cell) const;
+  std::string sha256() const;
+};
+
+/// The output: triangles, and the cell of the input that holds each.
+struct Triangles {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint64_t> cells;
+
+  std::string sha256() const;
+};
+
+/// Reads a .vtu of one piece: little-endian; ascii, inline or appended, plain or zlib.
+/// Every number is finite and every index in range. Throws Malformed.
+Input read_input(const std::string& file, const std::string& tensor,
+                 const std::string& components);
+/// The same of a .vtp with a cell array `tet`.
+Triangles read_triangles(const std::string& file);
+
+}  // namespace certificate
