@@ -24,8 +24,8 @@ struct NormBounds {
 /// Bounds from the angles between vertex tensors: P = l^2 - sum of 2 x_i x_j n_i n_j (1 - cos_ij),
 /// and the sum of x_i x_j n_i n_j over pairs is at most (1 - 1/Vertices) l^2 / 2.
 ///
-/// They hold for the exact field: `rounding`, the relative error of the tensors (see
-/// `rounding_unit`), and the roundings here are left room for.
+/// They hold for the exact field. Room is left for its rounding (see `rounding_unit`) and for those here: a
+/// norm is wrong by at most 16 of these units, a cosine by at most 30.
 template <class Scalar, std::size_t Vertices>
 NormBounds<Scalar, Vertices> norm_bounds(const ModeForms<Scalar, Vertices>& forms,
                                          double total = 1) {
@@ -39,7 +39,7 @@ NormBounds<Scalar, Vertices> norm_bounds(const ModeForms<Scalar, Vertices>& form
     norm[i] = sqrt(p);
     if (i == 0 || norm[i] < least) least = norm[i];
   }
-  const Scalar room = Scalar(0x1p-30) + Scalar(128) * rounding_unit(least, total);
+  const Scalar room = Scalar(32) * rounding_unit(least, total);
   bounds.hidden_by_rounding = !(room < Scalar(0.125));
   if (bounds.hidden_by_rounding) return bounds;
   for (std::size_t i = 0; i < Vertices; ++i) bounds.upper[i] = norm[i] * (Scalar(1) + room);
@@ -57,16 +57,44 @@ NormBounds<Scalar, Vertices> norm_bounds(const ModeForms<Scalar, Vertices>& form
   return bounds;
 }
 
+/// Quadratic forms below and above l sqrt(P): the chord (P + lower l^2) / (1 + lower) and the tangent
+/// (P + l^2) / 2 of the square root, both times l^2.
+template <class Scalar, std::size_t Vertices>
+struct RootBounds {
+  BarycentricPolynomial<Scalar, Vertices, 1> l;
+  BarycentricPolynomial<Scalar, Vertices, 2> chord, tangent;
+
+  RootBounds(const ModeForms<Scalar, Vertices>& forms,
+             const NormBounds<Scalar, Vertices>& bounds) {
+    for (std::size_t i = 0; i < Vertices; ++i) l.coefficients[i] = bounds.upper[i];
+    const auto square = l * l;
+    const Scalar half = Scalar(1) / Scalar(2), share = Scalar(1) / (Scalar(1) + bounds.lower);
+    tangent = half * (forms.norm + square);
+    chord = share * (forms.norm + bounds.lower * square);
+  }
+};
+
+/// A form of degree four that shows, if it is positive, that the mode is larger than mu (`above`), if
+/// it is negative, that it is smaller: l (6 Q - sqrt(18) mu P sqrt(P)) with the bound of l sqrt(P) that
+/// proves the less.
+template <class Scalar, std::size_t Vertices>
+BarycentricPolynomial<Scalar, Vertices, 4> side_form(const ModeForms<Scalar, Vertices>& forms,
+                                                     const NormBounds<Scalar, Vertices>& bounds,
+                                                     const Level<Scalar>& level, bool above) {
+  const RootBounds<Scalar, Vertices> root(forms, bounds);
+  const Scalar factor = Scalar(3) * level.sqrt2 * level.mu;
+  return root.l * forms.determinant -
+         factor * (forms.norm * ((level.mu > Scalar(0)) == above ? root.tangent : root.chord));
+}
+
 /// Two cubics for each vertex tensor, as coefficients side by side: combined with the weights d_i
 /// of a direction, if all of them are positive then the mode increases along d at every point
 /// of the level.
 ///
 /// With R = 6 Q the mode is R / (sqrt(18) P^(3/2)), so on the level of mu it increases along d where
 ///   2 d(R) - 3 sqrt(18) mu sqrt(P) d(P) > 0.
-/// That is affine in sqrt(P), which with l and lower from `NormBounds` lies between the chord
-/// (P + lower l^2) / ((1 + lower) l) and the tangent (P + l^2) / (2 l) of the square root. So it is
-/// enough that both cubics 2 l d(R) - 3 sqrt(18) mu q d(P) are positive, with q one and the other of
-/// these times l. (The form of degree four without mu, 2 P d(R) - 3 R d(P), says the same of all
+/// That is affine in sqrt(P). So it is enough that both cubics 2 l d(R) - 3 sqrt(18) mu q d(P) are
+/// positive, with q one and the other of the `RootBounds`. (The form of degree four without mu, 2 P d(R) - 3 R d(P), says the same of all
 /// levels at once, and is positive much more rarely.)
 template <class Scalar, std::size_t Vertices>
 struct LevelIncrease {
@@ -78,20 +106,14 @@ struct LevelIncrease {
 
   LevelIncrease(const ModeForms<Scalar, Vertices>& forms,
                 const NormBounds<Scalar, Vertices>& bounds, const Level<Scalar>& level) {
-    using Linear = BarycentricPolynomial<Scalar, Vertices, 1>;
-    Linear l;
-    for (std::size_t i = 0; i < Vertices; ++i) l.coefficients[i] = bounds.upper[i];
-    const auto square = l * l;
-    const Scalar half = Scalar(1) / Scalar(2), share = Scalar(1) / (Scalar(1) + bounds.lower);
+    const RootBounds<Scalar, Vertices> root(forms, bounds);
     const Scalar factor = Scalar(9) * level.sqrt2 * level.mu;
-    const auto tangent = half * (forms.norm + square);
-    const auto chord = share * (forms.norm + bounds.lower * square);
     for (std::size_t i = 0; i < Vertices; ++i) {
       std::array<Scalar, Vertices> unit{};
       for (std::size_t k = 0; k < Vertices; ++k) unit[k] = Scalar(k == i ? 1 : 0);
-      const Cubic rise = Scalar(2) * (l * derivative(forms.determinant, unit));
-      const Linear fall = factor * derivative(forms.norm, unit);
-      const Cubic low = rise - chord * fall, high = rise - tangent * fall;
+      const Cubic rise = Scalar(2) * (root.l * derivative(forms.determinant, unit));
+      const auto fall = factor * derivative(forms.norm, unit);
+      const Cubic low = rise - root.chord * fall, high = rise - root.tangent * fall;
       std::copy(low.coefficients.begin(), low.coefficients.end(), along[i].begin());
       std::copy(high.coefficients.begin(), high.coefficients.end(),
                 along[i].begin() + Cubic::size);

@@ -80,23 +80,34 @@ Verdict changes_at_most_once(const Polynomial& p, const Scalar& bound) {
 ///   2 (sqrt(3) N)^3 < 10.4 N^3;
 /// - of the cubics of `LevelIncrease` along d, |d_i| <= 1: 2 * 3 * (4 * 10.4) + 9 sqrt(2) * 3 * (2 *
 ///   4 * 3) = 1166 N^4;
+/// - of `side_form`: 10.4 + 3 sqrt(2) * 3 * 3 = 49 N^4;
 /// - of the form of degree 6: 10.4^2 + 18 * 3^3 = 595 N^6.
 /// A result passes through at most 20 roundings for 6 Q and 50 for the forms made of it.
 inline constexpr double kDeterminantBound = 20 * 10.4;
 inline constexpr double kIncreaseBound = 50 * 1166;
+inline constexpr double kSideBound = 50 * 49;
 inline constexpr double kGeneralizedBound = 50 * 595;
 
 /// Positive if the level is proved not to meet the simplex, unknown if rounding hides it.
 template <class Scalar, std::size_t Vertices>
-Verdict is_empty(const ModeForms<Scalar, Vertices>& forms, const Level<Scalar>& level,
+Verdict is_empty(const ModeForms<Scalar, Vertices>& forms,
+                 const NormBounds<Scalar, Vertices>& bounds, const Level<Scalar>& level,
                  const Scalar& norm, double total) {
   const Scalar u = rounding_unit(norm, total), cube = norm * norm * norm;
   const Verdict opposite =
       has_strict_sign(forms.determinant, -level.sign, Scalar(kDeterminantBound) * u * cube);
   if (opposite == Verdict::positive) return opposite;
-  const auto form = generalized_mode_form(forms, level.mu_squared);
-  const int sign = form.coefficients[0] > Scalar(0) ? 1 : -1;
-  const Verdict strict = has_strict_sign(form, sign, Scalar(kGeneralizedBound) * u * cube * cube);
+  Verdict strict = Verdict::unknown;
+  if (bounds.lower > Scalar(0)) {
+    const Scalar &q = forms.determinant.coefficients[0], &p = forms.norm.coefficients[0];
+    const bool above = q > Scalar(3) * level.sqrt2 * level.mu * p * bounds.upper[0];
+    strict = has_strict_sign(side_form(forms, bounds, level, above), above ? 1 : -1,
+                             Scalar(kSideBound) * u * cube * norm);
+  } else if (!bounds.hidden_by_rounding) {
+    const auto form = generalized_mode_form(forms, level.mu_squared);
+    const int sign = form.coefficients[0] > Scalar(0) ? 1 : -1;
+    strict = has_strict_sign(form, sign, Scalar(kGeneralizedBound) * u * cube * cube);
+  }
   return strict == Verdict::negative && opposite == Verdict::unknown ? opposite : strict;
 }
 
@@ -206,21 +217,23 @@ SimplexProof<Scalar, Vertices> prove_simplex(
     }
   }
   const Verdict empty =
-      crossed ? Verdict::negative : detail::is_empty(forms, level, norm, total);
+      crossed ? Verdict::negative : detail::is_empty(forms, bounds, level, norm, total);
   if (empty == Verdict::positive) proof.kind = Proof::Kind::empty;
   proof.hidden_by_rounding = empty != Verdict::positive &&
                              (increases == Verdict::unknown || empty == Verdict::unknown);
   return proof;
 }
 
-/// Whether the degree-six form alone proves that the level does not meet the simplex; `total` as in
+/// Whether signs of coefficients alone prove that the level does not meet the simplex; `total` as in
 /// `rounding_unit`.
 template <class Scalar, std::size_t Vertices>
 bool is_proved_empty(const std::array<Deviator<Scalar>, Vertices>& tensors,
                      const Level<Scalar>& level, double total = 1) {
   const Scalar norm = largest_norm(tensors);
-  return norm > Scalar(0) &&
-         detail::is_empty(mode_forms(tensors), level, norm, total) == Verdict::positive;
+  if (!(norm > Scalar(0))) return false;
+  const auto forms = mode_forms(tensors);
+  return detail::is_empty(forms, norm_bounds(forms, total), level, norm, total) ==
+         Verdict::positive;
 }
 
 /// Positive if it is proved that an edge holds at most one point of the level: the mode is monotone
