@@ -18,6 +18,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include "support/exact_increase.hpp"
 #include "support/random_fields.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
@@ -158,25 +159,24 @@ void try_forms(long trials, Counts& empty, Counts& increasing) {
     const auto exact_forms = mode_forms(exact_corners);
     const double norm = largest_norm(rounded_corners);
 
-    const auto direction = likely_direction(forms, DirectionChoice::coefficients);
-    std::array<Rational, 4> exact_direction;
-    for (std::size_t i = 0; i < 4; ++i) exact_direction[i] = Rational(direction[i]);
-    const Verdict increases = detail::increases_along(forms, direction, norm, 1);
+    const auto bounds = norm_bounds(forms);
+    const LevelIncrease<double, 4> increase(forms, bounds, level);
+    const auto direction = likely_direction(increase, kLongSearch, trial % 2 != 0);
+    const Verdict increases = detail::increases_along(increase, direction, norm, 1);
     ++increasing.calls;
     increasing.decided += increases != Verdict::unknown;
-    const bool truly = all_have_sign(mode_increase_form(exact_forms, exact_direction), 1);
+    const bool truly =
+        truly_increases(exact_forms, bounds, to_scalar<Rational>(mode), direction);
     increasing.wrong += (increases == Verdict::positive && !truly) ||
                         (increases == Verdict::negative && truly);
 
-    const Verdict is_empty = detail::is_empty(forms, level, norm, 1);
+    const Verdict is_empty = detail::is_empty(forms, bounds, level, norm, 1);
     ++empty.calls;
     empty.decided += is_empty != Verdict::unknown;
-    const Rational mu = to_scalar<Rational>(mode);
-    const auto form = generalized_mode_form(exact_forms, Rational(mu * mu));
-    const bool truly_empty = all_have_sign(form, 1) || all_have_sign(form, -1) ||
-                             all_have_sign(exact_forms.determinant, -level.sign);
-    empty.wrong += (is_empty == Verdict::positive && !truly_empty) ||
-                   (is_empty == Verdict::negative && truly_empty);
+    const bool truly_none = truly_empty(exact_forms, bounds, to_scalar<Rational>(mode)) ||
+                            all_have_sign(exact_forms.determinant, -level.sign);
+    empty.wrong += (is_empty == Verdict::positive && !truly_none) ||
+                   (is_empty == Verdict::negative && truly_none);
   }
 }
 

@@ -25,6 +25,10 @@ struct Running {
   }
   friend Running operator-(const Running& p) { return {-p.value, p.error}; }
   friend Running operator-(const Running& p, const Running& q) { return p + -q; }
+  friend Running operator/(const Running& p, const Running& q) {
+    const double v = p.value / q.value;
+    return {v, (p.error + std::abs(v) * q.error) / std::abs(q.value) + std::abs(v)};
+  }
   friend Running operator*(const Running& p, const Running& q) {
     const double v = p.value * q.value;
     return {v, std::abs(p.value) * q.error + std::abs(q.value) * p.error + std::abs(v)};
@@ -58,8 +62,39 @@ double largest_error(const Polynomial& p) {
   return largest;
 }
 
+/// Linear bounds on the norm, further apart than most.
+template <std::size_t Vertices>
+NormBounds<Running, Vertices> wide_bounds() {
+  NormBounds<Running, Vertices> bounds;
+  bounds.upper.fill(Running(1));
+  bounds.lower = Running(0.25);
+  return bounds;
+}
+
+bool operator>(const Running& p, const Running& q) { return p.value > q.value; }
+
+Level<Running> strict_level() {
+  Level<Running> level;
+  level.sqrt2 = Running(std::sqrt(2.0), std::sqrt(2.0));
+  level.mu = Running(1, 1);
+  return level;
+}
+
+/// Of the cubics of increase.
+template <std::size_t Vertices>
+double largest_error(const ModeForms<Running, Vertices>& forms,
+                     const std::array<Running, Vertices>& d) {
+  using Increase = LevelIncrease<Running, Vertices>;
+  const auto coefficients = Increase(forms, wide_bounds<Vertices>(), strict_level())(d);
+  double largest = 0;
+  for (std::size_t k = 0; k < coefficients.size(); ++k)
+    largest = std::max(largest, coefficients[k].error /
+                                    Increase::Cubic::multinomials[k % Increase::Cubic::size]);
+  return largest;
+}
+
 struct Errors {
-  double determinant = 0, increase = 0, generalized = 0;
+  double determinant = 0, increase = 0, generalized = 0, side = 0;
 };
 
 template <std::size_t Vertices>
@@ -74,8 +109,9 @@ Errors errors_of(const Parameters<Vertices>& x) {
     d[i] = Running(std::clamp(x[6 * i + 5], -1.0, 1.0));
   }
   const auto forms = mode_forms(tensors);
-  return {largest_error(forms.determinant), largest_error(mode_increase_form(forms, d)),
-          largest_error(generalized_mode_form(forms, Running(1)))};
+  return {largest_error(forms.determinant), largest_error(forms, d),
+          largest_error(generalized_mode_form(forms, Running(1))),
+          largest_error(side_form(forms, wide_bounds<Vertices>(), strict_level(), false))};
 }
 
 /// The largest value that a search finds: random starts, each improved by smaller and smaller
@@ -115,8 +151,12 @@ TEST(ErrorBounds, OfTheDeterminantCoverItsRoundings) {
   expect_bounded(&Errors::determinant, detail::kDeterminantBound, "6 Q");
 }
 
-TEST(ErrorBounds, OfTheFormOfIncreaseCoverItsRoundings) {
-  expect_bounded(&Errors::increase, detail::kIncreaseBound, "2 P dQ - 3 Q dP");
+TEST(ErrorBounds, OfTheCubicsOfIncreaseCoverTheirRoundings) {
+  expect_bounded(&Errors::increase, detail::kIncreaseBound, "2 l dR - k q dP");
+}
+
+TEST(ErrorBounds, OfTheFormOfSidesCoverItsRoundings) {
+  expect_bounded(&Errors::side, detail::kSideBound, "l (6 Q - k P q)");
 }
 
 TEST(ErrorBounds, OfTheFormOfDegreeSixCoverItsRoundings) {

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "exact_edge.hpp"
+#include "exact_increase.hpp"
 #include "extract_case.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
@@ -87,8 +88,9 @@ void expect_proofs_to_hold(std::uint64_t seed, int count) {
       const Real50 step = longest * Real50(random.uniform());
       for (std::size_t i = 0; i < Vertices; ++i)
         to[i] = from[i] + step * Real50(proof.direction[i]);
-      if (step > 0) {
-        EXPECT_GT(mode_at(to), value) << "trial " << trial;
+      // The line crosses the level upwards only.
+      if (step > 0 && value > mu) {
+        EXPECT_GT(mode_at(to), mu) << "trial " << trial;
       }
     }
     if (proof.kind == Kind::empty) {
@@ -131,35 +133,66 @@ TEST(SimplexProof, SignsThatAreCertainInDoubleAreExact) {
     const auto exact_forms = mode_forms(exact);
     const double norm = largest_norm(tensors);
     const auto forms = mode_forms(tensors);
-    const auto direction =
-        likely_direction(forms, trial % 2 ? DirectionChoice::cone : DirectionChoice::coefficients);
-    std::array<Rational, 4> exact_direction;
-    for (std::size_t i = 0; i < 4; ++i) exact_direction[i] = Rational(direction[i]);
-    const auto exact_increase = mode_increase_form(exact_forms, exact_direction);
-    const auto exact_form = generalized_mode_form(
-        exact_forms, Rational(to_scalar<Rational>(mode) * to_scalar<Rational>(mode)));
+    const auto bounds = norm_bounds(forms);
+    const LevelIncrease<double, 4> increase(forms, bounds, example.level);
+    const auto direction = likely_direction(increase, trial % 2 ? 0 : kLongSearch, trial % 3 == 0);
     const auto all_of_sign = [](const auto& p, int sign) {
       for (const auto& c : p.coefficients)
         if (!(Rational(sign) * c > 0)) return false;
       return true;
     };
-    const Verdict increases = detail::increases_along(forms, direction, norm, 1);
-    const Verdict empty = detail::is_empty(forms, example.level, norm, 1);
+    const Verdict increases = detail::increases_along(increase, direction, norm, 1);
+    const Verdict empty = detail::is_empty(forms, bounds, example.level, norm, 1);
     hidden += increases == Verdict::unknown || empty == Verdict::unknown;
     if (increases != Verdict::unknown) {
       ++certain;
-      EXPECT_EQ(increases == Verdict::positive, all_of_sign(exact_increase, 1)) << trial;
+      EXPECT_EQ(increases == Verdict::positive,
+                truly_increases(exact_forms, bounds, to_scalar<Rational>(mode), direction))
+          << trial;
     }
     if (empty != Verdict::unknown) {
       ++certain;
       EXPECT_EQ(empty == Verdict::positive,
                 all_of_sign(exact_forms.determinant, -example.level.sign) ||
-                    all_of_sign(exact_form, 1) || all_of_sign(exact_form, -1))
+                    truly_empty(exact_forms, bounds, to_scalar<Rational>(mode)))
           << trial;
     }
   }
   std::cout << certain << " certain verdicts, " << hidden << " trials with one hidden\n";
   EXPECT_GT(hidden, 0);
+}
+
+// The linear bounds on the norm that proofs rest on hold for the input's own bits.
+TEST(NormBounds, HoldInRationals) {
+  const std::uint64_t seed = 20240405;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  int bounded = 0;
+  for (int trial = 0; trial < trials(400); ++trial) {
+    const SimplexCase<double, 4> example(nearby<4>(random, std::ldexp(2.0, -(trial % 20))),
+                                         ModeValue::parse("1/2"));
+    const auto bounds = norm_bounds(mode_forms(example.simplex.tensors));
+    if (!(bounds.lower > 0)) continue;
+    ++bounded;
+    EXPECT_LE(bounds.lower, 1);
+    for (int sample = 0; sample < 10; ++sample) {
+      const auto weights = random_weights<4>(random);
+      SymmetricTensor<Rational> sum{};
+      Rational upper = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto& t = example.mesh.tensors[i];
+        const SymmetricTensor<Rational> exact{Rational(t.xx), Rational(t.yy), Rational(t.zz),
+                                              Rational(t.xy), Rational(t.yz), Rational(t.xz)};
+        const Rational scale(weights[i] * std::ldexp(1.0, example.simplex.exponents[i]));
+        sum = sum + scale * exact;
+        upper += Rational(weights[i]) * Rational(bounds.upper[i]);
+      }
+      const Rational square = norm_form(deviator(sum)), lower = Rational(bounds.lower) * upper;
+      EXPECT_LE(square, upper * upper) << trial;
+      EXPECT_GE(square, lower * lower) << trial;
+    }
+  }
+  EXPECT_GT(2 * bounded, trials(400));
 }
 
 TEST(SimplexProof, OneCrossingIsRightToSturm) {

@@ -180,15 +180,17 @@ std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
                                   det(c[0], c[1], weights)};
       const Scalar whole = local[0] + local[1] + local[2];
       for (auto& l : local) l = l / whole;
-      const Scalar margin = std::min(local[0], std::min(local[1], local[2]));
-      if (best_arc >= 0 && !(margin > best_margin)) continue;
+      Scalar margin = std::min(local[0], std::min(local[1], local[2]));
       // Across the direction, how far along from begin to end: begin + f (end - begin), the
       // direction and the place are in one line.
       const Scalar at_begin = det(local, piece.begin, piece.direction);
       const Scalar at_end = det(local, piece.end, piece.direction);
       if (at_begin == at_end) continue;
       Scalar f = at_begin / (at_begin - at_end);
-      f = f < Scalar(0) ? Scalar(0) : f > Scalar(1) ? Scalar(1) : f;
+      // Several arcs may cross one triangle side by side: it is the one that the line meets.
+      if (f < Scalar(0)) margin = std::min(margin, f), f = Scalar(0);
+      if (f > Scalar(1)) margin = std::min(margin, Scalar(1) - f), f = Scalar(1);
+      if (best_arc >= 0 && !(margin > best_margin)) continue;
       best_arc = static_cast<int>(a);
       best_margin = margin;
       best_place = Scalar(static_cast<double>(p)) + f;

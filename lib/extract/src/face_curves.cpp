@@ -8,6 +8,7 @@
 
 #include "arc_samples.hpp"
 #include "extractor_scalars.hpp"
+#include "graph_arcs.hpp"
 #include "tensortopo/extract/segment_root.hpp"
 
 namespace tensortopo {
@@ -197,45 +198,6 @@ class Assembly {
   std::vector<ArcPiece<Scalar>> pieces_;
 };
 
-/// Most faces need no refinement: proved as a whole, they hold nothing or one arc of one piece.
-template <class Scalar>
-bool is_simple_at_once(const LevelSimplex<Scalar, 3>& triangle,
-                       const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
-                       const Level<Scalar>& level, std::vector<FaceArc<Scalar>>& arcs) {
-  std::size_t count = 0;
-  for (const auto& edge : crossings) {
-    if (edge.size() > 1) return false;
-    count += edge.size();
-  }
-  if (count % 2 != 0) return false;
-  const auto proof = prove_simplex(triangle.tensors, level);
-  using Kind = typename SimplexProof<Scalar, 3>::Kind;
-  if (proof.kind == Kind::none) return false;
-  if (count == 0) return true;
-  if (proof.kind == Kind::empty) return false;
-  // Edges in the order of `ArcEnd`; the larger mode is to the left of a piece, so it leaves an edge
-  // on which the mode, counter-clockwise, falls.
-  constexpr std::array<std::array<std::size_t, 2>, 3> ends{{{0, 1}, {0, 2}, {1, 2}}};
-  FaceArc<Scalar> arc;
-  ArcPiece<Scalar> piece;
-  piece.tensors = triangle.tensors;
-  piece.direction = proof.direction;
-  for (std::size_t i = 0; i < 3; ++i) piece.corners[i] = ExactWeights<3>::at_corner(i).values();
-  for (std::size_t e = 0; e < 3; ++e) {
-    if (crossings[e].empty()) continue;
-    const auto [a, b] = ends[e];
-    std::array<Scalar, 3> place{Scalar(0), Scalar(0), Scalar(0)};
-    place[a] = Scalar(1) - crossings[e][0].weight;
-    place[b] = crossings[e][0].weight;
-    const bool falls = (e == 1) == triangle.above[b];  // edge (0, 2) runs clockwise
-    (falls ? arc.begin : arc.end) = {static_cast<int>(e), 0};
-    (falls ? piece.begin : piece.end) = place;
-  }
-  arc.pieces.push_back(piece);
-  arcs.push_back(std::move(arc));
-  return true;
-}
-
 }  // namespace
 
 template <class Scalar>
@@ -244,7 +206,7 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
     const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
     const Level<Scalar>& level, const Sampling& sampling) {
   std::vector<FaceArc<Scalar>> arcs;
-  if (is_simple_at_once(triangle, crossings, level, arcs)) {
+  if (arcs_of_graph(triangle, crossings, level, arcs)) {
     for (auto& arc : arcs) sample_arc(arc, level, sampling);
     return arcs;
   }

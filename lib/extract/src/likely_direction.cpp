@@ -9,130 +9,74 @@ namespace tensortopo {
 
 namespace {
 
-template <std::size_t N>
-using Direction = std::array<double, N>;
+/// All coefficients should grow at least so fast along the direction, by their own measure: less
+/// would be lost in rounding.
+constexpr double kEnough = 1e-6;
 
-template <std::size_t N>
-double inner_product(const Direction<N>& u, const Direction<N>& v) {
-  double sum = 0;
-  for (std::size_t i = 0; i < N; ++i) sum += u[i] * v[i];
-  return sum;
-}
-
-/// Makes a gradient a direction: of sum zero and unit length.
-template <std::size_t N>
-void normalize(Direction<N>& d) {
-  double mean = 0;
-  for (const double x : d) mean += x / static_cast<double>(N);
-  for (auto& x : d) x -= mean;
-  const double length = std::sqrt(inner_product(d, d));
-  if (length > 0)
-    for (auto& x : d) x /= length;
-}
-
-/// Directions of the mode's gradient at the vertices and, last, at the centroid.
-template <std::size_t N>
-std::array<Direction<N>, N + 1> gradients(const ModeForms<double, N>& forms) {
-  // Values and derivatives of P and 6 Q at each of these points, from the coefficients.
-  std::array<double, N + 1> p{}, q{};
-  std::array<Direction<N>, N + 1> dp{}, dq{};
-  std::size_t pair = 0, triple = 0;
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t j = i; j < N; ++j) {
-      const double c = forms.norm.coefficients[pair++];
-      p[N] += c, dp[N][i] += c, dp[N][j] += c;
-      if (i == j) p[i] = c, dp[i][i] = 2 * c;
-      if (i != j) dp[i][j] = c, dp[j][i] = c;
-      for (std::size_t k = j; k < N; ++k) {
-        const double e = forms.determinant.coefficients[triple++];
-        q[N] += e, dq[N][i] += e, dq[N][j] += e, dq[N][k] += e;
-        if (i == j && j == k) q[i] = e, dq[i][i] = 3 * e;
-        if (i == j && j != k) dq[i][k] = e;
-        if (i != j && j == k) dq[j][i] = e;
-      }
-    }
-  std::array<Direction<N>, N + 1> result;
-  for (std::size_t v = 0; v <= N; ++v) {
-    for (std::size_t k = 0; k < N; ++k) result[v][k] = 2 * p[v] * dq[v][k] - 3 * q[v] * dp[v][k];
-    normalize(result[v]);
-  }
-  return result;
-}
-
-/// Leans a direction towards the axis of the narrowest cone around some: to the one furthest off,
-/// less and less (Badoiu and Clarkson's iteration for the smallest enclosing ball). Stops once all
-/// are within a right angle by a margin.
-template <std::size_t N, class Directions>
-void lean_to_axis(Direction<N>& d, const Directions& directions, int steps, double enough) {
-  for (int step = 2; step < steps + 2; ++step) {
-    std::size_t furthest = 0;
-    double least = 2;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      const double c = inner_product(d, directions[i]);
-      if (c < least) least = c, furthest = i;
-    }
-    if (least > enough) return;
-    for (std::size_t k = 0; k < N; ++k) d[k] += directions[furthest][k] / step;
-    const double length = std::sqrt(inner_product(d, d));
-    if (!(length > 0)) return;
-    for (auto& x : d) x /= length;
-  }
-}
-
-/// The directions in which each Bernstein coefficient of the mode's increase grows.
-template <std::size_t N>
-auto coefficient_directions(const ModeForms<double, N>& forms) {
-  using Form = decltype(mode_increase_form(forms, Direction<N>{}));
-  std::array<Direction<N>, Form::size> directions{};
-  for (std::size_t i = 0; i < N; ++i) {
-    Direction<N> along{};
-    along[i] = 1;
-    const auto form = mode_increase_form(forms, along);
-    for (std::size_t k = 0; k < Form::size; ++k) directions[k][i] = form.coefficients[k];
-  }
-  for (auto& d : directions) normalize(d);
-  return directions;
-}
-
-/// The two furthest apart have the axis of all between them, in a plane.
-Direction<3> axis_in_plane(const std::array<Direction<3>, 4>& directions) {
-  std::size_t first = 0, second = 1;
-  double least = 2;
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    for (std::size_t j = i + 1; j < directions.size(); ++j)
-      if (const double c = inner_product(directions[i], directions[j]); c < least)
-        least = c, first = i, second = j;
-  Direction<3> d;
-  for (std::size_t k = 0; k < 3; ++k) d[k] = directions[first][k] + directions[second][k];
-  normalize(d);
-  return d;
-}
-
-constexpr int kConeSteps = 10, kCoefficientSteps = 30;
+/// A hull that comes so close to the origin holds it, for our purposes.
+constexpr double kNothing = 2e-3;
 
 }  // namespace
 
 template <std::size_t Vertices>
-std::array<double, Vertices> likely_direction(const ModeForms<double, Vertices>& forms,
-                                              DirectionChoice choice) {
-  const auto all = gradients(forms);
-  auto d = all[Vertices];
-  if (choice != DirectionChoice::central) {
-    if constexpr (Vertices == 3)
-      d = axis_in_plane(all);
-    else
-      lean_to_axis(d, all, kConeSteps, 2);
+std::array<double, Vertices> likely_direction(const LevelIncrease<double, Vertices>& increase,
+                                              int steps, bool of_sum_zero) {
+  // The two cubics of each kind differ little: between them. Unit directions, by coordinate.
+  constexpr std::size_t count = LevelIncrease<double, Vertices>::Cubic::size;
+  std::array<std::array<double, count>, Vertices> unit;
+  for (std::size_t i = 0; i < Vertices; ++i)
+    for (std::size_t k = 0; k < count; ++k)
+      unit[i][k] = increase.along[i][k] + increase.along[i][count + k];
+  std::array<double, count> factor{};
+  if (of_sum_zero) {
+    for (std::size_t i = 0; i < Vertices; ++i)
+      for (std::size_t k = 0; k < count; ++k) factor[k] += unit[i][k] / Vertices;
+    for (std::size_t i = 0; i < Vertices; ++i)
+      for (std::size_t k = 0; k < count; ++k) unit[i][k] -= factor[k];
+    factor.fill(0);
   }
-  if (choice == DirectionChoice::coefficients)
-    lean_to_axis(d, coefficient_directions(forms), kCoefficientSteps, 0);
+  for (std::size_t i = 0; i < Vertices; ++i)
+    for (std::size_t k = 0; k < count; ++k) factor[k] += unit[i][k] * unit[i][k];
+  for (auto& f : factor) f = 1 / std::sqrt(f);
+  std::array<double, Vertices> d{};
+  for (std::size_t i = 0; i < Vertices; ++i) {
+    for (std::size_t k = 0; k < count; ++k) unit[i][k] *= factor[k];
+    for (std::size_t k = 0; k < count; ++k) d[i] += unit[i][k];
+    d[i] /= count;
+  }
+  std::array<double, count> weight;
+  weight.fill(1.0 / count);
+  for (int step = 0;; ++step) {
+    std::array<double, count> growth;
+    for (std::size_t k = 0; k < count; ++k) growth[k] = d[0] * unit[0][k];
+    for (std::size_t i = 1; i < Vertices; ++i)
+      for (std::size_t k = 0; k < count; ++k) growth[k] += d[i] * unit[i][k];
+    const auto least = static_cast<std::size_t>(
+        std::min_element(growth.begin(), growth.end()) - growth.begin());
+    double square = 0;
+    for (const double x : d) square += x * x;
+    if (growth[least] > kEnough) break;
+    if (!(square > kNothing * kNothing) || step == steps) return {};
+    std::size_t most = count;
+    for (std::size_t k = 0; k < count; ++k)
+      if (weight[k] > 0 && (most == count || growth[k] > growth[most])) most = k;
+    double gap = 0;
+    for (std::size_t i = 0; i < Vertices; ++i)
+      gap += (unit[i][least] - unit[i][most]) * (unit[i][least] - unit[i][most]);
+    if (!(gap > 0)) return {};
+    const double shift = std::min(weight[most], (growth[most] - growth[least]) / gap);
+    weight[least] += shift;
+    weight[most] -= shift;
+    for (std::size_t i = 0; i < Vertices; ++i)
+      d[i] += shift * (unit[i][least] - unit[i][most]);
+  }
   double largest = 0;
   for (const double x : d) largest = std::max(largest, std::abs(x));
-  if (largest > 0)
-    for (auto& x : d) x /= largest;
+  for (auto& x : d) x /= largest;
   return d;
 }
 
-template std::array<double, 3> likely_direction(const ModeForms<double, 3>&, DirectionChoice);
-template std::array<double, 4> likely_direction(const ModeForms<double, 4>&, DirectionChoice);
+template std::array<double, 3> likely_direction(const LevelIncrease<double, 3>&, int, bool);
+template std::array<double, 4> likely_direction(const LevelIncrease<double, 4>&, int, bool);
 
 }  // namespace tensortopo

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "graph_sheets.hpp"
 #include "level_strata.hpp"
 #include "plan_by_leaves.hpp"
 #include "tensortopo/extract/segment_root.hpp"
@@ -224,17 +225,17 @@ bool add_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
 
 namespace {
 
-/// The loops, and the sheets if the whole tetrahedron is monotone.
+/// The loops, and the sheets if the level is a graph in the whole tetrahedron.
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_at_once(const TetWithCurves<Scalar>& tet,
                                             const Level<Scalar>& level) {
   TetPlan<Scalar> plan;
   if (!join_arcs(tet, plan.loops)) return std::nullopt;
-  using Kind = typename SimplexProof<Scalar, 4>::Kind;
-  if (plan.loops.size() == 1 &&
-      prove_simplex(tet.simplex.tensors, level, 1, DirectionChoice::coefficients).kind ==
-          Kind::monotone)
-    plan.sheets.push_back({{0}, 1, -1});
+  if (plan.loops.empty()) return plan;
+  const auto proof = prove_simplex(tet.simplex.tensors, level);
+  if (proof.kind == SimplexProof<Scalar, 4>::Kind::monotone)
+    if (auto sheets = sheets_of_graph<Scalar>(tet, plan.loops, proof.direction))
+      plan.sheets = std::move(*sheets);
   return plan;
 }
 

@@ -74,11 +74,12 @@ SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root
                                       const std::array<Deviator<Scalar>, Part>& tensors,
                                       const Level<Scalar>& level) {
   const double total = largest_sum(weights);
-  auto proof = prove_simplex(tensors, level, total);
+  auto proof = prove_simplex(tensors, level, total, kShortSearch);
   count_predicate(proof.hidden_by_rounding ? Tier::longer : Tier::fast);
   if (!proof.hidden_by_rounding) return proof;
   using Long = typename Longer<Scalar>::type;
-  const auto better = prove_simplex(tensors_in<Long>(root, weights), level_in<Long>(level.value), total);
+  const auto better = prove_simplex(tensors_in<Long>(root, weights),
+                                    level_in<Long>(level.value), total, kShortSearch);
   using Better = SimplexProof<Long, Part>;
   using Proof = SimplexProof<Scalar, Part>;
   proof.kind = better.kind == Better::Kind::empty      ? Proof::Kind::empty

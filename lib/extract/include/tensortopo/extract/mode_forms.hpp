@@ -70,13 +70,4 @@ BarycentricPolynomial<Scalar, Vertices, 6> generalized_mode_form(
   return forms.determinant * forms.determinant - (Scalar(18) * mu_squared) * cube;
 }
 
-/// 2 P d(6Q) - 3 (6Q) dP along the barycentric direction d: positive where the mode increases
-/// along d. A strict sign also implies T != 0, since the form vanishes where T does.
-template <class Scalar, std::size_t Vertices>
-BarycentricPolynomial<Scalar, Vertices, 4> mode_increase_form(
-    const ModeForms<Scalar, Vertices>& forms, const std::array<Scalar, Vertices>& d) {
-  return Scalar(2) * (forms.norm * derivative(forms.determinant, d)) -
-         Scalar(3) * (forms.determinant * derivative(forms.norm, d));
-}
-
 }  // namespace tensortopo

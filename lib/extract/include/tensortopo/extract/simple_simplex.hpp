@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
 
 #include "tensortopo/extract/level.hpp"
+#include "tensortopo/extract/level_increase.hpp"
 #include "tensortopo/extract/likely_direction.hpp"
 #include "tensortopo/extract/mode_forms.hpp"
 #include "tensortopo/extract/screen.hpp"
@@ -17,16 +19,17 @@ namespace tensortopo {
 /// What signs of coefficients prove about one level of the mode on one simplex.
 ///
 /// - *Empty*: the level does not meet it.
-/// - *Monotone*: the mode increases along a direction, so the level is a graph across it: no
-///   closed piece, and at most one point on each line of that direction.
+/// - *Monotone*: the mode increases along a direction wherever the level is, so the level is a graph
+///   across it: no closed piece, and at most one point on each line of that direction.
 /// A simplex that is monotone, whose edges hold at most one root each and whose faces are
 /// monotone (in a direction of their own) or empty, holds the level as marching tetrahedra draw
 /// it: a disc that separates the vertices above from those below, or nothing.
 template <class Scalar, std::size_t Vertices>
 struct SimplexProof {
   enum class Kind { none, empty, monotone } kind = Kind::none;
-  /// If monotone: the tensor sum of these is the direction. (The mode of T + k D increases with k;
-  /// seen in the simplex, these are lines through one point, at infinity if the sum is zero.)
+  /// If monotone: the tensor sum D of these is the direction. (Where T + k D crosses the level, its
+  /// mode increases with k; seen in the simplex, these are lines through one point outside, at
+  /// infinity if the sum is zero.)
   std::array<Scalar, Vertices> direction{};
   bool hidden_by_rounding = false;  ///< kind is none, but more precision may prove more
 };
@@ -75,35 +78,64 @@ Verdict changes_at_most_once(const Polynomial& p, const Scalar& bound) {
 /// - a polar adjugate of S, T stays below 2 |S| |T| in Frobenius norm (each of its nine entries sums
 ///   four products, each product occurs in one entry only), so one of 6 Q stays below
 ///   2 (sqrt(3) N)^3 < 10.4 N^3;
-/// - of the form of degree 4 along d, |d_i| <= 1: 2 * 3 * (3 * 4 * 10.4) + 3 * 10.4 * (2 * 4 * 3) =
-///   1500 N^5;
+/// - of the cubics of `LevelIncrease` along d, |d_i| <= 1: 2 * 3 * (4 * 10.4) + 9 sqrt(2) * 3 * (2 *
+///   4 * 3) = 1166 N^4;
+/// - of `side_form`: 10.4 + 3 sqrt(2) * 3 * 3 = 49 N^4;
 /// - of the form of degree 6: 10.4^2 + 18 * 3^3 = 595 N^6.
 /// A result passes through at most 20 roundings for 6 Q and 50 for the forms made of it.
 inline constexpr double kDeterminantBound = 20 * 10.4;
-inline constexpr double kIncreaseBound = 50 * 1500;
+inline constexpr double kIncreaseBound = 50 * 1166;
+inline constexpr double kSideBound = 50 * 49;
 inline constexpr double kGeneralizedBound = 50 * 595;
 
 /// Positive if the level is proved not to meet the simplex, unknown if rounding hides it.
 template <class Scalar, std::size_t Vertices>
-Verdict is_empty(const ModeForms<Scalar, Vertices>& forms, const Level<Scalar>& level,
+Verdict is_empty(const ModeForms<Scalar, Vertices>& forms,
+                 const NormBounds<Scalar, Vertices>& bounds, const Level<Scalar>& level,
                  const Scalar& norm, double total) {
   const Scalar u = rounding_unit(norm, total), cube = norm * norm * norm;
   const Verdict opposite =
       has_strict_sign(forms.determinant, -level.sign, Scalar(kDeterminantBound) * u * cube);
   if (opposite == Verdict::positive) return opposite;
-  const auto form = generalized_mode_form(forms, level.mu_squared);
-  const int sign = form.coefficients[0] > Scalar(0) ? 1 : -1;
-  const Verdict strict = has_strict_sign(form, sign, Scalar(kGeneralizedBound) * u * cube * cube);
+  Verdict strict = Verdict::unknown;
+  if (bounds.lower > Scalar(0)) {
+    const Scalar &q = forms.determinant.coefficients[0], &p = forms.norm.coefficients[0];
+    const bool above = q > Scalar(3) * level.sqrt2 * level.mu * p * bounds.upper[0];
+    strict = has_strict_sign(side_form(forms, bounds, level, above), above ? 1 : -1,
+                             Scalar(kSideBound) * u * cube * norm);
+  } else if (!bounds.hidden_by_rounding) {
+    const auto form = generalized_mode_form(forms, level.mu_squared);
+    const int sign = form.coefficients[0] > Scalar(0) ? 1 : -1;
+    strict = has_strict_sign(form, sign, Scalar(kGeneralizedBound) * u * cube * cube);
+  }
   return strict == Verdict::negative && opposite == Verdict::unknown ? opposite : strict;
 }
 
-/// Positive if the mode is proved to increase along d, unknown if rounding hides it.
+/// Whether there is a direction, and its lines meet outside the simplex, so that none of them ends
+/// inside.
 template <class Scalar, std::size_t Vertices>
-Verdict increases_along(const ModeForms<Scalar, Vertices>& forms,
+bool meets_outside(const std::array<Scalar, Vertices>& d) {
+  std::size_t up = 0, down = 0;
+  for (const auto& x : d) up += x > Scalar(0), down += x < Scalar(0);
+  return up < Vertices && down < Vertices && up + down > 0;
+}
+
+/// Positive if it is proved that the mode increases along d wherever the level meets the simplex,
+/// unknown if rounding hides it.
+template <class Scalar, std::size_t Vertices>
+Verdict increases_along(const LevelIncrease<Scalar, Vertices>& increase,
                         const std::array<Scalar, Vertices>& d, const Scalar& norm, double total) {
+  using Cubic = typename LevelIncrease<Scalar, Vertices>::Cubic;
   const Scalar bound =
-      Scalar(kIncreaseBound) * rounding_unit(norm, total) * norm * norm * norm * norm * norm;
-  return has_strict_sign(mode_increase_form(forms, d), 1, bound);
+      Scalar(kIncreaseBound) * rounding_unit(norm, total) * norm * norm * norm * norm;
+  const auto coefficients = increase(d);
+  Verdict verdict = Verdict::positive;
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const Scalar limit = Scalar(Cubic::multinomials[k % Cubic::size]) * bound;
+    if (coefficients[k] < -limit) return Verdict::negative;
+    if (!(coefficients[k] > limit)) verdict = Verdict::unknown;
+  }
+  return verdict;
 }
 
 }  // namespace detail
@@ -144,14 +176,18 @@ bool is_crossed(const std::array<Deviator<double>, Vertices>& tensors, double mu
   return above && below;
 }
 
+/// How long to search for a direction: in all of a triangle or tetrahedron of the mesh, where that
+/// saves a refinement, and in a part.
+inline constexpr int kLongSearch = 100, kShortSearch = 20;
+
 /// Tries the proofs above on a triangle or a tetrahedron.
 ///
-/// @param total       as in `rounding_unit`, the largest of a vertex
-/// @param last_choice how far to search for a direction
+/// @param total  as in `rounding_unit`, the largest of a vertex
+/// @param steps  how long to search for a direction
 template <class Scalar, std::size_t Vertices>
 SimplexProof<Scalar, Vertices> prove_simplex(
     const std::array<Deviator<Scalar>, Vertices>& tensors, const Level<Scalar>& level,
-    double total = 1, DirectionChoice last_choice = DirectionChoice::cone) {
+    double total = 1, int steps = kLongSearch) {
   using Proof = SimplexProof<Scalar, Vertices>;
   Proof proof;
   const auto in_double = rounded(tensors);
@@ -163,38 +199,41 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   const Scalar norm = largest_norm(tensors);
   if (!(norm > Scalar(0))) return proof;
   const auto forms = mode_forms(tensors);
-  Verdict increases = Verdict::negative;
-  for (const auto choice :
-       {DirectionChoice::central, DirectionChoice::cone, DirectionChoice::coefficients}) {
-    if (choice > last_choice) break;
-    std::array<double, Vertices> direction;
-    if constexpr (std::is_same_v<Scalar, double>)
-      direction = likely_direction(forms, choice);
-    else
-      direction = likely_direction(mode_forms(in_double), choice);
-    for (std::size_t i = 0; i < Vertices; ++i) proof.direction[i] = Scalar(direction[i]);
-    increases = detail::increases_along(forms, proof.direction, norm, total);
+  const auto bounds = norm_bounds(forms, total);
+  Verdict increases = bounds.hidden_by_rounding ? Verdict::unknown : Verdict::negative;
+  if (bounds.lower > Scalar(0)) {
+    const LevelIncrease<Scalar, Vertices> increase(forms, bounds, level);
+    for (const bool of_sum_zero : {false, true}) {
+      if (!of_sum_zero && !crossed) continue;
+      const auto direction = likely_direction(rounded(increase), steps, of_sum_zero);
+      for (std::size_t i = 0; i < Vertices; ++i) proof.direction[i] = Scalar(direction[i]);
+      if (!detail::meets_outside(proof.direction)) continue;
+      increases = detail::increases_along(increase, proof.direction, norm, total);
+      break;
+    }
     if (increases == Verdict::positive) {
       proof.kind = Proof::Kind::monotone;
       return proof;
     }
   }
   const Verdict empty =
-      crossed ? Verdict::negative : detail::is_empty(forms, level, norm, total);
+      crossed ? Verdict::negative : detail::is_empty(forms, bounds, level, norm, total);
   if (empty == Verdict::positive) proof.kind = Proof::Kind::empty;
   proof.hidden_by_rounding = empty != Verdict::positive &&
                              (increases == Verdict::unknown || empty == Verdict::unknown);
   return proof;
 }
 
-/// Whether the degree-six form alone proves that the level does not meet the simplex; `total` as in
+/// Whether signs of coefficients alone prove that the level does not meet the simplex; `total` as in
 /// `rounding_unit`.
 template <class Scalar, std::size_t Vertices>
 bool is_proved_empty(const std::array<Deviator<Scalar>, Vertices>& tensors,
                      const Level<Scalar>& level, double total = 1) {
   const Scalar norm = largest_norm(tensors);
-  return norm > Scalar(0) &&
-         detail::is_empty(mode_forms(tensors), level, norm, total) == Verdict::positive;
+  if (!(norm > Scalar(0))) return false;
+  const auto forms = mode_forms(tensors);
+  return detail::is_empty(forms, norm_bounds(forms, total), level, norm, total) ==
+         Verdict::positive;
 }
 
 /// Positive if it is proved that an edge holds at most one point of the level: the mode is monotone
@@ -210,13 +249,15 @@ Verdict has_at_most_one_crossing(const std::array<Deviator<Scalar>, 2>& tensors,
   const Scalar norm = largest_norm(tensors);
   if (!(norm > Scalar(0))) return Verdict::negative;
   const auto forms = mode_forms(tensors);
-  const std::array<Scalar, 2> along{Scalar(-1), Scalar(1)};
   const Scalar u = rounding_unit(norm, total), n2 = norm * norm;
-  const auto increase = mode_increase_form(forms, along);
-  const Scalar bound = Scalar(detail::kIncreaseBound) * u * n2 * n2 * norm;
-  const int direction = increase.coefficients[0] > Scalar(0) ? 1 : -1;
-  const Verdict monotone = detail::has_strict_sign(increase, direction, bound);
-  if (monotone == Verdict::positive) return monotone;
+  const auto bounds = norm_bounds(forms, total);
+  Verdict monotone = bounds.hidden_by_rounding ? Verdict::unknown : Verdict::negative;
+  if (bounds.lower > Scalar(0)) {
+    const LevelIncrease<Scalar, 2> increase(forms, bounds, level);
+    const Scalar up(increase.along[1][0] > increase.along[0][0] ? 1 : -1);
+    monotone = detail::increases_along(increase, {-up, up}, norm, total);
+    if (monotone == Verdict::positive) return monotone;
+  }
   // The level of mode 0 is where the determinant vanishes, once; the form of degree six has double
   // roots there.
   const Verdict descartes =

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "tensortopo/extract/edge_crossings.hpp"
+#include "tensortopo/extract/face_curves.hpp"
+
+namespace tensortopo {
+
+/// The curves of a face that needs no refinement: proved as a whole to hold nothing, or a graph across
+/// a direction. The crossings of its edges then say which are joined: a line of that direction that
+/// moves across the face meets the graph while it enters below the level and leaves above it, and
+/// it never enters above and leaves below.
+///
+/// @param arcs  receives them, without samples
+/// @return false if there is no such proof, or the crossings can be joined in several ways
+template <class Scalar>
+bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
+                   const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
+                   const Level<Scalar>& level, std::vector<FaceArc<Scalar>>& arcs);
+
+}  // namespace tensortopo
