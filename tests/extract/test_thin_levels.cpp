@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <iostream>
-#include <utility>
 
 #include "extract_case.hpp"
 #include "laws.hpp"
-#include "tensortopo/extract/edge_crossings.hpp"
-#include "tensortopo/extract/tet_sheets.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
+#include "tet_case.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -36,50 +34,6 @@ INSTANTIATE_TEST_SUITE_P(Levels, ThinLevels,
 
 TEST(ThinLevel, HasTheTopologyThatBruteForceSees) {
   expect_agreement_with_brute_force("997/1000", trials(60), 20250530);
-}
-
-// A tetrahedron of its own, with its curves.
-struct TetCase {
-  TetCase(const TetTensors& tensors, const ModeValue& mode) : simplex_case(tensors, mode) {
-    constexpr std::array<std::array<std::uint8_t, 3>, 4> faces{
-        {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
-    tet.simplex = simplex_case.simplex;
-    tet.face_vertices = faces;
-    tet.outward = {true, false, true, false};
-    tet.edge_forward.fill(true);
-    for (std::size_t f = 0; f < 4; ++f) {
-      const auto [i, j, k] = faces[f];
-      const auto& level = simplex_case.level;
-      const auto a = edge_crossings(simplex_case.edge(i, j), level);
-      const auto b = edge_crossings(simplex_case.edge(i, k), level);
-      const auto c = edge_crossings(simplex_case.edge(j, k), level);
-      if (!a || !b || !c) return;
-      auto found = face_curves(simplex_case.face(i, j, k), {*a, *b, *c}, level, {});
-      if (!found) return;
-      arcs[f] = std::move(*found);
-      tet.arcs[f] = arcs[f];
-    }
-    has_curves = true;
-  }
-  TetCase(const TetCase&) = delete;
-  TetCase& operator=(const TetCase&) = delete;
-
-  SimplexCase<double, 4> simplex_case;
-  std::array<std::vector<FaceArc<double>>, 4> arcs;
-  TetWithCurves<double> tet;
-  bool has_curves = false;
-};
-
-// Which loops bound which sheet.
-std::vector<std::pair<std::vector<int>, int>> in_order(const std::vector<SheetTopology>& sheets) {
-  std::vector<std::pair<std::vector<int>, int>> result;
-  for (const auto& sheet : sheets) {
-    auto loops = sheet.loops;
-    std::sort(loops.begin(), loops.end());
-    result.emplace_back(loops, sheet.euler_characteristic);
-  }
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 // Where the tubes are just thick enough for it, a refinement at the level itself has the last word.

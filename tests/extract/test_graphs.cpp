@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "extract_case.hpp"
+#include "tet_case.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+// Where the level is a graph in the whole tetrahedron, its loops alone say what sheets there are; a
+// refinement, which knows nothing of that, must find the same.
+TEST(GraphSheets, AreThoseThatARefinementFinds) {
+  const std::uint64_t seed = 20250610;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  int compared = 0, discs = 0, with_holes = 0;
+  for (int trial = 0; trial < trials(2500); ++trial) {
+    TetTensors tensors = random.tet_tensors();
+    // A common part brings the tensors together, so that graphs are frequent.
+    const auto common = std::ldexp(1.0, trial % 3) * random.tensor();
+    for (auto& t : tensors) t = t + common;
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
+    const TetCase c(tensors, mode);
+    ASSERT_TRUE(c.has_curves) << exact_text(tensors);
+    auto plan = plan_tet(c.tet, c.simplex_case.level);
+    ASSERT_TRUE(plan) << mode.text() << '\n' << exact_text(tensors);
+    if (plan->refined || plan->loops.size() < 2) continue;
+    const auto sheets = plan->sheets;
+    ASSERT_TRUE(add_leaves(c.tet, c.simplex_case.level, *plan)) << exact_text(tensors);
+    EXPECT_EQ(in_order(sheets), in_order(plan->sheets)) << mode.text() << '\n'
+                                                        << exact_text(tensors);
+    ++compared;
+    ++(sheets.size() == plan->loops.size() ? discs : with_holes);
+  }
+  std::cout << compared << " tetrahedra with several loops, " << discs << " times discs, "
+            << with_holes << " times a sheet with holes\n";
+  EXPECT_GT(compared, 50);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
