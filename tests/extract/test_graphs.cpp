@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "curved_tet.hpp"
 #include "extract_case.hpp"
-#include "tet_case.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -24,7 +24,7 @@ TEST(GraphSheets, AreThoseThatARefinementFinds) {
     const auto common = std::ldexp(1.0, trial % 3) * random.tensor();
     for (auto& t : tensors) t = t + common;
     const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
-    const TetCase c(tensors, mode);
+    const CurvedTet c(tensors, mode);
     ASSERT_TRUE(c.has_curves) << exact_text(tensors);
     auto plan = plan_tet(c.tet, c.simplex_case.level);
     ASSERT_TRUE(plan) << mode.text() << '\n' << exact_text(tensors);

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iostream>
 
+#include "curved_tet.hpp"
 #include "extract_case.hpp"
 #include "laws.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
-#include "tet_case.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -45,7 +45,7 @@ TEST(ThinLevel, HasTheSheetsThatARefinementFinds) {
   for (int trial = 0; trial < trials(300); ++trial) {
     const TetTensors tensors = random.tet_tensors();
     for (const char* mode : {"996/1000", "-998/1000"}) {
-      const TetCase c(tensors, ModeValue::parse(mode));
+      const CurvedTet c(tensors, ModeValue::parse(mode));
       ASSERT_TRUE(c.has_curves) << exact_text(tensors);
       auto plan = plan_tet(c.tet, c.simplex_case.level);
       ASSERT_TRUE(plan) << mode << '\n' << exact_text(tensors);

@@ -14,8 +14,8 @@
 namespace tensortopo::test {
 
 /// A tetrahedron of its own, with its curves.
-struct TetCase {
-  TetCase(const TetTensors& tensors, const ModeValue& mode) : simplex_case(tensors, mode) {
+struct CurvedTet {
+  CurvedTet(const TetTensors& tensors, const ModeValue& mode) : simplex_case(tensors, mode) {
     constexpr std::array<std::array<std::uint8_t, 3>, 4> faces{
         {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
     tet.simplex = simplex_case.simplex;
@@ -36,8 +36,8 @@ struct TetCase {
     }
     has_curves = true;
   }
-  TetCase(const TetCase&) = delete;
-  TetCase& operator=(const TetCase&) = delete;
+  CurvedTet(const CurvedTet&) = delete;
+  CurvedTet& operator=(const CurvedTet&) = delete;
 
   SimplexCase<double, 4> simplex_case;
   std::array<std::vector<FaceArc<double>>, 4> arcs;
