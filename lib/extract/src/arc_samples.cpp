@@ -38,14 +38,21 @@ CurvePoint<Scalar> point_on_piece(const ArcPiece<Scalar>& piece, const Scalar& f
         if (first || k < up) up = k;
         first = false;
       }
+    // Of sum one, so that neither end outweighs the other: the root is as exact as its parameter.
     const auto at = [&](const Scalar& k) {
       std::array<Scalar, 3> w;
-      for (std::size_t i = 0; i < 3; ++i) w[i] = base[i] + k * piece.direction[i];
+      Scalar total(0);
+      for (std::size_t i = 0; i < 3; ++i) {
+        w[i] = base[i] + k * piece.direction[i];
+        total = total + w[i];
+      }
+      for (auto& x : w) x = x / total;
       return w;
     };
-    const auto lower = tensor_at(piece.tensors, at(down)), upper = tensor_at(piece.tensors, at(up));
-    const Scalar root = segment_root(lower, upper, level);
-    base = at(down + root * (up - down));
+    const auto lower = at(down), upper = at(up);
+    const Scalar root = segment_root(tensor_at(piece.tensors, lower),
+                                     tensor_at(piece.tensors, upper), level);
+    for (std::size_t i = 0; i < 3; ++i) base[i] = lower[i] + root * (upper[i] - lower[i]);
     for (auto& w : base)
       if (w < Scalar(0)) w = Scalar(0);
   }
@@ -101,9 +108,11 @@ class Sampler {
 
   void between(const ArcPiece<Scalar>& piece, std::size_t index, const CurvePoint<Scalar>& a,
                const CurvePoint<Scalar>& b, int depth, std::vector<CurvePoint<Scalar>>& points) {
-    if (depth > 12 || is_close(a, b)) return;
+    if (depth > 12 || (depth > 0 && is_close(a, b))) return;
     const Scalar middle = (a.place + b.place) / Scalar(2) - Scalar(static_cast<double>(index));
     const auto m = at(piece, index, middle);
+    // A piece may leave for far away between ends that are close.
+    if (depth == 0 && is_close(a, b) && is_close(a, m) && is_close(m, b)) return;
     between(piece, index, a, m, depth + 1, points);
     points.push_back(m);
     between(piece, index, m, b, depth + 1, points);

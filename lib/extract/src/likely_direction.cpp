@@ -11,10 +11,10 @@ namespace {
 
 /// All coefficients should grow at least so fast along the direction, by their own measure: less
 /// would be lost in rounding.
-constexpr double kEnough = 1e-6;
+constexpr double kEnough = 0x1p-20;  // of a guess
 
 /// A hull that comes so close to the origin holds it, for our purposes.
-constexpr double kNothing = 2e-3;
+constexpr double kNothing = 0x1p-9;  // of a guess
 
 }  // namespace
 
