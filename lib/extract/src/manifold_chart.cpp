@@ -94,7 +94,8 @@ ManifoldChart::Sample ManifoldChart::sample(int quadrant, double around, double 
     const double sin_theta = std::sin(theta);
     const double sin2_boundary = std::max(0.0, (c_ - p_ * sin_theta * sin_theta) / q_);
     const double cos_eta = cosine * root(1 - sin2_boundary);
-    return {manifold_.sphere_point(sin_theta, std::cos(theta), root(1 - cos_eta * cos_eta), cos_eta),
+    const double sin_eta = root(1 - cos_eta * cos_eta);
+    return {manifold_.sphere_point(sin_theta, std::cos(theta), sin_eta, cos_eta),
             annulus_point(theta, cosine)};
   }
   const Quadrant q{quadrant % 2 == 0 ? 1.0 : -1.0, quadrant < 2 ? 1.0 : -1.0};

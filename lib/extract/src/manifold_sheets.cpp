@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "chart_grid.hpp"
 #include "chart_triangulation.hpp"
 #include "extractor_scalars.hpp"
 #include "inner_vertices.hpp"
@@ -146,7 +147,8 @@ class Drawing {
     for (std::size_t l = 0; l < ends.size(); ++l) {
       const int loop = static_cast<int>(l);
       auto& list = ends[l];
-      std::sort(list.begin(), list.end(), [](const auto& p, const auto& q) { return p.phi < q.phi; });
+      std::sort(list.begin(), list.end(),
+                [](const Crossing& p, const Crossing& q) { return p.phi < q.phi; });
       if (list.empty()) {
         bool in[3];
         for (int k = 0; k < 3; ++k) in[k] = boundary_is_inside(loop, 0.3 + 2 * kPi * k / 3);
@@ -237,31 +239,16 @@ class Drawing {
     }
     if (!(least > 0.1)) least = -2;
     std::vector<ChartTriangulation::Point> samples;
-    const bool annulus = on_.manifold.single_loop();
-    const double fineness = kPi / turn_;
-    const int around = std::max(8, static_cast<int>(std::ceil((annulus ? 2 : 1.5) * fineness)));
-    const int across = std::max(annulus ? 4 : 2,
-                                static_cast<int>(std::ceil((annulus ? 1 : 0.5) * fineness)));
-    for (int quadrant = 0; quadrant < chart_.quadrants(); ++quadrant)
-      for (int i = 0; i < around; ++i)
-        for (int j = 0; j < across; ++j) {
-          const auto at = [&](double di, double dj) {
-            return chart_.sample(quadrant, (i + di) / around, (j + dj) / across);
-          };
-          const auto [v, point] = at(0.5, 0.5);
-          if (dot(v, centre) < least) continue;
-          const auto tensor = on_.manifold.tensor_at(v);
-          if (!inner_.is_inside(tensor)) continue;
-          const auto spacing = [&, &p = point](const ManifoldChart::Sample& other) {
-            return 4 * std::hypot(other.point[0] - p[0], other.point[1] - p[1]);
-          };
-          const double wanted = 0.5 * std::min(spacing(at(0.75, 0.5)), spacing(at(0.5, 0.75)));
-          if (!(clearance(point) > wanted)) continue;
-          const auto vertex = inner_.at(tensor);
-          if (!vertex) continue;
-          add_image(inner_.add(*vertex), 0, v, point);
-          samples.push_back(point);
-        }
+    visit_grid(chart_, turn_, [&](const ManifoldChart::Sample& sample, const auto& spacing) {
+      if (dot(sample.v, centre) < least) return;
+      const auto tensor = on_.manifold.tensor_at(sample.v);
+      if (!inner_.is_inside(tensor)) return;
+      if (!(clearance(sample.point) > 0.5 * spacing())) return;
+      const auto vertex = inner_.at(tensor);
+      if (!vertex) return;
+      add_image(inner_.add(*vertex), 0, sample.v, sample.point);
+      samples.push_back(sample.point);
+    });
     return samples;
   }
 

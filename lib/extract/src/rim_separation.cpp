@@ -80,7 +80,8 @@ class Separation {
       Step step{piece.face, piece.arc, a.place, b.place, a.medium, b.medium, {}, {}};
       if (i + 1 == n) step.to += static_cast<double>(arc.pieces.size());
       // A crossing of the complex domain's boundary is seen from the side of the other end.
-      const auto place = [&](const Sample& sample, Vector3<double>& v, const Vector3<double>& other) {
+      const auto place = [&](const Sample& sample, Vector3<double>& v,
+                             const Vector3<double>& other) {
         if (!sample.boundary) return chart_(v);
         auto at = *sample.boundary;
         if (dot(v, other) < 0) v = -v, at.sign = -at.sign;

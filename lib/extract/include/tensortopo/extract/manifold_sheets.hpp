@@ -78,7 +78,7 @@ std::vector<RimRequest<Scalar>> separating_samples(const TetManifold& manifold,
                                                    const Level<Scalar>& level);
 
 /// Triangles for all sheets of a tetrahedron, by triangulating the region on the manifold that
-/// its face curves and parts of the complex domain's boundary bound, with samples of a quad grid
+/// its face curves and parts of the complex domain's boundary bound, with samples of a grid
 /// inside.
 ///
 /// @param requests the samples asked for, which must be on the arcs by now; those on the boundary
