@@ -76,7 +76,7 @@ class Sampler {
   Sampler(const Level<Scalar>& level, const Sampling& sampling)
       : level_(level),
         turn_(std::cos(std::min(sampling.largest_turn(), 1.5))),
-        wide_turn_(std::cos(0.5)) {}
+        wide_turn_(std::cos(std::min(2 * sampling.largest_turn(), 0.5))) {}
 
   void sample(FaceArc<Scalar>& arc) {
     std::vector<CurvePoint<Scalar>> points;
@@ -146,7 +146,7 @@ class Sampler {
   }
 
   const Level<Scalar>& level_;
-  Scalar turn_, wide_turn_;
+  Scalar turn_, wide_turn_;  ///< cosines: of the medium eigenvector, of the whole tensor
 };
 
 }  // namespace

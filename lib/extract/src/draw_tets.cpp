@@ -39,17 +39,15 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
       state.attempts < kAttemptsOnManifold) {
     auto vertices = arc_vertices(t, tet);
     state.requests.clear();
+    if (runs_along_singularity(*state.manifold, *state.plan, vertices)) {
+      state.attempts = kAttemptsOnManifold;
+      return;
+    }
     if (state.attempts++ > 1)
       state.requests = denser_rims(tet, *state.plan, vertices, level);
     const auto crossings =
         boundary_crossings(*state.manifold, tet, *state.plan, vertices, level);
     state.requests.insert(state.requests.end(), crossings.begin(), crossings.end());
-    if (state.manifold->neutral && !crossings.empty()) {
-      // A singular line passes through. Where chords cross beside its tiny oval it takes more
-      // samples to part them than the leaves have: no second attempt.
-      state.attempts = kAttemptsOnManifold;
-      return;
-    }
     const auto between =
         separating_samples<Scalar>(*state.manifold, tet, *state.plan, vertices, crossings, level);
     state.requests.insert(state.requests.end(), between.begin(), between.end());

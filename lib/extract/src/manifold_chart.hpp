@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "tensortopo/manifold/medium_eigenvector_manifold.hpp"
 
@@ -20,62 +17,55 @@ namespace tensortopo {
 /// transversal in the chart.
 /// - Above the bifurcation value the real domain is one annulus: theta stays, and
 ///   cos eta' = cos eta / cos eta_boundary(theta); then polar coordinates.
-/// - Below it the complex domain is four ovals E = const around the singularities, where
-///   E^2 = p sin^2 theta + q sin^2 eta: rays from the singularity stay, E is stretched by a root;
-///   then stereographic projection from a singularity, which no region holds.
+/// - Below it the complex domain is four ovals E^2 = c around the singularities, where
+///   E^2 = p sin^2 theta + q sin^2 eta is nearly proportional to the distance from the
+///   singularity. Around an oval the polar angle is turned by asin(c / E^2): the angle between
+///   half_sum and half_difference, by which the dominant eigenvector would otherwise turn on its
+///   way from far away to the boundary, a right angle within a few radii of the oval. So in the
+///   chart a point beside a small oval is beside that of the boundary to which it is close in
+///   space. E is stretched to R + (E_side - R) sqrt((E^4 - c^2) / (E_side^4 - c^2)), with an R that
+///   is not small even if the oval is: next to mode 0 its points are all of a line in space.
+///   Then stereographic projection from a singularity, which no region holds.
 class ManifoldChart {
  public:
-  explicit ManifoldChart(const MediumEigenvectorManifold<double>& manifold) : manifold_(manifold) {
-    pole_ = manifold.sphere_point(0, 0);
-    const auto& e = manifold.characteristic().eigenvectors;
-    first_ = e[1];
-    second_ = cross(pole_, first_);
-  }
+  using Point = std::array<double, 2>;
+  using Manifold = MediumEigenvectorManifold<double>;
 
-  std::array<double, 2> operator()(const Vector3<double>& v) const {
-    const auto at = manifold_.sphero_conal(v);
-    return at_coordinates(at.theta, at.eta);
-  }
+  explicit ManifoldChart(const Manifold& manifold);
 
-  /// The image of the point with these sphero-conal coordinates, 0 <= eta <= pi.
-  std::array<double, 2> at_coordinates(double theta, double eta) const {
-    const double p = manifold_.p(), q = manifold_.q(), c = manifold_.c();
-    const double sin_theta = std::sin(theta), cos_theta = std::cos(theta);
-    const double sin_eta = std::sin(eta), cos_eta = std::cos(eta);
-    if (manifold_.single_loop()) {
-      const double sin2_boundary = std::max(0.0, (c - p * sin_theta * sin_theta) / q);
-      const double cos_boundary = std::sqrt(std::max(kTiny, 1 - sin2_boundary));
-      const double cosine = std::clamp(cos_eta / cos_boundary, -1.0, 1.0);
-      const double radius = std::exp(std::acos(cosine) - 1.5707963267948966);
-      return {radius * cos_theta, radius * sin_theta};
-    }
-    const double x = std::sqrt(p) * std::abs(sin_theta), y = std::sqrt(q) * std::abs(sin_eta);
-    const double e = std::hypot(x, y), root_c = std::sqrt(c);
-    double stretched = e;
-    if (e > 0) {
-      const double to_side = std::min(x > 0 ? std::sqrt(p) / x : 1e300,
-                                      y > 0 ? std::sqrt(q) / y : 1e300);
-      const double e_max = to_side * e;
-      const double range = e_max * e_max - c;
-      if (range > 0)
-        stretched = root_c + (e_max - root_c) * std::sqrt(std::max(0.0, e * e - c) / range);
-    }
-    const double k = e > 0 ? stretched / e : 1.0;
-    const double new_sin_theta = p > 0 ? std::min(1.0, k * std::abs(sin_theta)) : 0;
-    const double new_sin_eta = std::min(1.0, k * std::abs(sin_eta));
-    const auto w = manifold_.sphere_point(
-        std::copysign(new_sin_theta, sin_theta),
-        std::copysign(std::sqrt(1 - new_sin_theta * new_sin_theta), cos_theta), new_sin_eta,
-        std::copysign(std::sqrt(1 - new_sin_eta * new_sin_eta), cos_eta));
-    const double height = std::max(kTiny, 1 - dot(w, pole_));
-    return {dot(w, first_) / height, dot(w, second_) / height};
-  }
+  Point operator()(const Vector3<double>& v) const;
+
+  /// The image of sign * boundary_point(loop, phi), as accurate as phi: next to mode 0 the vector
+  /// itself has only a few digits of its place along the oval.
+  Point at_boundary(const BoundaryPosition<double>& at) const;
+
+  /// A vector and its image, for a grid over one of the quadrants of the signs of cos theta and
+  /// cos eta (above the bifurcation value: over the annulus, for quadrant 0 only).
+  struct Sample {
+    Vector3<double> v;
+    Point point;
+  };
+  /// @param around 0 to 1 along the boundary, once around it
+  /// @param across 0 on the boundary to 1 (above the bifurcation value: on the boundary again)
+  Sample sample(int quadrant, double around, double across) const;
+  int quadrants() const { return manifold_.single_loop() ? 1 : 4; }
 
  private:
-  /// Keeps a division finite; no region reaches a pole or a whole meridian of the complex domain.
-  static constexpr double kTiny = std::numeric_limits<double>::min();
+  /// Signs of cos theta and cos eta.
+  struct Quadrant {
+    double theta, eta;
+  };
+  /// The sense, in a quadrant, in which the half angle of (sqrt(p) sin theta, sqrt(q) sin eta) is
+  /// turned, and by how much at E^2.
+  double turn(const Quadrant& quadrant, double e2) const;
+  Point annulus_point(double theta, double cosine) const;
+  /// From the turned half angle and the place between R and the side.
+  Point quadrant_point(const Quadrant& quadrant, double half_angle, double across) const;
+  double side(double half_angle) const;  ///< E^2 where the quadrant ends
 
-  const MediumEigenvectorManifold<double>& manifold_;
+  const Manifold& manifold_;
+  double p_, q_, c_;
+  double least_side_, opening_;  ///< least E^2 of a side, and R
   Vector3<double> pole_, first_, second_;
 };
 

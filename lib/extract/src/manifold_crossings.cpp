@@ -62,8 +62,26 @@ double bracketed_zero(const Function& f, double a, double fa, double b, double f
 
 constexpr double kPi = std::numbers::pi;
 
-/// The parameter of a mode that is 0 for all that a chart can show.
-ModeParameter<double> almost_neutral() { return mode_parameter_from_s(std::ldexp(1.0, -30), 1); }
+/// The least product of the mode's s and the medium eigenvalue of the characteristic tensor: the
+/// radius of an oval of the complex domain, which is to have some digits of a double.
+constexpr double kLeastOval = 0x1p-31;
+
+/// Up to this radius the oval is taken for a circle, with an error of its square.
+constexpr double kSmallOval = 0x1p-27;
+
+/// A manifold that is the one asked for as far as a chart can show, and has ovals: a mode next to 0
+/// for mode 0, a medium eigenvalue next to 0 for a characteristic tensor of mode 0.
+MediumEigenvectorManifold<double> manifold_with_ovals(CharacteristicTensor<double> characteristic,
+                                                      ModeParameter<double> mode) {
+  auto& [b1, b2, b3] = characteristic.eigenvalues;
+  if (mode.s * b2 < kLeastOval && mode.s < 0x1p-16)
+    mode = mode_parameter_from_s(std::max(mode.s, std::min(0x1p-16, kLeastOval / b2)), 1);
+  if (mode.s * b2 < kLeastOval) {
+    const double more = kLeastOval / mode.s - b2;
+    b1 -= more / 2, b2 += more, b3 -= more / 2;
+  }
+  return {characteristic, mode};
+}
 
 }  // namespace
 
@@ -77,19 +95,17 @@ std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>& tet,
   field.vertex = rounded(tet.simplex.tensors);
   const auto characteristic = characteristic_tensor(field);
   if (!characteristic) return nullptr;
-  const bool neutral = level.mu_squared == Scalar(0);
-  MediumEigenvectorManifold<double> manifold(
-      *characteristic, neutral ? almost_neutral() : level.parameter);
-  if (manifold.complex_domain_empty()) return nullptr;  // its fold would be a point
+  auto manifold = manifold_with_ovals(*characteristic, level.parameter);
+  const bool small_ovals = manifold.c() < 2 * kSmallOval;
   return std::unique_ptr<TetManifold>(new TetManifold{*characteristic, std::move(manifold),
                                                       FieldLift<double>(field), level.sign,
-                                                      neutral});
+                                                      small_ovals});
 }
 
-Vector3<double> TetManifold::boundary_vector(const Vector3<double>& medium,
-                                             const Vector3<double>& dominant) const {
-  if (!neutral) return medium;
-  const auto at = manifold.boundary_position(medium);
+BoundaryPosition<double> TetManifold::boundary_position(const Vector3<double>& medium,
+                                                        const Vector3<double>& dominant) const {
+  auto at = manifold.boundary_position(medium);
+  if (!small_ovals) return at;
   // Along an oval that shrinks to a point the dominant eigenvector turns evenly, by half a turn, in
   // the plane across it: so two places tell all others.
   const auto angle = [&, v = at.sign * medium](const Vector3<double>& d) {
@@ -102,8 +118,27 @@ Vector3<double> TetManifold::boundary_vector(const Vector3<double>& medium,
   const double start = angle_at(0);
   const double sense = std::sin(angle_at(kPi / 2) - start) > 0 ? 1 : -1;
   const double phi = std::remainder(sense * (angle(dominant) - start), 2 * kPi);
-  const auto v = manifold.boundary_point(at.loop, phi < 0 ? phi + 2 * kPi : phi);
-  return at.sign * v;
+  at.phi = phi < 0 ? phi + 2 * kPi : phi;
+  return at;
+}
+
+template <class Scalar>
+bool runs_along_singularity(const TetManifold& manifold, const TetPlan<Scalar>& plan,
+                            const FaceArcVertices& vertices) {
+  if (!manifold.small_ovals) return false;
+  const auto is_singular = [&](const RimVertex& v) {
+    for (const auto& s : manifold.manifold.singularities()) {
+      const auto across = cross(v.medium, s);
+      if (dot(across, across) < 0x1p-24) return true;
+    }
+    return false;
+  };
+  for (const auto& loop : plan.loops) {
+    const auto rim = loop_vertices(loop, vertices);
+    for (std::size_t i = 0; i < rim.size(); ++i)
+      if (is_singular(rim[i]) && is_singular(rim[(i + 1) % rim.size()])) return true;
+  }
+  return false;
 }
 
 template <class Scalar>
@@ -182,6 +217,8 @@ std::vector<RimRequest<Scalar>> denser_rims(const TetWithCurves<Scalar>& tet,
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                          \
   template std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>&,              \
                                                      const Level<Scalar>&);                     \
+  template bool runs_along_singularity(const TetManifold&, const TetPlan<Scalar>&,              \
+                                       const FaceArcVertices&);                                 \
   template std::vector<RimRequest<Scalar>> boundary_crossings(                                  \
       const TetManifold&, const TetWithCurves<Scalar>&, const TetPlan<Scalar>&,                 \
       const FaceArcVertices&, const Level<Scalar>&);                                            \

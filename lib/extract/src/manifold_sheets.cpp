@@ -9,11 +9,11 @@
 #include <optional>
 #include <set>
 
+#include "chart_grid.hpp"
 #include "chart_triangulation.hpp"
 #include "extractor_scalars.hpp"
 #include "inner_vertices.hpp"
 #include "manifold_chart.hpp"
-#include "quad_grid.hpp"
 #include "sheet_check.hpp"
 #include "split_triangles.hpp"
 
@@ -65,23 +65,45 @@ class Drawing {
     Vector3<double> v;  ///< canonical medium eigenvector
   };
 
-  std::size_t add_image(std::int32_t corner, std::uint8_t faces, const Vector3<double>& v) {
+  /// A vertex of a rim on the complex domain's boundary.
+  struct Crossing {
+    int loop;
+    double phi;
+    std::array<std::size_t, 2> images;  ///< of boundary_point(loop, phi) and its antipode
+  };
+
+  std::size_t add_image(std::int32_t corner, std::uint8_t faces, const Vector3<double>& v,
+                        const ManifoldChart::Point& point) {
     images_.push_back({corner, faces, v});
-    points_.push_back(chart_(v));
+    points_.push_back(point);
     return images_.size() - 1;
+  }
+  std::size_t add_image(std::int32_t corner, std::uint8_t faces, const Vector3<double>& v) {
+    return add_image(corner, faces, v, chart_(v));
+  }
+
+  /// Both images of a point of the complex domain's boundary: that of its parameter first.
+  std::array<std::size_t, 2> add_boundary_images(std::int32_t corner, std::uint8_t faces, int loop,
+                                                 double phi) {
+    const auto v = on_.manifold.boundary_point(loop, phi);
+    return {add_image(corner, faces, v, chart_.at_boundary({loop, phi, 1})),
+            add_image(corner, faces, -v, chart_.at_boundary({loop, phi, -1}))};
   }
 
   /// The image of a boundary vertex on the side of `towards`.
   /// (`towards` by value: adding an image may move the images that it comes from.)
   std::size_t boundary_image(const RimVertex& vertex, Vector3<double> towards) {
-    auto found = boundary_images_.find(vertex.id);
-    if (found == boundary_images_.end()) {
-      const auto v = on_.boundary_vector(vertex.medium, vertex.dominant);
-      const std::array<std::size_t, 2> both{add_image(vertex.id, vertex.faces, v),
-                                            add_image(vertex.id, vertex.faces, -v)};
-      found = boundary_images_.emplace(vertex.id, both).first;
+    auto found = crossings_.find(vertex.id);
+    if (found == crossings_.end()) {
+      const auto at = on_.boundary_position(vertex.medium, vertex.dominant);
+      found = crossings_
+                  .emplace(vertex.id,
+                           Crossing{at.loop, at.phi,
+                                    add_boundary_images(vertex.id, vertex.faces, at.loop, at.phi)})
+                  .first;
     }
-    return found->second[dot(images_[found->second[0]].v, towards) > 0 ? 0 : 1];
+    const auto& both = found->second.images;
+    return both[dot(images_[both[0]].v, towards) > 0 ? 0 : 1];
   }
 
   bool add_rims() {
@@ -119,21 +141,14 @@ class Drawing {
   /// The parts of the complex domain's boundary inside the tetrahedron, between the crossings of
   /// the face curves; a whole curve that crosses no face included.
   bool add_boundary_curves() {
-    struct End {
-      double phi;
-      std::array<std::size_t, 2> images;  ///< of boundary_point(loop, phi) and its antipode
-    };
-    std::vector<std::vector<End>> ends(static_cast<std::size_t>(on_.manifold.loop_count()));
-    for (const auto& [id, both] : boundary_images_) {
-      const auto at = on_.manifold.boundary_position(images_[both[0]].v);
-      End end{at.phi, both};
-      if (at.sign < 0) std::swap(end.images[0], end.images[1]);
-      ends[static_cast<std::size_t>(at.loop)].push_back(end);
-    }
+    std::vector<std::vector<Crossing>> ends(static_cast<std::size_t>(on_.manifold.loop_count()));
+    for (const auto& [id, crossing] : crossings_)
+      ends[static_cast<std::size_t>(crossing.loop)].push_back(crossing);
     for (std::size_t l = 0; l < ends.size(); ++l) {
       const int loop = static_cast<int>(l);
       auto& list = ends[l];
-      std::sort(list.begin(), list.end(), [](const End& p, const End& q) { return p.phi < q.phi; });
+      std::sort(list.begin(), list.end(),
+                [](const Crossing& p, const Crossing& q) { return p.phi < q.phi; });
       if (list.empty()) {
         bool in[3];
         for (int k = 0; k < 3; ++k) in[k] = boundary_is_inside(loop, 0.3 + 2 * kPi * k / 3);
@@ -156,14 +171,17 @@ class Drawing {
     return true;
   }
 
+  /// By the turning of the eigenvectors: the medium hardly turns along a small oval.
   int steps(int loop, double from, double to) const {
     double length = 0;
     auto last = on_.manifold.boundary_point(loop, from);
+    auto last_dominant = on_.manifold.dominant_eigenvector(last);
     for (int k = 1; k <= 24; ++k) {
       const auto next = on_.manifold.boundary_point(loop, from + (to - from) * k / 24);
-      const auto d = next - last;
-      length += std::sqrt(dot(d, d));
-      last = next;
+      const auto dominant = on_.manifold.dominant_eigenvector(next);
+      const auto d = next - last, turned = cross(dominant, last_dominant);
+      length += std::sqrt(std::max(dot(d, d), dot(turned, turned)));
+      last = next, last_dominant = dominant;
     }
     return std::max(1, static_cast<int>(std::ceil(length / turn_)));
   }
@@ -172,8 +190,7 @@ class Drawing {
     const auto v = on_.manifold.boundary_point(loop, phi);
     const auto vertex = inner_.at(on_.manifold.tensor_at_boundary(v));
     if (!vertex) return std::nullopt;
-    const auto corner = inner_.add(*vertex);
-    return std::array<std::size_t, 2>{add_image(corner, 0, v), add_image(corner, 0, -v)};
+    return add_boundary_images(inner_.add(*vertex), 0, loop, phi);
   }
 
   bool add_curve(int loop, double from, double to, const std::array<std::size_t, 2>& first,
@@ -207,7 +224,7 @@ class Drawing {
     return true;
   }
 
-  /// Points of the quad grid that lie in the region, clear of its boundary.
+  /// Points of a grid, even in the chart, that lie in the region, clear of its boundary.
   std::vector<ChartTriangulation::Point> grid_samples(
       const ChartTriangulation::Clearance& clearance) {
     // The region lies in the cap around its boundary: the rest of the sphere holds the complex
@@ -222,30 +239,16 @@ class Drawing {
     }
     if (!(least > 0.1)) least = -2;
     std::vector<ChartTriangulation::Point> samples;
-    const int around = 2 * std::max(4, static_cast<int>(std::ceil(kPi / turn_)));
-    const double step = 2 * kPi / around;
-    const QuadGrid grid(on_.manifold, around);
-    for (int i = 0; i < around; ++i)
-      for (int j = 0; 2 * j < around; ++j) {
-        if (!(grid.F(i, j) > 0)) continue;
-        const auto v = grid.vector(i, j);
-        if (dot(v, centre) < least) continue;
-        const auto tensor = on_.manifold.tensor_at(v);
-        if (!inner_.is_inside(tensor)) continue;
-        const double theta = (i + 0.5) * step, eta = (j + 0.5) * step;
-        const auto point = chart_.at_coordinates(theta, eta);
-        const auto spacing = [&](double t, double e) {
-          const auto other = chart_.at_coordinates(t, e);
-          return std::hypot(other[0] - point[0], other[1] - point[1]);
-        };
-        const double wanted = 0.5 * std::min(spacing(theta + step / 4, eta) * 4,
-                                             spacing(theta, eta + step / 4) * 4);
-        if (!(clearance(point) > wanted)) continue;
-        const auto vertex = inner_.at(tensor);
-        if (!vertex) continue;
-        add_image(inner_.add(*vertex), 0, v);
-        samples.push_back(point);
-      }
+    visit_grid(chart_, turn_, [&](const ManifoldChart::Sample& sample, const auto& spacing) {
+      if (dot(sample.v, centre) < least) return;
+      const auto tensor = on_.manifold.tensor_at(sample.v);
+      if (!inner_.is_inside(tensor)) return;
+      if (!(clearance(sample.point) > 0.5 * spacing())) return;
+      const auto vertex = inner_.at(tensor);
+      if (!vertex) return;
+      add_image(inner_.add(*vertex), 0, sample.v, sample.point);
+      samples.push_back(sample.point);
+    });
     return samples;
   }
 
@@ -280,7 +283,7 @@ class Drawing {
     std::map<UndirectedEdge, std::size_t> middle;
     for (const auto& [e, tips] : apexes) {
       std::optional<std::size_t> image;
-      for (const double lean : {0.0, 0.2, 0.5, 0.8})
+      for (const double lean : {0.0, 0.2, 0.5, 0.8, 2.0, 5.0})
         for (const auto tip : tips)
           if (!image)
             image = add_inner_image(images_[e.first].v + images_[e.second].v +
@@ -357,7 +360,7 @@ class Drawing {
   InnerVertices<Scalar> inner_;
 
   std::set<std::int32_t> on_boundary_;
-  std::map<std::int32_t, std::array<std::size_t, 2>> boundary_images_;
+  std::map<std::int32_t, Crossing> crossings_;
   std::vector<Image> images_;
   std::vector<ChartTriangulation::Point> points_;
   std::vector<std::array<std::size_t, 2>> segments_;

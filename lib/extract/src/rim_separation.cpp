@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "extractor_scalars.hpp"
@@ -54,21 +55,22 @@ class Separation {
     struct Sample {
       double place;
       Vector3<double> medium;
-      bool on_boundary;
+      std::optional<BoundaryPosition<double>> boundary;
     };
     std::vector<Sample> list;
     for (std::size_t i = 0; i < samples.vertices.size(); ++i) {
       const auto& v = samples.vertices[i];
       const bool canonical = on_.manifold.sigma(v.medium, v.dominant) <= 0;
-      list.push_back({samples.places[i], canonical ? v.medium : -v.medium, false});
+      list.push_back({samples.places[i], canonical ? v.medium : -v.medium, {}});
     }
     const auto& arc = arc_of(piece.face, piece.arc);
     for (const auto& c : crossings)
       if (c.face == piece.face && c.arc == piece.arc) {
         const auto point = point_on_arc(arc, c.place, level_);
         const auto dominant = narrow(dominant_eigenvector(point.tensor, level_));
+        const auto at = on_.boundary_position(narrow(point.medium), dominant);
         list.push_back({static_cast<double>(c.place),
-                        on_.boundary_vector(narrow(point.medium), dominant), true});
+                        at.sign * on_.manifold.boundary_point(at.loop, at.phi), at});
       }
     std::sort(list.begin(), list.end(),
               [](const Sample& a, const Sample& b) { return a.place < b.place; });
@@ -78,10 +80,15 @@ class Separation {
       Step step{piece.face, piece.arc, a.place, b.place, a.medium, b.medium, {}, {}};
       if (i + 1 == n) step.to += static_cast<double>(arc.pieces.size());
       // A crossing of the complex domain's boundary is seen from the side of the other end.
-      if (a.on_boundary && dot(step.v, step.w) < 0) step.v = -step.v;
-      if (b.on_boundary && dot(step.v, step.w) < 0) step.w = -step.w;
-      step.p = chart_(step.v), step.q = chart_(step.w);
-      if (a.on_boundary && b.on_boundary)
+      const auto place = [&](const Sample& sample, Vector3<double>& v,
+                             const Vector3<double>& other) {
+        if (!sample.boundary) return chart_(v);
+        auto at = *sample.boundary;
+        if (dot(v, other) < 0) v = -v, at.sign = -at.sign;
+        return chart_.at_boundary(at);
+      };
+      step.p = place(a, step.v, step.w), step.q = place(b, step.w, step.v);
+      if (a.boundary && b.boundary)
         halve(step);  // only a sample between them tells on which side the curve runs
       else
         steps_.push_back(step);

@@ -31,8 +31,11 @@ bool is_small_disc(const SheetTopology& sheet, std::span<const RimVertex> rim,
                    const Sampling& sampling) {
   if (sheet.euler_characteristic != 1 || rim.size() > kLargestPolygon) return false;
   const double least = std::cos(std::min(1.5 * sampling.largest_turn(), 1.5));
+  const double least_dominant = std::cos(std::min(3 * sampling.largest_turn(), 1.5));
   for (const auto& v : rim)
-    if (!(line_cosine(v.medium, rim[0].medium) > least)) return false;
+    if (!(line_cosine(v.medium, rim[0].medium) > least) ||
+        !(line_cosine(v.dominant, rim[0].dominant) > least_dominant))
+      return false;
   return true;
 }
 

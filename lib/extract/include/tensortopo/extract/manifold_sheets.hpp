@@ -20,25 +20,33 @@ namespace tensortopo {
 /// A neutral surface is drawn on the manifold of a mode next to 0. Its complex domain is an oval
 /// around each singularity, too small to hold a sample, and the oval's boundary stands for the
 /// straight line of the surface that has the singularity as medium eigenvector everywhere: the
-/// point is blown up to the line. Vertices are put on the level afterwards.
+/// point is blown up to the line. Vertices are put on the level afterwards. In the same way a
+/// characteristic tensor of mode 0, whose ovals are points for every mode, is taken for one next to
+/// it.
 struct TetManifold {
   CharacteristicTensor<double> characteristic;
   MediumEigenvectorManifold<double> manifold;
   FieldLift<double> lift;  ///< to weights in the scaled vertex tensors
   int sign;                ///< of the mode
-  bool neutral;            ///< the mode is 0
+  bool small_ovals;        ///< the medium eigenvector does not tell places along an oval
 
-  /// The medium eigenvector, or its opposite, of a tensor on the boundary of the complex domain, as
-  /// a point of that boundary. For a neutral surface the eigenvector is a singularity, and it is
-  /// the tensor's place on the line, told by its dominant eigenvector, that chooses the point.
-  Vector3<double> boundary_vector(const Vector3<double>& medium,
-                                  const Vector3<double>& dominant) const;
+  /// Where on the boundary of the complex domain the medium eigenvector, or its opposite, of a
+  /// tensor on it is. Where ovals are small, as for a neutral surface, the eigenvector is nearly a
+  /// singularity, and it is the dominant eigenvector that tells the place.
+  BoundaryPosition<double> boundary_position(const Vector3<double>& medium,
+                                             const Vector3<double>& dominant) const;
 };
 
 /// Nothing where the parameterization does not apply: fewer than four independent vertex tensors.
 template <class Scalar>
 std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>& tet,
                                           const Level<Scalar>& level);
+
+/// Whether a rim has a stretch along a singular line, or closer to one than a chart can show: in a
+/// plane of symmetry the whole line is the level on a face. There is nothing to draw on then.
+template <class Scalar>
+bool runs_along_singularity(const TetManifold& manifold, const TetPlan<Scalar>& plan,
+                            const FaceArcVertices& vertices);
 
 /// Where the mode curves on the faces cross the boundary of the complex domain: the places that
 /// become samples of the shared curves. Found by the sign of sigma along the curves, with the
@@ -70,7 +78,7 @@ std::vector<RimRequest<Scalar>> separating_samples(const TetManifold& manifold,
                                                    const Level<Scalar>& level);
 
 /// Triangles for all sheets of a tetrahedron, by triangulating the region on the manifold that
-/// its face curves and parts of the complex domain's boundary bound, with samples of a quad grid
+/// its face curves and parts of the complex domain's boundary bound, with samples of a grid
 /// inside.
 ///
 /// @param requests the samples asked for, which must be on the arcs by now; those on the boundary

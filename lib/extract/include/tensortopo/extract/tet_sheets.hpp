@@ -143,8 +143,8 @@ using FaceArcVertices = std::array<std::vector<ArcVertices>, 4>;
 std::vector<RimVertex> loop_vertices(std::span<const RimPiece> loop,
                                      const FaceArcVertices& vertices);
 
-/// True if a sheet is a disc that needs no inner samples: the medium eigenvector turns less along
-/// its rim than from one sample to the next or so.
+/// True if a sheet is a disc that needs no inner samples: the eigenvectors turn less along its rim
+/// than from one sample to the next or so (the dominant one by twice that).
 bool is_small_disc(const SheetTopology& sheet, std::span<const RimVertex> rim,
                    const Sampling& sampling);
 

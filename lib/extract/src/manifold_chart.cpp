@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "manifold_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace tensortopo {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Keeps a division finite; no region reaches a pole or a whole meridian of the complex domain.
+constexpr double kTiny = std::numeric_limits<double>::min();
+
+double root(double x) { return std::sqrt(std::max(0.0, x)); }
+
+}  // namespace
+
+ManifoldChart::ManifoldChart(const Manifold& manifold)
+    : manifold_(manifold),
+      p_(manifold.p()),
+      q_(manifold.q()),
+      c_(manifold.c()),
+      least_side_(std::min(p_, q_)),
+      opening_(std::max(root(c_), 0.4 * root(least_side_))),
+      pole_(manifold.sphere_point(0, 0)) {
+  first_ = manifold.characteristic().eigenvectors[1];
+  second_ = cross(pole_, first_);
+}
+
+double ManifoldChart::side(double half_angle) const {
+  const double c = std::cos(half_angle), s = std::sin(half_angle);
+  return std::min(c != 0 ? p_ / (c * c) : 1e300, s != 0 ? q_ / (s * s) : 1e300);
+}
+
+double ManifoldChart::turn(const Quadrant& quadrant, double e2) const {
+  if (!(e2 < least_side_)) return 0;
+  const double angle =
+      std::asin(e2 > c_ ? c_ / e2 : 1.0) - std::asin(std::min(1.0, c_ / least_side_));
+  return -0.5 * quadrant.theta * quadrant.eta * angle;
+}
+
+ManifoldChart::Point ManifoldChart::annulus_point(double theta, double cosine) const {
+  const double radius = std::exp(std::acos(std::clamp(cosine, -1.0, 1.0)) - kPi / 2);
+  return {radius * std::cos(theta), radius * std::sin(theta)};
+}
+
+ManifoldChart::Point ManifoldChart::quadrant_point(const Quadrant& quadrant, double half_angle,
+                                                   double across) const {
+  const double e = opening_ + (std::sqrt(side(half_angle)) - opening_) * across;
+  const double sin_theta =
+      p_ > 0 ? std::clamp(e * std::cos(half_angle) / std::sqrt(p_), -1.0, 1.0) : 0;
+  const double sin_eta = std::clamp(e * std::sin(half_angle) / std::sqrt(q_), -1.0, 1.0);
+  // Half angles outside of [0, pi] go on across the cut eta = 0, which has two names.
+  const double flip = sin_eta < 0 ? -1 : 1;
+  const auto w = manifold_.sphere_point(flip * sin_theta,
+                                        quadrant.theta * root(1 - sin_theta * sin_theta),
+                                        flip * sin_eta, quadrant.eta * root(1 - sin_eta * sin_eta));
+  const double height = std::max(kTiny, 1 - dot(w, pole_));
+  return {dot(w, first_) / height, dot(w, second_) / height};
+}
+
+ManifoldChart::Point ManifoldChart::operator()(const Vector3<double>& v) const {
+  const auto [theta, eta] = manifold_.sphero_conal(v);
+  const double sin_theta = std::sin(theta), cos_eta = std::cos(eta);
+  if (manifold_.single_loop()) {
+    const double sin2_boundary = std::max(0.0, (c_ - p_ * sin_theta * sin_theta) / q_);
+    return annulus_point(theta, cos_eta / std::sqrt(std::max(kTiny, 1 - sin2_boundary)));
+  }
+  const Quadrant quadrant{std::copysign(1.0, std::cos(theta)), std::copysign(1.0, cos_eta)};
+  const double x = std::sqrt(p_) * sin_theta, y = std::sqrt(q_) * std::sin(eta);
+  const double e2 = x * x + y * y;
+  const double half_angle = std::atan2(y, x) + turn(quadrant, e2);
+  const double s = side(half_angle), range = (s - c_) * (s + c_);
+  const double across = range > 0 ? std::sqrt(std::max(0.0, (e2 - c_) * (e2 + c_)) / range) : 1;
+  return quadrant_point(quadrant, half_angle, std::min(across, 1.0));
+}
+
+ManifoldChart::Point ManifoldChart::at_boundary(const BoundaryPosition<double>& at) const {
+  const double sign = at.sign;
+  if (manifold_.single_loop()) return (*this)(sign * manifold_.boundary_point(at.loop, at.phi));
+  const Quadrant quadrant{at.loop == 0 ? sign : -sign, sign};
+  const double half_angle = quadrant.theta > 0 ? at.phi / 2 : kPi - at.phi / 2;
+  return quadrant_point(quadrant, half_angle + turn(quadrant, c_), 0);
+}
+
+ManifoldChart::Sample ManifoldChart::sample(int quadrant, double around, double across) const {
+  if (manifold_.single_loop()) {
+    const double theta = 2 * kPi * around, cosine = std::cos(kPi * across);
+    const double sin_theta = std::sin(theta);
+    const double sin2_boundary = std::max(0.0, (c_ - p_ * sin_theta * sin_theta) / q_);
+    const double cos_eta = cosine * root(1 - sin2_boundary);
+    const double sin_eta = root(1 - cos_eta * cos_eta);
+    return {manifold_.sphere_point(sin_theta, std::cos(theta), sin_eta, cos_eta),
+            annulus_point(theta, cosine)};
+  }
+  const Quadrant q{quadrant % 2 == 0 ? 1.0 : -1.0, quadrant < 2 ? 1.0 : -1.0};
+  const double half_angle = kPi * around, s = side(half_angle);
+  const double e2 = std::sqrt(c_ * c_ + across * across * (s - c_) * (s + c_));
+  const double before = half_angle - turn(q, e2), e = std::sqrt(e2);
+  const double sin_theta = p_ > 0 ? std::clamp(e * std::cos(before) / std::sqrt(p_), -1.0, 1.0) : 0;
+  const double sin_eta = std::clamp(e * std::sin(before) / std::sqrt(q_), -1.0, 1.0);
+  const double flip = sin_eta < 0 ? -1 : 1;
+  return {manifold_.sphere_point(flip * sin_theta, q.theta * root(1 - sin_theta * sin_theta),
+                                 flip * sin_eta, q.eta * root(1 - sin_eta * sin_eta)),
+          quadrant_point(q, half_angle, across)};
+}
+
+}  // namespace tensortopo
