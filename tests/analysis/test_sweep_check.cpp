@@ -61,14 +61,11 @@ TEST(SweepCheck, TriesTheMiddlesAndBesideEachCriticalValue) {
     const double mode = all.modes[i].mode.approx();
     const SweepInterval& interval = sweep.intervals[all.modes[i].interval];
     EXPECT_TRUE(interval.low < mode && mode < interval.high);
-    if (i > 0) EXPECT_LT(all.modes[i - 1].mode.approx(), mode);
+    EXPECT_TRUE(i == 0 || all.modes[i - 1].mode.approx() < mode);
     // Middles and neighbours in turn: middle, beside 0.25, beside it, middle, ...
     const double share = (mode - interval.low) / (interval.high - interval.low);
     const double nearest = std::min(share, 1 - share);
-    if (i % 3 == 0)
-      EXPECT_GT(nearest, 0.25);
-    else
-      EXPECT_LT(nearest, 0.0021);
+    EXPECT_TRUE(i % 3 == 0 ? nearest > 0.25 : nearest < 0.0021) << i << ' ' << mode;
   }
   EXPECT_EQ(modes_to_check(sweep, 4).events, 1u);
   EXPECT_EQ(modes_to_check(sweep, 4).modes.size(), 4u);
