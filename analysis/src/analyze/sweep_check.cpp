@@ -117,12 +117,16 @@ void certify_levels(const ExtractCommand& command, const std::vector<std::size_t
 ModesToCheck modes_to_check(const Sweep& sweep, std::size_t most) {
   ModesToCheck result;
   const std::size_t all = sweep.events.size(), events = std::min(all, most / 4);
-  const auto add = [&](std::size_t interval, double low, double high) {
-    const auto mode = low < high ? mode_between(low, high) : std::nullopt;
-    if (!mode) {
-      result.none.push_back(fmt::format("no mode between {} and {}", low, high));
+  const auto add = [&](std::size_t i, double low, double high) {
+    const SweepInterval& interval = sweep.intervals[i];
+    auto mode = low < high ? mode_between(low, high) : std::nullopt;
+    // Some doubles wide: its middle is next to its ends.
+    if (!mode && interval.low < interval.high) mode = mode_between(interval.low, interval.high);
+    if (mode) {
+      result.modes.push_back({i, *mode});
     } else {
-      result.modes.push_back({interval, *mode});
+      result.none.push_back(
+          fmt::format("no mode between {} and {}", interval.low, interval.high));
     }
   };
   std::size_t next = 0;  // the first interval without its middle
