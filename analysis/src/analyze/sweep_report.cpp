@@ -72,8 +72,8 @@ Json json_of(const SweepCheck& check) {
 
 std::string text_of(const SweepCheck& check) {
   std::string text = fmt::format(
-      "\nchecked with {} surfaces, extracted and certified ({} claims confirmed), {} of {} critical "
-      "values\npassed: {} contradictions, {} undecided\n",
+      "\nchecked with {} surfaces, extracted and certified ({} claims confirmed), {} of {} "
+      "critical values\npassed: {} contradictions, {} undecided\n",
       check.levels.size(), check.certified, check.compared, check.events,
       check.contradictions.size(), check.undecided.size());
   for (const auto& words : check.contradictions) text += "contradiction: " + words + '\n';

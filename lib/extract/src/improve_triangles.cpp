@@ -232,10 +232,11 @@ class Improver {
     if (!levels) return false;
     const auto& tet = mesh_.tets[at(surface_.tet[at(triangles_at_[at(v)][0])])];
     const auto& face = surface_.carrier_vertices[at(v)];
+    const auto is_off_face = [&](Index c) {
+      return std::find(face.begin(), face.end(), c) == face.end();
+    };
     const auto across = static_cast<std::size_t>(
-        std::find_if(tet.begin(), tet.end(),
-                     [&](Index c) { return std::find(face.begin(), face.end(), c) == face.end(); }) -
-        tet.begin());
+        std::find_if(tet.begin(), tet.end(), is_off_face) - tet.begin());
     const auto &p = surface_.points[at(neighbours[0])], &q = surface_.points[at(neighbours[1])];
     return move(v, 0.5 * (p + q), *levels, across);
   }

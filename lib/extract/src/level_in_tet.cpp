@@ -16,7 +16,8 @@ constexpr double kLeastWeight = 1e-4;
 std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
 
 template <class Value>
-std::array<Value, 4> at_corners(const std::vector<Value>& values, const std::array<TetMesh::Index, 4>& v) {
+std::array<Value, 4> at_corners(const std::vector<Value>& values,
+                                const std::array<TetMesh::Index, 4>& v) {
   return {values[as_size(v[0])], values[as_size(v[1])], values[as_size(v[2])],
           values[as_size(v[3])]};
 }
