@@ -17,6 +17,7 @@
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
+#include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 
@@ -147,6 +148,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (command.baseline && command.max_error > 0) {
     throw UsageError("--max-error: only surfaces of the method `manifold` come with proofs");
   }
+  if (command.improve && (command.baseline || command.max_error > 0)) {
+    throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
+  }
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
@@ -216,6 +220,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       if (!prepared)
         prepared.emplace(read.mesh, surfaces > 1 ? Use::several_modes : Use::one_mode);
       extraction = extract_mode_surface(*prepared, modes[i], options);
+      if (command.improve) improve_triangles(read.mesh, modes[i], extraction.surface);
     }
     report.seconds_extract += extract_clock.seconds();
     for (const UnresolvedCell& cell : extraction.unresolved) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "analyze/local_change.hpp"
@@ -51,6 +52,25 @@ TEST(LocalChange, OnTheBoundaryIsThatOfMorseTheory) {
   expect(octahedron("++---", true), LocalChange::split, 1);
   expect(octahedron("+-+++", true), LocalChange::regular, 0);
   EXPECT_TRUE(local_effect(octahedron("++++-", true)).on_boundary);
+}
+
+// Two sheets that are joined may be one elsewhere; a sheet that is born is one more for certain. No
+// boundary loop is made inside.
+TEST(LocalChange, BoundsTheGrowthOfComponentsAndLoops) {
+  const auto bounds = [](const std::string& signs, bool half) {
+    const LocalEffect effect = local_effect(octahedron(signs, half));
+    return std::array{effect.components.least, effect.components.most, effect.boundary_loops.least,
+                      effect.boundary_loops.most};
+  };
+  using Bounds = std::array<int, 4>;
+  EXPECT_EQ(bounds("++++++", false), (Bounds{1, 1, 0, 0}));
+  EXPECT_EQ(bounds("------", false), (Bounds{-1, -1, 0, 0}));
+  EXPECT_EQ(bounds("++++--", false), (Bounds{-1, 0, 0, 0}));
+  EXPECT_EQ(bounds("++----", false), (Bounds{0, 1, 0, 0}));
+  EXPECT_EQ(bounds("+++++", true), (Bounds{1, 1, 1, 1}));
+  EXPECT_EQ(bounds("++++-", true), (Bounds{0, 0, 1, 1}));
+  EXPECT_EQ(bounds("----+", true), (Bounds{0, 0, -1, -1}));
+  EXPECT_EQ(bounds("++--+", true), (Bounds{-1, 0, -1, 1}));
 }
 
 TEST(LocalChange, IsUndecidedWithoutSignsOrManifold) {

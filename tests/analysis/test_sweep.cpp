@@ -63,6 +63,12 @@ TEST(Sweep, EventsAndLevelsAgree) {
       const SweepLevel &below = sweep.levels[*before.level], &above = sweep.levels[*after.level];
       EXPECT_EQ(above.euler_characteristic - below.euler_characteristic,
                 *sweep.events[i].euler_change());
+      const auto growth = sweep.events[i].growth();
+      ASSERT_TRUE(growth.has_value());
+      EXPECT_LE((*growth)[0].least, topology(above)[0] - topology(below)[0]);
+      EXPECT_GE((*growth)[0].most, topology(above)[0] - topology(below)[0]);
+      EXPECT_LE((*growth)[1].least, above.boundary_loops - below.boundary_loops);
+      EXPECT_GE((*growth)[1].most, above.boundary_loops - below.boundary_loops);
       // A single event does what its name says.
       if (sweep.events[i].points.size() > 1) continue;
       const long more = static_cast<long>(above.components) - static_cast<long>(below.components);

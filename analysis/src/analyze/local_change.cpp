@@ -47,6 +47,11 @@ Part part_of(const SignedLink& link, const std::map<Edge, int>& edges, const Bel
   return part;
 }
 
+/// `below` pieces that meet in a point are replaced by `above` pieces.
+GrowthBounds growth(int below, int above) {
+  return {std::min(1, above) - below, above - std::min(1, below)};
+}
+
 }  // namespace
 
 std::string_view name_of(LocalChange change) {
@@ -103,6 +108,15 @@ LocalEffect local_effect(const SignedLink& link) {
   const Part below = part_of(link, edges, [&](int v) { return sign(v) == Verdict::negative; });
   const Part above = part_of(link, edges, [&](int v) { return sign(v) == Verdict::positive; });
   effect.euler_change = above.euler_characteristic - below.euler_characteristic;
+  effect.components = growth(below.components, above.components);
+  if (effect.on_boundary) {
+    // On the circle of the link's boundary as many arcs are of one sign as of the other, or it is
+    // all of one.
+    const auto end = std::find_if(ends.begin(), ends.end(), [](int n) { return n != 0; });
+    const bool is_above = sign(static_cast<int>(end - ends.begin())) == Verdict::positive;
+    const int arcs = sign_changes / 2;
+    effect.boundary_loops = arcs > 0 ? growth(arcs, arcs) : growth(!is_above, is_above);
+  }
   if (below.is_disc() && above.is_disc() && (!effect.on_boundary || sign_changes == 2))
     effect.change = LocalChange::regular;
   else if (below.components == 0)

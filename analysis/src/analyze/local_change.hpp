@@ -32,11 +32,21 @@ enum class LocalChange {
 
 std::string_view name_of(LocalChange change);
 
+/// The least and the most by which a number grows.
+struct GrowthBounds {
+  int least = 0, most = 0;
+};
+
 /// The change, and by how much the level's Euler characteristic grows.
 struct LocalEffect {
   LocalChange change = LocalChange::undecided;
   int euler_change = 0;      ///< unless undecided
   bool on_boundary = false;  ///< of the mesh
+  /// What a link can tell of all of the level: its pieces next to the point, b before and a
+  /// after, may or may not hang together elsewhere. So the number of components grows by
+  /// min(1, a) - b at least and a - min(1, b) at most, and that of boundary loops in the same way
+  /// with arcs (or closed curves) in the place of pieces. Unless undecided.
+  GrowthBounds components, boundary_loops;
 };
 
 /// What stratified Morse theory says of a link: next to the point the level below is the part of

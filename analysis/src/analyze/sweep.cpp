@@ -128,6 +128,19 @@ std::optional<long> SweepEvent::euler_change() const {
   return sum;
 }
 
+std::optional<std::array<GrowthBounds, 2>> SweepEvent::growth() const {
+  std::array<GrowthBounds, 2> sum;
+  for (const MeshCriticalPoint& point : points) {
+    if (point.effect.change == LocalChange::undecided) return std::nullopt;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto& one = i == 0 ? point.effect.components : point.effect.boundary_loops;
+      sum[i].least += one.least;
+      sum[i].most += one.most;
+    }
+  }
+  return sum;
+}
+
 std::optional<ModeValue> mode_between(double low, double high) {
   if (!(std::nextafter(low, 2.0) < high)) return std::nullopt;
   const double middle = low + (high - low) / 2;

@@ -31,6 +31,9 @@ struct SweepEvent {
   std::vector<MeshCriticalPoint> points;  ///< at least one
   /// By how much the level's Euler characteristic grows, if known of each point.
   std::optional<long> euler_change() const;
+  /// The least and the most by which components and boundary loops grow; nothing if a point is
+  /// undecided.
+  std::optional<std::array<GrowthBounds, 2>> growth() const;
 };
 
 /// The modes between two events, and with what topology: the same for all of them.

@@ -26,6 +26,10 @@ bool SweepReport::is_complete() const {
          std::all_of(sweep.levels.begin(), sweep.levels.end(), is_resolved);
 }
 
+bool SweepReport::is_contradicted() const {
+  return !sweep.contradictions.empty() || (check && !check->contradictions.empty());
+}
+
 void parse_sweep(std::string_view text, SweepOptions& options) {
   constexpr std::size_t kMost = 100000;
   const auto fail = [&](const std::string& why) {
@@ -61,6 +65,9 @@ SweepReport run_sweep(const SweepCommand& command, const Progress& progress) {
   report.notes = read.report.notes;
   report.options = command.sweep;
   report.sweep = sweep_modes(read.mesh, command.sweep, progress);
+  if (command.check_modes > 0)
+    report.check =
+        check_sweep(report.sweep, command.input, command.read, command.check_modes, progress);
   if (!command.picture.empty()) {
     if (progress) progress("drawing", 1);
     try {

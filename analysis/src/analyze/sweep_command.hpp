@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "analyze/sweep.hpp"
+#include "analyze/sweep_check.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 
@@ -19,6 +21,7 @@ struct SweepCommand {
   std::filesystem::path input;
   ReadOptions read;
   SweepOptions sweep;
+  std::size_t check_modes = 0;    ///< see `check_sweep`; 0 for no check
   std::filesystem::path picture;  ///< .png; may be empty
 };
 
@@ -29,12 +32,15 @@ struct SweepReport {
   std::vector<std::string> notes;  ///< of reading
   SweepOptions options;
   Sweep sweep;
+  std::optional<SweepCheck> check;  ///< if asked for
   std::filesystem::path picture;
   double seconds = 0;
 
   /// Of the critical points found, each change is known; all levels are resolved; the Euler
   /// characteristic is known everywhere; and no two results contradict each other.
   bool is_complete() const;
+  /// Levels, the sweep's own or those of the check, are not what the changes between them say.
+  bool is_contradicted() const;
 };
 
 /// Reads A:B:N, as in "-0.9:0.9:19". Throws UsageError.

@@ -54,6 +54,33 @@ Json json_of(const MeshCriticalPoint& point) {
   return json;
 }
 
+Json json_of(const SweepCheck& check) {
+  Json json{{"critical_values", check.events},
+            {"critical_values_compared", check.compared},
+            {"certified", check.certified},
+            {"contradictions", check.contradictions},
+            {"undecided", check.undecided}};
+  json["levels"] = Json::array();
+  for (const CheckedLevel& checked : check.levels) {
+    Json row = json_of(checked.level);
+    row.erase("area");  // of a coarse surface
+    row["interval"] = checked.interval;
+    json["levels"].push_back(std::move(row));
+  }
+  return json;
+}
+
+std::string text_of(const SweepCheck& check) {
+  std::string text = fmt::format(
+      "\nchecked with {} surfaces, extracted and certified ({} claims confirmed), {} of {} "
+      "critical values\npassed: {} contradictions, {} undecided\n",
+      check.levels.size(), check.certified, check.compared, check.events,
+      check.contradictions.size(), check.undecided.size());
+  for (const auto& words : check.contradictions) text += "contradiction: " + words + '\n';
+  for (const auto& words : check.undecided) text += "undecided: " + words + '\n';
+  return text;
+}
+
 std::string text_of(const std::optional<long>& value) {
   return value ? fmt::format("{}", *value) : "?";
 }
@@ -101,6 +128,7 @@ std::string to_json(const SweepReport& report) {
   json["contradictions"] = Json::array();
   for (const std::size_t i : sweep.contradictions)
     json["contradictions"].push_back(json_of(sweep.levels[i]));
+  if (report.check) json["check"] = json_of(*report.check);
   if (!report.picture.empty()) json["picture"] = report.picture.string();
   json["seconds"] = report.seconds;
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -163,6 +191,7 @@ std::string to_text(const SweepReport& report) {
   for (const std::size_t i : sweep.contradictions)
     fmt::format_to(out, "contradiction: the Euler characteristic at {} is {}\n",
                    sweep.levels[i].mode.text(), sweep.levels[i].euler_characteristic);
+  if (report.check) text += text_of(*report.check);
   if (!report.picture.empty()) fmt::format_to(out, "\n{}\n", report.picture.string());
   return text;
 }

@@ -12,7 +12,7 @@ CheckOutcome run_check(const std::string& input, const std::string& surface,
   try {
     const auto report = certificate::check_certificate(input, surface, certificate);
     return {certificate::to_text(report), certificate::to_json(report),
-            report.status() == "certified"};
+            report.status() == "certified", report.certified, report.refuted, report.undecided};
   } catch (const certificate::Malformed& error) {
     throw IoError(IoError::Kind::invalid, error.file(), error.problem());
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace tensortopo {
@@ -9,6 +10,7 @@ namespace tensortopo {
 struct CheckOutcome {
   std::string text, json;
   bool all_certified = false;
+  std::size_t certified = 0, refuted = 0, undecided = 0;  ///< claims
 };
 
 /// Checks a certificate. Throws IoError for files that cannot be read as what they should be,

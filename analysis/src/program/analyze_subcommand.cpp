@@ -16,7 +16,7 @@ namespace {
 struct Options {
   std::filesystem::path input, output, mesh, against;
   std::string sweep;
-  std::size_t most_levels = SweepOptions{}.most_levels;
+  std::size_t most_levels = SweepOptions{}.most_levels, check_modes = 0;
   bool smooth = false;
   ReadOptions read;
 };
@@ -27,12 +27,13 @@ ExitStatus sweep(const Options& options, const CommonOptions& common) {
   command.read = options.read;
   command.picture = options.output;
   command.sweep.most_levels = options.most_levels;
+  command.check_modes = options.check_modes;
   parse_sweep(options.sweep, command.sweep);
   ProgressBar bar(!common.quiet);
   const SweepReport report = run_sweep(command, bar.callback());
   bar.erase();
   print(common.json ? to_json(report) + '\n' : to_text(report));
-  return ExitStatus::done;
+  return report.check && report.is_contradicted() ? ExitStatus::undecided : ExitStatus::done;
 }
 
 ExitStatus surface(const Options& options, const CommonOptions& common) {
@@ -58,6 +59,7 @@ ExitStatus analyze(const Options& options, const CommonOptions& common) {
     throw UsageError(options.input.string() + ": a mesh needs --sweep A:B:N (a surface is a .vtp)");
   if (!is_surface && (!options.mesh.empty() || !options.against.empty() || options.smooth))
     throw UsageError("--mesh, --against and --smooth are for surfaces (.vtp)");
+  if (is_surface && options.check_modes > 0) throw UsageError("--check goes with --sweep");
   return is_surface ? surface(options, common) : sweep(options, common);
 }
 
@@ -79,6 +81,10 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
          "the five widest ranges")
       ->type_name("N")
       ->capture_default_str();
+  app.add_option("--check", options->check_modes,
+                 "With --sweep: extract and certify the surfaces of about N modes between and next "
+                 "to critical values, and compare; exit status 1 if one contradicts the sweep")
+      ->type_name("N");
   app.add_option("--mesh", options->mesh,
                  "Of a surface: the mesh that it was extracted from, for its curvature and "
                  "umbilics by the field's derivatives")

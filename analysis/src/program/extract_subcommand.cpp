@@ -87,6 +87,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Sample until the distance between triangles and level is proved to be below this")
       ->type_name("E")
       ->check(CLI::PositiveNumber);
+  app.add_flag("--improve", command.improve,
+               "Flip edges and move vertices within their tetrahedra and faces for better angles");
   app.add_option("--method", options->method, "How to extract")
       ->check(CLI::IsMember({"manifold", "marching", "a-patches", "hybrid"}))
       ->capture_default_str();
