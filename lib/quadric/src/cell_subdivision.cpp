@@ -40,6 +40,10 @@ class Marching {
   CellLevel run(bool is_even) {
     const GridPoint whole[4]{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     if (is_empty(whole)) return finish();
+    if (level_.nappe != 0 && form_.holds_zero()) {
+      result_.meets_zero = true;
+      return finish();
+    }
     // A lattice point x1 >= x2 >= x3 has the coordinates n - x1, x1 - x2, x2 - x3, x3: the cubes'
     // Kuhn tetrahedra are the edgewise subdivision, and agree in shared faces.
     std::array<int, 3> axes{0, 1, 2};
@@ -79,10 +83,6 @@ class Marching {
   }
 
   CellLevel finish() {
-    if (result_.meets_zero) {
-      result_.vertices.clear();
-      result_.triangles.clear();
-    }
     result_.exact_answers = form_.exact_answers();
     return std::move(result_);
   }
@@ -94,27 +94,21 @@ class Marching {
     bool any = false;
   };
 
-  /// Whether the level misses the tetrahedron; a zero tensor at a vertex does not matter if it does.
+  /// Whether the level misses the tetrahedron: then a zero tensor in it does not matter.
   bool is_empty(std::span<const GridPoint, 4> whole) {
     if (form_.is_clearly_outside()) return true;
     std::array<Side, 4> side;
     for (std::size_t i = 0; i < 4; ++i) side[i] = form_.side(whole[i]);
     const auto count = [&](Side s) { return std::count(side.begin(), side.end(), s); };
     const auto zero = count(Side::zero);
-    if (zero > 0) {
-      // In a cone with its tip at a vertex everything is decided on the opposite simplex.
-      if (count(Side::inside) + zero == 4 || count(Side::opposite) + zero == 4) return true;
-      result_.meets_zero = count(Side::outside) + zero < 4;
-      if (result_.meets_zero) return true;
-      std::array<GridPoint, 4> others;
-      std::size_t k = 0;
-      for (std::size_t i = 0; i < 4; ++i)
-        if (side[i] == Side::outside) others[k++] = whole[i];
-      result_.meets_zero = is_met({others.data(), k});
-      return true;
-    }
-    if (count(Side::inside) == 4 || count(Side::opposite) == 4) return true;
-    return count(Side::outside) == 4 && !is_met(whole);
+    // In a cone with its tip at a vertex everything is decided on the opposite simplex.
+    if (count(Side::inside) + zero == 4 || count(Side::opposite) + zero == 4) return true;
+    if (count(Side::outside) + zero < 4) return false;
+    std::array<GridPoint, 4> others;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (side[i] == Side::outside) others[k++] = whole[i];
+    return !is_met({others.data(), k});
   }
 
   /// Whether the body or its other nappe meets a simplex whose corners are all outside.
@@ -132,17 +126,13 @@ class Marching {
   }
 
   bool note(Met& met, std::size_t place, Side side) {
-    if (side == Side::zero) result_.meets_zero = true;
     if (side == Side::inside) met.place[place] = met.any = result_.met_inside = true;
     return side != Side::outside;
   }
 
   Met ask(const std::array<GridPoint, 4>& c) {
     Met met;
-    for (std::size_t i = 0; i < 4; ++i) {
-      met.corner[i] = side_at(c[i]);
-      if (met.corner[i] == Side::zero) result_.meets_zero = true;
-    }
+    for (std::size_t i = 0; i < 4; ++i) met.corner[i] = side_at(c[i]);
     const auto is_outside = [&](std::size_t i) { return met.corner[i] == Side::outside; };
     std::array<bool, 6> edge_met{};
     for (std::size_t e = 0; e < 6; ++e) {
@@ -202,7 +192,7 @@ class Marching {
     const bool mixed = std::any_of(met.corner.begin(), met.corner.end(), [&](Side s) {
       return (s == Side::inside) != (met.corner[0] == Side::inside);
     });
-    if (result_.meets_zero || !(mixed || met.any)) return;
+    if (!mixed && !met.any) return;
     tets_.assign(1, {0, 1, 2, 3});
     if (met.any) {
       for (std::size_t e = 0; e < 6; ++e) {

@@ -3,6 +3,7 @@
 #include "tensortopo/quadric/convex_level.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -40,6 +41,11 @@ Scalar combine(const SquareMatrix<Scalar, 4>& form, const GridPoint& p, const Gr
   for (std::size_t i = 0; i < 4; ++i)
     if (p[i] != 0) sum += Scalar(p[i]) * combine(form[i], r);
   return sum;
+}
+
+SymmetricTensor<Rational> in_rationals(const SymmetricTensor<double>& t) {
+  return {Rational(t.xx), Rational(t.yy), Rational(t.zz),
+          Rational(t.xy), Rational(t.yz), Rational(t.xz)};
 }
 
 Side side_of_trace(int nappe, int trace_sign) {
@@ -101,9 +107,7 @@ const CellForm::Exact& CellForm::exact() const {
   exact_ = std::make_unique<Exact>();
   std::array<Deviator<Rational>, 4> deviators;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto& t = *tensors_[i];
-    const SymmetricTensor<Rational> own{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                        Rational(t.xy), Rational(t.yz), Rational(t.xz)};
+    const auto own = in_rationals(*tensors_[i]);
     deviators[i] = deviator(own);
     exact_->trace[i] = trace(own);
   }
@@ -146,6 +150,59 @@ bool CellForm::is_on_level(const GridPoint& p) const {
   if (size > kSmallestSize && std::abs(combine(form_, p, p)) > kEntryError * size * size)
     return false;
   return combine(exact().form, p, p) == 0 && side(p) != Side::zero;
+}
+
+/// Whether the tensors of an open face, with independent ones on all smaller faces or no zero there,
+/// sum to zero: the Gram matrix is singular and its kernel, spanned by the cofactors, positive.
+template <std::size_t Corners>
+bool CellForm::has_zero_inside(unsigned mask) const {
+  SquareMatrix<Rational, Corners> gram;
+  std::array<SymmetricTensor<Rational>, Corners> tensors;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (mask >> i & 1) tensors[k++] = in_rationals(*tensors_[i]);
+  for (std::size_t i = 0; i < Corners; ++i)
+    for (std::size_t j = 0; j < Corners; ++j) gram[i][j] = inner(tensors[i], tensors[j]);
+  if constexpr (Corners == 1) {
+    return gram[0][0] == 0;
+  } else {
+    const auto cofactors = last_cofactors<Rational, Corners>(gram);
+    for (const auto& c : cofactors)
+      if (!(c > 0)) return false;
+    return determinant_of<Rational, Corners>(gram) == 0;
+  }
+}
+
+bool CellForm::holds_zero() const {
+  for (const auto component : {&SymmetricTensor<double>::xx, &SymmetricTensor<double>::yy,
+                               &SymmetricTensor<double>::zz, &SymmetricTensor<double>::xy,
+                               &SymmetricTensor<double>::yz, &SymmetricTensor<double>::xz}) {
+    int positive = 0, negative = 0;
+    for (const auto* t : tensors_) {
+      positive += t->*component > 0;
+      negative += t->*component < 0;
+    }
+    if (positive == 4 || negative == 4) return false;
+  }
+  // Independent tensors have no zero among their sums.
+  const CellScale scale(tensors_);
+  std::array<SymmetricTensor<double>, 4> unit;
+  for (std::size_t i = 0; i < 4; ++i) {
+    unit[i] = scale(*tensors_[i]);
+    unit[i] = (1 / std::sqrt(inner(unit[i], unit[i]))) * unit[i];
+  }
+  SquareMatrix<double, 4> gram;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) gram[i][j] = inner(unit[i], unit[j]);
+  if (determinant_of<double, 4>(gram) > kDeterminantError[4]) return false;
+  ++exact_answers_;
+  for (unsigned mask = 1; mask < 16; ++mask) {
+    const int corners = std::popcount(mask);
+    if ((corners == 1 && has_zero_inside<1>(mask)) || (corners == 2 && has_zero_inside<2>(mask)) ||
+        (corners == 3 && has_zero_inside<3>(mask)) || (corners == 4 && has_zero_inside<4>(mask)))
+      return true;
+  }
+  return false;
 }
 
 template <std::size_t Corners>

@@ -59,6 +59,9 @@ class CellForm {
   /// Whether q = 0 there and the tensor is not zero.
   bool is_on_level(const GridPoint& p) const;
 
+  /// Whether some tensor of the tetrahedron is zero.
+  bool holds_zero() const;
+
   /// Whether and where the body meets the simplex with these two to four corners, all of them
   /// `outside`, given that no proper face is met by either nappe: `outside` if it does not,
   /// `inside` if this nappe does, `opposite` if the other one, `zero` if in T = 0 at least.
@@ -75,6 +78,8 @@ class CellForm {
   template <std::size_t Corners>
   Side meeting_of(std::span<const GridPoint> corners) const;
   const Exact& exact() const;
+  template <std::size_t Corners>
+  bool has_zero_inside(unsigned mask) const;
 
   const ConvexLevel& level_;
   std::array<const SymmetricTensor<double>*, 4> tensors_;

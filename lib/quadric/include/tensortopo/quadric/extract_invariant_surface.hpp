@@ -32,8 +32,8 @@ struct InvariantStatistics {
 
 struct InvariantExtraction {
   SurfaceMesh surface;
-  /// Ascending. An anisotropy is undefined for the zero tensor: in these tetrahedra that tensor
-  /// is where the level would have to be decided (a tip of it, or a point where it touches).
+  /// Ascending. An anisotropy is undefined for the zero tensor, and its two nappes meet there: these
+  /// tetrahedra hold both that tensor and the level, and are left out.
   std::vector<TetMesh::Index> zero_tensor;
   InvariantStatistics statistics;
 };
