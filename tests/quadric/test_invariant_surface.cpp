@@ -118,10 +118,12 @@ RC_GTEST_PROP(InvariantSurface, OverRandomMeshesIsSeamless, ()) {
                             level_of(Invariant::anisotropy, "49/50")}) {
     const auto found = extract_invariant_surface(mesh, level, in_pieces(pieces));
     const auto known = surface_invariants(found.surface);
-    RC_ASSERT(known.manifold);
     RC_ASSERT(known.consistently_oriented);
     if (level.invariant() != Invariant::anisotropy) RC_ASSERT(found.zero_tensor.empty());
-    if (found.zero_tensor.empty()) RC_ASSERT(open_edges_inside(found.surface, mesh) == 0);
+    if (found.zero_tensor.empty()) {
+      RC_ASSERT(known.manifold);
+      RC_ASSERT(open_edges_inside(found.surface, mesh) == 0);
+    }
     for (const double r : found.surface.residual) RC_ASSERT(std::abs(r) < 1e-10);
     std::set<std::array<double, 3>> places;
     for (const auto& p : found.surface.points) places.insert({p.x, p.y, p.z});

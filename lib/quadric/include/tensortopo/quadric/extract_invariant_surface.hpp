@@ -47,7 +47,8 @@ struct InvariantExtraction {
 /// inside it are there, and nothing else.
 ///
 /// Laws      (1) a manifold, oriented: counter-clockwise seen from larger values; its boundary is on
-///           the boundary of the domain or of tetrahedra in `zero_tensor`; (2) the level is value + 0:
+///           the boundary of the domain or of tetrahedra in `zero_tensor` (and what is left around
+///           these may meet in a vertex only); (2) the level is value + 0:
 ///           points exactly on the level count as below, wherever they are, and nothing about a level
 ///           at a critical value or constant on a cell is left open; (3) tensors and value times a
 ///           power of two give the same surface (an anisotropy with the tensors alone); (4) the
