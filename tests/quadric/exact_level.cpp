@@ -40,7 +40,7 @@ std::optional<Row> solve(std::vector<Row> rows) {
 
 ExactLevel::ExactLevel(const TetTensors& tensors, const InvariantLevel& level, int nappe)
     : nappe_(nappe) {
-  const Rational v2 = level.value() * level.value();
+  const Rational v(level.text()), v2 = v * v;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto s = exact(tensors[i]);
     trace_[i] = trace(s);
@@ -105,6 +105,10 @@ int ExactLevel::euler_characteristic() const {
   for (unsigned mask = 1; mask < 15; ++mask)
     if (meets(mask)) faces += std::popcount(mask) == 2 ? -1 : 1;
   return 2 - faces;
+}
+
+InvariantLevel level_at(Invariant invariant, const Rational& value) {
+  return InvariantLevel::parse(invariant, value.str());
 }
 
 std::vector<int> nappes(Invariant invariant) {

@@ -24,7 +24,7 @@ class ExactLevel {
   /// Crossings of the edge between two corners at value + 0.
   int crossings(int i, int j) const;
   /// Euler characteristic of the level: the body is convex and its boundary in the tetrahedron a
-  /// sphere; from that sphere the faces take a set of characteristic #faces - #edges + #vertices met.
+  /// sphere; the faces take a set of characteristic #faces - #edges + #vertices from it.
   int euler_characteristic() const;
 
  private:
@@ -33,6 +33,9 @@ class ExactLevel {
   Rational trace_[4];
   int nappe_;
 };
+
+/// The level of an exact value.
+InvariantLevel level_at(Invariant invariant, const Rational& value);
 
 /// The nappes of an invariant's level.
 std::vector<int> nappes(Invariant invariant);

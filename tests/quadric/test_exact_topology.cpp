@@ -25,9 +25,10 @@ InvariantLevel drawn_level(int bound) {
                                            Invariant::anisotropy);
   if (invariant == Invariant::anisotropy) {
     const int below = *rc::gen::inRange(2, 9);
-    return {invariant, Rational(*rc::gen::inRange(1, below), below)};
+    return level_at(invariant, Rational(*rc::gen::inRange(1, below), below));
   }
-  return {invariant, Rational(*rc::gen::inRange(1, 2 * bound), *rc::gen::inRange(1, 4))};
+  return level_at(invariant,
+                  Rational(*rc::gen::inRange(1, 2 * bound), *rc::gen::inRange(1, 4)));
 }
 
 void expect_exact(const TetTensors& tensors, const InvariantLevel& level) {
@@ -104,7 +105,7 @@ RC_GTEST_PROP(ExactTopology, IsThatOfALevelJustAbove, ()) {
   const auto mesh = reference_tet_mesh((*small_integer_tet(bound)).tensors);
   const auto level = drawn_level(bound);
   const Rational tiny(1, boost::multiprecision::mpz_int(1) << 400);
-  const InvariantLevel above(level.invariant(), level.value() + tiny);
+  const auto above = level_at(level.invariant(), Rational(level.text()) + tiny);
   const auto here = extract_invariant_surface(mesh, level, in_pieces(2));
   const auto there = extract_invariant_surface(mesh, above, in_pieces(2));
   RC_ASSERT(here.zero_tensor == there.zero_tensor);

@@ -93,7 +93,7 @@ TEST(InvariantSurface, OfADistanceOverManyTetrahedraConvergesToASphere) {
     double radius = 0;
     for (const auto& p : mesh.points) radius = std::max(radius, std::abs(p.x - centre.x));
     mesh = distance_field(std::move(mesh), centre);
-    const InvariantLevel level(Invariant::magnitude, Rational(radius) * Rational(2, 3));
+    const auto level = level_at(Invariant::magnitude, Rational(radius) * Rational(2, 3));
     const auto found = extract_invariant_surface(mesh, level);
     EXPECT_EQ(topology(found), (std::vector<std::vector<long>>{{2, 0}})) << n;
     const double r = level.approx();
@@ -134,7 +134,7 @@ RC_GTEST_PROP(InvariantSurface, OverRandomMeshesIsSeamless, ()) {
 RC_GTEST_PROP(InvariantSurface, ScalesWithPowersOfTwo, ()) {
   auto mesh = cube_mesh(1);
   fill_with_normal_tensors(mesh, *rc::gen::arbitrary<std::uint64_t>());
-  const int exponent = *rc::gen::element(-900, -300, -1, 3, 500, 1000);
+  const int exponent = *rc::gen::element(-900, -300, -1, 3, 500, 900);
   auto scaled = mesh;
   for (auto& t : scaled.tensors) t = std::ldexp(1.0, exponent) * t;
   const Rational factor = exponent < 0
@@ -142,9 +142,9 @@ RC_GTEST_PROP(InvariantSurface, ScalesWithPowersOfTwo, ()) {
                               : Rational(boost::multiprecision::mpz_int(1) << exponent);
   for (const auto invariant :
        {Invariant::magnitude, Invariant::deviator_magnitude, Invariant::anisotropy}) {
-    const InvariantLevel level(invariant, Rational(2, 3));
-    const InvariantLevel other(
-        invariant, invariant == Invariant::anisotropy ? level.value() : level.value() * factor);
+    const auto level = level_of(invariant, "2/3");
+    const auto other =
+        invariant == Invariant::anisotropy ? level : level_at(invariant, Rational(2, 3) * factor);
     const auto a = extract_invariant_surface(mesh, level);
     const auto b = extract_invariant_surface(scaled, other);
     RC_ASSERT(a.surface.points == b.surface.points);
@@ -187,7 +187,7 @@ TEST(InvariantSurface, ConstantInACellIsBelowAndItsNeighboursEndThere) {
   mesh.tensors.assign(mesh.points.size(), {1, 1, 1, 0, 1, 0});
   mesh.tensors[0] = {2, 2, 2, 0, 0, 0};
   for (const auto& level : {level_of(Invariant::deviator_magnitude, "1"),
-                            InvariantLevel(Invariant::magnitude, Rational(5, 2))}) {
+                            level_of(Invariant::magnitude, "5/2")}) {
     const auto found = extract_invariant_surface(mesh, level);
     EXPECT_TRUE(found.zero_tensor.empty());
     EXPECT_EQ(open_edges_inside(found.surface, mesh), 0);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tensortopo/mesh/tet_mesh.hpp"
-#include "tensortopo/quadric/convex_level.hpp"
+#include "convex_level.hpp"
 
 namespace tensortopo {
 
@@ -36,7 +36,7 @@ struct CellLevel {
   std::vector<CellVertex> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise from outside
   bool met_inside = false;  ///< the body meets some simplex of the subdivision in its interior only
-  bool meets_zero = false;  ///< holds a level of an anisotropy and the zero tensor: nothing is drawn
+  bool meets_zero = false;  ///< holds the level and the zero tensor: nothing is drawn
   std::size_t exact_answers = 0;
 };
 
@@ -44,9 +44,9 @@ struct CellLevel {
 /// share: the edgewise subdivision in pieces^3 tetrahedra, in which each edge, face and tetrahedron
 /// that the body meets in its interior only has a vertex there.
 ///
-/// Theorem (ours). Let s be a simplex with corners I in a closed convex body K, and corners O, whose
-/// face is not met by K. If neither is empty, each point of s in neither face is on one segment from
-/// conv(I) to conv(O), and each segment leaves K once. So the boundary of K in s is a graph over
+/// Theorem (ours). Let s be a simplex with corners I in a closed convex body K, and corners O,
+/// whose face is not met by K. If neither is empty, each point of s in neither face is on one
+/// segment from conv(I) to conv(O), and each segment leaves K once. So the boundary of K in s is a graph over
 /// conv(I) x conv(O): one disc, the polygon of marching tetrahedra, and in the faces of s likewise.
 /// In the subdivision every tetrahedron is such a simplex: what is added is inside, K is convex, so
 /// only simplices whose corners were all outside had to be asked. Unchanged for K at value + 0:

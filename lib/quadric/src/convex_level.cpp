@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/quadric/convex_level.hpp"
+#include "convex_level.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -14,14 +14,14 @@
 namespace tensortopo {
 namespace {
 
-/// Error of an entry q(S, T) of the form at places with integer coordinates, over the product of
-/// their sizes. A size is the root of 3 P + |tau| m^2 + gamma, where m sums the absolute diagonal,
-/// so a polar form evaluated in absolute values stays below the product (that of P below 3 times
+/// Error of an entry q(S, T) of the form at places with integer coordinates, over the product
+/// of their sizes. A size is the root of 3 P + |tau| m^2 + gamma, m being the sum of the absolute
+/// diagonal, so a polar form evaluated in absolute values stays below the product (that of P below 3 times
 /// the roots). A term passes through less than 40 roundings: 2 in a deviator, 6 in P, 8 in
-/// tau tr tr, 4 in gamma, 20 in the sum over coordinates. Underflow adds less than 2^-1000, which the
-/// smallest size admitted makes small.
+/// tau tr tr, 4 in gamma, 20 in the sum over coordinates. Underflow adds less than 2^-1000, little
+/// beside the square of the smallest size admitted.
 constexpr double kEntryError = 64 * std::numeric_limits<double>::epsilon();
-constexpr double kSmallestSize = 1e-130;
+constexpr double kSmallestSize = 0x1p-430;
 
 /// Errors of determinants of order n whose entries are at most 1 and wrong by kEntryError: below
 /// n! n kEntryError, and as much again for the rounding of the determinant.
@@ -59,7 +59,7 @@ int sign(const Rational& r) { return r > 0 ? 1 : r < 0 ? -1 : 0; }
 }  // namespace
 
 ConvexLevel::ConvexLevel(const InvariantLevel& level, int which) : nappe(which) {
-  const Rational square = level.value() * level.value();
+  const Rational exact(level.text()), square = exact * exact;
   value = level.approx();
   const bool is_cone = level.invariant() == Invariant::anisotropy;
   if (is_cone != (nappe == 1 || nappe == -1) || (!is_cone && nappe != 0))
@@ -152,8 +152,8 @@ bool CellForm::is_on_level(const GridPoint& p) const {
   return combine(exact().form, p, p) == 0 && side(p) != Side::zero;
 }
 
-/// Whether the tensors of an open face, with independent ones on all smaller faces or no zero there,
-/// sum to zero: the Gram matrix is singular and its kernel, spanned by the cofactors, positive.
+/// Whether a zero tensor is in an open face, none being on the smaller ones: the
+/// Gram matrix is singular and its kernel, spanned by the cofactors, positive.
 template <std::size_t Corners>
 bool CellForm::has_zero_inside(unsigned mask) const {
   SquareMatrix<Rational, Corners> gram;
@@ -229,7 +229,8 @@ Side CellForm::meeting_of(std::span<const GridPoint> corners) const {
       if (level_.nappe == 0) return Side::inside;
       double t = 0, t_bound = 0;
       for (std::size_t i = 0; i < Corners; ++i) {
-        const double weight = cofactors[i] / size[i], m = combine(trace_size_, corners[i]) / size[i];
+        const double weight = cofactors[i] / size[i];
+        const double m = combine(trace_size_, corners[i]) / size[i];
         t += weight * combine(trace_, corners[i]);
         t_bound += (kEntryError * *most + kDeterminantError[Corners - 1]) * m;
       }

@@ -45,22 +45,20 @@ double invariant_of(Invariant invariant, const SymmetricTensor<double>& t) {
   return norm > 0 ? of_deviator / norm : 0;
 }
 
-InvariantLevel::InvariantLevel(Invariant invariant, const Rational& value)
-    : invariant_(invariant), value_(value) {
+InvariantLevel InvariantLevel::parse(Invariant invariant, std::string_view text) {
+  const Rational value = parse_rational(text);
   if (value <= 0) throw std::invalid_argument("not positive");
   if (invariant == Invariant::anisotropy && value >= 1)
     throw std::invalid_argument("an anisotropy has surfaces between 0 and 1 only");
-}
-
-InvariantLevel InvariantLevel::parse(Invariant invariant, std::string_view text) {
-  return {invariant, parse_rational(text)};
+  return {invariant, value.str()};
 }
 
 double InvariantLevel::approx() const {
+  const Rational value(text_);
   // GMP's own conversion truncates.
   mpfr_t rounded;
   mpfr_init2(rounded, 53);
-  mpfr_set_q(rounded, value_.backend().data(), MPFR_RNDN);
+  mpfr_set_q(rounded, value.backend().data(), MPFR_RNDN);
   const double result = mpfr_get_d(rounded, MPFR_RNDN);
   mpfr_clear(rounded);
   return result;

@@ -11,6 +11,8 @@ namespace tensortopo {
 namespace {
 
 constexpr double kClearance = 0x1p-40;
+/// Of a corner, in a place in the interior of a simplex.
+constexpr double kLeastShare = 0x1p-20;
 
 Weights mix(const Weights& u, const Weights& v, double t) {
   Weights result;
@@ -92,7 +94,7 @@ Weights CellGeometry::inner_place(std::span<const Weights> corners) const {
   double sum = 0;
   for (std::size_t i = 0; i <= order; ++i) {
     if (!std::isfinite(share[i])) share[i] = 1;
-    sum += share[i] = std::clamp(share[i], 1e-6, 1.0);
+    sum += share[i] = std::clamp(share[i], kLeastShare, 1.0);
   }
   Weights result{};
   for (std::size_t i = 0; i <= order; ++i)
@@ -104,8 +106,8 @@ Weights CellGeometry::crossing(const Weights& inside, const Weights& outside) co
   const Weights along = difference(outside, inside);
   const double a = form(along, along), b = form(inside, along);
   const double c = std::min(0.0, form(inside, inside));
-  // The smallest root >= 0 of c + 2 b t + a t^2; of two roots between an inside place and one in the
-  // other nappe it is the first.
+  // The smallest root >= 0 of c + 2 b t + a t^2: between the nappes there are two, and this is the
+  // one next to the inside place.
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   double t = b > 0 ? -c / (b + root) : (root - b) / a;
   if (!(t > kClearance)) t = kClearance;

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "tensortopo/quadric/convex_level.hpp"
+#include "convex_level.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {

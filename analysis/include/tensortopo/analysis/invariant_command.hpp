@@ -45,7 +45,7 @@ struct InvariantReport {
   std::vector<std::string> notes;  ///< what reading repaired or skipped
 
   std::vector<InvariantSurfaceReport> surfaces;
-  std::vector<std::int64_t> unresolved;  ///< ids in the input of the tetrahedra that some level omits
+  std::vector<std::int64_t> unresolved;  ///< input ids of tetrahedra that some level omits
 
   std::filesystem::path output;
   bool written = false;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo {
@@ -26,28 +26,31 @@ std::optional<Invariant> invariant_named(std::string_view name);
 /// The invariant of a tensor, rounded; 0 for the anisotropy of the zero tensor.
 double invariant_of(Invariant invariant, const SymmetricTensor<double>& t);
 
-/// An invariant and the exact value asked for.
+/// An invariant and the value asked for, exactly; kept as decimal text, so that this header needs
+/// no number library.
 class InvariantLevel {
  public:
-  /// Throws std::invalid_argument, with the reason, unless the value is positive and, of an
-  /// anisotropy, below 1: elsewhere the level is where the invariant is least or largest, and no
-  /// surface.
-  InvariantLevel(Invariant invariant, const Rational& value);
-  /// Reads the value as `parse_rational` does.
+  /// Reads "0.5", "9/10" or "2e8" exactly, as `ModeValue` does.
+  ///
+  /// Throws std::invalid_argument, with the reason, for what is no such number, and unless the
+  /// value is positive and, of an anisotropy, below 1: elsewhere the invariant is least or largest on the
+  /// level, which is no surface.
   static InvariantLevel parse(Invariant invariant, std::string_view text);
 
   Invariant invariant() const { return invariant_; }
-  const Rational& value() const { return value_; }
   /// The nearest double.
   double approx() const;
   /// The fraction in lowest terms, "9/10", or a whole number.
-  std::string text() const { return value_.str(); }
+  const std::string& text() const { return text_; }
 
   friend bool operator==(const InvariantLevel&, const InvariantLevel&) = default;
 
  private:
+  InvariantLevel(Invariant invariant, std::string text)
+      : invariant_(invariant), text_(std::move(text)) {}
+
   Invariant invariant_;
-  Rational value_;
+  std::string text_;
 };
 
 }  // namespace tensortopo

@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "tensortopo/quadric/copositive.hpp"
+#include "copositive.hpp"
 #include "tensortopo/quadric/invariant_level.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
@@ -19,8 +19,8 @@ namespace tensortopo {
 /// With P(T) = 3 |D|^2 all three levels are q = 0 for one quadratic form,
 /// q(T) = P(T) + tau (tr T)^2 - gamma. {|T| <= v} and {|D| <= v} are convex (gamma = 3 v^2, tau = 1
 /// and 0). {|D| <= v |T|} is a double cone (gamma = 0, tau = -v^2 / (1 - v^2)): two convex bodies,
-/// the isotropic tensors of positive and of negative trace with what is close to them, which meet in
-/// T = 0 only. The level of an anisotropy is therefore extracted as two, one for each nappe.
+/// the isotropic tensors of positive and of negative trace with what is close to them. They meet
+/// in T = 0 only. The level of an anisotropy is therefore extracted as two, one for each nappe.
 /// The level is value + 0: tensors on it belong to the body.
 struct ConvexLevel {
   Rational tau;
