@@ -54,8 +54,7 @@ std::string to_json(const InvariantReport& report) {
                    {"vertices", report.vertices},   {"tetrahedra", report.tetrahedra},
                    {"tensor", report.tensor_name},  {"notes", report.notes}};
   json["output"] = nullptr;
-  if (report.written)
-    json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};
+  if (report.written) json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};
   json["surfaces"] = Json::array();
   double tets = 0, stitch = 0;
   for (const auto& surface : report.surfaces) {

@@ -61,8 +61,9 @@ TEST(ExtractInvariant, NamesZeroTensorsAndIsStrictAboutThem) {
   fill_with_normal_tensors(mesh, 3);
   mesh.tensors[13] = {};
   write_mesh(mesh, folder / "m.vtu");
-  const std::vector<std::string> words{"extract", folder / "m.vtu", "-o", folder / "s.vtp",
-                                       "--invariant", "anisotropy", "--value", "0.9", "--json"};
+  const std::vector<std::string> words{"extract",     folder / "m.vtu", "-o",      folder / "s.vtp",
+                                       "--invariant", "anisotropy",     "--value", "0.9",
+                                       "--json"};
   auto strict = words;
   strict.emplace_back("--strict");
   const Outcome refused = run_program(strict);

@@ -21,14 +21,13 @@ InvariantOptions in_pieces(int pieces) {
 
 /// Small fractions: with integer tensors, many are critical values or values at vertices.
 InvariantLevel drawn_level(int bound) {
-  const auto invariant = *rc::gen::element(Invariant::magnitude, Invariant::deviator_magnitude,
-                                           Invariant::anisotropy);
+  const auto invariant =
+      *rc::gen::element(Invariant::magnitude, Invariant::deviator_magnitude, Invariant::anisotropy);
   if (invariant == Invariant::anisotropy) {
     const int below = *rc::gen::inRange(2, 9);
     return level_at(invariant, Rational(*rc::gen::inRange(1, below), below));
   }
-  return level_at(invariant,
-                  Rational(*rc::gen::inRange(1, 2 * bound), *rc::gen::inRange(1, 4)));
+  return level_at(invariant, Rational(*rc::gen::inRange(1, 2 * bound), *rc::gen::inRange(1, 4)));
 }
 
 void expect_exact(const TetTensors& tensors, const InvariantLevel& level) {
@@ -62,8 +61,8 @@ void expect_exact(const TetTensors& tensors, const InvariantLevel& level) {
   RC_ASSERT(found == crossings);
   // Finer pieces show nothing new.
   for (const int pieces : {2, 3, 5}) {
-    const auto fine = extract_invariant_surface(reference_tet_mesh(tensors), level,
-                                                in_pieces(pieces));
+    const auto fine =
+        extract_invariant_surface(reference_tet_mesh(tensors), level, in_pieces(pieces));
     RC_ASSERT(topology(fine) == topology(whole));
   }
 }

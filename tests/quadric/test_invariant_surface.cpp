@@ -54,8 +54,8 @@ int open_edges_inside(const SurfaceMesh& surface, const TetMesh& mesh) {
       for (const auto id : surface.carrier_vertices[static_cast<std::size_t>(v)])
         if (id >= 0) carrier.insert(id);
     const bool is_on_boundary = std::any_of(faces.begin(), faces.end(), [&](const auto& face) {
-      return face.second == 1 && std::includes(face.first.begin(), face.first.end(),
-                                               carrier.begin(), carrier.end());
+      return face.second == 1 &&
+             std::includes(face.first.begin(), face.first.end(), carrier.begin(), carrier.end());
     });
     result += !is_on_boundary;
   }
@@ -112,10 +112,9 @@ RC_GTEST_PROP(InvariantSurface, OverRandomMeshesIsSeamless, ()) {
   if (*rc::gen::arbitrary<bool>())
     for (auto& t : mesh.tensors) t = rounded(t, 0);
   const int pieces = *rc::gen::inRange(1, 4);
-  for (const auto& level : {level_of(Invariant::magnitude, "2"),
-                            level_of(Invariant::deviator_magnitude, "2"),
-                            level_of(Invariant::anisotropy, "1/2"),
-                            level_of(Invariant::anisotropy, "49/50")}) {
+  for (const auto& level :
+       {level_of(Invariant::magnitude, "2"), level_of(Invariant::deviator_magnitude, "2"),
+        level_of(Invariant::anisotropy, "1/2"), level_of(Invariant::anisotropy, "49/50")}) {
     const auto found = extract_invariant_surface(mesh, level, in_pieces(pieces));
     const auto known = surface_invariants(found.surface);
     RC_ASSERT(known.consistently_oriented);
@@ -137,9 +136,8 @@ RC_GTEST_PROP(InvariantSurface, ScalesWithPowersOfTwo, ()) {
   const int exponent = *rc::gen::element(-900, -300, -1, 3, 500, 900);
   auto scaled = mesh;
   for (auto& t : scaled.tensors) t = std::ldexp(1.0, exponent) * t;
-  const Rational factor = exponent < 0
-                              ? Rational(1, boost::multiprecision::mpz_int(1) << -exponent)
-                              : Rational(boost::multiprecision::mpz_int(1) << exponent);
+  const Rational factor = exponent < 0 ? Rational(1, boost::multiprecision::mpz_int(1) << -exponent)
+                                       : Rational(boost::multiprecision::mpz_int(1) << exponent);
   for (const auto invariant :
        {Invariant::magnitude, Invariant::deviator_magnitude, Invariant::anisotropy}) {
     const auto level = level_of(invariant, "2/3");
@@ -174,8 +172,8 @@ TEST(InvariantSurface, ThatTouchesAnEdgeHasAHandleThere) {
   const auto found = extract_invariant_surface(reference_tet_mesh({a, b, c, d}),
                                                level_of(Invariant::magnitude, "1"));
   EXPECT_EQ(topology(found), (std::vector<std::vector<long>>{{1, 1}}));
-  const auto on_edge = std::count(found.surface.carrier.begin(), found.surface.carrier.end(),
-                                  Carrier::edge);
+  const auto on_edge =
+      std::count(found.surface.carrier.begin(), found.surface.carrier.end(), Carrier::edge);
   EXPECT_EQ(on_edge, 2);
   const auto below = extract_invariant_surface(reference_tet_mesh({a, b, c, d}),
                                                level_of(Invariant::magnitude, "0.999999999999"));
@@ -186,8 +184,8 @@ TEST(InvariantSurface, ConstantInACellIsBelowAndItsNeighboursEndThere) {
   auto mesh = cube_mesh(2);
   mesh.tensors.assign(mesh.points.size(), {1, 1, 1, 0, 1, 0});
   mesh.tensors[0] = {2, 2, 2, 0, 0, 0};
-  for (const auto& level : {level_of(Invariant::deviator_magnitude, "1"),
-                            level_of(Invariant::magnitude, "5/2")}) {
+  for (const auto& level :
+       {level_of(Invariant::deviator_magnitude, "1"), level_of(Invariant::magnitude, "5/2")}) {
     const auto found = extract_invariant_surface(mesh, level);
     EXPECT_TRUE(found.zero_tensor.empty());
     EXPECT_EQ(open_edges_inside(found.surface, mesh), 0);
@@ -213,8 +211,8 @@ TEST(InvariantSurface, OfAnAnisotropyNamesZeroTensorsThatMatter) {
     EXPECT_TRUE(std::find(tet.begin(), tet.end(), 13) != tet.end());
     EXPECT_EQ(std::count(found.surface.tet.begin(), found.surface.tet.end(), t), 0);
   }
-  EXPECT_TRUE(extract_invariant_surface(mesh, level_of(Invariant::magnitude, "0.9"))
-                  .zero_tensor.empty());
+  EXPECT_TRUE(
+      extract_invariant_surface(mesh, level_of(Invariant::magnitude, "0.9")).zero_tensor.empty());
 }
 
 TEST(InvariantSurface, RefusesPiecesThatAreNone) {

@@ -33,8 +33,9 @@ void add_invariant_option(CLI::App& app, InvariantOption& option,
 ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand& command,
                              const CommonOptions& common) {
   if (!command.certificate.empty())
-    throw UsageError("--certify: there are certificates of mode surfaces, not yet of the surfaces "
-                     "of other invariants (--invariant)");
+    throw UsageError(
+        "--certify: there are certificates of mode surfaces, not yet of the surfaces "
+        "of other invariants (--invariant)");
   if (option.values.empty()) throw UsageError("--invariant " + option.invariant + ": no --value");
   InvariantCommand own;
   own.input = command.input;

@@ -50,8 +50,7 @@ SurfaceMesh assemble_invariant_surface(std::span<const CellLevel> cells,
   std::vector<std::size_t> first;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     first.push_back(uses.size());
-    for (const auto& v : cells[c].vertices)
-      uses.push_back({&v, c, uses.size(), corners_of(v.key)});
+    for (const auto& v : cells[c].vertices) uses.push_back({&v, c, uses.size(), corners_of(v.key)});
   }
   tbb::parallel_sort(uses.begin(), uses.end());
   SurfaceMesh surface;
@@ -87,9 +86,9 @@ SurfaceMesh assemble_invariant_surface(std::span<const CellLevel> cells,
       for (std::size_t k = 0; k < 3; ++k) ids[k] = number[first[c] + triangle[k]];
       surface.triangles.push_back(ids);
       surface.tet.push_back(tets[c]);
-      const double weight = twice_area(surface.points[as_size(ids[0])],
-                                       surface.points[as_size(ids[1])],
-                                       surface.points[as_size(ids[2])]);
+      const double weight =
+          twice_area(surface.points[as_size(ids[0])], surface.points[as_size(ids[1])],
+                     surface.points[as_size(ids[2])]);
       for (std::size_t k = 0; k < 3; ++k)
         surface.normal[as_size(ids[k])] += weight * cells[c].vertices[triangle[k]].normal;
     }

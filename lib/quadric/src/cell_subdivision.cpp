@@ -33,8 +33,12 @@ class Marching {
  public:
   Marching(const ConvexLevel& level, Invariant invariant, const TetMesh& mesh,
            const std::array<TetMesh::Index, 4>& nodes, int pieces)
-      : level_(level), invariant_(invariant), nodes_(nodes), pieces_(pieces),
-        tensors_(tensors_of(mesh, nodes)), form_(level, tensors_),
+      : level_(level),
+        invariant_(invariant),
+        nodes_(nodes),
+        pieces_(pieces),
+        tensors_(tensors_of(mesh, nodes)),
+        form_(level, tensors_),
         geometry_(level, tensors_, points_of(mesh, nodes)) {}
 
   CellLevel run(bool is_even) {

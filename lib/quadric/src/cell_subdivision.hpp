@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tensortopo/mesh/tet_mesh.hpp"
 #include "convex_level.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo {
 
@@ -46,11 +46,11 @@ struct CellLevel {
 ///
 /// Theorem (ours). Let s be a simplex with corners I in a closed convex body K, and corners O,
 /// whose face is not met by K. If neither is empty, each point of s in neither face is on one
-/// segment from conv(I) to conv(O), and each segment leaves K once. So the boundary of K in s is a graph over
-/// conv(I) x conv(O): one disc, the polygon of marching tetrahedra, and in the faces of s likewise.
-/// In the subdivision every tetrahedron is such a simplex: what is added is inside, K is convex, so
-/// only simplices whose corners were all outside had to be asked. Unchanged for K at value + 0:
-/// K is closed, and what does not meet it has a distance from it.
+/// segment from conv(I) to conv(O), and each segment leaves K once. So the boundary of K in s is a
+/// graph over conv(I) x conv(O): one disc, the polygon of marching tetrahedra, and in the faces of
+/// s likewise. In the subdivision every tetrahedron is such a simplex: what is added is inside, K
+/// is convex, so only simplices whose corners were all outside had to be asked. Unchanged for K at
+/// value + 0: K is closed, and what does not meet it has a distance from it.
 ///
 /// @param nodes  its vertices in ascending order; `is_even`: an even permutation of a positive one
 CellLevel level_in_cell(const ConvexLevel& level, Invariant invariant, const TetMesh& mesh,

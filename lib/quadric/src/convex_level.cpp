@@ -16,8 +16,8 @@ namespace {
 
 /// Error of an entry q(S, T) of the form at places with integer coordinates, over the product
 /// of their sizes. A size is the root of 3 P + |tau| m^2 + gamma, m being the sum of the absolute
-/// diagonal, so a polar form evaluated in absolute values stays below the product (that of P below 3 times
-/// the roots). A term passes through less than 40 roundings: 2 in a deviator, 6 in P, 8 in
+/// diagonal, so a polar form evaluated in absolute values stays below the product (that of P below
+/// 3 times the roots). A term passes through less than 40 roundings: 2 in a deviator, 6 in P, 8 in
 /// tau tr tr, 4 in gamma, 20 in the sum over coordinates. Underflow adds less than 2^-1000, little
 /// beside the square of the smallest size admitted.
 constexpr double kEntryError = 64 * std::numeric_limits<double>::epsilon();
@@ -114,8 +114,8 @@ const CellForm::Exact& CellForm::exact() const {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j <= i; ++j) {
       const Rational traces = exact_->trace[i] * exact_->trace[j];
-      exact_->form[i][j] = exact_->form[j][i] = norm_form(deviators[i], deviators[j]) +
-                                                level_.tau * traces - level_.gamma;
+      exact_->form[i][j] = exact_->form[j][i] =
+          norm_form(deviators[i], deviators[j]) + level_.tau * traces - level_.gamma;
     }
   return *exact_;
 }
@@ -174,9 +174,9 @@ bool CellForm::has_zero_inside(unsigned mask) const {
 }
 
 bool CellForm::holds_zero() const {
-  for (const auto component : {&SymmetricTensor<double>::xx, &SymmetricTensor<double>::yy,
-                               &SymmetricTensor<double>::zz, &SymmetricTensor<double>::xy,
-                               &SymmetricTensor<double>::yz, &SymmetricTensor<double>::xz}) {
+  for (const auto component :
+       {&SymmetricTensor<double>::xx, &SymmetricTensor<double>::yy, &SymmetricTensor<double>::zz,
+        &SymmetricTensor<double>::xy, &SymmetricTensor<double>::yz, &SymmetricTensor<double>::xz}) {
     int positive = 0, negative = 0;
     for (const auto* t : tensors_) {
       positive += t->*component > 0;

@@ -83,8 +83,8 @@ class CellForm {
 
   const ConvexLevel& level_;
   std::array<const SymmetricTensor<double>*, 4> tensors_;
-  SquareMatrix<double, 4> form_;      ///< of tensors scaled by a power of two
-  std::array<double, 4> size_;        ///< bounds: |form_[i][j]| <= size_[i] size_[j]
+  SquareMatrix<double, 4> form_;  ///< of tensors scaled by a power of two
+  std::array<double, 4> size_;    ///< bounds: |form_[i][j]| <= size_[i] size_[j]
   std::array<double, 4> trace_, trace_size_;
   mutable std::unique_ptr<Exact> exact_;
   mutable std::size_t exact_answers_ = 0;

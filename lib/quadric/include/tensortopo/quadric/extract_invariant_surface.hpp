@@ -23,10 +23,10 @@ struct InvariantOptions {
 
 /// What the extraction did, for reports.
 struct InvariantStatistics {
-  std::size_t tets_crossed = 0;        ///< hold triangles
-  std::size_t tets_refined = 0;        ///< the level meets a simplex in its interior only
-  std::size_t vertices_on_level = 0;   ///< vertices of the mesh whose invariant is exactly that
-  std::size_t signs_exact = 0;         ///< answers that took rationals
+  std::size_t tets_crossed = 0;       ///< hold triangles
+  std::size_t tets_refined = 0;       ///< the level meets a simplex in its interior only
+  std::size_t vertices_on_level = 0;  ///< vertices of the mesh whose invariant is exactly that
+  std::size_t signs_exact = 0;        ///< answers that took rationals
   double seconds_tets = 0, seconds_stitch = 0;
 };
 

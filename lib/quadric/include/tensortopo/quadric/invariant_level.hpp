@@ -33,8 +33,8 @@ class InvariantLevel {
   /// Reads "0.5", "9/10" or "2e8" exactly, as `ModeValue` does.
   ///
   /// Throws std::invalid_argument, with the reason, for what is no such number, and unless the
-  /// value is positive and, of an anisotropy, below 1: elsewhere the invariant is least or largest on the
-  /// level, which is no surface.
+  /// value is positive and, of an anisotropy, below 1: elsewhere the invariant is least or largest
+  /// on the level, which is no surface.
   static InvariantLevel parse(Invariant invariant, std::string_view text);
 
   Invariant invariant() const { return invariant_; }
