@@ -26,14 +26,14 @@ TEST(ExtractInvariant, SurfacesOfARealFieldAreManifoldAndComplete) {
     // Of the order of what the fields hold.
     std::vector<std::string> words{"--invariant", invariant, "--json"};
     const bool is_ratio = std::string(invariant) == "anisotropy";
-    for (const char* value : {is_ratio ? "0.7" : "0.5", is_ratio ? "9/10" : "1"})
+    for (const char* value : {is_ratio ? "0.7" : "0.25", is_ratio ? "9/10" : "1/2"})
       words.insert(words.end(), {"--value", value});
     const Outcome run = extract(folder, words);
     ASSERT_EQ(run.status, 0) << run.err;
     const Json report = Json::parse(run.out);
     ASSERT_EQ(report["surfaces"].size(), 2u);
     EXPECT_TRUE(report["unresolved"].empty());
-    EXPECT_EQ(report["surfaces"][1]["value_exact"], is_ratio ? "9/10" : "1");
+    EXPECT_EQ(report["surfaces"][1]["value_exact"], is_ratio ? "9/10" : "1/2");
     for (const auto& surface : report["surfaces"]) {
       EXPECT_EQ(surface["invariant"], invariant);
       EXPECT_TRUE(surface["manifold"]);
