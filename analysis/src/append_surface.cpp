@@ -55,6 +55,7 @@ void append_surface(SurfaceMesh& surface, SurfaceMesh part) {
   per_vertex(surface.normal, part.normal);
   per_vertex(surface.mode, part.mode);
   per_vertex(surface.residual, part.residual);
+  per_vertex(surface.value, part.value);
   per_triangle(surface.tet, part.tet);
   per_triangle(surface.component, part.component);
   per_vertex(surface.points, part.points);

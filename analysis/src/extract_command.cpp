@@ -14,11 +14,11 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "require_folder.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
-#include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 
 namespace tensortopo {
@@ -36,18 +36,6 @@ class Clock {
 
 void tell(const Progress& progress, std::string_view stage, double fraction) {
   if (progress) progress(stage, fraction);
-}
-
-// An extraction may take minutes: a folder that is not there is found out before it.
-void require_folder(const std::filesystem::path& output) {
-  const auto folder = output.has_parent_path() ? output.parent_path() : ".";
-  std::error_code error;
-  if (!std::filesystem::is_directory(folder, error)) {
-    throw IoError(IoError::Kind::unwritable, output, "no such folder");
-  }
-  if (std::filesystem::is_directory(output, error)) {
-    throw IoError(IoError::Kind::unwritable, output, "is a folder");
-  }
 }
 
 using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vector<ModeValue>>;

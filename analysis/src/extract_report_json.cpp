@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tensortopo/analysis/extract_report.hpp"
+#include "topology_json.hpp"
 
 namespace tensortopo {
 namespace {
@@ -17,36 +18,18 @@ Json counts(const std::map<std::string, std::size_t>& unresolved) {
   return json;
 }
 
-Json part_json(const SurfaceInvariants::Part& part) {
-  return {{"euler_characteristic", part.euler_characteristic},
-          {"boundary_loops", part.boundary_loops},
-          {"genus", part.genus},
-          {"triangles", part.triangles},
-          {"area", part.area},
-          {"orientable", part.orientable},
-          {"manifold", part.manifold}};
-}
-
 Json surface_json(const SurfaceReport& surface) {
-  const SurfaceInvariants& known = surface.invariants;
   Json json{{"mode", surface.mode.approx()},
             {"mode_exact", surface.mode.text()},
             {"vertices", surface.vertices},
-            {"triangles", surface.triangles},
-            {"components", known.components},
-            {"boundary_loops", known.boundary_loops},
-            {"euler_characteristic", known.euler_characteristic},
-            {"orientable", known.orientable},
-            {"closed", known.closed},
-            {"manifold", known.manifold},
-            {"area", known.area},
-            {"max_abs_residual", surface.max_abs_residual},
-            {"tets_crossed", surface.statistics.tets_crossed},
-            {"distance_bound", surface.distance_bound ? Json(*surface.distance_bound) : Json()},
-            {"tets_farther", surface.tets_farther},
-            {"unresolved", counts(surface.unresolved)}};
-  json["parts"] = Json::array();
-  for (const auto& part : known.parts) json["parts"].push_back(part_json(part));
+            {"triangles", surface.triangles}};
+  add_topology(json, surface.invariants);
+  json["max_abs_residual"] = surface.max_abs_residual;
+  json["tets_crossed"] = surface.statistics.tets_crossed;
+  json["distance_bound"] = surface.distance_bound ? Json(*surface.distance_bound) : Json();
+  json["tets_farther"] = surface.tets_farther;
+  json["unresolved"] = counts(surface.unresolved);
+  json["parts"] = parts_json(surface.invariants);
   return json;
 }
 

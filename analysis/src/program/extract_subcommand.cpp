@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "program/invariant_option.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
 
 namespace tensortopo {
 namespace {
@@ -20,6 +22,7 @@ struct Options {
   std::vector<std::string> modes;
   std::string components;
   std::string method = "manifold";
+  InvariantOption invariant;
 };
 
 ExitStatus extract(const Options& options, const CommonOptions& common) {
@@ -27,11 +30,14 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
                                                             {"voigt", ComponentOrder::voigt},
                                                             {"abaqus", ComponentOrder::abaqus}};
   ExtractCommand command = options.command;
+  if (!options.components.empty()) command.read.components = orders.at(options.components);
+  if (!options.invariant.invariant.empty())
+    return extract_invariant(options.invariant, command, common);
+  if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
   command.modes = parse_modes(options.modes);
   if (options.method == "marching") command.baseline = Baseline::marching;
   if (options.method == "a-patches") command.baseline = Baseline::a_patches;
   if (options.method == "hybrid") command.baseline = Baseline::hybrid;
-  if (!options.components.empty()) command.read.components = orders.at(options.components);
 
   ProgressBar bar(!common.quiet);
   const ExtractReport report = run_extract(command, bar.callback());
@@ -77,7 +83,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl; curves: the first three")
       ->type_name("FILE")
       ->required();
-  add_mode_option(app, options->modes);
+  add_mode_option(app, options->modes)->required(false);
   app.add_flag("--generalized", command.generalized, "With each mode M, also -M");
   app.add_option("--resolution", command.sampling.resolution,
                  "Samples per radian of turning of the medium eigenvector (curves: dominant)")
@@ -100,6 +106,9 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Largest distance from the surface, in edges of the tetrahedron (method hybrid)")
       ->check(CLI::Range(1e-9, 1.0))
       ->capture_default_str();
+  add_invariant_option(app, options->invariant,
+                       {"--mode", "--generalized", "--resolution", "--max-error", "--method",
+                        "--patch-samples", "--flatness"});
   app.add_option("--certify", command.certificate,
                  "Also prove the topology and distances; JSON, or CBOR if named .cbor")
       ->type_name("CERT");

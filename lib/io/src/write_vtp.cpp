@@ -90,6 +90,7 @@ std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const Te
   };
   vtkDataSetAttributes& points = *data->GetPointData();
   add<vtkDoubleArray>(points, names, "mode", of_both(surface.mode, curves.mode), same);
+  add<vtkDoubleArray>(points, names, "value", of_both(surface.value, {}), same);
   add(points, names, "medium_eigenvector", of_both(surface.medium_eigenvector, {}));
   add(points, names, "dominant_eigenvector",
       of_both(surface.dominant_eigenvector, curves.dominant_eigenvector));

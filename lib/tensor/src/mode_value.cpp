@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <mpfr.h>
 
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
 #include "tensortopo/scalar/instantiations.hpp"
 #include "tensortopo/scalar/interval.hpp"
+#include "tensortopo/scalar/parse_rational.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
@@ -15,73 +15,10 @@
 namespace tensortopo {
 namespace {
 
-constexpr std::size_t longest_text = 300;
-constexpr int largest_exponent = 300;
-
 [[noreturn]] void refuse(std::string_view text, const char* reason) {
   std::string shown(text.substr(0, 40));
   if (text.size() > shown.size()) shown += "...";
   throw std::invalid_argument("mode value \"" + shown + "\": " + reason);
-}
-
-/// The leading digits of `rest`, which are removed from it.
-std::string take_digits(std::string_view& rest) {
-  std::size_t count = 0;
-  while (count < rest.size() && rest[count] >= '0' && rest[count] <= '9') ++count;
-  std::string digits(rest.substr(0, count));
-  rest.remove_prefix(count);
-  return digits;
-}
-
-bool take(std::string_view& rest, std::string_view one_of) {
-  if (rest.empty() || one_of.find(rest.front()) == std::string_view::npos) return false;
-  rest.remove_prefix(1);
-  return true;
-}
-
-boost::multiprecision::mpz_int integer(const std::string& digits) {
-  // A leading zero would announce octal digits.
-  const auto first = digits.find_first_not_of('0');
-  return boost::multiprecision::mpz_int(first == std::string::npos ? "0" : digits.substr(first));
-}
-
-Rational power_of_ten(int exponent) {
-  return Rational(boost::multiprecision::pow(boost::multiprecision::mpz_int(10),
-                                             static_cast<unsigned>(exponent)));
-}
-
-int take_exponent(std::string_view text, std::string_view& rest) {
-  const bool negative = !rest.empty() && rest.front() == '-';
-  take(rest, "+-");
-  const std::string digits = take_digits(rest);
-  if (digits.empty()) refuse(text, "the exponent has no digits");
-  const auto value = integer(digits);
-  if (value > largest_exponent) refuse(text, "the exponent is beyond 300");
-  return negative ? -value.convert_to<int>() : value.convert_to<int>();
-}
-
-/// What follows the sign.
-Rational magnitude(std::string_view text, std::string_view rest) {
-  const std::string whole = take_digits(rest);
-  Rational value;
-  if (!whole.empty() && take(rest, "/")) {
-    const std::string below = take_digits(rest);
-    if (below.empty()) refuse(text, "the denominator has no digits");
-    const auto denominator = integer(below);
-    if (denominator == 0) refuse(text, "the denominator is zero");
-    value = Rational(integer(whole), denominator);
-  } else {
-    const std::string part = take(rest, ".") ? take_digits(rest) : std::string();
-    if (whole.empty() && part.empty()) refuse(text, "not a decimal number or a fraction");
-    value = Rational(integer(whole + part)) / power_of_ten(static_cast<int>(part.size()));
-    if (take(rest, "eE")) {
-      const int exponent = take_exponent(text, rest);
-      const Rational factor = power_of_ten(std::abs(exponent));
-      value = exponent < 0 ? Rational(value / factor) : Rational(value * factor);
-    }
-  }
-  if (!rest.empty()) refuse(text, "unexpected characters after the number");
-  return value;
 }
 
 Rational rational(const ModeValue& mode) {
@@ -134,15 +71,13 @@ struct Conversion<Interval> {
 }  // namespace
 
 ModeValue ModeValue::parse(std::string_view text) {
-  if (text.size() > longest_text) refuse(text, "longer than 300 characters");
-  std::string_view rest = text;
-  const bool negative = !rest.empty() && rest.front() == '-';
-  take(rest, "+-");
-  Rational value = magnitude(text, rest);
-  if (value > 1) refuse(text, "outside [-1, 1]");
-  if (value != 0 && value * power_of_ten(largest_exponent) < 1)
-    refuse(text, "smaller than 1e-300 but not zero");
-  if (negative) value = -value;
+  Rational value;
+  try {
+    value = parse_rational(text);
+  } catch (const std::invalid_argument& problem) {
+    refuse(text, problem.what());
+  }
+  if (value > 1 || value < -1) refuse(text, "outside [-1, 1]");
   ModeValue result;
   result.numerator_ = boost::multiprecision::numerator(value).str();
   result.denominator_ = boost::multiprecision::denominator(value).str();

@@ -27,9 +27,9 @@ struct WriteReport {
 /// | .obj .off | geometry, shortest decimals that read back exactly | exact                     |
 /// | .stl      | geometry, binary                                   | rounded to float32        |
 ///
-/// The arrays of a .vtp are point data `mode`, `medium_eigenvector`, `dominant_eigenvector`,
-/// `normal`, `residual` and cell data `tet` (id of the cell in the input, from
-/// `mesh.cell_ids`), `component`; those that are empty in `surface` are left out.
+/// The arrays of a .vtp are point data `mode`, `value`, `medium_eigenvector`,
+/// `dominant_eigenvector`, `normal`, `residual` and cell data `tet` (id of the cell in the input,
+/// from `mesh.cell_ids`), `component`; those that are empty in `surface` are left out.
 ///
 /// Laws      (1) equal surfaces give equal bytes; (2) the file appears whole or not at all: it is
 ///           written under another name beside its own, then renamed; (3) on failure nothing is

@@ -36,7 +36,10 @@ struct SurfaceMesh {
   std::vector<Vector3<double>> dominant_eigenvector;   ///< unit, sign arbitrary
   std::vector<Vector3<double>> normal;                 ///< unit gradient of the mode
   std::vector<double> mode;                            ///< the mode asked for
-  std::vector<double> residual;                        ///< mode of the field there less `mode`
+  std::vector<double> residual;  ///< mode (or other invariant) of the field there less `mode`
+  /// Of surfaces of another invariant than the mode, which have no `mode` and no eigenvectors: the
+  /// value asked for.
+  std::vector<double> value;
 
   // One per triangle.
   std::vector<Index> tet;        ///< index of the tetrahedron that holds the triangle

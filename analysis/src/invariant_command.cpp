@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/analysis/invariant_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "require_folder.hpp"
+#include "tensortopo/analysis/append_surface.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/write_surface.hpp"
+
+namespace tensortopo {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+InvariantSurfaceReport surface_report(const InvariantLevel& level,
+                                      const InvariantExtraction& extraction) {
+  InvariantSurfaceReport report{level,
+                                extraction.surface.points.size(),
+                                extraction.surface.triangles.size(),
+                                surface_invariants(extraction.surface),
+                                0,
+                                extraction.zero_tensor.size(),
+                                extraction.statistics};
+  report.topology.component.clear();
+  for (const double r : extraction.surface.residual)
+    report.max_abs_residual = std::max(report.max_abs_residual, std::abs(r));
+  return report;
+}
+
+}  // namespace
+
+InvariantReport run_invariant_extract(const InvariantCommand& command, const Progress& progress) {
+  using Clock = std::chrono::steady_clock;
+  if (command.levels.empty()) throw UsageError("--value: no value given");
+  require_surface_extension(command.output, false);
+  require_folder(command.output);
+  InvariantReport report;
+  report.input = command.input;
+  report.output = command.output;
+  if (progress) progress("reading", 0);
+  auto start = Clock::now();
+  const ReadResult read = read_mesh(command.input, command.read);
+  report.seconds_read = seconds_since(start);
+  report.sha256 = read.sha256;
+  report.tensor_name = read.report.tensor_name;
+  report.notes = read.report.notes;
+  report.vertices = read.mesh.points.size();
+  report.tetrahedra = read.mesh.tets.size();
+
+  SurfaceMesh surface;
+  std::set<std::int64_t> unresolved;
+  std::vector<InvariantLevel> done;
+  for (const InvariantLevel& level : command.levels) {
+    if (std::find(done.begin(), done.end(), level) != done.end()) continue;
+    done.push_back(level);
+    InvariantOptions options;
+    options.pieces = command.pieces;
+    if (progress)
+      options.progress = [&, label = std::string(name_of(level.invariant())) + " " + level.text() +
+                                     ": "](std::string_view stage, double fraction) {
+        progress(label + std::string(stage), fraction);
+      };
+    start = Clock::now();
+    InvariantExtraction extraction = extract_invariant_surface(read.mesh, level, options);
+    report.seconds_extract += seconds_since(start);
+    for (const auto t : extraction.zero_tensor)
+      unresolved.insert(read.mesh.cell_ids[static_cast<std::size_t>(t)]);
+    report.surfaces.push_back(surface_report(level, extraction));
+    append_surface(surface, std::move(extraction.surface));
+  }
+  report.unresolved.assign(unresolved.begin(), unresolved.end());
+  if (command.strict && !report.unresolved.empty()) return report;
+  if (progress) progress("writing", 0);
+  start = Clock::now();
+  report.bytes = write_surface(surface, read.mesh, command.output).bytes;
+  report.written = true;
+  report.seconds_write = seconds_since(start);
+  return report;
+}
+
+}  // namespace tensortopo

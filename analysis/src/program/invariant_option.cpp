@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program/invariant_option.hpp"
+
+#include <iostream>
+#include <stdexcept>
+
+#include "program/progress_bar.hpp"
+#include "program/report_output.hpp"
+#include "tensortopo/analysis/invariant_command.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+
+namespace tensortopo {
+
+void add_invariant_option(CLI::App& app, InvariantOption& option,
+                          const std::vector<std::string>& others) {
+  auto* invariant = app.add_option("--invariant", option.invariant,
+                                   "Instead of the mode: |T|, |D| or |D| / |T| for deviator D")
+                        ->check(CLI::IsMember({"magnitude", "deviator-magnitude", "anisotropy"}));
+  app.add_option("--value", option.values,
+                 "Value of the invariant, a decimal or a fraction, taken exactly; repeatable")
+      ->type_name("V")
+      ->allow_extra_args(false)
+      ->needs(invariant);
+  app.add_option("--pieces", option.pieces,
+                 "Parts in which an edge of a tetrahedron is cut (surfaces of invariants)")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str()
+      ->needs(invariant);
+  for (const std::string& name : others) invariant->excludes(app.get_option(name));
+}
+
+ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand& command,
+                             const CommonOptions& common) {
+  if (!command.certificate.empty())
+    throw UsageError(
+        "--certify: there are certificates of mode surfaces, not yet of the surfaces "
+        "of other invariants (--invariant)");
+  if (option.values.empty()) throw UsageError("--invariant " + option.invariant + ": no --value");
+  InvariantCommand own;
+  own.input = command.input;
+  own.output = command.output;
+  own.read = command.read;
+  own.strict = command.strict;
+  own.pieces = option.pieces;
+  for (const std::string& text : option.values) {
+    try {
+      own.levels.push_back(InvariantLevel::parse(*invariant_named(option.invariant), text));
+    } catch (const std::invalid_argument& problem) {
+      throw UsageError("--value " + text + ": " + problem.what());
+    }
+  }
+  ProgressBar bar(!common.quiet);
+  const InvariantReport report = run_invariant_extract(own, bar.callback());
+  bar.erase();
+  if (!common.quiet)
+    for (const std::string& note : report.notes)
+      std::cerr << "tensortopo: " << report.input.string() << ": " << note << '\n';
+  const std::string unresolved = unresolved_line(report);
+  if (!unresolved.empty())
+    std::cerr << "tensortopo: " << report.input.string() << ": " << unresolved
+              << (report.written ? "" : "; nothing written") << '\n';
+  print(common.json ? to_json(report) + '\n' : to_text(report));
+  return own.strict && !unresolved.empty() ? ExitStatus::undecided : ExitStatus::done;
+}
+
+}  // namespace tensortopo

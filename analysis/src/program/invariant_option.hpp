@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "program/common_options.hpp"
+#include "tensortopo/analysis/exit_status.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
+
+namespace tensortopo {
+
+/// The words that ask `extract` for another invariant than the mode.
+struct InvariantOption {
+  std::string invariant;
+  std::vector<std::string> values;
+  int pieces = 2;
+};
+
+/// Adds `--invariant`, `--value` and `--pieces`; the options named in `others` are for modes only.
+void add_invariant_option(CLI::App& app, InvariantOption& option,
+                          const std::vector<std::string>& others);
+
+/// Does what `extract` does, with the input, output and reading options of `command`.
+ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand& command,
+                             const CommonOptions& common);
+
+}  // namespace tensortopo

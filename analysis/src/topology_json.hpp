@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "tensortopo/mesh/surface_invariants.hpp"
+
+namespace tensortopo {
+
+/// Adds what reports say of any surface's topology to a JSON object, `parts` last.
+inline void add_topology(nlohmann::ordered_json& json, const SurfaceInvariants& known) {
+  json["components"] = known.components;
+  json["boundary_loops"] = known.boundary_loops;
+  json["euler_characteristic"] = known.euler_characteristic;
+  json["orientable"] = known.orientable;
+  json["closed"] = known.closed;
+  json["manifold"] = known.manifold;
+  json["area"] = known.area;
+}
+
+inline nlohmann::ordered_json parts_json(const SurfaceInvariants& known) {
+  auto json = nlohmann::ordered_json::array();
+  for (const auto& part : known.parts)
+    json.push_back({{"euler_characteristic", part.euler_characteristic},
+                    {"boundary_loops", part.boundary_loops},
+                    {"genus", part.genus},
+                    {"triangles", part.triangles},
+                    {"area", part.area},
+                    {"orientable", part.orientable},
+                    {"manifold", part.manifold}});
+  return json;
+}
+
+}  // namespace tensortopo

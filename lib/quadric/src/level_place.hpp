@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "convex_level.hpp"
+#include "tensortopo/tensor/deviator.hpp"
+
+namespace tensortopo {
+
+/// Barycentric coordinates in a tetrahedron.
+using Weights = std::array<double, 4>;
+
+/// Where the level is, in double arithmetic: nothing here decides topology.
+class CellGeometry {
+ public:
+  CellGeometry(const ConvexLevel& level,
+               const std::array<const SymmetricTensor<double>*, 4>& tensors,
+               const std::array<Vector3<double>, 4>& points);
+
+  /// A place of the body in the simplex with these two to four corners, all of them outside: where
+  /// q is least, kept off the boundary.
+  Weights inner_place(std::span<const Weights> corners) const;
+
+  /// The level between a place of the body and one outside, kept 2^-40 of the way off both ends: a
+  /// level through a vertex of the mesh has its vertices next to it, all different.
+  Weights crossing(const Weights& inside, const Weights& outside) const;
+
+  Vector3<double> position(const Weights& w) const;
+  /// Unit gradient of q: outward from the body. Zero if it vanishes.
+  Vector3<double> normal(const Weights& w) const;
+
+ private:
+  double form(const Weights& u, const Weights& v) const;
+
+  std::array<Vector3<double>, 4> points_;
+  std::array<Vector3<double>, 4> inward_;  ///< gradients of the coordinates
+  std::array<Deviator<double>, 4> deviators_;
+  std::array<double, 4> traces_;
+  double tau_, gamma_;
+};
+
+}  // namespace tensortopo
