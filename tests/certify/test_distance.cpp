@@ -78,13 +78,15 @@ TEST_P(Distance, OfAMuchFinerSurfaceStaysBelowTheBound) {
 
 TEST_P(Distance, ShrinksWithMoreSamples) {
   const TetMesh mesh = smooth_cube(3, 20241111);
-  const auto median = [&](double resolution) {
+  // The long ones count; short ones are frequent where samples are dense anyhow.
+  const auto long_reach = [&](double resolution) {
     auto reach = certified(mesh, GetParam(), resolution).level.distance.reach;
-    std::nth_element(reach.begin(), reach.begin() + static_cast<std::ptrdiff_t>(reach.size() / 2),
+    const auto place = reach.size() * 4 / 5;
+    std::nth_element(reach.begin(), reach.begin() + static_cast<std::ptrdiff_t>(place),
                      reach.end());
-    return reach_length(reach[reach.size() / 2]);
+    return reach_length(reach[place]);
   };
-  EXPECT_LT(median(12), median(3) / 4);
+  EXPECT_LT(long_reach(12), long_reach(3) / 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Distance, testing::Values("0", "1/2", "-1/2", "-9/10"));

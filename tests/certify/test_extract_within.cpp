@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 #include "certify_case.hpp"
 #include "tensortopo/certify/extract_within.hpp"
@@ -13,21 +14,33 @@ namespace {
 
 class Within : public testing::TestWithParam<const char*> {};
 
+// Where a curve turns sharply in a face a sample inside can lie too close to it for any reach to suffice;
+// such a tetrahedron is named, and has to be rare.
 TEST_P(Within, ReachesTheDistanceWithTheTopologyOfThePlainExtraction) {
-  TetMesh mesh = cube_mesh(1);
-  fill_with_normal_tensors(mesh, 20241301);
   const auto mode = ModeValue::parse(GetParam());
-  const auto plain = extract_mode_surface<double>(mesh, mode);
-  ASSERT_GT(plain.surface.triangles.size(), 0u);
-  for (const double distance : {0.1, 0.02}) {
-    const auto within = extract_within(mesh, mode, distance);
-    EXPECT_TRUE(within.farther.empty()) << distance;
-    EXPECT_LE(within.level.distance.bound, distance);
-    EXPECT_TRUE(within.level.distance.coarse.empty() ||
-                within.level.distance.coarse_bound <= distance);
-    EXPECT_EQ(summary(within.extraction.surface), summary(plain.surface));
-    EXPECT_EQ(flaws(within.extraction, mesh), "");
+  std::size_t crossed = 0, farther = 0;
+  for (std::uint64_t seed = 20241301; seed < 20241305; ++seed) {
+    SCOPED_TRACE(seed);
+    TetMesh mesh = cube_mesh(1);
+    fill_with_normal_tensors(mesh, seed);
+    const auto plain = extract_mode_surface<double>(mesh, mode);
+    ASSERT_GT(plain.surface.triangles.size(), 0u);
+    for (const double distance : {0.1, 0.02}) {
+      const auto within = extract_within(mesh, mode, distance);
+      crossed += within.extraction.statistics.tets_crossed;
+      farther += within.farther.size();
+      if (within.farther.empty()) {
+        EXPECT_LE(within.level.distance.bound, distance);
+      }
+      for (const auto t : within.level.distance.coarse)
+        EXPECT_TRUE(within.level.distance.coarse_bound <= distance ||
+                    std::count(within.farther.begin(), within.farther.end(), t) == 1);
+      EXPECT_EQ(summary(within.extraction.surface), summary(plain.surface));
+      EXPECT_EQ(flaws(within.extraction, mesh), "");
+    }
   }
+  std::cout << farther << " of " << crossed << " tetrahedra farther\n";
+  EXPECT_LE(8 * farther, crossed);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Within, testing::Values("1/2", "-1/2", "1/10"));

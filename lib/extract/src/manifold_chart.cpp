@@ -16,6 +16,9 @@ constexpr double kPi = std::numbers::pi;
 /// Keeps a division finite; no region reaches a pole or a whole meridian of the complex domain.
 constexpr double kTiny = std::numeric_limits<double>::min();
 
+/// Up to this share of E^2 at the side of a quadrant an oval counts as small.
+constexpr double kSmallOval = 1.0 / 64;
+
 double root(double x) { return std::sqrt(std::max(0.0, x)); }
 
 }  // namespace
@@ -26,7 +29,8 @@ ManifoldChart::ManifoldChart(const Manifold& manifold)
       q_(manifold.q()),
       c_(manifold.c()),
       least_side_(std::min(p_, q_)),
-      opening_(std::max(root(c_), 0.4 * root(least_side_))),
+      small_ovals_(c_ < kSmallOval * least_side_),
+      opening_(small_ovals_ ? std::max(root(c_), 0.4 * root(least_side_)) : root(c_)),
       pole_(manifold.sphere_point(0, 0)) {
   first_ = manifold.characteristic().eigenvectors[1];
   second_ = cross(pole_, first_);
@@ -38,7 +42,7 @@ double ManifoldChart::side(double half_angle) const {
 }
 
 double ManifoldChart::turn(const Quadrant& quadrant, double e2) const {
-  if (!(e2 < least_side_)) return 0;
+  if (!small_ovals_ || !(e2 < least_side_)) return 0;
   const double angle =
       std::asin(e2 > c_ ? c_ / e2 : 1.0) - std::asin(std::min(1.0, c_ / least_side_));
   return -0.5 * quadrant.theta * quadrant.eta * angle;
@@ -75,8 +79,10 @@ ManifoldChart::Point ManifoldChart::operator()(const Vector3<double>& v) const {
   const double x = std::sqrt(p_) * sin_theta, y = std::sqrt(q_) * std::sin(eta);
   const double e2 = x * x + y * y;
   const double half_angle = std::atan2(y, x) + turn(quadrant, e2);
-  const double s = side(half_angle), range = (s - c_) * (s + c_);
-  const double across = range > 0 ? std::sqrt(std::max(0.0, (e2 - c_) * (e2 + c_)) / range) : 1;
+  const double s = side(half_angle);
+  const double range = small_ovals_ ? (s - c_) * (s + c_) : s - c_;
+  const double beyond = small_ovals_ ? (e2 - c_) * (e2 + c_) : e2 - c_;
+  const double across = range > 0 ? root(beyond / range) : 1;
   return quadrant_point(quadrant, half_angle, std::min(across, 1.0));
 }
 
@@ -100,7 +106,9 @@ ManifoldChart::Sample ManifoldChart::sample(int quadrant, double around, double 
   }
   const Quadrant q{quadrant % 2 == 0 ? 1.0 : -1.0, quadrant < 2 ? 1.0 : -1.0};
   const double half_angle = kPi * around, s = side(half_angle);
-  const double e2 = std::sqrt(c_ * c_ + across * across * (s - c_) * (s + c_));
+  const double e2 = small_ovals_
+                        ? std::sqrt(c_ * c_ + across * across * (s - c_) * (s + c_))
+                        : c_ + across * across * (s - c_);
   const double before = half_angle - turn(q, e2), e = std::sqrt(e2);
   const double sin_theta = p_ > 0 ? std::clamp(e * std::cos(before) / std::sqrt(p_), -1.0, 1.0) : 0;
   const double sin_eta = std::clamp(e * std::sin(before) / std::sqrt(q_), -1.0, 1.0);

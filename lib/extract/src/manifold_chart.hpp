@@ -24,8 +24,8 @@ namespace tensortopo {
 ///   way from far away to the boundary, a right angle within a few radii of the oval. So in the
 ///   chart a point beside a small oval is beside that of the boundary to which it is close in
 ///   space. E is stretched to R + (E_side - R) sqrt((E^4 - c^2) / (E_side^4 - c^2)), with an R that
-///   is not small even if the oval is: next to mode 0 its points are all of a line in space.
-///   Then stereographic projection from a singularity, which no region holds.
+///   is not small even if the oval is: next to mode 0 its points are all of a line in space. Where
+///   ovals are not small nothing is turned, R is the oval's E, and the root is that of E^2 - c. Then stereographic projection from a singularity, which no region holds.
 class ManifoldChart {
  public:
   using Point = std::array<double, 2>;
@@ -65,7 +65,9 @@ class ManifoldChart {
 
   const Manifold& manifold_;
   double p_, q_, c_;
-  double least_side_, opening_;  ///< least E^2 of a side, and R
+  double least_side_;  ///< least E^2 of a side
+  bool small_ovals_;
+  double opening_;     ///< R
   Vector3<double> pole_, first_, second_;
 };
 
