@@ -10,9 +10,9 @@
 
 namespace tensortopo {
 
-/// Calls `visit(sample, spacing)` for the samples of a grid over the real domain that is about even
-/// in the chart, and therefore on the surface, next to the boundary included. `spacing()` is the
-/// distance, in the chart, to the nearest neighbours in the grid.
+/// Calls `visit(vector, point, spacing)` for the vectors of a grid over the real domain that is about even
+/// in the chart, and therefore on the surface, next to the boundary included. `point()` is the image,
+/// `spacing()` the distance, in the chart, to the nearest neighbours in the grid: few vectors need them.
 /// @param turn about how far the eigenvectors turn from a sample to the next, in radians
 template <class Visit>
 void visit_grid(const ManifoldChart& chart, double turn, const Visit& visit) {
@@ -23,18 +23,20 @@ void visit_grid(const ManifoldChart& chart, double turn, const Visit& visit) {
   const int around = count(8, annulus ? 2 : 1.5);
   const int across = count(annulus ? 4 : 2, annulus ? 1 : 0.5);
   for (int quadrant = 0; quadrant < chart.quadrants(); ++quadrant)
-    for (int i = 0; i < around; ++i)
+    for (int i = 0; i < around; ++i) {
+      const auto ray = chart.ray(quadrant, (i + 0.5) / around);
       for (int j = 0; j < across; ++j) {
-        const auto at = [&](double di, double dj) {
-          return chart.sample(quadrant, (i + di) / around, (j + dj) / across);
+        const auto point = [&] { return chart.point_at(ray, (j + 0.5) / across); };
+        const auto spacing = [&] {
+          const auto here = point(), along = chart.point_at(ray, (j + 0.75) / across),
+                     beside = chart.point_at(chart.ray(quadrant, (i + 0.75) / around),
+                                             (j + 0.5) / across);
+          return 4 * std::min(std::hypot(along[0] - here[0], along[1] - here[1]),
+                              std::hypot(beside[0] - here[0], beside[1] - here[1]));
         };
-        const auto sample = at(0.5, 0.5);
-        const auto distance = [&](const ManifoldChart::Sample& quarter) {
-          return 4 * std::hypot(quarter.point[0] - sample.point[0],
-                                quarter.point[1] - sample.point[1]);
-        };
-        visit(sample, [&] { return std::min(distance(at(0.75, 0.5)), distance(at(0.5, 0.75))); });
+        visit(chart.vector_at(ray, (j + 0.5) / across), point, spacing);
       }
+    }
 }
 
 }  // namespace tensortopo

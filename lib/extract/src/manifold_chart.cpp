@@ -94,28 +94,38 @@ ManifoldChart::Point ManifoldChart::at_boundary(const BoundaryPosition<double>& 
   return quadrant_point(quadrant, half_angle + turn(quadrant, c_), 0);
 }
 
-ManifoldChart::Sample ManifoldChart::sample(int quadrant, double around, double across) const {
+ManifoldChart::Ray ManifoldChart::ray(int quadrant, double around) const {
+  const double angle = (manifold_.single_loop() ? 2 : 1) * kPi * around;
+  Ray ray{quadrant, angle, std::cos(angle), std::sin(angle), 0};
+  ray.end = manifold_.single_loop() ? root(1 - std::max(0.0, (c_ - p_ * ray.sine * ray.sine) / q_))
+                                    : side(angle);
+  return ray;
+}
+
+Vector3<double> ManifoldChart::vector_at(const Ray& ray, double across) const {
   if (manifold_.single_loop()) {
-    const double theta = 2 * kPi * around, cosine = std::cos(kPi * across);
-    const double sin_theta = std::sin(theta);
-    const double sin2_boundary = std::max(0.0, (c_ - p_ * sin_theta * sin_theta) / q_);
-    const double cos_eta = cosine * root(1 - sin2_boundary);
-    const double sin_eta = root(1 - cos_eta * cos_eta);
-    return {manifold_.sphere_point(sin_theta, std::cos(theta), sin_eta, cos_eta),
-            annulus_point(theta, cosine)};
+    const double cos_eta = std::cos(kPi * across) * ray.end;
+    return manifold_.sphere_point(ray.sine, ray.cosine, root(1 - cos_eta * cos_eta), cos_eta);
   }
-  const Quadrant q{quadrant % 2 == 0 ? 1.0 : -1.0, quadrant < 2 ? 1.0 : -1.0};
-  const double half_angle = kPi * around, s = side(half_angle);
-  const double e2 = small_ovals_
-                        ? std::sqrt(c_ * c_ + across * across * (s - c_) * (s + c_))
-                        : c_ + across * across * (s - c_);
-  const double before = half_angle - turn(q, e2), e = std::sqrt(e2);
-  const double sin_theta = p_ > 0 ? std::clamp(e * std::cos(before) / std::sqrt(p_), -1.0, 1.0) : 0;
-  const double sin_eta = std::clamp(e * std::sin(before) / std::sqrt(q_), -1.0, 1.0);
+  const Quadrant q = quadrant_of(ray);
+  const double s = ray.end;
+  double e2 = c_ + across * across * (s - c_), cosine = ray.cosine, sine = ray.sine;
+  if (small_ovals_) {
+    e2 = std::sqrt(c_ * c_ + across * across * (s - c_) * (s + c_));
+    const double before = ray.angle - turn(q, e2);
+    cosine = std::cos(before), sine = std::sin(before);
+  }
+  const double e = std::sqrt(e2);
+  const double sin_theta = p_ > 0 ? std::clamp(e * cosine / std::sqrt(p_), -1.0, 1.0) : 0;
+  const double sin_eta = std::clamp(e * sine / std::sqrt(q_), -1.0, 1.0);
   const double flip = sin_eta < 0 ? -1 : 1;
-  return {manifold_.sphere_point(flip * sin_theta, q.theta * root(1 - sin_theta * sin_theta),
-                                 flip * sin_eta, q.eta * root(1 - sin_eta * sin_eta)),
-          quadrant_point(q, half_angle, across)};
+  return manifold_.sphere_point(flip * sin_theta, q.theta * root(1 - sin_theta * sin_theta),
+                                flip * sin_eta, q.eta * root(1 - sin_eta * sin_eta));
+}
+
+ManifoldChart::Point ManifoldChart::point_at(const Ray& ray, double across) const {
+  if (manifold_.single_loop()) return annulus_point(ray.angle, std::cos(kPi * across));
+  return quadrant_point(quadrant_of(ray), ray.angle, across);
 }
 
 }  // namespace tensortopo

@@ -39,15 +39,20 @@ class ManifoldChart {
   /// itself has only a few digits of its place along the oval.
   Point at_boundary(const BoundaryPosition<double>& at) const;
 
-  /// A vector and its image, for a grid over one of the quadrants of the signs of cos theta and
-  /// cos eta (above the bifurcation value: over the annulus, for quadrant 0 only).
-  struct Sample {
-    Vector3<double> v;
-    Point point;
+  /// A line of a grid over one of the quadrants of the signs of cos theta and cos eta (above the
+  /// bifurcation value: over the annulus, for quadrant 0 only): from the boundary, at this part of the
+  /// way around it, across (above the bifurcation value: to the boundary again).
+  struct Ray {
+    int quadrant;
+    double angle, cosine, sine;
+    double end;  ///< E^2 where it ends; of an annulus cos eta where it begins
   };
   /// @param around 0 to 1 along the boundary, once around it
-  /// @param across 0 on the boundary to 1 (above the bifurcation value: on the boundary again)
-  Sample sample(int quadrant, double around, double across) const;
+  Ray ray(int quadrant, double around) const;
+  /// @param across 0 to 1 along the ray
+  Vector3<double> vector_at(const Ray& ray, double across) const;
+  /// Its image.
+  Point point_at(const Ray& ray, double across) const;
   int quadrants() const { return manifold_.single_loop() ? 1 : 4; }
 
  private:
@@ -58,6 +63,9 @@ class ManifoldChart {
   /// The sense, in a quadrant, in which the half angle of (sqrt(p) sin theta, sqrt(q) sin eta) is
   /// turned, and by how much at E^2.
   double turn(const Quadrant& quadrant, double e2) const;
+  static Quadrant quadrant_of(const Ray& ray) {
+    return {ray.quadrant % 2 == 0 ? 1.0 : -1.0, ray.quadrant < 2 ? 1.0 : -1.0};
+  }
   Point annulus_point(double theta, double cosine) const;
   /// From the turned half angle and the place between R and the side.
   Point quadrant_point(const Quadrant& quadrant, double half_angle, double across) const;

@@ -239,15 +239,16 @@ class Drawing {
     }
     if (!(least > 0.1)) least = -2;
     std::vector<ChartTriangulation::Point> samples;
-    visit_grid(chart_, turn_, [&](const ManifoldChart::Sample& sample, const auto& spacing) {
-      if (dot(sample.v, centre) < least) return;
-      const auto tensor = on_.manifold.tensor_at(sample.v);
+    visit_grid(chart_, turn_, [&](const auto& v, const auto& point, const auto& spacing) {
+      if (dot(v, centre) < least) return;
+      const auto tensor = on_.manifold.tensor_at(v);
       if (!inner_.is_inside(tensor)) return;
-      if (!(clearance(sample.point) > 0.5 * spacing())) return;
+      const auto place = point();
+      if (!(clearance(place) > 0.5 * spacing())) return;
       const auto vertex = inner_.at(tensor);
       if (!vertex) return;
-      add_image(inner_.add(*vertex), 0, sample.v, sample.point);
-      samples.push_back(sample.point);
+      add_image(inner_.add(*vertex), 0, v, place);
+      samples.push_back(place);
     });
     return samples;
   }
