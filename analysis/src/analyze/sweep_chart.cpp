@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
-#include <vtkContextItem.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
@@ -18,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/chart_item.hpp"
 #include "render/context_picture.hpp"
 
 namespace tensortopo {
@@ -26,9 +26,8 @@ namespace {
 constexpr int kWidth = 1600, kHeight = 1400;
 constexpr float kLeft = 150, kRight = 1560, kTop = 1330, kBottom = 190, kGap = 34, kStrip = 60;
 
-using Rgb = std::array<unsigned char, 3>;
-constexpr Rgb kInk{41, 46, 54}, kPale{225, 228, 232}, kTeal{15, 148, 145}, kBlue{46, 98, 176},
-    kGold{214, 140, 20}, kRed{196, 60, 60}, kViolet{128, 84, 168};
+using namespace chart;
+
 
 struct Place {
   float x, y;
@@ -106,9 +105,9 @@ Kind kind_of(LocalChange change) {
   }
 }
 
-class Chart : public vtkContextItem {
+class Chart : public ChartItem {
  public:
-  vtkTypeMacro(Chart, vtkContextItem) static Chart* New();
+  vtkTypeMacro(Chart, ChartItem) static Chart* New();
 
   void show(const Sweep& sweep, const SweepOptions& options) {
     sweep_ = &sweep;
@@ -133,23 +132,6 @@ class Chart : public vtkContextItem {
  private:
   float x_of(double mode) const {
     return kLeft + static_cast<float>((mode - from_) / (to_ - from_)) * (kRight - kLeft);
-  }
-
-  void pen(const Rgb& c, float width, unsigned char opacity = 255) {
-    painter_->GetPen()->SetColor(c[0], c[1], c[2], opacity);
-    painter_->GetPen()->SetWidth(width);
-  }
-
-  void words(float x, float y, const std::string& text, int size, bool bold, int justify,
-             const Rgb& colour = kInk) {
-    vtkTextProperty* const property = painter_->GetTextProp();
-    property->SetFontFamilyToArial();
-    property->SetFontSize(size);
-    property->SetBold(bold);
-    property->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
-    property->SetJustification(justify);
-    property->SetVerticalJustificationToCentered();
-    painter_->DrawString(x, y, text.c_str());
   }
 
   void paint(const Panel& p, float bottom, float top) {
@@ -222,7 +204,6 @@ class Chart : public vtkContextItem {
     }
   }
 
-  vtkContext2D* painter_ = nullptr;
   const Sweep* sweep_ = nullptr;
   double from_ = -1, to_ = 1;
   std::vector<Panel> panels_;

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <vtkContext2D.h>
-#include <vtkContextItem.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
@@ -14,6 +13,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/chart_item.hpp"
 #include "render/context_picture.hpp"
 
 namespace tensortopo {
@@ -22,14 +22,9 @@ namespace {
 constexpr int kWidth = 1600, kHeight = 1000;
 constexpr float kLeft = 170, kRight = 1250, kTop = 900, kBottom = 120;
 
-using Rgb = std::array<unsigned char, 3>;
-constexpr Rgb kInk{41, 46, 54}, kPale{225, 228, 232};
-constexpr std::array<Rgb, 6> kColours{{{15, 148, 145},
-                                       {214, 140, 20},
-                                       {46, 98, 176},
-                                       {196, 60, 60},
-                                       {128, 84, 168},
-                                       {90, 98, 108}}};
+using namespace chart;
+
+constexpr std::array<Rgb, 6> kColours{kTeal, kGold, kBlue, kRed, kViolet, Rgb{90, 98, 108}};
 
 /// From values to pixels.
 struct Axis {
@@ -67,9 +62,9 @@ struct Axis {
   }
 };
 
-class Drawing : public vtkContextItem {
+class Drawing : public ChartItem {
  public:
-  vtkTypeMacro(Drawing, vtkContextItem) static Drawing* New();
+  vtkTypeMacro(Drawing, ChartItem) static Drawing* New();
 
   void show(const LineChart& chart) {
     chart_ = &chart;
@@ -103,23 +98,6 @@ class Drawing : public vtkContextItem {
   }
 
  private:
-  void pen(const Rgb& c, float width) {
-    painter_->GetPen()->SetColor(c[0], c[1], c[2], 255);
-    painter_->GetPen()->SetWidth(width);
-  }
-
-  void words(float x, float y, const std::string& text, int size, bool bold, int justify,
-             const Rgb& colour = kInk) {
-    vtkTextProperty* const property = painter_->GetTextProp();
-    property->SetFontFamilyToArial();
-    property->SetFontSize(size);
-    property->SetBold(bold);
-    property->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
-    property->SetJustification(justify);
-    property->SetVerticalJustificationToCentered();
-    painter_->DrawString(x, y, text.c_str());
-  }
-
   void paint_axes() {
     for (const double v : y_.ticks()) {
       pen(kPale, 1.5F);
@@ -160,7 +138,6 @@ class Drawing : public vtkContextItem {
             VTK_TEXT_LEFT, colour);
   }
 
-  vtkContext2D* painter_ = nullptr;
   const LineChart* chart_ = nullptr;
   Axis x_, y_;
 };
