@@ -63,6 +63,7 @@ Json statistics_json(const ExtractStatistics& s) {
           {"sheets_small", s.sheets_small},
           {"sheets_tubes", s.sheets_tubes},
           {"sheets_manifold", s.sheets_manifold},
+          {"sheets_dominant", s.sheets_dominant},
           {"sheets_leaves", s.sheets_leaves},
           {"tets_nearby", s.tets_nearby},
           {"vertices_on_level", s.vertices_on_level},

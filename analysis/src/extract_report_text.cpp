@@ -27,6 +27,7 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.sheets_small += s.sheets_small;
     total.sheets_tubes += s.sheets_tubes;
     total.sheets_manifold += s.sheets_manifold;
+    total.sheets_dominant += s.sheets_dominant;
     total.sheets_leaves += s.sheets_leaves;
     total.tets_nearby += s.tets_nearby;
     total.vertices_on_level += s.vertices_on_level;

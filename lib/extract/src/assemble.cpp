@@ -196,17 +196,25 @@ Extraction Pipeline<Scalar>::assemble() {
 
   surface.component = surface_components(surface);
 
+  const auto sheets_drawn = [&](Method method) -> std::size_t& {
+    switch (method) {
+      case Method::tubes: return statistics_.sheets_tubes;
+      case Method::small_disc: return statistics_.sheets_small;
+      case Method::manifold: return statistics_.sheets_manifold;
+      case Method::dominant: return statistics_.sheets_dominant;
+      case Method::cone: return statistics_.sheets_cones;
+      case Method::leaves:
+      case Method::fan: break;
+    }
+    return statistics_.sheets_leaves;
+  };
   for (const auto& state : tets_) {
     if (!state.plan || state.drawn.triangles.empty()) continue;
     statistics_.tets_nearby += state.level != nullptr;
     ++(state.method == Method::cone ? statistics_.tets_coned
        : state.plan->refined        ? statistics_.tets_refined
                                     : statistics_.tets_monotone);
-    (state.method == Method::leaves || state.method == Method::fan ? statistics_.sheets_leaves
-     : state.method == Method::manifold                            ? statistics_.sheets_manifold
-     : state.method == Method::cone                                ? statistics_.sheets_cones
-     : state.method == Method::tubes                               ? statistics_.sheets_tubes
-                                     : statistics_.sheets_small) += state.plan->sheets.size();
+    sheets_drawn(state.method) += state.plan->sheets.size();
   }
   return result;
 }

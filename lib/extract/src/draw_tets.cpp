@@ -7,11 +7,13 @@
 #include <tuple>
 #include <utility>
 
+#include "dominant_sheets.hpp"
 #include "extractor_scalars.hpp"
 #include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "sheet_check.hpp"
+#include "thin_sheets.hpp"
 #include "tube_mesh.hpp"
 #include "tensortopo/extract/position.hpp"
 
@@ -23,24 +25,31 @@ std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
 
 constexpr int kAttemptsOnManifold = 3;
 
+/// From a sample of a curve to one that is asked for next to it, at least, in radians.
+constexpr double kLeastTurn = 0x1p-20;
+
 }  // namespace
 
 /// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
-/// then the leaves of the proof, then these with fans for discs.
+/// then the chart of the dominant eigenvector, then the leaves of the proof, then these with fans for
+/// discs.
 template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
   const auto tet = tet_with_curves(t);
   const auto& level = level_of(t);
   if (state.method == Method::small_disc) state.manifold = tet_manifold(tet, level);
-  if (state.method == Method::small_disc || state.method == Method::tubes)
-    state.method = Method::manifold;
+  if (state.method == Method::small_disc) state.method = Method::manifold;
+  if (state.method == Method::tubes) {
+    state.method = Method::dominant;
+    return;
+  }
   if (state.method == Method::manifold && state.manifold &&
       state.attempts < kAttemptsOnManifold) {
     auto vertices = arc_vertices(t, tet);
     state.requests.clear();
     if (runs_along_singularity(*state.manifold, *state.plan, vertices)) {
-      state.attempts = kAttemptsOnManifold;
+      state.method = Method::dominant;
       return;
     }
     if (state.attempts++ > 1)
@@ -53,6 +62,16 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.requests.insert(state.requests.end(), between.begin(), between.end());
     return;
   }
+  if (state.method == Method::manifold && state.manifold) {
+    state.method = Method::dominant;
+    return;
+  }
+  if (state.method == Method::dominant && state.attempts <= kAttemptsOnManifold) {
+    state.attempts = kAttemptsOnManifold + 1;
+    auto vertices = arc_vertices(t, tet);
+    state.requests = denser_rims(tet, *state.plan, vertices, level);
+    return;
+  }
   if (state.method == Method::fan) {
     state.unresolved = UnresolvedReason::inconsistent_samples;
     return;
@@ -61,7 +80,8 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.method = Method::fan;
     return;
   }
-  if (!add_leaves(tet, level, *state.plan)) {
+  if (!add_leaves(tet, level, *state.plan,
+                  is_thin(level) ? Effort::great : Effort::usual)) {
     state.unresolved = unproved(t);
     return;
   }
@@ -138,6 +158,7 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
     std::size_t face;
     int arc;
     Scalar place;
+    bool is_needed;  ///< this very point
     auto key() const { return std::tie(face, arc, place); }
   };
   std::vector<Wanted> wanted;
@@ -146,7 +167,7 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
       if (request.arc >= 0 && !tets_[t].unresolved)
         wanted.push_back(
             {as_size(complex_.tet_faces[t][static_cast<std::size_t>(request.face)]), request.arc,
-             request.place});
+             request.place, tets_[t].method == Method::leaves});
   std::sort(wanted.begin(), wanted.end(),
             [](const Wanted& a, const Wanted& b) { return a.key() < b.key(); });
   std::vector<std::size_t> first;  // of each face
@@ -156,13 +177,20 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
   parallel_stage(options_, "tetrahedra", first.size(), 64, [&](std::size_t k) {
     const auto f = wanted[first[k]].face;
     // The two neighbours, and the face itself, often cut the curve at the same point, and an edge
-    // of the face may be cut there too. Merging samples along a curve changes no topology.
-    const auto same = [](const auto& p, const auto& q) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Scalar d = p[i] - q[i], limit = Scalar(1) / Scalar(std::int64_t{1} << 40);
-        if (d > limit || d < -limit) return false;
-      }
-      return true;
+    // of the face may be cut there too. Merging samples along a curve changes no topology; samples
+    // between which no eigenvector turns by more than rounding shows would be in no order.
+    const auto same = [&](const CurvePoint<Scalar>& p, const CurvePoint<Scalar>& q, bool exactly) {
+      const auto differ = [](const Vector3<double>& d, double limit) {
+        return dot(d, d) > limit * limit;
+      };
+      if (!differ(narrow(Vector3<Scalar>{p.weights[0] - q.weights[0], p.weights[1] - q.weights[1],
+                                         p.weights[2] - q.weights[2]}),
+                  0x1p-40))
+        return true;
+      return !exactly && !differ(cross(narrow(p.medium), narrow(q.medium)), kLeastTurn) &&
+             !differ(cross(narrow(dominant_eigenvector(p.tensor, level_)),
+                           narrow(dominant_eigenvector(q.tensor, level_))),
+                     kLeastTurn);
     };
     for (std::size_t i = first[k]; i < wanted.size() && wanted[i].face == f; ++i) {
       const Scalar& place = wanted[i].place;
@@ -172,12 +200,13 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
                                     [](const auto& s, const Scalar& x) { return s.place < x; });
       const Scalar last(static_cast<double>(arc.pieces.size()));
       const auto neighbour = [&](bool next) {
-        if (next && after != arc.samples.end()) return after->weights;
-        if (!next && after != arc.samples.begin()) return std::prev(after)->weights;
-        return arc.closed ? (next ? arc.samples.front() : arc.samples.back()).weights
-                          : point_on_arc(arc, next ? last : Scalar(0), level_).weights;
+        if (next && after != arc.samples.end()) return *after;
+        if (!next && after != arc.samples.begin()) return *std::prev(after);
+        return arc.closed ? (next ? arc.samples.front() : arc.samples.back())
+                          : point_on_arc(arc, next ? last : Scalar(0), level_);
       };
-      if (same(neighbour(false), point.weights) || same(neighbour(true), point.weights)) continue;
+      const bool exactly = wanted[i].is_needed;
+      if (same(neighbour(false), point, exactly) || same(neighbour(true), point, exactly)) continue;
       arc.samples.insert(after, point);
       changed[k] = 1;
     }
@@ -241,6 +270,9 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     return mesh_on_manifold<Scalar>(*state.manifold, tet, *state.plan, state.requests, vertices,
                                     level_of(t), sampling, state.drawn);
   }
+  if (state.method == Method::dominant)
+    return mesh_by_dominant<Scalar>(*state.manifold, tet, *state.plan, vertices, level_of(t),
+                                    sampling_in(t), state.drawn);
   if (state.method == Method::leaves || state.method == Method::fan) {
     for (const auto& sheet : state.plan->sheets) {
       const bool as_fan = state.method == Method::fan && sheet.euler_characteristic == 1;

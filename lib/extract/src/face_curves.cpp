@@ -15,7 +15,6 @@ namespace tensortopo {
 
 namespace {
 
-constexpr std::size_t kFaceBudget = 5000;
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// A crossing of a side of a monotone triangle, and the two triangles that meet there.
@@ -204,7 +203,7 @@ template <class Scalar>
 std::optional<std::vector<FaceArc<Scalar>>> face_curves(
     const LevelSimplex<Scalar, 3>& triangle,
     const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
-    const Level<Scalar>& level, const Sampling& sampling) {
+    const Level<Scalar>& level, const Sampling& sampling, Effort effort) {
   std::vector<FaceArc<Scalar>> arcs;
   if (arcs_of_graph(triangle, crossings, level, arcs)) {
     for (auto& arc : arcs) sample_arc(arc, level, sampling);
@@ -212,7 +211,7 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
   }
   thread_local Refinement<Scalar, 3> refinement;
   refinement.reset(triangle, level);
-  if (!refinement.run(kFaceBudget)) return std::nullopt;
+  if (!refinement.run(face_budget(effort))) return std::nullopt;
   if (!Assembly<Scalar>(refinement, crossings, level).build(arcs)) return std::nullopt;
   for (auto& arc : arcs) sample_arc(arc, level, sampling);
   return arcs;
@@ -221,7 +220,7 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                             \
   template std::optional<std::vector<FaceArc<Scalar>>> face_curves(                                \
       const LevelSimplex<Scalar, 3>&, const std::array<std::span<const EdgeCrossing<Scalar>>, 3>&, \
-      const Level<Scalar>&, const Sampling&);
+      const Level<Scalar>&, const Sampling&, Effort);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

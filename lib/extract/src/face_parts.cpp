@@ -8,13 +8,12 @@
 
 #include "extractor_scalars.hpp"
 #include "tensortopo/scalar/rational.hpp"
+#include "tensortopo/extract/effort.hpp"
 #include "tensortopo/scalar/sign.hpp"
 
 namespace tensortopo {
 
 namespace {
-
-constexpr std::size_t kFaceBudget = 5000;
 
 using Weights = std::array<double, 3>;
 
@@ -48,7 +47,7 @@ Sign orientation(const Weights& u, const Weights& v, const Weights& w) {
 template <class Scalar>
 bool FaceParts<Scalar>::build(const LevelSimplex<Scalar, 3>& triangle, const Level<Scalar>& level) {
   refinement_.reset(triangle, level);
-  if (!refinement_.run(kFaceBudget)) return false;
+  if (!refinement_.run(face_budget(Effort::great))) return false;
   beyond_is_above_ = level.sign > 0;
   const auto& vertices = refinement_.vertices();
   parent_.resize(vertices.size());

@@ -12,10 +12,8 @@
 #include "chart_grid.hpp"
 #include "chart_triangulation.hpp"
 #include "extractor_scalars.hpp"
-#include "inner_vertices.hpp"
 #include "manifold_chart.hpp"
-#include "sheet_check.hpp"
-#include "split_triangles.hpp"
+#include "sheet_drawing.hpp"
 
 namespace tensortopo {
 
@@ -25,19 +23,22 @@ constexpr double kPi = std::numbers::pi;
 
 /// Draws the sheets of one tetrahedron on its medium eigenvector manifold.
 template <class Scalar>
-class Drawing {
+class Drawing : SheetDrawing<Scalar> {
+  using Base = SheetDrawing<Scalar>;
+  using Base::images_, Base::inner_, Base::plan_, Base::points_, Base::rims_, Base::segments_,
+      Base::triangles_;
+  using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals;
+
  public:
   Drawing(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
           const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> requests,
           const FaceArcVertices& vertices, const Level<Scalar>& level, const Sampling& sampling,
           TetTriangles<Scalar>& out)
-      : on_(manifold),
+      : Base(manifold, tet, plan, level, out),
+        on_(manifold),
         chart_(manifold.manifold),
-        plan_(plan),
         vertices_(vertices),
-        turn_(sampling.largest_turn()),
-        out_(out),
-        inner_(manifold, tet, level, out) {
+        turn_(sampling.largest_turn()) {
     for (const auto& crossing : requests) {
       if (!crossing.on_boundary) continue;
       const auto f = static_cast<std::size_t>(crossing.face);
@@ -57,14 +58,6 @@ class Drawing {
   }
 
  private:
-  /// A corner of the output as seen on the sphere. A vertex on the complex domain's boundary has
-  /// two images, v and -v.
-  struct Image {
-    std::int32_t corner;
-    std::uint8_t faces;
-    Vector3<double> v;  ///< canonical medium eigenvector
-  };
-
   /// A vertex of a rim on the complex domain's boundary.
   struct Crossing {
     int loop;
@@ -72,12 +65,8 @@ class Drawing {
     std::array<std::size_t, 2> images;  ///< of boundary_point(loop, phi) and its antipode
   };
 
-  std::size_t add_image(std::int32_t corner, std::uint8_t faces, const Vector3<double>& v,
-                        const ManifoldChart::Point& point) {
-    images_.push_back({corner, faces, v});
-    points_.push_back(point);
-    return images_.size() - 1;
-  }
+  // Images stand for canonical medium eigenvectors. A vertex on the complex domain's boundary has
+  // two, v and -v.
   std::size_t add_image(std::int32_t corner, std::uint8_t faces, const Vector3<double>& v) {
     return add_image(corner, faces, v, chart_(v));
   }
@@ -263,63 +252,8 @@ class Drawing {
     return true;
   }
 
-  /// A diagonal between two rim vertices on one face might be chosen by the neighbour as well, and
-  /// a triangle with three of them lies in the face: put a vertex on every such diagonal.
-  bool split_diagonals() {
-    std::set<std::pair<std::int32_t, std::int32_t>> rim;
-    for (const auto& loop : rims_)
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const auto a = loop[i].id, b = loop[(i + 1) % loop.size()].id;
-        rim.emplace(std::min(a, b), std::max(a, b));
-      }
-    std::map<UndirectedEdge, std::vector<std::size_t>> apexes;  // of the diagonals
-    for (const auto& t : triangles_)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto a = t[i], b = t[(i + 1) % 3];
-        const auto &p = images_[a], &q = images_[b];
-        if ((p.faces & q.faces) == 0) continue;
-        if (rim.contains({std::min(p.corner, q.corner), std::max(p.corner, q.corner)})) continue;
-        apexes[std::minmax(a, b)].push_back(t[(i + 2) % 3]);
-      }
-    std::map<UndirectedEdge, std::size_t> middle;
-    for (const auto& [e, tips] : apexes) {
-      std::optional<std::size_t> image;
-      for (const double lean : {0.0, 0.2, 0.5, 0.8, 2.0, 5.0})
-        for (const auto tip : tips)
-          if (!image)
-            image = add_inner_image(images_[e.first].v + images_[e.second].v +
-                                    lean * images_[tip].v);
-      if (!image) return false;
-      middle[e] = *image;
-    }
-    triangles_ = split_triangles(triangles_, middle);
-    return true;
-  }
-
-  /// A rim of three vertices on one face would leave a triangle in that face, which the neighbour
-  /// across it might draw as well: put a vertex amid it.
-  bool raise_flat_triangles() {
-    const std::size_t count = triangles_.size();
-    for (std::size_t t = 0; t < count; ++t) {
-      const auto [a, b, c] = triangles_[t];
-      const auto &p = images_[a], &q = images_[b], &r = images_[c];
-      if ((p.faces & q.faces & r.faces) == 0) continue;
-      std::optional<std::size_t> image;
-      for (const double lean : {1.0, 0.5, 0.2})
-        for (int turn = 0; turn < 3; ++turn)
-          if (!image)
-            image = add_inner_image((turn == 0 ? 1 : lean) * p.v + (turn == 1 ? 1 : lean) * q.v +
-                                    (turn == 2 ? 1 : lean) * r.v);
-      if (!image) return false;
-      triangles_[t][2] = *image;
-      triangles_.push_back({b, c, *image});
-      triangles_.push_back({c, a, *image});
-    }
-    return true;
-  }
-
   /// An inner vertex of the level with the medium eigenvector along v, if there is one.
-  std::optional<std::size_t> add_inner_image(const Vector3<double>& along) {
+  std::optional<std::size_t> add_inner_image(const Vector3<double>& along) override {
     const double length = std::sqrt(dot(along, along));
     if (!(length > 0)) return std::nullopt;
     const auto v = (1 / length) * along;
@@ -329,44 +263,13 @@ class Drawing {
     return add_image(inner_.add(*vertex), 0, v);
   }
 
-  /// Gives the triangles the direction that their rims have, and checks them against the plan.
-  bool emit() {
-    std::set<std::pair<std::int32_t, std::int32_t>> rim;
-    for (const auto& loop : rims_)
-      for (std::size_t i = 0; i < loop.size(); ++i)
-        rim.emplace(loop[i].id, loop[(i + 1) % loop.size()].id);
-    bool along = false, against = false;
-    std::vector<std::array<std::int32_t, 3>> triangles;
-    for (const auto& t : triangles_) {
-      triangles.push_back({images_[t[0]].corner, images_[t[1]].corner, images_[t[2]].corner});
-      for (std::size_t i = 0; i < 3; ++i) {
-        along |= rim.contains({triangles.back()[i], triangles.back()[(i + 1) % 3]});
-        against |= rim.contains({triangles.back()[(i + 1) % 3], triangles.back()[i]});
-      }
-    }
-    if (along == against) return false;
-    if (against)
-      for (auto& t : triangles) std::swap(t[1], t[2]);
-    if (!are_planned_sheets(triangles, rims_, plan_.sheets)) return false;
-    out_.triangles.insert(out_.triangles.end(), triangles.begin(), triangles.end());
-    return true;
-  }
-
   const TetManifold& on_;
   ManifoldChart chart_;
-  const TetPlan<Scalar>& plan_;
   const FaceArcVertices& vertices_;
   double turn_;
-  TetTriangles<Scalar>& out_;
-  InnerVertices<Scalar> inner_;
 
   std::set<std::int32_t> on_boundary_;
   std::map<std::int32_t, Crossing> crossings_;
-  std::vector<Image> images_;
-  std::vector<ChartTriangulation::Point> points_;
-  std::vector<std::array<std::size_t, 2>> segments_;
-  std::vector<std::vector<RimVertex>> rims_;
-  std::vector<std::array<std::size_t, 3>> triangles_;
 };
 
 }  // namespace

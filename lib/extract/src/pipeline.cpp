@@ -13,6 +13,7 @@
 #include "extractor_scalars.hpp"
 #include "level_strata.hpp"
 #include "parallel_stage.hpp"
+#include "thin_sheets.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tensortopo/extract/position.hpp"
 
@@ -255,6 +256,10 @@ void Pipeline<Scalar>::trace_faces() {
     if (!face_moved_[f])
       arcs_[f] = face_curves(face_simplex(f), crossings, level_, sampling_on(f));
     if (!arcs_[f]) trace_nearby(f);
+    // Not next to a critical value: small cells, then.
+    if (!arcs_[f] && !face_moved_[f] && is_thin(level_))
+      arcs_[f] =
+          face_curves(face_simplex(f), crossings, level_, sampling_on(f), Effort::great);
   });
 }
 
@@ -339,6 +344,8 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
     if (state.level != nullptr)
       state.plan = plan_tet(tet, *state.level, nearby_levels_.far_level_for(tensors));
   }
+  if (!state.plan && !moved && state.level == nullptr && is_thin(level_))
+    state.plan = plan_tet<Scalar>(tet, level_, nullptr, Effort::great);
   if (!state.plan) state.unresolved = unproved(t);
   if (state.plan && !state.plan->tubes.empty()) {
     state.manifold = tet_manifold(tet, level_of(t));

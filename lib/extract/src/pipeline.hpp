@@ -31,14 +31,14 @@ class Pipeline {
   using Index = TetMesh::Index;
 
   /// How the sheets of a tetrahedron are drawn; tried in this order.
-  enum class Method { tubes, small_disc, manifold, leaves, fan, cone };
+  enum class Method { tubes, small_disc, manifold, dominant, leaves, fan, cone };
 
   /// What becomes of one tetrahedron of the complex.
   struct TetState {
     std::optional<TetPlan<Scalar>> plan;
     const Level<Scalar>* level = nullptr;  ///< of its plan and drawing, if not the extraction's
     Method method = Method::small_disc;
-    int attempts = 0;  ///< on the manifold
+    int attempts = 0;  ///< in charts
     std::unique_ptr<TetManifold> manifold;     ///< if drawn there
     std::vector<RimRequest<Scalar>> requests;  ///< samples that the method wants on the faces
     TetTriangles<Scalar> drawn;

@@ -11,6 +11,6 @@ namespace tensortopo {
 /// `plan_tet` at this very level: from one monotone tetrahedron or from a refinement.
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>& tet,
-                                              const Level<Scalar>& level);
+                                              const Level<Scalar>& level, Effort effort);
 
 }  // namespace tensortopo

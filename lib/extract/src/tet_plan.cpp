@@ -17,8 +17,6 @@ namespace tensortopo {
 
 namespace {
 
-constexpr std::size_t kTetBudget = 50000;
-
 /// Joins arcs to loops: at each crossing of an edge one arc arrives and one leaves.
 template <class Scalar>
 bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<RimPiece>>& loops) {
@@ -209,13 +207,13 @@ std::unique_ptr<typename TetPlan<Scalar>::Leaves>& spare_leaves() {
 }  // namespace
 
 template <class Scalar>
-bool add_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-                TetPlan<Scalar>& plan) {
+bool add_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, TetPlan<Scalar>& plan,
+                Effort effort) {
   if (plan.leaves) return true;
   auto& spare = spare_leaves<Scalar>();
   plan.leaves = spare ? std::move(spare) : std::make_unique<typename TetPlan<Scalar>::Leaves>();
   plan.leaves->refinement.reset(tet.simplex, level);
-  if (!plan.leaves->refinement.run(kTetBudget)) {
+  if (!plan.leaves->refinement.run(tet_budget(effort, level))) {
     spare = std::move(plan.leaves);
     return false;
   }
@@ -246,10 +244,11 @@ bool is_complete(const TetPlan<Scalar>& plan) {
 }
 
 template <class Scalar>
-bool refine(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, TetPlan<Scalar>& plan) {
+bool refine(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, Effort effort,
+            TetPlan<Scalar>& plan) {
   if (is_hopeless(tet, level)) return false;
   plan.refined = true;
-  if (!add_leaves(tet, level, plan)) return false;
+  if (!add_leaves(tet, level, plan, effort)) return false;
   // Hardly any sheet is drawn from its leaves, which are large.
   spare_leaves<Scalar>() = std::move(plan.leaves);
   return true;
@@ -259,32 +258,32 @@ bool refine(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, TetPla
 
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>& tet,
-                                              const Level<Scalar>& level) {
+                                              const Level<Scalar>& level, Effort effort) {
   auto plan = plan_at_once(tet, level);
-  if (plan && !is_complete(*plan) && !refine(tet, level, *plan)) return std::nullopt;
+  if (plan && !is_complete(*plan) && !refine(tet, level, effort, *plan)) return std::nullopt;
   return plan;
 }
 
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
                                         const Level<Scalar>& level,
-                                        const Level<Scalar>* isotopic) {
+                                        const Level<Scalar>* isotopic, Effort effort) {
   auto plan = plan_at_once(tet, level);
   if (!plan || is_complete(*plan)) return plan;
   if (isotopic != nullptr)
-    if (auto sheets = detail::sheets_of_isotopic_level(tet, level, plan->loops, *isotopic)) {
+    if (auto sheets = detail::sheets_of_isotopic_level(tet, level, plan->loops, *isotopic, effort)) {
       plan->sheets = std::move(*sheets);
       plan->refined = true;
       return plan;
     }
   if (is_thin(level))
-    if (auto thin = sheets_of_thin_level(tet, level, plan->loops)) {
+    if (auto thin = sheets_of_thin_level(tet, level, plan->loops, effort)) {
       plan->sheets = std::move(thin->sheets);
       plan->tubes = std::move(thin->tubes);
       plan->refined = true;
       return plan;
     }
-  if (!refine(tet, level, *plan)) return std::nullopt;
+  if (!refine(tet, level, effort, *plan)) return std::nullopt;
   return plan;
 }
 
@@ -312,11 +311,12 @@ std::vector<RimRequest<Scalar>> leaf_requests(const TetWithCurves<Scalar>& tet,
       const TetWithCurves<Scalar>&, const TetPlan<Scalar>&);                                     \
   template InnerVertex<Scalar> node_point(const Refinement<Scalar, 4>&, const LeafMesh::Node&,   \
                                           const Level<Scalar>&);                                 \
-  template bool add_leaves(const TetWithCurves<Scalar>&, const Level<Scalar>&, TetPlan<Scalar>&); \
+  template bool add_leaves(const TetWithCurves<Scalar>&, const Level<Scalar>&, TetPlan<Scalar>&, \
+                           Effort);                                                              \
   template std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>&,           \
-                                                         const Level<Scalar>&);                  \
+                                                         const Level<Scalar>&, Effort);          \
   template std::optional<TetPlan<Scalar>> plan_tet(                                              \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&, const Level<Scalar>*);                 \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const Level<Scalar>*, Effort);         \
   template std::vector<RimRequest<Scalar>> leaf_requests(                                        \
       const TetWithCurves<Scalar>&, const Level<Scalar>&, const TetPlan<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

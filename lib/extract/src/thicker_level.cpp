@@ -43,7 +43,7 @@ const Level<Scalar>& thicker_level(int k, int sign) {
 /// The mode curves of another level on the faces of a tetrahedron. No vertex lies between the
 /// levels, so its sides stay.
 template <class Scalar>
-bool curves_at(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+bool curves_at(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, Effort effort,
                std::array<std::vector<FaceArc<Scalar>>, 4>& arcs) {
   std::array<std::vector<EdgeCrossing<Scalar>>, 6> crossings;
   for (std::size_t e = 0; e < 6; ++e) {
@@ -63,7 +63,7 @@ bool curves_at(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
           crossings[static_cast<std::size_t>(tet_edge(v[i], v[j]))]);
     };
     auto found = face_curves(part_of_simplex<3>(tet.simplex, v), {on(0, 1), on(0, 2), on(1, 2)},
-                             level, sparse);
+                             level, sparse, effort);
     if (!found) return false;
     arcs[f] = std::move(*found);
   }
@@ -115,9 +115,10 @@ double widest_gap() { return kClearance * gap_of(kThickest); }
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops, const Level<Scalar>& other) {
+    const std::vector<std::vector<RimPiece>>& loops, const Level<Scalar>& other,
+    Effort effort) {
   std::array<std::vector<FaceArc<Scalar>>, 4> arcs;
-  if (!curves_at(tet, other, arcs)) return std::nullopt;
+  if (!curves_at(tet, other, effort, arcs)) return std::nullopt;
   const bool is_thicker = other.mu_squared < level.mu_squared;
   auto other_tet = tet;
   std::array<std::vector<int>, 4> match;
@@ -134,7 +135,7 @@ std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level(
     for (std::size_t a = 0; a < thick.size(); ++a)
       match[f][static_cast<std::size_t>(thick[a])] = static_cast<int>(a);
   }
-  auto plan = plan_by_leaves(other_tet, other);
+  auto plan = plan_by_leaves(other_tet, other, effort);
   if (!plan || plan->loops.size() != loops.size()) return std::nullopt;
   std::map<std::pair<int, int>, int> loop_of_arc;  // at the other level
   for (std::size_t l = 0; l < plan->loops.size(); ++l)
@@ -160,22 +161,22 @@ std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level(
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops, double open_until) {
+    const std::vector<std::vector<RimPiece>>& loops, double open_until, Effort effort) {
   int k = kThickest;
   while (k < kThinnest && kClearance * gap_of(k) > open_until) ++k;
   const auto& thick = thicker_level<Scalar>(k, level.sign);
   // Strictly between the critical value and the thin level, whatever rounding does.
   if (!(gap_of(k) / 2 > static_cast<double>(Scalar(1) - level.mu_squared))) return std::nullopt;
-  return sheets_of_isotopic_level(tet, level, loops, thick);
+  return sheets_of_isotopic_level(tet, level, loops, thick, effort);
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                         \
   template std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level( \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,                      \
-      const std::vector<std::vector<RimPiece>>&, const Level<Scalar>&);        \
+      const std::vector<std::vector<RimPiece>>&, const Level<Scalar>&, Effort); \
   template std::optional<std::vector<SheetTopology>> sheets_of_thicker_level( \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,                     \
-      const std::vector<std::vector<RimPiece>>&, double);
+      const std::vector<std::vector<RimPiece>>&, double, Effort);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -17,14 +17,15 @@ bool is_thin(const Level<Scalar>& level) {
 template <class Scalar>
 std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
                                                const Level<Scalar>& level,
-                                               const std::vector<std::vector<RimPiece>>& loops) {
+                                               const std::vector<std::vector<RimPiece>>& loops,
+                                               Effort effort) {
   std::array<SymmetricTensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
   const auto gaps = critical_gaps(tensors, level.value, detail::widest_gap());
   if (!gaps) return std::nullopt;
   if (gaps->none_beyond)
     if (auto sheets = detail::tubes(tet, level, loops)) return sheets;
-  auto sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until);
+  auto sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort);
   if (!sheets) return std::nullopt;
   return ThinSheets{std::move(*sheets), {}};
 }
@@ -33,7 +34,7 @@ std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
   template bool is_thin(const Level<Scalar>&);             \
   template std::optional<ThinSheets> sheets_of_thin_level( \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,  \
-      const std::vector<std::vector<RimPiece>>&);
+      const std::vector<std::vector<RimPiece>>&, Effort);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -30,7 +30,8 @@ struct ThinSheets {
 template <class Scalar>
 std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
                                                const Level<Scalar>& level,
-                                               const std::vector<std::vector<RimPiece>>& loops);
+                                               const std::vector<std::vector<RimPiece>>& loops,
+                                               Effort effort);
 
 namespace detail {
 
@@ -46,7 +47,8 @@ std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>& tet, const Level<Sc
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops, const Level<Scalar>& other);
+    const std::vector<std::vector<RimPiece>>& loops, const Level<Scalar>& other,
+    Effort effort);
 
 /// The second way.
 ///
@@ -54,7 +56,7 @@ std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level(
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_of_thicker_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops, double open_until);
+    const std::vector<std::vector<RimPiece>>& loops, double open_until, Effort effort);
 
 /// The gap 1 - mode^2 up to which it is of use to be free of critical values.
 double widest_gap();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tensortopo/extract/edge_crossings.hpp"
+#include "tensortopo/extract/effort.hpp"
 #include "tensortopo/extract/refinement.hpp"
 
 namespace tensortopo {
@@ -72,7 +73,7 @@ template <class Scalar>
 std::optional<std::vector<FaceArc<Scalar>>> face_curves(
     const LevelSimplex<Scalar, 3>& triangle,
     const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
-    const Level<Scalar>& level, const Sampling& sampling);
+    const Level<Scalar>& level, const Sampling& sampling, Effort effort = Effort::usual);
 
 /// The point of an arc at a place (index of the piece plus the fraction along it).
 template <class Scalar>

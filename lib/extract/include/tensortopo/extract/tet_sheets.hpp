@@ -74,13 +74,14 @@ struct TetPlan {
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
                                         const Level<Scalar>& level,
-                                        const Level<Scalar>* isotopic = nullptr);
+                                        const Level<Scalar>* isotopic = nullptr,
+                                        Effort effort = Effort::usual);
 
 /// The refinement of a tetrahedron that a plan could do without.
 /// @return false as for `plan_tet`
 template <class Scalar>
 bool add_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-                TetPlan<Scalar>& plan);
+                TetPlan<Scalar>& plan, Effort effort = Effort::usual);
 
 /// A sample that a tetrahedron wants on a face's arc, so that both of the face's tetrahedra
 /// have it.

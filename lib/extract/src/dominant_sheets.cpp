@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "dominant_sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "dominant_chart.hpp"
+#include "extractor_scalars.hpp"
+#include "sheet_drawing.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// From one sample of a rim to the next neither angle of the chart may change by more: the shorter
+/// way would be a guess.
+constexpr double kLongestStep = 2.5;
+
+/// Places looked at to see whether a sheet is between rims.
+constexpr int kProbes = 8;
+
+template <class Scalar>
+class DominantDrawing : SheetDrawing<Scalar> {
+  using Base = SheetDrawing<Scalar>;
+  using Base::images_, Base::inner_, Base::plan_, Base::points_, Base::rims_, Base::segments_,
+      Base::triangles_;
+  using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals;
+  using Place = DominantChart::Place;
+
+ public:
+  DominantDrawing(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+                  const TetPlan<Scalar>& plan, const FaceArcVertices& vertices,
+                  const Level<Scalar>& level, const Sampling& sampling,
+                  DominantChart::About about, TetTriangles<Scalar>& out)
+      : Base(manifold, tet, plan, level, out),
+        chart_(manifold.characteristic, level.parameter, about),
+        turn_(sampling.largest_turn()) {
+    for (const auto& loop : plan.loops) {
+      rims_.push_back(loop_vertices(loop, vertices));
+      for (const auto& vertex : rims_.back()) inner_.take(vertex.position);
+    }
+  }
+
+  bool draw() {
+    return cut_open() && lay_out() && add_rims() && triangulate() && split_diagonals() &&
+           raise_flat_triangles() && emit();
+  }
+
+ private:
+  /// The middle of the widest gap between angles, once around, that `is_free` for sheets.
+  template <class IsFree>
+  static std::optional<double> widest_gap(std::vector<double> angles, double period,
+                                          const IsFree& is_free) {
+    std::sort(angles.begin(), angles.end());
+    double widest = 0;
+    std::optional<double> best;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const double gap =
+          i + 1 < angles.size() ? angles[i + 1] - angles[i] : angles[0] + period - angles[i];
+      const double middle = angles[i] + gap / 2;
+      if (gap <= widest || !is_free(middle)) continue;
+      widest = gap;
+      best = middle;
+    }
+    return best;
+  }
+
+  bool is_reached(const Place& place) const {
+    const auto tensor = chart_.tensor(place);
+    return tensor && inner_.is_inside(*tensor);
+  }
+
+  /// Around the cone there is a part that no sheet reaches, since no arc of the degenerate curve
+  /// closes in a tetrahedron.
+  bool cut_open() {
+    std::vector<double> around;
+    for (const auto& rim : rims_)
+      for (const auto& v : rim) around.push_back(chart_.place(v.dominant, v.medium).around);
+    const auto cut = widest_gap(around, chart_.period(), [&](double middle) {
+      for (int k = 0; k < kProbes; ++k)
+        if (is_reached({middle, 2 * kPi * (k + 0.3) / kProbes})) return false;
+      return true;
+    });
+    if (cut) chart_.cut_at(*cut);
+    return cut.has_value();
+  }
+
+  bool lay_out() {
+    std::vector<double> turns;
+    least_ = 4 * kPi, most_ = -4 * kPi;
+    for (const auto& rim : rims_) {
+      places_.emplace_back();
+      for (const auto& v : rim) {
+        const auto place = chart_.place(v.dominant, v.medium);
+        least_ = std::min(least_, place.around), most_ = std::max(most_, place.around);
+        turns.push_back(place.turn);
+        places_.back().push_back(place);
+      }
+    }
+    chart_.lay_out(least_, most_, widest_gap(turns, 2 * kPi, [&](double turn) {
+      for (int k = 0; k < kProbes; ++k)
+        if (is_reached({least_ + (most_ - least_) * (k + 0.5) / kProbes, turn})) return false;
+      return true;
+    }));
+    return most_ > least_;
+  }
+
+  std::size_t add_place(std::int32_t corner, std::uint8_t faces, const Place& place) {
+    const auto point = chart_.point(place);
+    return add_image(corner, faces, {point[0], point[1], 1}, point);
+  }
+
+  bool add_rims() {
+    for (std::size_t r = 0; r < rims_.size(); ++r) {
+      const auto& rim = rims_[r];
+      const std::size_t first = images_.size(), n = rim.size();
+      for (std::size_t i = 0; i < n; ++i) add_place(rim[i].id, rim[i].faces, places_[r][i]);
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto &p = places_[r][i], &q = places_[r][(i + 1) % n];
+        if (std::abs(q.around - p.around) > kLongestStep ||
+            std::abs(std::remainder(q.turn - p.turn, 2 * kPi)) > kLongestStep)
+          return false;
+        segments_.push_back({first + i, first + (i + 1) % n});
+      }
+    }
+    return true;
+  }
+
+  std::vector<ChartTriangulation::Point> grid_samples(
+      const ChartTriangulation::Clearance& clearance) {
+    const int rings = static_cast<int>(std::ceil((most_ - least_) / turn_));
+    const int turns = std::max(4, static_cast<int>(std::ceil(kPi / turn_)));
+    std::vector<ChartTriangulation::Point> samples;
+    for (int i = 0; i < rings; ++i)
+      for (int k = 0; k < turns; ++k) {
+        const Place place{least_ + (most_ - least_) * (i + 0.5) / rings,
+                          2 * kPi * (k + (i % 2 == 0 ? 0.25 : 0.75)) / turns};
+        const auto point = chart_.point(place);
+        if (!(clearance(point) > 0.5 * chart_.length_of(turn_, point))) continue;
+        if (add_inner_place(place)) samples.push_back(point);
+      }
+    return samples;
+  }
+
+  bool triangulate() {
+    ChartTriangulation triangulation;
+    const auto points = points_;  // `grid_samples` adds to the images
+    if (!triangulation.build(points, segments_,
+                             [&](const auto& clearance) { return grid_samples(clearance); }))
+      return false;
+    triangles_ = std::move(triangulation.triangles);
+    return true;
+  }
+
+  std::optional<std::size_t> add_inner_place(const Place& place) {
+    const auto tensor = chart_.tensor(place);
+    if (!tensor) return std::nullopt;
+    const auto vertex = inner_.at(*tensor);
+    if (!vertex) return std::nullopt;
+    return add_place(inner_.add(*vertex), 0, place);
+  }
+
+  /// Images are points of the plane, in homogeneous coordinates.
+  std::optional<std::size_t> add_inner_image(const Vector3<double>& along) override {
+    return add_inner_place(chart_.place_at({along.x / along.z, along.y / along.z}));
+  }
+
+  DominantChart chart_;
+  double turn_;
+  std::vector<std::vector<Place>> places_;  ///< of the rims
+  double least_ = 0, most_ = 0;             ///< of these, around the axis
+};
+
+}  // namespace
+
+template <class Scalar>
+bool mesh_by_dominant(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+                      const TetPlan<Scalar>& plan, const FaceArcVertices& vertices,
+                      const Level<Scalar>& level, const Sampling& sampling,
+                      TetTriangles<Scalar>& out) {
+  using About = DominantChart::About;
+  for (const auto about : {About::cone, About::first_plane, About::second_plane}) {
+    TetTriangles<Scalar> drawn;
+    DominantDrawing<Scalar> drawing(manifold, tet, plan, vertices, level, sampling, about, drawn);
+    if (!drawing.draw()) continue;
+    out = std::move(drawn);
+    return true;
+  }
+  return false;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                       \
+  template bool mesh_by_dominant(const TetManifold&, const TetWithCurves<Scalar>&,           \
+                                 const TetPlan<Scalar>&, const FaceArcVertices&,             \
+                                 const Level<Scalar>&, const Sampling&, TetTriangles<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo
