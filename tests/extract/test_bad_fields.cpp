@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "extract_case.hpp"
+#include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo::test {
@@ -39,6 +40,24 @@ TEST(BadFields, TinyDeviatorsAreDeviators) {
   const Extraction extraction = extract(tiny, "1/2"), unit = extract(mesh, "1/2");
   EXPECT_EQ(unresolved_text(extraction), "");
   EXPECT_EQ(summary(extraction.surface), summary(unit.surface));
+}
+
+// Independent deviators that are dependent once xx - yy is rounded: the mode is -143/343 all along
+// an edge, but for rounding.
+TEST(BadFields, RoundingMayLowerTheRank) {
+  const TetTensors tensors{
+      {{0x1.dbffffffffffdp+6, -0x1.9600000000001p+8, 0x1.1fp+8, 0x1.f7ffffffffffdp+6,
+        0x1.7a00000000001p+8, -0x1.f7fffffffffffp+7},
+       {0x1.03p+8, 0x1.c000000000006p+4, -0x1.1fp+8, 0x1.c000000000021p+2, -0x1.f8p+5,
+        0x1.18p+6},
+       {0x1.dc00000000002p+6, -0x1.96p+8, 0x1.1fp+8, 0x1.f7ffffffffffep+6, 0x1.7a00000000001p+8,
+        -0x1.f7fffffffffffp+7},
+       {-0x1.1000000000002p+6, -0x1.22p+8, 0x1.66p+8, -0x1.a000000000006p+3,
+        -0x1.0400000000002p+6, 0x1.8000000000056p+1}}};
+  ASSERT_EQ(exact_rank(tensors), 4);
+  const TetMesh mesh = reference_tet_mesh(tensors);
+  const Extraction extraction = extract(mesh, "-143/343");
+  EXPECT_EQ(flaws(extraction, mesh, {.residuals = false, .coincidences = false}), "");
 }
 
 // xx - yy overflows a double though both are doubles.

@@ -94,12 +94,12 @@ std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>& tet,
   TetrahedronField<double> field;
   field.vertex = rounded(tet.simplex.tensors);
   const auto characteristic = characteristic_tensor(field);
-  if (!characteristic) return nullptr;
+  const auto lift = FieldLift<double>::of(field);
+  if (!characteristic || !lift) return nullptr;
   auto manifold = manifold_with_ovals(*characteristic, level.parameter);
   const bool small_ovals = manifold.c() < 2 * kSmallOval;
   return std::unique_ptr<TetManifold>(new TetManifold{*characteristic, std::move(manifold),
-                                                      FieldLift<double>(field), level.sign,
-                                                      small_ovals});
+                                                      *lift, level.sign, small_ovals});
 }
 
 BoundaryPosition<double> TetManifold::boundary_position(const Vector3<double>& medium,

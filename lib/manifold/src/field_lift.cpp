@@ -25,6 +25,19 @@ Scalar dot5(const Vector5<Scalar>& x, const Vector5<Scalar>& y) {
 
 template <RealScalar Scalar>
 FieldLift<Scalar>::FieldLift(const TetrahedronField<Scalar>& field) {
+  if (!build(field))
+    throw std::invalid_argument("the vertex deviators of the field are linearly dependent");
+}
+
+template <RealScalar Scalar>
+std::optional<FieldLift<Scalar>> FieldLift<Scalar>::of(const TetrahedronField<Scalar>& field) {
+  FieldLift lift;
+  if (!lift.build(field)) return std::nullopt;
+  return lift;
+}
+
+template <RealScalar Scalar>
+bool FieldLift<Scalar>::build(const TetrahedronField<Scalar>& field) {
   using std::sqrt;
   // Modified Gram-Schmidt, twice, in the order of the vertices: T_i = sum over j <= i of r[j][i]
   // q_j. The dual tensors lie in the span of the field, so they are combinations of the q_j with
@@ -40,8 +53,7 @@ FieldLift<Scalar>::FieldLift(const TetrahedronField<Scalar>& field) {
         for (std::size_t n = 0; n < 5; ++n) q[i][n] = q[i][n] - k * q[j][n];
       }
     r[i][i] = sqrt(dot5(q[i], q[i]));
-    if (!(r[i][i] > Scalar(0)))
-      throw std::invalid_argument("the vertex deviators of the field are linearly dependent");
+    if (!(r[i][i] > Scalar(0))) return false;
     for (std::size_t n = 0; n < 5; ++n) q[i][n] = q[i][n] / r[i][i];
   }
   for (std::size_t i = 4; i-- > 0;) {
@@ -50,6 +62,7 @@ FieldLift<Scalar>::FieldLift(const TetrahedronField<Scalar>& field) {
       for (std::size_t n = 0; n < 5; ++n) d[n] = d[n] - r[i][j] * dual_[j][n];
     for (std::size_t n = 0; n < 5; ++n) dual_[i][n] = d[n] / r[i][i];
   }
+  return true;
 }
 
 template <RealScalar Scalar>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "tensortopo/field/linear_field.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
@@ -21,6 +22,9 @@ class FieldLift {
   /// Throws std::invalid_argument if elimination meets a zero pivot (rank below 4).
   explicit FieldLift(const TetrahedronField<Scalar>& field);
 
+  /// Nothing instead: deviators that are independent may not be so in the scalar's rounding.
+  static std::optional<FieldLift> of(const TetrahedronField<Scalar>& field);
+
   /// The weights of a tensor; its component across the span, if any, is dropped.
   std::array<Scalar, 4> weights(const Deviator<Scalar>& t) const;
   std::array<Scalar, 4> weights(const SymmetricTensor<Scalar>& t) const {
@@ -28,6 +32,9 @@ class FieldLift {
   }
 
  private:
+  FieldLift() = default;
+  bool build(const TetrahedronField<Scalar>& field);
+
   /// Row i holds the i-th dual tensor in orthonormal coordinates.
   std::array<std::array<Scalar, 5>, 4> dual_{};
 };
