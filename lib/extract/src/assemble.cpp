@@ -204,6 +204,7 @@ Extraction Pipeline<Scalar>::assemble() {
                                     : statistics_.tets_monotone);
     (state.method == Method::leaves || state.method == Method::fan ? statistics_.sheets_leaves
      : state.method == Method::manifold                            ? statistics_.sheets_manifold
+     : state.method == Method::graph                               ? statistics_.sheets_graph
      : state.method == Method::cone                                ? statistics_.sheets_cones
      : state.method == Method::tubes                               ? statistics_.sheets_tubes
                                      : statistics_.sheets_small) += state.plan->sheets.size();

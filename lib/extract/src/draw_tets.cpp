@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "graph_drawing.hpp"
 #include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
@@ -223,6 +224,19 @@ FaceArcVertices Pipeline<Scalar>::arc_vertices(std::size_t t,
 }
 
 template <class Scalar>
+bool Pipeline<Scalar>::draw_small_discs(std::size_t t, const FaceArcVertices& vertices) {
+  auto& state = tets_[t];
+  for (const auto& sheet : state.plan->sheets) {
+    if (sheet.loops.size() != 1) return false;
+    const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
+                                   vertices);
+    if (!is_small_disc(sheet, rim, sampling_in(t)) || !mesh_small_disc(rim, state.drawn))
+      return false;
+  }
+  return true;
+}
+
+template <class Scalar>
 bool Pipeline<Scalar>::draw_one(std::size_t t) {
   auto& state = tets_[t];
   state.drawn = {};
@@ -255,13 +269,13 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     for (const auto& loop : state.plan->loops) rims.push_back(loop_vertices(loop, vertices));
     return are_planned_sheets(state.drawn.triangles, rims, state.plan->sheets);
   }
-  for (const auto& sheet : state.plan->sheets) {
-    if (sheet.loops.size() != 1) return false;
-    const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
-                                   vertices);
-    if (!is_small_disc(sheet, rim, sampling_in(t)) || !mesh_small_disc(rim, state.drawn))
-      return false;
-  }
+  state.method = Method::small_disc;
+  if (draw_small_discs(t, vertices)) return true;
+  state.drawn = {};
+  if (options_.drawing != SheetDrawing::graph ||
+      !mesh_as_graph<Scalar>(tet, *state.plan, vertices, level_of(t), sampling_in(t), state.drawn))
+    return false;
+  state.method = Method::graph;
   return true;
 }
 

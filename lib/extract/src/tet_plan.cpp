@@ -234,8 +234,10 @@ std::optional<TetPlan<Scalar>> plan_at_once(const TetWithCurves<Scalar>& tet,
   if (plan.loops.empty()) return plan;
   const auto proof = prove_simplex(tet.simplex.tensors, level);
   if (proof.kind == SimplexProof<Scalar, 4>::Kind::monotone)
-    if (auto sheets = sheets_of_graph<Scalar>(tet, plan.loops, proof.direction))
+    if (auto sheets = sheets_of_graph<Scalar>(tet, plan.loops, proof.direction)) {
       plan.sheets = std::move(*sheets);
+      plan.direction = proof.direction;
+    }
   return plan;
 }
 
