@@ -67,7 +67,16 @@ class Pipeline {
   void draw_tets();
   bool move_from_vertices();
   bool draw_one(std::size_t t);
-  bool draw_small_discs(std::size_t t, const FaceArcVertices& vertices);
+  bool draw_small_discs(std::size_t t, const TetWithCurves<Scalar>& tet);
+  std::size_t small_rim(std::size_t t, const TetWithCurves<Scalar>& tet,
+                        std::span<const RimPiece> loop, std::span<RimVertex> rim) const;
+  RimVertex crossing_vertex(std::size_t t, const TetWithCurves<Scalar>& tet, std::size_t face,
+                            const ArcEnd& end) const;
+  RimVertex rim_vertex(Index id, unsigned faces) const {
+    const auto v = static_cast<std::size_t>(id);
+    return {id, static_cast<std::uint8_t>(faces), rim_position_[v], rim_medium_[v],
+            rim_dominant_[v]};
+  }
   void draw_cone(std::size_t t);
   std::vector<Index> sectors(std::size_t triangles) const;
   void add_cone_points(SurfaceMesh& surface, std::vector<char>& is_apex);

@@ -56,8 +56,6 @@ template <class Scalar>
 struct TetPlan {
   std::vector<std::vector<RimPiece>> loops;  ///< directed with the sheet on the left
   std::vector<SheetTopology> sheets;
-  /// If the level is a graph in the whole tetrahedron: along which lines, see `SimplexProof`.
-  std::optional<std::array<Scalar, 4>> direction;
   /// If it is proved that all sheets are tubes: the arc of the degenerate curve in each, from its
   /// first loop to its second.
   std::vector<DegenerateArc> tubes;
@@ -67,6 +65,8 @@ struct TetPlan {
   };
   std::unique_ptr<Leaves> leaves;  ///< while they are needed, see `add_leaves`
   bool refined = false;            ///< the sheets were found by a refinement
+  /// If the level is a graph in the whole tetrahedron: along which lines, see `SimplexProof`.
+  std::optional<std::array<Scalar, 4>> direction;
 };
 
 /// Joins the arcs of the faces into loops and decides what sheets they bound.
