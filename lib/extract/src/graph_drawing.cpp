@@ -48,7 +48,7 @@ class GraphDrawing {
   using Cut = ChartTriangulation::Cut;
 
   /// Of the samples' largest turn, within a triangle.
-  static constexpr double kTurns = 1.5;
+  static constexpr double kTurns = 1;
 
   struct Corner {
     std::int32_t id;
@@ -87,8 +87,10 @@ class GraphDrawing {
     bool far = false;
     for (std::size_t i = 0; i < 3; ++i) {
       const Corner &a = *c[(i + 1) % 3], &b = *c[(i + 2) % 3];
-      if ((a.faces & b.faces) != 0 && !is_on_rim(a, b)) return edges[i];
-      far |= turns_far(a, b);
+      if ((a.faces & b.faces) == 0)
+        far |= turns_far(a, b);
+      else if (!is_on_rim(a, b))
+        return edges[i];
     }
     // A rim of three vertices on one face would leave a triangle in that face.
     if ((c[0]->faces & c[1]->faces & c[2]->faces) != 0) return Cut::amid;
