@@ -50,18 +50,18 @@ TEST_P(DrawnAsGraphs, SheetsOfRealFieldsAreFlawlessAndOfTheSameTopology) {
   EXPECT_GT(graphs, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, DrawnAsGraphs, testing::Values("0", "1/2", "-9/10"));
+INSTANTIATE_TEST_SUITE_P(Levels, DrawnAsGraphs, testing::Values("0", "1/2"));
 
-TEST(DrawnAsGraphs, RandomSheetsHaveTheirTopologyAndArea) {
+TEST(GraphDrawing, GivesRandomSheetsTheirTopologyAndArea) {
   SCOPED_TRACE(announce(20260801));
   Random random(20260801);
-  for (const char* mode : {"1/10", "-1/2", "9/10"}) {
+  for (const char* mode : {"1/10", "-1/2"}) {
     double sum = 0, off = 0;
     std::size_t graphs = 0;
-    for (int k = 0; k < trials(60); ++k) {
+    for (int k = 0; k < trials(25); ++k) {
       const TetMesh mesh = reference_tet_mesh(random.tet_tensors());
-      const Extraction graph = draw(mesh, mode, SheetDrawing::graph, 12);
-      const Extraction manifold = draw(mesh, mode, SheetDrawing::manifold, 12);
+      const Extraction graph = draw(mesh, mode, SheetDrawing::graph, 8);
+      const Extraction manifold = draw(mesh, mode, SheetDrawing::manifold, 8);
       EXPECT_EQ(flaws(graph, mesh), "");
       EXPECT_EQ(summary(graph.surface), summary(manifold.surface));
       graphs += graph.statistics.sheets_graph;
