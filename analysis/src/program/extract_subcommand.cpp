@@ -35,7 +35,7 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
     return extract_invariant(options.invariant, command, common);
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
   command.modes = parse_modes(options.modes);
-  if (options.method == "graph") command.drawing = SheetDrawing::graph;
+  if (options.method == "graph") command.drawing = DrawingMethod::graph;
   if (options.method == "marching") command.baseline = Baseline::marching;
   if (options.method == "a-patches") command.baseline = Baseline::a_patches;
   if (options.method == "hybrid") command.baseline = Baseline::hybrid;

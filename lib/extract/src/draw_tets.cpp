@@ -276,7 +276,7 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     state.method = Method::small_disc;
     if (draw_small_discs(t, tet)) return true;
     state.drawn = {};
-    if (options_.drawing != SheetDrawing::graph || !state.plan->direction) return false;
+    if (options_.drawing != DrawingMethod::graph || !state.plan->direction) return false;
     if (!mesh_as_graph<Scalar>(tet, *state.plan, arc_vertices(t, tet), level_of(t),
                                sampling_in(t), state.drawn))
       return false;

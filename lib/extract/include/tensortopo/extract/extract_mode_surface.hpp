@@ -39,14 +39,14 @@ struct UnresolvedCell {
 };
 
 /// How sheets that turn too far for a disc without inner samples are drawn.
-enum class SheetDrawing {
+enum class DrawingMethod {
   manifold,  ///< on the medium eigenvector manifold, as in the paper
   graph,     ///< where the level is a graph in the tetrahedron as one, else on the manifold
 };
 
 struct ExtractOptions {
   Sampling sampling;
-  SheetDrawing drawing = SheetDrawing::manifold;
+  DrawingMethod drawing = DrawingMethod::manifold;
   /// For each tetrahedron of the mesh by how much denser its samples are than `sampling` says; a
   /// face has the denser ones of its two. Empty for 1 everywhere.
   std::vector<float> density;
