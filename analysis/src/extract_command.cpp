@@ -173,6 +173,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   for (std::size_t i = 0; i < modes.size(); ++i) {
     ExtractOptions options;
     options.sampling = command.sampling;
+    options.drawing = command.drawing;
     options.keep_topology = certifying;
     if (progress) {
       options.progress = [&, label = "mode " + modes[i].text() + ": "](std::string_view stage,

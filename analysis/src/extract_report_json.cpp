@@ -62,6 +62,7 @@ Json statistics_json(const ExtractStatistics& s) {
           {"tets_refined", s.tets_refined},
           {"sheets_small", s.sheets_small},
           {"sheets_tubes", s.sheets_tubes},
+          {"sheets_graph", s.sheets_graph},
           {"sheets_manifold", s.sheets_manifold},
           {"sheets_dominant", s.sheets_dominant},
           {"sheets_leaves", s.sheets_leaves},

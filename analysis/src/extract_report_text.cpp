@@ -26,6 +26,7 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.tets_refined += s.tets_refined;
     total.sheets_small += s.sheets_small;
     total.sheets_tubes += s.sheets_tubes;
+    total.sheets_graph += s.sheets_graph;
     total.sheets_manifold += s.sheets_manifold;
     total.sheets_dominant += s.sheets_dominant;
     total.sheets_leaves += s.sheets_leaves;

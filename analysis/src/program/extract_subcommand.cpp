@@ -35,6 +35,7 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
     return extract_invariant(options.invariant, command, common);
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
   command.modes = parse_modes(options.modes);
+  if (options.method == "graph") command.drawing = DrawingMethod::graph;
   if (options.method == "marching") command.baseline = Baseline::marching;
   if (options.method == "a-patches") command.baseline = Baseline::a_patches;
   if (options.method == "hybrid") command.baseline = Baseline::hybrid;
@@ -96,7 +97,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_flag("--improve", command.improve,
                "Flip edges and move vertices within their tetrahedra and faces for better angles");
   app.add_option("--method", options->method, "How to extract")
-      ->check(CLI::IsMember({"manifold", "marching", "a-patches", "hybrid"}))
+      ->check(CLI::IsMember({"manifold", "graph", "marching", "a-patches", "hybrid"}))
       ->capture_default_str();
   app.add_option("--patch-samples", command.baseline_options.samples,
                  "Samples along each side of a patch (method a-patches)")

@@ -3,6 +3,10 @@
 #include <oneapi/tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -31,6 +35,16 @@ ExitStatus status_of(IoError::Kind kind) {
   return kind == IoError::Kind::unwritable ? ExitStatus::cannot_write : ExitStatus::bad_input;
 }
 
+// Stages make large arrays and free them by turns: what the system would take back it would have to
+// clear page by page before the next stage gets it.
+void keep_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_TOP_PAD, 4 << 20);
+#endif
+}
+
 // Runs what the caller chose; every way to fail ends here.
 ExitStatus run(const tensortopo::Action& action, int threads) {
   try {
@@ -54,6 +68,7 @@ ExitStatus run(const tensortopo::Action& action, int threads) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_memory();
   CLI::App app{"Topology of 3D symmetric tensor fields: mode surfaces of piecewise linear fields",
                "tensortopo"};
   app.set_version_flag("--version", tensortopo::version_text(),

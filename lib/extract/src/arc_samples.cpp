@@ -80,6 +80,7 @@ class Sampler {
 
   void sample(FaceArc<Scalar>& arc) {
     std::vector<CurvePoint<Scalar>> points;
+    points.reserve(2 * arc.pieces.size() + 1);
     for (std::size_t p = 0; p < arc.pieces.size(); ++p) {
       const auto& piece = arc.pieces[p];
       auto a = at(piece, p, Scalar(0)), b = at(piece, p, Scalar(1));

@@ -200,6 +200,7 @@ Extraction Pipeline<Scalar>::assemble() {
     switch (method) {
       case Method::tubes: return statistics_.sheets_tubes;
       case Method::small_disc: return statistics_.sheets_small;
+      case Method::graph: return statistics_.sheets_graph;
       case Method::manifold: return statistics_.sheets_manifold;
       case Method::dominant: return statistics_.sheets_dominant;
       case Method::cone: return statistics_.sheets_cones;

@@ -13,9 +13,11 @@ namespace tensortopo {
 /// Calls `visit(vector, point, spacing)` for the vectors of a grid over the real domain that is about even
 /// in the chart, and therefore on the surface, next to the boundary included. `point()` is the image,
 /// `spacing()` the distance, in the chart, to the nearest neighbours in the grid: few vectors need them.
+/// @param is_wanted whether a quadrant of the chart is
 /// @param turn about how far the eigenvectors turn from a sample to the next, in radians
-template <class Visit>
-void visit_grid(const ManifoldChart& chart, double turn, const Visit& visit) {
+template <class Wanted, class Visit>
+void visit_grid(const ManifoldChart& chart, double turn, const Wanted& is_wanted,
+                const Visit& visit) {
   const bool annulus = chart.quadrants() == 1;
   const auto count = [&](int least, double angle) {
     return std::max(least, static_cast<int>(std::ceil(angle * std::numbers::pi / turn)));
@@ -23,7 +25,7 @@ void visit_grid(const ManifoldChart& chart, double turn, const Visit& visit) {
   const int around = count(8, annulus ? 2 : 1.5);
   const int across = count(annulus ? 4 : 2, annulus ? 1 : 0.5);
   for (int quadrant = 0; quadrant < chart.quadrants(); ++quadrant)
-    for (int i = 0; i < around; ++i) {
+    for (int i = 0; i < around && is_wanted(quadrant); ++i) {
       const auto ray = chart.ray(quadrant, (i + 0.5) / around);
       for (int j = 0; j < across; ++j) {
         const auto point = [&] { return chart.point_at(ray, (j + 0.5) / across); };

@@ -55,12 +55,10 @@ void mark_regions(Triangulation& triangulation) {
 
 bool inside(Triangulation::Face_handle face) { return face->info() % 2 == 1; }
 
-}  // namespace
-
-bool ChartTriangulation::build(
-    const std::vector<Point>& points, const std::vector<std::array<std::size_t, 2>>& segments,
-    const std::function<std::vector<Point>(const Clearance&)>& samples) {
-  Triangulation triangulation;
+/// False if segments cross or points coincide. Numbers the regions.
+bool insert_outline(const std::vector<ChartTriangulation::Point>& points,
+                    const std::vector<std::array<std::size_t, 2>>& segments,
+                    Triangulation& triangulation) {
   std::vector<Triangulation::Vertex_handle> handles(points.size());
   Triangulation::Face_handle near;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -76,6 +74,57 @@ bool ChartTriangulation::build(
     return false;
   }
   mark_regions(triangulation);
+  return true;
+}
+
+std::array<std::size_t, 3> corners_of(Triangulation::Face_handle face) {
+  return {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+}
+
+/// Where to cut a triangle, with the triangle that holds the place.
+ChartTriangulation::Place place_of(const Triangulation& triangulation,
+                                   Triangulation::Face_handle face, ChartTriangulation::Cut cut) {
+  using Cut = ChartTriangulation::Cut;
+  const auto middle = [&](std::array<double, 3> weights) {
+    ChartTriangulation::Place place{{0, 0}, corners_of(face), weights};
+    for (int i = 0; i < 3; ++i) {
+      const double w = weights[static_cast<std::size_t>(i)];
+      place.at[0] += w * face->vertex(i)->point().x();
+      place.at[1] += w * face->vertex(i)->point().y();
+    }
+    return place;
+  };
+  if (cut == Cut::edge0) return middle({0, 0.5, 0.5});
+  if (cut == Cut::edge1) return middle({0.5, 0, 0.5});
+  if (cut == Cut::edge2) return middle({0.5, 0.5, 0});
+  const auto centroid = middle({1.0 / 3, 1.0 / 3, 1.0 / 3});
+  const auto centre = triangulation.circumcenter(face);
+  if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) return centroid;
+  const auto holder = triangulation.locate(centre, face);
+  if (triangulation.is_infinite(holder) || !inside(holder)) return centroid;
+  std::array<double, 3> weights;
+  double total = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto &a = holder->vertex(holder->cw(i))->point(), &b = holder->vertex(holder->ccw(i))->point();
+    if (triangulation.is_constrained({holder, i}) &&
+        CGAL::scalar_product(a - centre, b - centre) < 0)
+      return centroid;
+    const double w = std::abs(CGAL::area(centre, a, b));
+    weights[static_cast<std::size_t>(i)] = w;
+    total += w;
+  }
+  if (!(total > 0)) return centroid;
+  for (auto& w : weights) w /= total;
+  return {{centre.x(), centre.y()}, corners_of(holder), weights};
+}
+
+}  // namespace
+
+bool ChartTriangulation::build(
+    const std::vector<Point>& points, const std::vector<std::array<std::size_t, 2>>& segments,
+    const std::function<std::vector<Point>(const Clearance&)>& samples) {
+  Triangulation triangulation;
+  if (!insert_outline(points, segments, triangulation)) return false;
 
   Triangulation::Face_handle hint;
   const auto clearance = [&](const Point& at) {
@@ -103,8 +152,53 @@ bool ChartTriangulation::build(
   triangles.clear();
   for (auto face : triangulation.finite_face_handles())
     if (inside(face))
-      triangles.push_back(
-          {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+      triangles.push_back(corners_of(face));
+  return true;
+}
+
+bool ChartTriangulation::build_fine(const std::vector<Point>& points,
+                                    const std::vector<std::array<std::size_t, 2>>& segments,
+                                    const Cutting& cut, const Adding& add, int rounds) {
+  Triangulation triangulation;
+  if (!insert_outline(points, segments, triangulation)) return false;
+  std::size_t next = points.size();
+  std::vector<Place> places;
+  std::vector<double> room;  // squared
+  for (; rounds > 0; --rounds) {
+    places.clear(), room.clear();
+    for (auto face : triangulation.finite_face_handles()) {
+      if (!inside(face)) continue;
+      const Cut how = cut(corners_of(face));
+      if (how == Cut::none) continue;
+      const auto place = place_of(triangulation, face, how);
+      // Neighbours ask for nearly the same place.
+      double squared = 1e300;
+      for (int i = 0; i < 3; ++i)
+        squared = std::min(squared, 0.5 * CGAL::squared_distance(
+                                              Kernel::Point_2(place.at[0], place.at[1]),
+                                              face->vertex(i)->point()));
+      bool is_free = true;
+      for (std::size_t i = 0; i < places.size() && is_free; ++i) {
+        const double x = place.at[0] - places[i].at[0], y = place.at[1] - places[i].at[1];
+        is_free = x * x + y * y > std::min(squared, room[i]);
+      }
+      if (is_free) places.push_back(place), room.push_back(squared);
+    }
+    const std::size_t before = next;
+    Triangulation::Face_handle hint;
+    for (const auto& place : places) {
+      if (!add(place)) continue;
+      const auto vertex = triangulation.insert({place.at[0], place.at[1]}, hint);
+      hint = vertex->face();
+      vertex->info() = next++;
+    }
+    if (next == before) break;
+    if (triangulation.number_of_vertices() != next) return false;
+    mark_regions(triangulation);
+  }
+  triangles.clear();
+  for (auto face : triangulation.finite_face_handles())
+    if (inside(face)) triangles.push_back(corners_of(face));
   return true;
 }
 

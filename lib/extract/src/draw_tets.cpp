@@ -9,12 +9,14 @@
 
 #include "dominant_sheets.hpp"
 #include "extractor_scalars.hpp"
+#include "graph_drawing.hpp"
 #include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "sheet_check.hpp"
 #include "thin_sheets.hpp"
 #include "tube_mesh.hpp"
+#include "tensortopo/extract/polygon.hpp"
 #include "tensortopo/extract/position.hpp"
 
 namespace tensortopo {
@@ -218,6 +220,15 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
 }
 
 template <class Scalar>
+RimVertex Pipeline<Scalar>::crossing_vertex(std::size_t t, const TetWithCurves<Scalar>& tet,
+                                            std::size_t face, const ArcEnd& end) const {
+  const auto crossing = crossing_of(tet, static_cast<int>(face), end);
+  const auto e = static_cast<std::size_t>(crossing.first);
+  return rim_vertex(edge_vertex_[as_size(complex_.tet_edges[t][e])] + crossing.second,
+                    15u & ~(1u << kTetEdges[e][0]) & ~(1u << kTetEdges[e][1]));
+}
+
+template <class Scalar>
 FaceArcVertices Pipeline<Scalar>::arc_vertices(std::size_t t,
                                                const TetWithCurves<Scalar>& tet) const {
   FaceArcVertices result;
@@ -228,27 +239,57 @@ FaceArcVertices Pipeline<Scalar>::arc_vertices(std::size_t t,
       ArcVertices vertices;
       vertices.vertices.reserve(arc.samples.size() + 2);
       vertices.places.reserve(arc.samples.size() + 2);
-      const auto add = [&](Index id, std::uint8_t faces, double place) {
-        vertices.vertices.push_back({id, faces, rim_position_[as_size(id)],
-                                     rim_medium_[as_size(id)], rim_dominant_[as_size(id)]});
+      const auto add = [&](const RimVertex& vertex, double place) {
+        vertices.vertices.push_back(vertex);
         vertices.places.push_back(place);
       };
-      const auto add_end = [&](const ArcEnd& end, double place) {
-        const auto crossing = crossing_of(tet, static_cast<int>(f), end);
-        const auto& ends = kTetEdges[static_cast<std::size_t>(crossing.first)];
-        const auto edge =
-            as_size(complex_.tet_edges[t][static_cast<std::size_t>(crossing.first)]);
-        add(edge_vertex_[edge] + crossing.second,
-            static_cast<std::uint8_t>(15 & ~(1 << ends[0]) & ~(1 << ends[1])), place);
-      };
-      if (!arc.closed) add_end(arc.begin, 0);
+      if (!arc.closed) add(crossing_vertex(t, tet, f, arc.begin), 0);
       for (const auto& sample : arc.samples)
-        add(next++, static_cast<std::uint8_t>(1u << f), static_cast<double>(sample.place));
-      if (!arc.closed) add_end(arc.end, static_cast<double>(arc.pieces.size()));
+        add(rim_vertex(next++, 1u << f), static_cast<double>(sample.place));
+      if (!arc.closed)
+        add(crossing_vertex(t, tet, f, arc.end), static_cast<double>(arc.pieces.size()));
       result[f].push_back(std::move(vertices));
     }
   }
   return result;
+}
+
+/// Like `loop_vertices`, without the other arcs: nearly all sheets are small.
+/// @return how many; 0 if there is no room for them
+template <class Scalar>
+std::size_t Pipeline<Scalar>::small_rim(std::size_t t, const TetWithCurves<Scalar>& tet,
+                                        std::span<const RimPiece> loop,
+                                        std::span<RimVertex> rim) const {
+  std::size_t size = 0;
+  for (const auto& piece : loop) {
+    const auto f = static_cast<std::size_t>(piece.face), a = static_cast<std::size_t>(piece.arc);
+    const auto& arc = tet.arcs[f][a];
+    const std::size_t n = arc.samples.size();
+    if (size + n + 1 > rim.size()) return 0;
+    Index first = face_vertex_[as_size(complex_.tet_faces[t][f])];
+    for (std::size_t b = 0; b < a; ++b) first += static_cast<Index>(tet.arcs[f][b].samples.size());
+    if (!arc.closed)
+      rim[size++] = crossing_vertex(t, tet, f, piece.forward ? arc.begin : arc.end);
+    for (std::size_t i = 0; i < n; ++i)
+      rim[size++] = rim_vertex(first + static_cast<Index>(piece.forward ? i : n - 1 - i), 1u << f);
+  }
+  return size;
+}
+
+template <class Scalar>
+bool Pipeline<Scalar>::draw_small_discs(std::size_t t, const TetWithCurves<Scalar>& tet) {
+  auto& state = tets_[t];
+  std::array<RimVertex, kLargestPolygon> room;
+  for (const auto& sheet : state.plan->sheets) {
+    if (sheet.loops.size() != 1) return false;
+    const auto& loop = state.plan->loops[static_cast<std::size_t>(sheet.loops[0])];
+    const std::size_t size = small_rim(t, tet, loop, room);
+    if (size == 0) return false;
+    const std::span<const RimVertex> rim(room.data(), size);
+    if (!is_small_disc(sheet, rim, sampling_in(t)) || !mesh_small_disc(rim, state.drawn))
+      return false;
+  }
+  return true;
 }
 
 template <class Scalar>
@@ -260,6 +301,17 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     return true;
   }
   const auto tet = tet_with_curves(t);
+  if (state.method == Method::small_disc || state.method == Method::graph) {
+    state.method = Method::small_disc;
+    if (draw_small_discs(t, tet)) return true;
+    state.drawn = {};
+    if (options_.drawing != DrawingMethod::graph || !state.plan->direction) return false;
+    if (!mesh_as_graph<Scalar>(tet, *state.plan, arc_vertices(t, tet), level_of(t),
+                               sampling_in(t), state.drawn))
+      return false;
+    state.method = Method::graph;
+    return true;
+  }
   const auto vertices = arc_vertices(t, tet);
   if (state.method == Method::tubes)
     return mesh_tubes<Scalar>(*state.manifold, tet, *state.plan, vertices, level_of(t),
@@ -273,28 +325,18 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   if (state.method == Method::dominant)
     return mesh_by_dominant<Scalar>(*state.manifold, tet, *state.plan, vertices, level_of(t),
                                     sampling_in(t), state.drawn);
-  if (state.method == Method::leaves || state.method == Method::fan) {
-    for (const auto& sheet : state.plan->sheets) {
-      const bool as_fan = state.method == Method::fan && sheet.euler_characteristic == 1;
-      if (as_fan ? !mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_of(t), state.drawn)
-                 : !mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices,
-                                             level_of(t), state.drawn))
-        return false;
-    }
-    // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the
-    // tetrahedron is named rather than drawn wrongly.
-    std::vector<std::vector<RimVertex>> rims;
-    for (const auto& loop : state.plan->loops) rims.push_back(loop_vertices(loop, vertices));
-    return are_planned_sheets(state.drawn.triangles, rims, state.plan->sheets);
-  }
   for (const auto& sheet : state.plan->sheets) {
-    if (sheet.loops.size() != 1) return false;
-    const auto rim = loop_vertices(state.plan->loops[static_cast<std::size_t>(sheet.loops[0])],
-                                   vertices);
-    if (!is_small_disc(sheet, rim, sampling_in(t)) || !mesh_small_disc(rim, state.drawn))
+    const bool as_fan = state.method == Method::fan && sheet.euler_characteristic == 1;
+    if (as_fan ? !mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_of(t), state.drawn)
+               : !mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices,
+                                           level_of(t), state.drawn))
       return false;
   }
-  return true;
+  // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the
+  // tetrahedron is named rather than drawn wrongly.
+  std::vector<std::vector<RimVertex>> rims;
+  for (const auto& loop : state.plan->loops) rims.push_back(loop_vertices(loop, vertices));
+  return are_planned_sheets(state.drawn.triangles, rims, state.plan->sheets);
 }
 
 template <class Scalar>

@@ -16,6 +16,24 @@ constexpr double kEnough = 0x1p-20;  // of a guess
 /// A hull that comes so close to the origin holds it, for our purposes.
 constexpr double kNothing = 0x1p-9;  // of a guess
 
+/// The place of the least number, the first of several; 0 if there is none. Lanes side by side, which
+/// a compiler keeps in registers.
+template <std::size_t Count>
+std::size_t least_of(const std::array<double, Count>& x) {
+  constexpr std::size_t lanes = 4;
+  std::array<double, lanes> low;
+  for (std::size_t j = 0; j < lanes; ++j) low[j] = x[j];
+  std::size_t k = lanes;
+  for (; k + lanes <= Count; k += lanes)
+    for (std::size_t j = 0; j < lanes; ++j) low[j] = x[k + j] < low[j] ? x[k + j] : low[j];
+  double least = low[0];
+  for (std::size_t j = 1; j < lanes; ++j) least = low[j] < least ? low[j] : least;
+  for (; k < Count; ++k) least = x[k] < least ? x[k] : least;
+  for (std::size_t i = 0; i < Count; ++i)
+    if (x[i] == least) return i;
+  return 0;
+}
+
 }  // namespace
 
 template <std::size_t Vertices>
@@ -51,8 +69,7 @@ std::array<double, Vertices> likely_direction(const LevelIncrease<double, Vertic
     for (std::size_t k = 0; k < count; ++k) growth[k] = d[0] * unit[0][k];
     for (std::size_t i = 1; i < Vertices; ++i)
       for (std::size_t k = 0; k < count; ++k) growth[k] += d[i] * unit[i][k];
-    const auto least = static_cast<std::size_t>(
-        std::min_element(growth.begin(), growth.end()) - growth.begin());
+    const std::size_t least = least_of(growth);
     double square = 0;
     for (const double x : d) square += x * x;
     if (growth[least] > kEnough) break;

@@ -102,6 +102,18 @@ ManifoldChart::Ray ManifoldChart::ray(int quadrant, double around) const {
   return ray;
 }
 
+double ManifoldChart::largest_product(int quadrant, const Vector3<double>& v) const {
+  const auto& [e1, e2, e3] = manifold_.characteristic().eigenvectors;
+  double x = dot(v, e1), z = dot(v, e3);
+  const double y = dot(v, e2);
+  if (quadrants() > 1) {
+    // The signs of cos theta and cos eta are those of the first and last coordinate.
+    const Quadrant q = quadrant_of({quadrant, 0, 0, 0, 0});
+    x = std::max(0.0, q.theta * x), z = std::max(0.0, q.eta * z);
+  }
+  return std::sqrt(x * x + y * y + z * z);
+}
+
 Vector3<double> ManifoldChart::vector_at(const Ray& ray, double across) const {
   if (manifold_.single_loop()) {
     const double cos_eta = std::cos(kPi * across) * ray.end;

@@ -54,6 +54,9 @@ class ManifoldChart {
   /// Its image.
   Point point_at(const Ray& ray, double across) const;
   int quadrants() const { return manifold_.single_loop() ? 1 : 4; }
+  /// A bound on the product of a vector with those of a quadrant (with all, above the bifurcation
+  /// value).
+  double largest_product(int quadrant, const Vector3<double>& v) const;
 
  private:
   /// Signs of cos theta and cos eta.

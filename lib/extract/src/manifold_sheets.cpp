@@ -228,7 +228,11 @@ class Drawing : SheetDrawing<Scalar> {
     }
     if (!(least > 0.1)) least = -2;
     std::vector<ChartTriangulation::Point> samples;
-    visit_grid(chart_, turn_, [&](const auto& v, const auto& point, const auto& spacing) {
+    const auto is_wanted = [&](int quadrant) {
+      return chart_.largest_product(quadrant, centre) > least - 1e-9;  // for rounding
+    };
+    visit_grid(chart_, turn_, is_wanted, [&](const auto& v, const auto& point,
+                                             const auto& spacing) {
       if (dot(v, centre) < least) return;
       const auto tensor = on_.manifold.tensor_at(v);
       if (!inner_.is_inside(tensor)) return;

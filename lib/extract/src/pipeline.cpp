@@ -127,12 +127,11 @@ void Pipeline<Scalar>::classify_vertices() {
 template <class Scalar>
 void Pipeline<Scalar>::screen() {
   // By vertex, how far the level is.
-  const auto &tensors = prepared_.tensors;
-  const auto &norm = prepared_.norms;
-  std::vector<double> clearance(mesh_.points.size(), 2);
+  const auto& tensors = prepared_.tensors;
+  clearance_.assign(mesh_.points.size(), 2);
   parallel_stage(options_, "screen", mesh_.points.size(), 4096, [&](std::size_t v) {
     if (!field_.is_zero[v])
-      clearance[v] = screen::clearance_cosine(prepared_.lode_angles[v], level_.lode_angle);
+      clearance_[v] = screen::clearance_cosine(prepared_.lode_angles[v], level_.lode_angle);
   });
   const auto& ranges = prepared_.lode_ranges;
   std::vector<char> active(mesh_.tets.size(), 0);
@@ -145,22 +144,8 @@ void Pipeline<Scalar>::screen() {
       active[t] = may_be_crossed_from_zero(v);
       return;
     }
-    bool mixed = false;
-    std::size_t clear = as_size(v[0]);
-    for (const Index w : v) {
-      mixed |= above_[as_size(w)] != above_[as_size(v[0])];
-      if (clearance[as_size(w)] < clearance[clear]) clear = as_size(w);
-    }
-    if (mixed) {
-      active[t] = 1;
-      return;
-    }
-    const double limit = clearance[clear] * norm[clear];
-    bool is_clear = true;
-    for (const Index w : v)
-      is_clear &= as_size(w) == clear ||
-                  norm_form(tensors[clear], tensors[as_size(w)]) > limit * norm[as_size(w)];
-    if (is_clear) return;
+    for (const Index w : v) active[t] |= above_[as_size(w)] != above_[as_size(v[0])];
+    if (active[t] || is_clear(v)) return;
     const std::array<Deviator<double>, 4> corners{tensors[as_size(v[0])], tensors[as_size(v[1])],
                                                   tensors[as_size(v[2])], tensors[as_size(v[3])]};
     if (screen::excludes(corners, level_.lode_angle)) return;
@@ -192,6 +177,11 @@ void Pipeline<Scalar>::find_crossings() {
     const auto& v = complex_.edges[e];
     if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])]) {
       crossings_[e].emplace();  // the mode is constant on the edge, or undefined
+      return;
+    }
+    if (is_clear(v)) {
+      count_predicate(Tier::fast);
+      crossings_[e].emplace();
       return;
     }
     const auto edge = field_.template simplex<2>(v, above_);
@@ -246,6 +236,11 @@ void Pipeline<Scalar>::trace_faces() {
       face_moved_[f] |= edge_moved_[edge];
     }
     const auto& v = complex_.faces[f];
+    if (!face_moved_[f] && crossings[0].empty() && crossings[1].empty() && crossings[2].empty() &&
+        is_clear(v)) {
+      arcs_[f].emplace();
+      return;
+    }
     if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])] ||
         field_.is_zero[as_size(v[2])]) {
       arcs_[f].emplace();  // straight lines, which their tetrahedra draw

@@ -31,7 +31,7 @@ class Pipeline {
   using Index = TetMesh::Index;
 
   /// How the sheets of a tetrahedron are drawn; tried in this order.
-  enum class Method { tubes, small_disc, manifold, dominant, leaves, fan, cone };
+  enum class Method { tubes, small_disc, graph, manifold, dominant, leaves, fan, cone };
 
   /// What becomes of one tetrahedron of the complex.
   struct TetState {
@@ -67,11 +67,42 @@ class Pipeline {
   void draw_tets();
   bool move_from_vertices();
   bool draw_one(std::size_t t);
+  bool draw_small_discs(std::size_t t, const TetWithCurves<Scalar>& tet);
+  std::size_t small_rim(std::size_t t, const TetWithCurves<Scalar>& tet,
+                        std::span<const RimPiece> loop, std::span<RimVertex> rim) const;
+  RimVertex crossing_vertex(std::size_t t, const TetWithCurves<Scalar>& tet, std::size_t face,
+                            const ArcEnd& end) const;
+  RimVertex rim_vertex(Index id, unsigned faces) const {
+    const auto v = static_cast<std::size_t>(id);
+    return {id, static_cast<std::uint8_t>(faces), rim_position_[v], rim_medium_[v],
+            rim_dominant_[v]};
+  }
   void draw_cone(std::size_t t);
   std::vector<Index> sectors(std::size_t triangles) const;
   void add_cone_points(SurfaceMesh& surface, std::vector<char>& is_apex);
   LevelTopology topology(std::span<const Index> new_id) const;
   Extraction assemble();
+
+  /// Whether vertices are on one side of the level, and one of them farther from it, by the angle
+  /// between tensors, than from all others: then so is the simplex.
+  template <std::size_t Count>
+  bool is_clear(const std::array<Index, Count>& vertices) const {
+    auto clear = static_cast<std::size_t>(vertices[0]);
+    const char side = above_[clear];
+    for (const Index w : vertices) {
+      const auto v = static_cast<std::size_t>(w);
+      if (above_[v] != side) return false;
+      if (clearance_[v] < clearance_[clear]) clear = v;
+    }
+    const double limit = clearance_[clear] * prepared_.norms[clear];
+    for (const Index w : vertices) {
+      const auto v = static_cast<std::size_t>(w);
+      if (v != clear && !(norm_form(prepared_.tensors[clear], prepared_.tensors[v]) >
+                          limit * prepared_.norms[v]))
+        return false;
+    }
+    return true;
+  }
 
   /// The corners of a tetrahedron without deviator, as bits.
   unsigned zero_corners(const std::array<Index, 4>& tet) const {
@@ -110,6 +141,7 @@ class Pipeline {
   ExtractStatistics statistics_;
 
   std::vector<char> above_;  ///< a mesh vertex: mode > mu
+  std::vector<double> clearance_;  ///< of a mesh vertex: `screen::clearance_cosine`
   std::vector<OnLevel> on_level_;
   TetComplex complex_;
 

@@ -45,6 +45,7 @@ bool mesh_small_disc(std::span<const RimVertex> rim, TetTriangles<Scalar>& out) 
   if (rim.size() > kLargestPolygon) return false;
   for (std::size_t i = 0; i < rim.size(); ++i) corners[i] = {rim[i].position, rim[i].faces};
   const auto triangles = cut_polygon(std::span(corners.data(), rim.size()));
+  out.triangles.reserve(out.triangles.size() + triangles.size());
   for (const auto& t : triangles)
     out.triangles.push_back({rim[static_cast<std::size_t>(t[0])].id,
                              rim[static_cast<std::size_t>(t[1])].id,

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -20,8 +21,15 @@ namespace {
 /// Joins arcs to loops: at each crossing of an edge one arc arrives and one leaves.
 template <class Scalar>
 bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<RimPiece>>& loops) {
-  std::map<CrossingKey, RimPiece> leaving;
-  std::map<CrossingKey, int> arriving;
+  struct Leaving {
+    CrossingKey begin, end;
+    RimPiece piece;
+    bool used;
+  };
+  std::vector<Leaving> leaving;  // by crossing; few
+  std::size_t count = 0;
+  for (const auto& arcs : tet.arcs) count += arcs.size();
+  leaving.reserve(count);
   for (int f = 0; f < 4; ++f) {
     const auto& arcs = tet.arcs[static_cast<std::size_t>(f)];
     for (std::size_t a = 0; a < arcs.size(); ++a) {
@@ -32,27 +40,34 @@ bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<RimPiec
         loops.push_back({piece});
         continue;
       }
-      const auto begin = crossing_of(tet, f, piece.forward ? arcs[a].begin : arcs[a].end);
-      const auto end = crossing_of(tet, f, piece.forward ? arcs[a].end : arcs[a].begin);
-      if (!leaving.emplace(begin, piece).second) return false;
-      ++arriving[end];
+      leaving.push_back({crossing_of(tet, f, piece.forward ? arcs[a].begin : arcs[a].end),
+                         crossing_of(tet, f, piece.forward ? arcs[a].end : arcs[a].begin), piece,
+                         false});
     }
   }
-  for (const auto& [crossing, piece] : leaving) {
-    const auto found = arriving.find(crossing);
-    if (found == arriving.end() || found->second != 1) return false;
+  const auto before = [](const Leaving& a, const CrossingKey& key) { return a.begin < key; };
+  std::sort(leaving.begin(), leaving.end(),
+            [&](const Leaving& a, const Leaving& b) { return before(a, b.begin); });
+  const auto next = [&](const CrossingKey& key) {
+    const auto found = std::lower_bound(leaving.begin(), leaving.end(), key, before);
+    return found != leaving.end() && found->begin == key ? found : leaving.end();
+  };
+  // As many arrive as leave: one at each crossing, if every end is found and none twice.
+  for (std::size_t i = 0; i + 1 < leaving.size(); ++i)
+    if (leaving[i].begin == leaving[i + 1].begin) return false;
+  for (const auto& arc : leaving) {
+    const auto found = next(arc.end);
+    if (found == leaving.end() || found->used) return false;
+    found->used = true;
   }
-  if (leaving.size() != arriving.size()) return false;
-  while (!leaving.empty()) {
+  for (auto& arc : leaving) arc.used = false;
+  for (auto start = leaving.begin(); start != leaving.end(); ++start) {
+    if (start->used) continue;
     std::vector<RimPiece> loop;
-    auto at = leaving.begin();
-    while (at != leaving.end()) {
-      const RimPiece piece = at->second;
-      const auto& arc =
-          tet.arcs[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)];
-      loop.push_back(piece);
-      leaving.erase(at);
-      at = leaving.find(crossing_of(tet, piece.face, piece.forward ? arc.end : arc.begin));
+    loop.reserve(leaving.size());
+    for (auto at = start; !at->used; at = next(at->end)) {
+      at->used = true;
+      loop.push_back(at->piece);
     }
     loops.push_back(std::move(loop));
   }
@@ -232,8 +247,10 @@ std::optional<TetPlan<Scalar>> plan_at_once(const TetWithCurves<Scalar>& tet,
   if (plan.loops.empty()) return plan;
   const auto proof = prove_simplex(tet.simplex.tensors, level);
   if (proof.kind == SimplexProof<Scalar, 4>::Kind::monotone)
-    if (auto sheets = sheets_of_graph<Scalar>(tet, plan.loops, proof.direction))
+    if (auto sheets = sheets_of_graph<Scalar>(tet, plan.loops, proof.direction)) {
       plan.sheets = std::move(*sheets);
+      plan.direction = proof.direction;
+    }
   return plan;
 }
 

@@ -38,8 +38,15 @@ struct UnresolvedCell {
   UnresolvedReason reason;
 };
 
+/// How sheets that turn too far for a disc without inner samples are drawn.
+enum class DrawingMethod {
+  manifold,  ///< on the medium eigenvector manifold, as in the paper
+  graph,     ///< where the level is a graph in the tetrahedron as one, else on the manifold
+};
+
 struct ExtractOptions {
   Sampling sampling;
+  DrawingMethod drawing = DrawingMethod::manifold;
   /// For each tetrahedron of the mesh by how much denser its samples are than `sampling` says; a
   /// face has the denser ones of its two. Empty for 1 everywhere.
   std::vector<float> density;
@@ -58,6 +65,7 @@ struct ExtractStatistics {
   std::size_t tets_undefined = 0;   ///< without deviator at all four vertices: no mode, no surface
   std::size_t sheets_small = 0;     ///< drawn without inner samples
   std::size_t sheets_tubes = 0;     ///< drawn as rings around the degenerate curve
+  std::size_t sheets_graph = 0;     ///< drawn as graphs
   std::size_t sheets_manifold = 0;  ///< drawn on the medium eigenvector manifold
   std::size_t sheets_dominant = 0;  ///< drawn by their dominant eigenvectors
   std::size_t sheets_leaves = 0;    ///< drawn from the proof's leaves

@@ -79,12 +79,18 @@ struct RootBounds {
 /// proves the less.
 template <class Scalar, std::size_t Vertices>
 BarycentricPolynomial<Scalar, Vertices, 4> side_form(const ModeForms<Scalar, Vertices>& forms,
-                                                     const NormBounds<Scalar, Vertices>& bounds,
+                                                     const RootBounds<Scalar, Vertices>& root,
                                                      const Level<Scalar>& level, bool above) {
-  const RootBounds<Scalar, Vertices> root(forms, bounds);
   const Scalar factor = Scalar(3) * level.sqrt2 * level.mu;
   return root.l * forms.determinant -
          factor * (forms.norm * ((level.mu > Scalar(0)) == above ? root.tangent : root.chord));
+}
+
+template <class Scalar, std::size_t Vertices>
+BarycentricPolynomial<Scalar, Vertices, 4> side_form(const ModeForms<Scalar, Vertices>& forms,
+                                                     const NormBounds<Scalar, Vertices>& bounds,
+                                                     const Level<Scalar>& level, bool above) {
+  return side_form(forms, RootBounds<Scalar, Vertices>(forms, bounds), level, above);
 }
 
 /// Two cubics for each vertex tensor, as coefficients side by side: combined with the weights d_i
@@ -105,8 +111,11 @@ struct LevelIncrease {
   std::array<std::array<Scalar, size>, Vertices> along;
 
   LevelIncrease(const ModeForms<Scalar, Vertices>& forms,
-                const NormBounds<Scalar, Vertices>& bounds, const Level<Scalar>& level) {
-    const RootBounds<Scalar, Vertices> root(forms, bounds);
+                const NormBounds<Scalar, Vertices>& bounds, const Level<Scalar>& level)
+      : LevelIncrease(forms, RootBounds<Scalar, Vertices>(forms, bounds), level) {}
+
+  LevelIncrease(const ModeForms<Scalar, Vertices>& forms,
+                const RootBounds<Scalar, Vertices>& root, const Level<Scalar>& level) {
     const Scalar factor = Scalar(9) * level.sqrt2 * level.mu;
     for (std::size_t i = 0; i < Vertices; ++i) {
       std::array<Scalar, Vertices> unit{};

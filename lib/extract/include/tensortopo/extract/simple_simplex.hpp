@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 
 #include "tensortopo/extract/level.hpp"
@@ -88,11 +89,13 @@ inline constexpr double kIncreaseBound = 50 * 1166;
 inline constexpr double kSideBound = 50 * 49;
 inline constexpr double kGeneralizedBound = 50 * 595;
 
-/// Positive if the level is proved not to meet the simplex, unknown if rounding hides it.
+/// Positive if the level is proved not to meet the simplex, unknown if rounding hides it. `root`: from
+/// these bounds, if they are there already.
 template <class Scalar, std::size_t Vertices>
 Verdict is_empty(const ModeForms<Scalar, Vertices>& forms,
                  const NormBounds<Scalar, Vertices>& bounds, const Level<Scalar>& level,
-                 const Scalar& norm, double total) {
+                 const Scalar& norm, double total,
+                 const RootBounds<Scalar, Vertices>* root = nullptr) {
   const Scalar u = rounding_unit(norm, total), cube = norm * norm * norm;
   const Verdict opposite =
       has_strict_sign(forms.determinant, -level.sign, Scalar(kDeterminantBound) * u * cube);
@@ -101,8 +104,9 @@ Verdict is_empty(const ModeForms<Scalar, Vertices>& forms,
   if (bounds.lower > Scalar(0)) {
     const Scalar &q = forms.determinant.coefficients[0], &p = forms.norm.coefficients[0];
     const bool above = q > Scalar(3) * level.sqrt2 * level.mu * p * bounds.upper[0];
-    strict = has_strict_sign(side_form(forms, bounds, level, above), above ? 1 : -1,
-                             Scalar(kSideBound) * u * cube * norm);
+    const auto form = root != nullptr ? side_form(forms, *root, level, above)
+                                      : side_form(forms, bounds, level, above);
+    strict = has_strict_sign(form, above ? 1 : -1, Scalar(kSideBound) * u * cube * norm);
   } else if (!bounds.hidden_by_rounding) {
     const auto form = generalized_mode_form(forms, level.mu_squared);
     const int sign = form.coefficients[0] > Scalar(0) ? 1 : -1;
@@ -200,9 +204,19 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   if (!(norm > Scalar(0))) return proof;
   const auto forms = mode_forms(tensors);
   const auto bounds = norm_bounds(forms, total);
+  std::optional<RootBounds<Scalar, Vertices>> root;
+  if (bounds.lower > Scalar(0)) root.emplace(forms, bounds);
+  // A direction takes longer to find than an uncrossed simplex to be proved empty.
+  const Verdict empty =
+      crossed ? Verdict::negative
+              : detail::is_empty(forms, bounds, level, norm, total, root ? &*root : nullptr);
+  if (empty == Verdict::positive) {
+    proof.kind = Proof::Kind::empty;
+    return proof;
+  }
   Verdict increases = bounds.hidden_by_rounding ? Verdict::unknown : Verdict::negative;
-  if (bounds.lower > Scalar(0)) {
-    const LevelIncrease<Scalar, Vertices> increase(forms, bounds, level);
+  if (root) {
+    const LevelIncrease<Scalar, Vertices> increase(forms, *root, level);
     for (const bool of_sum_zero : {false, true}) {
       if (!of_sum_zero && !crossed) continue;
       const auto direction = likely_direction(rounded(increase), steps, of_sum_zero);
@@ -216,11 +230,7 @@ SimplexProof<Scalar, Vertices> prove_simplex(
       return proof;
     }
   }
-  const Verdict empty =
-      crossed ? Verdict::negative : detail::is_empty(forms, bounds, level, norm, total);
-  if (empty == Verdict::positive) proof.kind = Proof::Kind::empty;
-  proof.hidden_by_rounding = empty != Verdict::positive &&
-                             (increases == Verdict::unknown || empty == Verdict::unknown);
+  proof.hidden_by_rounding = increases == Verdict::unknown || empty == Verdict::unknown;
   return proof;
 }
 

@@ -65,6 +65,8 @@ struct TetPlan {
   };
   std::unique_ptr<Leaves> leaves;  ///< while they are needed, see `add_leaves`
   bool refined = false;            ///< the sheets were found by a refinement
+  /// If the level is a graph in the whole tetrahedron: along which lines, see `SimplexProof`.
+  std::optional<std::array<Scalar, 4>> direction;
 };
 
 /// Joins the arcs of the faces into loops and decides what sheets they bound.

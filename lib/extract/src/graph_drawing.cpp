@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "graph_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "chart_triangulation.hpp"
+#include "extractor_scalars.hpp"
+#include "line_view.hpp"
+#include "narrow.hpp"
+#include "sheet_check.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+constexpr int kRounds = 16;
+
+/// Draws the sheets of one tetrahedron as graphs.
+template <class Scalar>
+class GraphDrawing {
+ public:
+  GraphDrawing(const LineView<Scalar>& view, const TetPlan<Scalar>& plan,
+               const Level<Scalar>& level, const Sampling& sampling, TetTriangles<Scalar>& out)
+      : view_(view),
+        plan_(plan),
+        level_(level),
+        turn_(std::cos(std::min(kTurns * sampling.largest_turn(), 1.5))),
+        wide_turn_(std::cos(std::min(2 * kTurns * sampling.largest_turn(), 1.5))),
+        out_(out) {}
+
+  bool draw(const FaceArcVertices& vertices) {
+    for (const auto& loop : plan_.loops) add_rim(loop_vertices(loop, vertices));
+    std::sort(rim_edges_.begin(), rim_edges_.end());
+    ChartTriangulation triangulation;
+    const auto points = points_;  // `add` makes more
+    if (!triangulation.build_fine(
+            points, segments_, [&](const auto& corners) { return cut(corners); },
+            [&](const auto& place) { return add(place); }, kRounds))
+      return false;
+    return emit(triangulation.triangles);
+  }
+
+ private:
+  using Cut = ChartTriangulation::Cut;
+
+  /// Of the samples' largest turn, within a triangle.
+  static constexpr double kTurns = 1;
+
+  struct Corner {
+    std::int32_t id;
+    std::uint8_t faces;
+    typename LineView<Scalar>::Weights mapped;
+    Vector3<double> medium, dominant;
+  };
+
+  void add_rim(std::vector<RimVertex> rim) {
+    const std::size_t first = corners_.size(), n = rim.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto& v = rim[i];
+      const auto mapped = view_.mapped(v.position);
+      corners_.push_back({v.id, v.faces, mapped, v.medium, v.dominant});
+      points_.push_back(view_.seen(mapped));
+      segments_.push_back({first + i, first + (i + 1) % n});
+      rim_edges_.emplace_back(v.id, rim[(i + 1) % n].id);
+    }
+    rims_.push_back(std::move(rim));
+  }
+
+  bool is_on_rim(const Corner& a, const Corner& b) const {
+    return std::binary_search(rim_edges_.begin(), rim_edges_.end(), std::pair{a.id, b.id}) ||
+           std::binary_search(rim_edges_.begin(), rim_edges_.end(), std::pair{b.id, a.id});
+  }
+
+  bool turns_far(const Corner& a, const Corner& b) const {
+    return !(line_cosine(a.medium, b.medium) > turn_) ||
+           !(line_cosine(a.dominant, b.dominant) > wide_turn_);
+  }
+
+  Cut cut(const std::array<std::size_t, 3>& t) const {
+    const Corner* c[3] = {&corners_[t[0]], &corners_[t[1]], &corners_[t[2]]};
+    // A diagonal between two rim vertices on one face might be chosen by the neighbour as well.
+    constexpr Cut edges[3] = {Cut::edge0, Cut::edge1, Cut::edge2};
+    bool far = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Corner &a = *c[(i + 1) % 3], &b = *c[(i + 2) % 3];
+      if ((a.faces & b.faces) == 0)
+        far |= turns_far(a, b);
+      else if (!is_on_rim(a, b))
+        return edges[i];
+    }
+    // A rim of three vertices on one face would leave a triangle in that face.
+    if ((c[0]->faces & c[1]->faces & c[2]->faces) != 0) return Cut::amid;
+    return far ? Cut::amid : Cut::none;
+  }
+
+  bool add(const ChartTriangulation::Place& place) {
+    typename LineView<Scalar>::Weights mapped{};
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < 4; ++i)
+        mapped[i] += place.weights[c] * corners_[place.corners[c]].mapped[i];
+    const auto vertex = view_.on_level(mapped, level_);
+    if (!vertex) return false;
+    out_.inner.push_back(*vertex);
+    corners_.push_back({-static_cast<std::int32_t>(out_.inner.size()), 0, view_.mapped(*vertex),
+                        narrow(medium_eigenvector(vertex->tensor, level_)),
+                        narrow(dominant_eigenvector(vertex->tensor, level_))});
+    return true;
+  }
+
+  /// Gives the triangles the direction that their rims have, and checks them against the plan.
+  bool emit(const std::vector<std::array<std::size_t, 3>>& triangles) {
+    bool along = false, against = false;
+    for (const auto& t : triangles) {
+      std::array<std::int32_t, 3> ids;
+      for (std::size_t i = 0; i < 3; ++i) ids[i] = corners_[t[i]].id;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto a = ids[i], b = ids[(i + 1) % 3];
+        if (a < 0 || b < 0) continue;
+        along |= std::binary_search(rim_edges_.begin(), rim_edges_.end(), std::pair{a, b});
+        against |= std::binary_search(rim_edges_.begin(), rim_edges_.end(), std::pair{b, a});
+      }
+      out_.triangles.push_back(ids);
+    }
+    if (along == against) return false;
+    if (against)
+      for (auto& t : out_.triangles) std::swap(t[1], t[2]);
+    return are_planned_sheets(out_.triangles, rims_, plan_.sheets);
+  }
+
+  const LineView<Scalar>& view_;
+  const TetPlan<Scalar>& plan_;
+  const Level<Scalar>& level_;
+  double turn_, wide_turn_;  ///< cosines
+  TetTriangles<Scalar>& out_;
+
+  std::vector<Corner> corners_;
+  std::vector<ChartTriangulation::Point> points_;
+  std::vector<std::array<std::size_t, 2>> segments_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> rim_edges_;
+  std::vector<std::vector<RimVertex>> rims_;
+};
+
+}  // namespace
+
+template <class Scalar>
+bool mesh_as_graph(const TetWithCurves<Scalar>& tet, const TetPlan<Scalar>& plan,
+                   const FaceArcVertices& vertices, const Level<Scalar>& level,
+                   const Sampling& sampling, TetTriangles<Scalar>& out) {
+  if (!plan.direction) return false;
+  const auto view = LineView<Scalar>::along(tet, *plan.direction);
+  if (!view) return false;
+  TetTriangles<Scalar> drawn;
+  if (!GraphDrawing<Scalar>(*view, plan, level, sampling, drawn).draw(vertices)) return false;
+  out = std::move(drawn);
+  return true;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                     \
+  template bool mesh_as_graph(const TetWithCurves<Scalar>&, const TetPlan<Scalar>&,        \
+                              const FaceArcVertices&, const Level<Scalar>&,                \
+                              const Sampling&, TetTriangles<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo
