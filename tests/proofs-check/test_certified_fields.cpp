@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <set>
+
 #include "certificate_check/check_certificate.hpp"
 #include "certificate_writer.hpp"
 #include "extract/bundled_fields.hpp"
 #include "forgery.hpp"
 #include "support/random_fields.hpp"
+#include "support/strata_fields.hpp"
 #include "support/witness_fields.hpp"
 
 namespace tensortopo::test {
@@ -91,6 +94,58 @@ TEST(CertifiedFields, PlanesAreProvedToBeNear) {
     const std::string bound = e.certificate["levels"][0]["distance"]["bound"];
     EXPECT_LT(std::strtod(bound.c_str(), nullptr), 1e-6);
     EXPECT_EQ(e.certificate["levels"][0]["distance"]["coarse"].size(), 0u) << bound;
+  }
+}
+
+/// Vertices without deviator one by one, in rows, in blocks.
+TEST(CertifiedFields, ConesAreCertified) {
+  constexpr std::uint64_t kSeed = 20241130;
+  Random random(kSeed);
+  Court court("cones");
+  std::size_t cones = 0, joins = 0, proved = 0;
+  for (int trial = 0; trial < trials(15); ++trial) {
+    TetMesh mesh = cube_mesh(2);
+    fill_with_normal_tensors(mesh, kSeed + static_cast<std::uint64_t>(trial));
+    const int percent = std::array{5, 15, 30, 50, 80}[static_cast<std::size_t>(trial) % 5];
+    for (auto& t : mesh.tensors)
+      if (random.integer(0, 99) < percent) t = {7, 7, 7, 0, 0, 0};
+    const char* const mode =
+        std::array{"1/4", "-1/2", "0", "9/10"}[static_cast<std::size_t>(trial) % 4];
+    const Exhibit e = exhibit(mesh, {mode});
+    EXPECT_EQ(court.verdict(e), "certified") << "trial " << trial << '\n' << court.report();
+    const auto& level = e.certificate["levels"][0];
+    EXPECT_TRUE(level["undecided"].empty());
+    std::set<nlohmann::json> coarse(level["distance"]["coarse"].begin(),
+                                    level["distance"]["coarse"].end());
+    for (const auto& cone : level["cones"]) {
+      ++cones;
+      if (cone[1].size() == 4) ++joins;
+      if (!coarse.contains(cone[0])) ++proved;
+    }
+  }
+  EXPECT_GT(cones, 100u);
+  EXPECT_GT(joins, 50u);
+  EXPECT_GT(2 * proved, cones);
+}
+
+/// One tetrahedron with one to four vertices without deviator, of any magnitude and order.
+TEST(CertifiedFields, StrataWithZeroVerticesAreCertified) {
+  constexpr std::uint64_t kSeed = 20241131;
+  Random random(kSeed);
+  Court court("strata");
+  for (const Stratum stratum : {Stratum::zero_vertex, Stratum::two_zero_vertices,
+                                Stratum::three_zero_vertices, Stratum::rank_zero}) {
+    for (int trial = 0; trial < trials(12); ++trial) {
+      TetTensors tensors = stratum_tensors(stratum, random);
+      const double scale = std::ldexp(1.0, random.integer(-300, 300));
+      for (auto& t : tensors) t = scale * t;
+      std::rotate(tensors.begin(), tensors.begin() + trial % 4, tensors.end());
+      const std::string mode = std::array{"1/3", "-1/2", "0"}[static_cast<std::size_t>(trial) % 3];
+      const Exhibit e = exhibit(reference_tet_mesh(tensors), {mode});
+      const bool is_special = !e.certificate["levels"][0]["undecided"].empty();
+      EXPECT_EQ(court.verdict(e), is_special ? "undecided" : "certified")
+          << name_of(stratum) << " trial " << trial << '\n' << court.report();
+    }
   }
 }
 
