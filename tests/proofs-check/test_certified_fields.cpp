@@ -78,6 +78,26 @@ TEST(CertifiedFields, ThinTubesAndDistancesAreCertified) {
   }
 }
 
+/// A tube that turns back to the face that it came from, and is nearly pinched there: 13,287 parts.
+TEST(CertifiedFields, ATubeThatTurnsBackIsCertified) {
+  const TetTensors tensors{{{-0x1.aa407f84ab49dp-2, -0x1.b7a6d1b9f1563p-2, -0x1.99919745ce6b2p-2,
+                             0x1.73cb2ccdeadep-3, 0x1.d0aab760ec902p-4, 0x1.fcfe6ab3fa2bcp-7},
+                            {-0x1.2433c8cb5c296p-2, -0x1.484baa78db1f1p-2, -0x1.6848a8f87e5fdp-2,
+                             0x1.bbeb827f295a1p-4, 0x1.d2f2105cde017p-7, 0x1.143d7405f6fa7p-4},
+                            {-0x1.b36c6ebfadc76p-2, -0x1.c82b1bfaf22bbp-2, -0x1.a7858b1b8ab68p-2,
+                             0x1.957e61b115897p-3, 0x1.2d1198dc7d038p-4, -0x1.11088492452c7p-4},
+                            {-0x1.5afc5ed46bab5p-4, -0x1.65c08db5372e1p-3, -0x1.d7d7af324167cp-3,
+                             -0x1.03bc8d56099f6p-1, -0x1.3fa3be4e8208cp-4, 0x1.704337fd55f4ap-4}}};
+  const Exhibit e = exhibit(reference_tet_mesh(tensors), {"-4999/5000"});
+  Court court("tube");
+  EXPECT_EQ(court.verdict(e), "certified") << court.report();
+  ASSERT_EQ(e.certificate["levels"][0]["tets"].size(), 1u);
+  const auto& tube = e.certificate["levels"][0]["tets"][0][1];
+  EXPECT_EQ(tube[0], 0);
+  ASSERT_EQ(tube.size(), 3u);
+  EXPECT_EQ(tube[1][1], tube[2][1]);  // both loops are closed curves of one face
+}
+
 /// The field of diag(1 - s, 2 s, -1 - s), s = x + y / 100 - 0.3: the levels are planes, which the
 /// triangles hit but for rounding. Far from the origin coordinates are rounded by more.
 TEST(CertifiedFields, PlanesAreProvedToBeNear) {

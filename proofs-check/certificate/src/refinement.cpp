@@ -8,7 +8,7 @@
 namespace certificate {
 namespace {
 
-constexpr std::size_t kMaxCells = 12000;
+constexpr std::size_t kMaxCells = 40000;
 
 }  // namespace
 
@@ -202,7 +202,7 @@ bool Refinement::is_one_sided() {
       cells_[*c].proof = Proof::empty;
       continue;
     }
-    if (cells_.size() > kMaxCells / 4) return false;
+    if (cells_.size() > kMaxCells / 12) return false;
     bisect(edge, waiting);
     if (points_.back().above != points_.front().above) return false;
   }
