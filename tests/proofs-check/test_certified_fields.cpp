@@ -9,6 +9,7 @@
 #include "certificate_check/check_certificate.hpp"
 #include "certificate_writer.hpp"
 #include "extract/bundled_fields.hpp"
+#include "extract/extract_case.hpp"
 #include "forgery.hpp"
 #include "support/random_fields.hpp"
 #include "support/strata_fields.hpp"

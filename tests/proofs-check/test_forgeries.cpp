@@ -12,6 +12,7 @@
 
 #include "forgery.hpp"
 #include "support/random_fields.hpp"
+#include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo::test {
 namespace {
