@@ -10,62 +10,12 @@
 #include <sstream>
 #include <utility>
 
-#include "forgery.hpp"
+#include "forgery_trial.hpp"
 #include "support/random_fields.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo::test {
 namespace {
-
-using Json = nlohmann::json;
-
-/// Counts what came of the forgeries of one test.
-class Trial {
- public:
-  explicit Trial(const std::string& name) : court_(name) {}
-  ~Trial() {
-    EXPECT_GT(tried_, 0u);
-    std::cout << tried_ << " forgeries\n";
-  }
-
-  void expect_not_certified(const Exhibit& e, const std::string& what) {
-    ++tried_;
-    EXPECT_NE(court_.verdict(e), "certified") << what;
-  }
-  void expect(const std::string& verdict, const Exhibit& e, const std::string& what) {
-    ++tried_;
-    EXPECT_EQ(court_.verdict(e), verdict) << what << '\n' << court_.report();
-  }
-
- private:
-  Court court_;
-  std::size_t tried_ = 0;
-};
-
-/// Each level of each exhibit, to be altered by `alter`, which calls back once for each forgery.
-using Judge = std::function<void(const Json&, const std::string&)>;
-void for_levels(Trial& trial, const std::function<void(const Json&, const Judge&)>& forge) {
-  for (const Exhibit& honest : honest_exhibits()) {
-    for (std::size_t l = 0; l < honest.certificate["levels"].size(); ++l) {
-      forge(honest.certificate["levels"][l], [&](const Json& level, const std::string& what) {
-        Exhibit forged = honest;
-        forged.certificate["levels"][l] = level;
-        trial.expect_not_certified(forged, what);
-      });
-    }
-  }
-}
-
-/// The list with entry i left out, given twice, or with `change` done to it.
-void alter_entries(const Json& level, const char* list, const Judge& judge) {
-  for (std::size_t i = 0; i < level[list].size(); ++i) {
-    Json without = level, twice = level;
-    without[list].erase(i);
-    twice[list].insert(twice[list].begin() + static_cast<std::ptrdiff_t>(i), level[list][i]);
-    judge(without, std::string(list) + " without one");
-    judge(twice, std::string(list) + " with one twice");
-  }
-}
 
 TEST(Forgeries, HonestExhibitsAreCertified) {
   Court court("honest");
@@ -191,44 +141,6 @@ TEST(Forgeries, Sheets) {
       }
     }
   });
-}
-
-TEST(Forgeries, Cones) {
-  Trial trial("cones");
-  std::size_t closed = 0, arcs = 0, joins = 0;
-  for_levels(trial, [&](const Json& level, const Judge& judge) {
-    alter_entries(level, "cones", judge);
-    const std::uint64_t first = level["vertices"][0], count = level["vertices"][1];
-    for (std::size_t t = 0; t < level["cones"].size(); ++t) {
-      const Json& cone = level["cones"][t];
-      for (std::size_t s = 1; s < cone.size(); ++s) {
-        ++(cone[s].size() == 2 ? closed : cone[s].size() == 3 ? arcs : joins);
-        const auto forge = [&](const std::string& what, const std::function<void(Json&)>& change) {
-          Json forged = level;
-          change(forged["cones"][t]);
-          if (forged != level) judge(forged, what);
-        };
-        forge("sheet left out", [&](Json& x) { x.erase(s); });
-        forge("sheet doubled", [&](Json& x) { x.push_back(cone[s]); });
-        for (std::size_t k = 0; k < cone[s].size(); ++k) {
-          forge("without a vertex", [&](Json& x) { x[s].erase(k); });
-          forge("a vertex twice", [&](Json& x) { x[s].push_back(cone[s][k]); });
-          for (const std::uint64_t v : {std::uint64_t{0}, first, first + count / 2,
-                                        first + count - 1, first + count, std::uint64_t{1} << 40})
-            forge("another vertex", [&](Json& x) { x[s][k] = v; });
-          forge("exchanged", [&](Json& x) { std::swap(x[s][k], x[s][(k + 1) % x[s].size()]); });
-          if (s + 1 < cone.size() && k < cone[s + 1].size())
-            forge("exchanged with another sheet",
-                  [&](Json& x) { std::swap(x[s][k], x[s + 1][k]); });
-        }
-        forge("reversed", [&](Json& x) { std::reverse(x[s].begin(), x[s].end()); });
-        forge("ends reversed", [&](Json& x) { std::reverse(x[s].begin() + 1, x[s].end()); });
-      }
-    }
-  });
-  EXPECT_GT(closed, 0u);
-  EXPECT_GT(arcs, 0u);
-  EXPECT_GT(joins, 0u);
 }
 
 TEST(Forgeries, ComponentsModesAndCounts) {
