@@ -159,23 +159,73 @@ TEST_P(Claims, LoopsRunAsTheTrianglesHaveThem) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, Claims, testing::ValuesIn(kLevels));
 
-TEST(Claims, LeaveOutTetrahedraWithAVertexWithoutDeviator) {
-  TetMesh mesh = cube_mesh(2);
-  fill_with_normal_tensors(mesh, 20241105);
-  const std::size_t zero = 13;  // the middle of the cube
-  mesh.tensors[zero] = {3, 3, 3, 0, 0, 0};
-  const auto c = certified(mesh, "1/2");
-  std::set<TetMesh::Index> expected, undecided;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    if (std::count(mesh.tets[t].begin(), mesh.tets[t].end(), TetMesh::Index{zero}))
-      expected.insert(static_cast<TetMesh::Index>(t));
-  ASSERT_FALSE(expected.empty());
-  for (const auto& cell : c.level.undecided) {
-    EXPECT_EQ(cell.reason, "zero_deviator_vertex");
-    undecided.insert(cell.tet);
+/// A mesh with vertices without deviator, and its claims.
+Certified with_zero_vertices(TetMesh& mesh, std::uint64_t seed, const std::string& mode) {
+  mesh = cube_mesh(2);
+  fill_with_normal_tensors(mesh, seed);
+  // The middle of the cube, and two corners that have an edge with it.
+  for (const std::size_t zero : {13u, 0u, 26u}) mesh.tensors[zero] = {3, 3, 3, 0, 0, 0};
+  return certified(mesh, mode);
+}
+
+TEST(Claims, ConesHaveASheetForEachCurveOfWhatIsOpposite) {
+  std::size_t joins = 0;
+  for (std::uint64_t seed = 20241105; seed < 20241109; ++seed) {
+    TetMesh mesh;
+    const auto c = with_zero_vertices(mesh, seed, "1/2");
+    EXPECT_TRUE(c.level.undecided.empty());
+    std::map<std::vector<LevelTopology::Index>, std::size_t> curves;
+    for (const auto& e : c.level.topology.edges)
+      curves[{e.vertices.begin(), e.vertices.end()}] = e.crossings.size();
+    for (const auto& f : c.level.topology.faces)
+      curves[{f.vertices.begin(), f.vertices.end()}] = f.arcs.size() + f.loops.size();
+    std::map<LevelTopology::Index, std::size_t> expected, found;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      std::vector<LevelTopology::Index> base;
+      for (const auto v : mesh.tets[t])
+        if (!(deviator(mesh.tensors[as_size(v)]) == Deviator<double>{})) base.push_back(v);
+      std::sort(base.begin(), base.end());
+      if (base.size() < 4 && curves.contains(base))
+        expected[static_cast<LevelTopology::Index>(t)] = curves[base];
+    }
+    for (const auto& cone : c.level.topology.cones) {
+      found[cone.tet] = cone.sheets.size();
+      if (cone.sheets[0].size() == 4) ++joins;
+      for (const auto& sheet : cone.sheets)
+        EXPECT_EQ(c.extraction.surface.carrier[as_size(sheet.back())], Carrier::vertex);
+    }
+    EXPECT_EQ(found, expected);
+    EXPECT_FALSE(found.empty());
   }
-  EXPECT_EQ(undecided, expected);
-  for (const auto& tet : c.level.topology.tets) EXPECT_FALSE(undecided.contains(tet.tet));
+  EXPECT_GT(joins, 0u);
+}
+
+TEST(Claims, EulerCharacteristicsAddUpWithConesAsWell) {
+  for (std::uint64_t seed = 20241105; seed < 20241109; ++seed) {
+    TetMesh mesh;
+    const auto c = with_zero_vertices(mesh, seed, "1/4");
+    // Compactly supported, and beside what is counted without cones: the lines from crossings to
+    // tips, tips at rims, and what lies between two tips.
+    std::int64_t sum = 0;
+    for (const auto& e : c.level.topology.edges) sum += static_cast<int>(e.crossings.size());
+    for (const auto& f : c.level.topology.faces) sum -= static_cast<int>(f.arcs.size());
+    for (const auto& tet : c.level.topology.tets)
+      for (const auto& sheet : tet.sheets) sum += sheet.euler_characteristic;
+    std::set<std::pair<LevelTopology::Vertex, LevelTopology::Vertex>> lines;
+    std::set<LevelTopology::Vertex> tips, halfway;
+    for (const auto& cone : c.level.topology.cones)
+      for (const auto& s : cone.sheets) {
+        ++sum;
+        if (s.size() == 2) continue;
+        const auto other = s.size() == 3 ? s[1] : s[0];
+        lines.insert({{s[0], s.size() == 3 ? s[2] : s[1]}, {other, s.back()}});
+        tips.insert({s.size() == 3 ? s[2] : s[1], s.back()});
+        if (s.size() == 4) halfway.insert(s[2]);
+      }
+    sum += static_cast<std::int64_t>(tips.size()) - static_cast<std::int64_t>(lines.size()) -
+           static_cast<std::int64_t>(halfway.size());
+    EXPECT_EQ(sum, surface_invariants(c.extraction.surface).euler_characteristic);
+  }
 }
 
 }  // namespace

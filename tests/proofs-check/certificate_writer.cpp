@@ -268,6 +268,7 @@ CertifiedSurface certified_surface(const TetMesh& given, const std::vector<std::
                {"triangles", {all.triangles.size(), e.surface.triangles.size()}},
                {"on_level", e.statistics.vertices_on_level},
                {"undecided", Json::array()},
+               {"cones", Json::array()},  // no use is made of fields that have such
                {"distance", nullptr}};
     Reader reader(mesh, e, mu.approx(), first);
     level["edges"] = reader.edges();

@@ -126,6 +126,17 @@ Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& modes) {
   return result;
 }
 
+namespace {
+
+bool has_closed_cone(const Exhibit& e) {
+  const Json& cones = e.certificate["levels"][0]["cones"];
+  return std::any_of(cones.begin(), cones.end(), [](const Json& cone) {
+    return std::any_of(cone.begin() + 1, cone.end(), [](const Json& s) { return s.size() == 2; });
+  });
+}
+
+}  // namespace
+
 const std::vector<Exhibit>& honest_exhibits() {
   static const std::vector<Exhibit> all = [] {
     std::vector<Exhibit> result;
@@ -136,6 +147,20 @@ const std::vector<Exhibit>& honest_exhibits() {
       fill_with_smooth_tensors(mesh, seed, 4, 1);
       Exhibit e = exhibit(mesh, {"0"});
       if (e.surface.triangles.size() > 30) result.push_back(std::move(e));
+    }
+    // Around one vertex without deviator, around the edge between two, over a closed curve.
+    constexpr SymmetricTensor<double> kNoDeviator{3, 3, 3, 0, 0, 0};
+    for (const auto& zeros : {std::vector<std::size_t>{0}, std::vector<std::size_t>{0, 7}}) {
+      fill_with_normal_tensors(mesh, 5);
+      for (const std::size_t v : zeros) mesh.tensors[v] = kNoDeviator;
+      result.push_back(exhibit(mesh, {"1/4"}));
+    }
+    result.push_back(result.back());
+    Random random(3);
+    while (!has_closed_cone(result.back())) {
+      TetTensors tensors = random.tet_tensors();
+      tensors[2] = kNoDeviator;
+      result.back() = exhibit(reference_tet_mesh(tensors), {"1/4"});
     }
     for (const FieldWitness& witness : field_witnesses()) {
       const TetCase& c = witness.cases.front();

@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <set>
+
 #include "certificate_check/check_certificate.hpp"
 #include "certificate_writer.hpp"
 #include "extract/bundled_fields.hpp"
+#include "extract/extract_case.hpp"
 #include "forgery.hpp"
 #include "support/random_fields.hpp"
+#include "support/strata_fields.hpp"
 #include "support/witness_fields.hpp"
 
 namespace tensortopo::test {
@@ -75,6 +79,26 @@ TEST(CertifiedFields, ThinTubesAndDistancesAreCertified) {
   }
 }
 
+/// A tube that turns back to the face that it came from, and is nearly pinched there: 13,287 parts.
+TEST(CertifiedFields, ATubeThatTurnsBackIsCertified) {
+  const TetTensors tensors{{{-0x1.aa407f84ab49dp-2, -0x1.b7a6d1b9f1563p-2, -0x1.99919745ce6b2p-2,
+                             0x1.73cb2ccdeadep-3, 0x1.d0aab760ec902p-4, 0x1.fcfe6ab3fa2bcp-7},
+                            {-0x1.2433c8cb5c296p-2, -0x1.484baa78db1f1p-2, -0x1.6848a8f87e5fdp-2,
+                             0x1.bbeb827f295a1p-4, 0x1.d2f2105cde017p-7, 0x1.143d7405f6fa7p-4},
+                            {-0x1.b36c6ebfadc76p-2, -0x1.c82b1bfaf22bbp-2, -0x1.a7858b1b8ab68p-2,
+                             0x1.957e61b115897p-3, 0x1.2d1198dc7d038p-4, -0x1.11088492452c7p-4},
+                            {-0x1.5afc5ed46bab5p-4, -0x1.65c08db5372e1p-3, -0x1.d7d7af324167cp-3,
+                             -0x1.03bc8d56099f6p-1, -0x1.3fa3be4e8208cp-4, 0x1.704337fd55f4ap-4}}};
+  const Exhibit e = exhibit(reference_tet_mesh(tensors), {"-4999/5000"});
+  Court court("tube");
+  EXPECT_EQ(court.verdict(e), "certified") << court.report();
+  ASSERT_EQ(e.certificate["levels"][0]["tets"].size(), 1u);
+  const auto& tube = e.certificate["levels"][0]["tets"][0][1];
+  EXPECT_EQ(tube[0], 0);
+  ASSERT_EQ(tube.size(), 3u);
+  EXPECT_EQ(tube[1][1], tube[2][1]);  // both loops are closed curves of one face
+}
+
 /// The field of diag(1 - s, 2 s, -1 - s), s = x + y / 100 - 0.3: the levels are planes, which the
 /// triangles hit but for rounding. Far from the origin coordinates are rounded by more.
 TEST(CertifiedFields, PlanesAreProvedToBeNear) {
@@ -91,6 +115,58 @@ TEST(CertifiedFields, PlanesAreProvedToBeNear) {
     const std::string bound = e.certificate["levels"][0]["distance"]["bound"];
     EXPECT_LT(std::strtod(bound.c_str(), nullptr), 1e-6);
     EXPECT_EQ(e.certificate["levels"][0]["distance"]["coarse"].size(), 0u) << bound;
+  }
+}
+
+/// Vertices without deviator one by one, in rows, in blocks.
+TEST(CertifiedFields, ConesAreCertified) {
+  constexpr std::uint64_t kSeed = 20241130;
+  Random random(kSeed);
+  Court court("cones");
+  std::size_t cones = 0, joins = 0, proved = 0;
+  for (int trial = 0; trial < trials(15); ++trial) {
+    TetMesh mesh = cube_mesh(2);
+    fill_with_normal_tensors(mesh, kSeed + static_cast<std::uint64_t>(trial));
+    const int percent = std::array{5, 15, 30, 50, 80}[static_cast<std::size_t>(trial) % 5];
+    for (auto& t : mesh.tensors)
+      if (random.integer(0, 99) < percent) t = {7, 7, 7, 0, 0, 0};
+    const char* const mode =
+        std::array{"1/4", "-1/2", "0", "9/10"}[static_cast<std::size_t>(trial) % 4];
+    const Exhibit e = exhibit(mesh, {mode});
+    EXPECT_EQ(court.verdict(e), "certified") << "trial " << trial << '\n' << court.report();
+    const auto& level = e.certificate["levels"][0];
+    EXPECT_TRUE(level["undecided"].empty());
+    std::set<nlohmann::json> coarse(level["distance"]["coarse"].begin(),
+                                    level["distance"]["coarse"].end());
+    for (const auto& cone : level["cones"]) {
+      ++cones;
+      if (cone[1].size() == 4) ++joins;
+      if (!coarse.contains(cone[0])) ++proved;
+    }
+  }
+  EXPECT_GT(cones, 100u);
+  EXPECT_GT(joins, 50u);
+  EXPECT_GT(2 * proved, cones);
+}
+
+/// One tetrahedron with one to four vertices without deviator, of any magnitude and order.
+TEST(CertifiedFields, StrataWithZeroVerticesAreCertified) {
+  constexpr std::uint64_t kSeed = 20241131;
+  Random random(kSeed);
+  Court court("strata");
+  for (const Stratum stratum : {Stratum::zero_vertex, Stratum::two_zero_vertices,
+                                Stratum::three_zero_vertices, Stratum::rank_zero}) {
+    for (int trial = 0; trial < trials(12); ++trial) {
+      TetTensors tensors = stratum_tensors(stratum, random);
+      const double scale = std::ldexp(1.0, random.integer(-300, 300));
+      for (auto& t : tensors) t = scale * t;
+      std::rotate(tensors.begin(), tensors.begin() + trial % 4, tensors.end());
+      const std::string mode = std::array{"1/3", "-1/2", "0"}[static_cast<std::size_t>(trial) % 3];
+      const Exhibit e = exhibit(reference_tet_mesh(tensors), {mode});
+      const bool is_special = !e.certificate["levels"][0]["undecided"].empty();
+      EXPECT_EQ(court.verdict(e), is_special ? "undecided" : "certified")
+          << name_of(stratum) << " trial " << trial << '\n' << court.report();
+    }
   }
 }
 

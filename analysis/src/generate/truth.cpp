@@ -104,6 +104,12 @@ LevelTruth level_truth(const CertifiedLevel& level, bool detailed) {
     std::sort(fact.sheets.begin(), fact.sheets.end());
     truth.tets.push_back(std::move(fact));
   }
+  for (const auto& cone : level.topology.cones) {
+    const std::array<int, 2> disc{1, 1};
+    truth.tets.push_back({cone.tet, {cone.sheets.size(), disc}});
+  }
+  std::sort(truth.tets.begin(), truth.tets.end(),
+            [](const auto& p, const auto& q) { return p.tet < q.tet; });
   return truth;
 }
 

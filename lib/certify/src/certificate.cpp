@@ -65,6 +65,20 @@ Json tets_json(const CertifiedLevel& level, std::size_t first_vertex, const TetM
   return tets;
 }
 
+Json cones_json(const CertifiedLevel& level, std::size_t first_vertex, const TetMesh& mesh) {
+  Json cones = Json::array();
+  for (const auto& cone : level.topology.cones) {
+    Json item{mesh.cell_ids[as_size(cone.tet)]};
+    for (const auto& sheet : cone.sheets) {
+      Json vertices = Json::array();
+      for (const auto v : sheet) vertices.push_back(first_vertex + as_size(v));
+      item.push_back(std::move(vertices));
+    }
+    cones.push_back(std::move(item));
+  }
+  return cones;
+}
+
 Json distance_json(const DistanceClaim& claim, const TetMesh& mesh) {
   Json coarse = Json::array();
   for (const auto t : claim.coarse) coarse.push_back(mesh.cell_ids[as_size(t)]);
@@ -95,6 +109,7 @@ Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size
   json["edges"] = edges_json(level, first_vertex);
   json["faces"] = faces_json(level, first_vertex);
   json["tets"] = tets_json(level, first_vertex, mesh);
+  json["cones"] = cones_json(level, first_vertex, mesh);
   json["components"] = std::move(components);
   json["distance"] = distance_json(level.distance, mesh);
   return json;

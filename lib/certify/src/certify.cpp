@@ -60,13 +60,13 @@ void drop_unbracketed(const TetMesh& mesh, LevelTopology& topology, Brackets& br
   if (bad.empty()) return;
   std::set<std::array<Index, 2>> edges;
   std::set<std::array<Index, 3>> faces;
-  retain(topology.tets, [&](std::size_t t) {
-    auto v = mesh.tets[as_size(topology.tets[t].tet)];
+  const auto has_brackets = [&](Index tet) {
+    auto v = mesh.tets[as_size(tet)];
     std::sort(v.begin(), v.end());
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j)
         if (bad.contains({v[i], v[j]})) {
-          undecided.push_back({topology.tets[t].tet, "budget_exhausted"});
+          undecided.push_back({tet, "budget_exhausted"});
           return false;
         }
     for (std::size_t i = 0; i < 4; ++i) {
@@ -74,7 +74,9 @@ void drop_unbracketed(const TetMesh& mesh, LevelTopology& topology, Brackets& br
       faces.insert({v[i == 0 ? 1 : 0], v[i < 2 ? 2 : 1], v[i < 3 ? 3 : 2]});
     }
     return true;
-  });
+  };
+  retain(topology.tets, [&](std::size_t t) { return has_brackets(topology.tets[t].tet); });
+  retain(topology.cones, [&](std::size_t t) { return has_brackets(topology.cones[t].tet); });
   const auto has_edge = [&](std::size_t e) { return edges.contains(topology.edges[e].vertices); };
   retain(brackets, has_edge);
   retain(topology.edges, has_edge);
@@ -117,15 +119,6 @@ CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& e
 
   for (const auto& cell : extraction.unresolved)
     result.undecided.push_back({cell.tet, std::string(name_of(cell.reason))});
-  // What is proved of a cone is proved of the opposite face; the certificate has no words for it.
-  std::vector<char> has_zero(mesh.tets.size(), 0);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    for (const Index v : mesh.tets[t])
-      if (field.is_zero[as_size(v)]) has_zero[t] = 1;
-  for (const auto& cell : result.undecided) has_zero[as_size(cell.tet)] = 0;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    if (has_zero[t]) result.undecided.push_back({static_cast<Index>(t), "zero_deviator_vertex"});
-
   auto brackets = brackets_of(result.topology, field, level);
   drop_unbracketed(mesh, result.topology, brackets, result.undecided);
   for (auto& list : brackets) result.brackets.push_back(std::move(*list));

@@ -15,10 +15,27 @@ using Vertex = SurfaceMesh::Index;
 
 std::size_t as_size(Vertex i) { return static_cast<std::size_t>(i); }
 
-bool meets_an_edge(const LevelTopology::Sheet& sheet, const SurfaceMesh& surface) {
-  return std::any_of(sheet.loops.begin(), sheet.loops.end(), [&](const auto& loop) {
-    return surface.carrier[as_size(loop[0].from)] == Carrier::edge;
-  });
+/// A sheet that meets no edge of its tetrahedron, by a vertex on each of its loops.
+struct ClosedSheet {
+  TetMesh::Index tet;
+  std::vector<Vertex> loops;
+};
+
+std::vector<ClosedSheet> closed_sheets(const SurfaceMesh& surface, const LevelTopology& topology) {
+  std::vector<ClosedSheet> result;
+  for (const auto& tet : topology.tets)
+    for (const auto& sheet : tet.sheets) {
+      ClosedSheet found{tet.tet, {}};
+      for (const auto& loop : sheet.loops) found.loops.push_back(loop[0].from);
+      if (std::none_of(found.loops.begin(), found.loops.end(), [&](Vertex v) {
+            return surface.carrier[as_size(v)] == Carrier::edge;
+          }))
+        result.push_back(std::move(found));
+    }
+  for (const auto& cone : topology.cones)
+    for (const auto& sheet : cone.sheets)
+      if (sheet.size() == 2) result.push_back({cone.tet, {sheet[0]}});
+  return result;
 }
 
 /// The rims of one tetrahedron's triangles: from each vertex the next.
@@ -86,39 +103,32 @@ std::vector<TetMesh::Index> uncovered_closed_rims(const SurfaceMesh& surface,
                                                   std::span<const std::size_t> triangles,
                                                   const LevelTopology& topology,
                                                   std::span<const int> reach) {
+  const std::vector<ClosedSheet> sheets = closed_sheets(surface, topology);
   std::map<TetMesh::Index, std::vector<std::size_t>> of_tet;
-  for (const auto& tet : topology.tets)
-    for (const auto& sheet : tet.sheets)
-      if (!meets_an_edge(sheet, surface)) of_tet[tet.tet];
+  for (const auto& sheet : sheets) of_tet[sheet.tet];
   for (const auto i : triangles)
     if (const auto found = of_tet.find(surface.tet[i]); found != of_tet.end())
       found->second.push_back(i);
+  std::map<TetMesh::Index, std::map<Vertex, Vertex>> rims;
+  for (const auto& [tet, members] : of_tet) rims[tet] = rim_of(surface, members);
 
-  std::vector<TetMesh::Index> result;
-  for (const auto& tet : topology.tets) {
-    const auto found = of_tet.find(tet.tet);
-    if (found == of_tet.end()) continue;
-    const auto next = rim_of(surface, found->second);
-    const auto is_covered = [&](const LevelTopology::Sheet& sheet) {
-      return std::any_of(sheet.loops.begin(), sheet.loops.end(), [&](const auto& loop) {
-        std::vector<Vertex> polygon;
-        Vertex v = loop[0].from;
-        do {
-          polygon.push_back(v);
-          const auto after = next.find(v);
-          if (after == next.end() || polygon.size() > next.size()) return false;
-          v = after->second;
-        } while (v != loop[0].from);
-        return winds_once(surface, polygon, reach);
-      });
-    };
-    for (const auto& sheet : tet.sheets)
-      if (!meets_an_edge(sheet, surface) && !is_covered(sheet)) {
-        result.push_back(tet.tet);
-        break;
-      }
+  std::set<TetMesh::Index> result;
+  for (const auto& sheet : sheets) {
+    const auto& next = rims[sheet.tet];
+    const bool is_covered = std::any_of(sheet.loops.begin(), sheet.loops.end(), [&](Vertex from) {
+      std::vector<Vertex> polygon;
+      Vertex v = from;
+      do {
+        polygon.push_back(v);
+        const auto after = next.find(v);
+        if (after == next.end() || polygon.size() > next.size()) return false;
+        v = after->second;
+      } while (v != from);
+      return winds_once(surface, polygon, reach);
+    });
+    if (!is_covered) result.insert(sheet.tet);
   }
-  return result;
+  return {result.begin(), result.end()};
 }
 
 }  // namespace tensortopo

@@ -10,8 +10,7 @@
 #include <limits>
 
 #include "closed_rims.hpp"
-#include "tensortopo/extract/simple_simplex.hpp"
-#include "tensortopo/extract/tet_geometry.hpp"
+#include "level_in_cell.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
@@ -25,8 +24,6 @@ using Index = SurfaceMesh::Index;
 constexpr int kStep = 2;
 constexpr int kGrowth = 10;
 constexpr int kAttempts = 4;
-/// How often a moved triangle is cut in four for the proof that the level does not meet it.
-constexpr int kCuts = 2;
 constexpr int kShortest = -4000;
 /// A reach starts at so much of what the mode at a few places asks for.
 constexpr double kMargin = 1.5;
@@ -46,121 +43,8 @@ void for_each(std::size_t count, const Body& body) {
   });
 }
 
-Vector3<double> unit(const Vector3<double>& v) {
-  const double length = std::sqrt(dot(v, v));
-  return length > 0 ? (1 / length) * v : Vector3<double>{0, 0, 0};
-}
-
-/// A corner of a triangle: its weights in the tetrahedron, exactly 0 off its carrier, and how they
-/// change along the unit direction in which it may move.
-struct Corner {
-  std::array<double, 4> weights{}, step{};
-
-  std::array<double, 4> moved(double by) const {
-    std::array<double, 4> result;
-    for (std::size_t i = 0; i < 4; ++i) result[i] = weights[i] + by * step[i];
-    return result;
-  }
-  /// How far it may move both ways without leaving the carrier.
-  double room() const {
-    double room = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 4; ++i)
-      if (step[i] != 0) room = std::min(room, weights[i] / std::abs(step[i]));
-    return room;
-  }
-};
-
-/// One tetrahedron and the level in it.
-class Cell {
- public:
-  Cell(const TetMesh& mesh, const ScaledField<double>& field, Index tet)
-      : vertices_(mesh.tets[as_size(tet)]), geometry_(points(mesh), exponents(field)) {
-    for (std::size_t i = 0; i < 4; ++i) tensors_[i] = field.tensors[as_size(vertices_[i])];
-    // Errors of the weights count as those of exact weights do (see rounding_unit): four terms,
-    // each below sqrt(12) times it.
-    total_ = 1 + geometry_.weight_error() / unit_roundoff<double>();
-  }
-
-  Corner corner(const SurfaceMesh& surface, Index vertex, const Level<double>& level) const {
-    const auto& carrier = surface.carrier_vertices[as_size(vertex)];
-    const auto& x = surface.points[as_size(vertex)];
-    Corner corner;
-    std::array<bool, 4> carried;
-    for (std::size_t i = 0; i < 4; ++i) {
-      carried[i] = std::find(carrier.begin(), carrier.end(), vertices_[i]) != carrier.end();
-      if (carried[i]) corner.weights[i] = std::max(0.0, geometry_.weight(i, x));
-    }
-    const auto at = level_slope(geometry_.tensor(corner.weights, tensors_), level);
-    auto direction = geometry_.gradient(at.slope, tensors_);
-    std::array<std::size_t, 4> on{}, off{};
-    std::size_t on_count = 0, off_count = 0;
-    for (std::size_t i = 0; i < 4; ++i) (carried[i] ? on[on_count++] : off[off_count++]) = i;
-    if (off_count == 1) {
-      const auto normal = unit(geometry_.weight_gradient(off[0]));
-      direction = direction - dot(direction, normal) * normal;
-    } else if (off_count == 2) {
-      const auto along = unit(cross(geometry_.weight_gradient(off[0]),
-                                    geometry_.weight_gradient(off[1])));
-      direction = dot(direction, along) * along;
-    }
-    direction = unit(direction);
-    for (std::size_t k = 0; k < on_count; ++k)
-      corner.step[on[k]] = dot(geometry_.weight_gradient(on[k]), direction);
-    return corner;
-  }
-
-  /// About how far the level is from a place, along the gradient.
-  double distance(const std::array<double, 4>& weights, const Level<double>& level) const {
-    const auto at = level_slope(geometry_.tensor(weights, tensors_), level);
-    const auto g = geometry_.gradient(at.slope, tensors_);
-    return std::abs(at.value) / std::sqrt(dot(g, g));
-  }
-
-  /// Whether a triangle is proved to lie on one side of the level.
-  bool is_on_side(const std::array<std::array<double, 4>, 3>& corners, Verdict side,
-                  const Level<double>& level) const {
-    std::array<Deviator<double>, 3> t;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (const double w : corners[i])
-        if (!(w >= 0)) return false;
-      t[i] = geometry_.tensor(corners[i], tensors_);
-    }
-    return is_on_side(t, side, level, kCuts);
-  }
-
-  double size() const { return geometry_.longest_edge(); }
-
- private:
-  bool is_on_side(const std::array<Deviator<double>, 3>& t, Verdict side,
-                  const Level<double>& level, int cuts) const {
-    for (const auto& corner : t)
-      if (side_of_level(corner, level, total_) != side) return false;
-    if (is_proved_empty(t, level, total_)) return true;
-    if (cuts == 0) return false;
-    const std::array<Deviator<double>, 3> h{0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0]),
-                                            0.5 * (t[0] + t[1])};
-    return is_on_side(h, side, level, cuts - 1) &&
-           is_on_side({t[0], h[2], h[1]}, side, level, cuts - 1) &&
-           is_on_side({t[1], h[0], h[2]}, side, level, cuts - 1) &&
-           is_on_side({t[2], h[1], h[0]}, side, level, cuts - 1);
-  }
-
-  std::array<Vector3<double>, 4> points(const TetMesh& mesh) const {
-    std::array<Vector3<double>, 4> result;
-    for (std::size_t i = 0; i < 4; ++i) result[i] = mesh.points[as_size(vertices_[i])];
-    return result;
-  }
-  std::array<int, 4> exponents(const ScaledField<double>& field) const {
-    std::array<int, 4> result;
-    for (std::size_t i = 0; i < 4; ++i) result[i] = field.exponents[as_size(vertices_[i])];
-    return result;
-  }
-
-  std::array<Index, 4> vertices_;
-  TetGeometry geometry_;
-  std::array<Deviator<double>, 4> tensors_;
-  double total_ = 1;
-};
+using detail::LevelInCell;
+using detail::MovingCorner;
 
 class Distances {
  public:
@@ -186,26 +70,41 @@ class Distances {
   }
 
   std::vector<int> reach() && { return std::move(reach_); }
-  double size_of(Index tet) const { return Cell(mesh_, field_, tet).size(); }
+  double size_of(Index tet) const { return LevelInCell(mesh_, field_, tet).size(); }
 
  private:
-  std::array<Corner, 3> corners_of(const Cell& cell, std::size_t triangle) const {
-    const auto& v = surface_.triangles[triangle];
-    return {cell.corner(surface_, v[0], level_), cell.corner(surface_, v[1], level_),
-            cell.corner(surface_, v[2], level_)};
+  /// Is the mode undefined there, as between vertices of the mesh without deviator?
+  bool is_apex(Index vertex) const {
+    const auto& carrier = surface_.carrier_vertices[as_size(vertex)];
+    return std::all_of(carrier.begin(), carrier.end(), [&](Index v) {
+      return v < 0 || field_.is_zero[as_size(v)];
+    });
+  }
+
+  /// Calls f with the corners of a triangle that may move, one to three: all but apexes, from which
+  /// the mode is constant along rays.
+  template <class F>
+  auto with_movable(std::size_t triangle, const F& f) const {
+    auto v = surface_.triangles[triangle];
+    const auto end = std::remove_if(v.begin(), v.end(), [&](Index w) { return is_apex(w); });
+    if (end - v.begin() == 3) return f(v);
+    if (end - v.begin() == 2) return f(std::array{v[0], v[1]});
+    return f(std::array{v[0]});
   }
 
   bool is_proved(std::size_t triangle) const {
-    const Cell cell(mesh_, field_, surface_.tet[triangle]);
-    const auto corners = corners_of(cell, triangle);
-    std::array<std::array<double, 4>, 3> ahead, behind;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double by = reach_length(reach_[as_size(surface_.triangles[triangle][c])]);
-      ahead[c] = corners[c].moved(by);
-      behind[c] = corners[c].moved(-by);
-    }
-    return cell.is_on_side(ahead, Verdict::positive, level_) &&
-           cell.is_on_side(behind, Verdict::negative, level_);
+    return with_movable(triangle, [&](const auto& v) {
+      const LevelInCell cell(mesh_, field_, surface_.tet[triangle]);
+      std::array<std::array<double, 4>, std::tuple_size_v<std::decay_t<decltype(v)>>> ahead, behind;
+      for (std::size_t c = 0; c < v.size(); ++c) {
+        const MovingCorner corner = cell.corner(surface_, v[c], level_);
+        const double by = reach_length(reach_[as_size(v[c])]);
+        ahead[c] = corner.moved(by);
+        behind[c] = corner.moved(-by);
+      }
+      return cell.is_on_side(ahead, Verdict::positive, level_) &&
+             cell.is_on_side(behind, Verdict::negative, level_);
+    });
   }
 
   /// What each triangle asks for.
@@ -215,34 +114,39 @@ class Distances {
     std::vector<std::array<double, 3>> rooms(surface_.triangles.size());
     for_each(triangles_.size(), [&](std::size_t k) {
       const auto i = triangles_[k];
-      const Cell cell(mesh_, field_, surface_.tet[i]);
-      const auto corners = corners_of(cell, i);
-      std::array<double, 4> centre{};
+      const LevelInCell cell(mesh_, field_, surface_.tet[i]);
       double farthest = 0x1p-44 * cell.size();
       const auto look = [&](const std::array<double, 4>& weights) {
         const double d = cell.distance(weights, level_);
         if (d < cell.size()) farthest = std::max(farthest, d);
       };
-      for (std::size_t c = 0; c < 3; ++c) {
-        std::array<double, 4> middle;
-        for (std::size_t j = 0; j < 4; ++j) {
-          middle[j] = 0.5 * (corners[c].weights[j] + corners[(c + 1) % 3].weights[j]);
-          centre[j] += corners[c].weights[j] / 3;
+      with_movable(i, [&](const auto& v) {
+        const auto count = static_cast<double>(v.size());
+        std::array<MovingCorner, 3> corners;
+        std::array<double, 4> centre{};
+        for (std::size_t c = 0; c < v.size(); ++c) {
+          corners[c] = cell.corner(surface_, v[c], level_);
+          rooms[i][c] = kRoom * corners[c].room();
+          for (std::size_t j = 0; j < 4; ++j) centre[j] += corners[c].weights[j] / count;
         }
-        look(middle);
-        rooms[i][c] = kRoom * corners[c].room();
-      }
-      look(centre);
+        for (std::size_t c = 0; c < v.size(); ++c) {
+          std::array<double, 4> middle;
+          for (std::size_t j = 0; j < 4; ++j)
+            middle[j] = 0.5 * (corners[c].weights[j] + corners[(c + 1) % v.size()].weights[j]);
+          look(middle);
+        }
+        look(centre);
+      });
       asked_[i] = reach_of(kMargin * farthest);
       limit_[i] = std::max(asked_[i] + kGrowth, reach_of(kFlat * cell.size()));
     });
     const auto vertices = surface_.points.size();
     std::vector<double> room(vertices, std::numeric_limits<double>::max());
     for (const auto i : triangles_)
-      for (std::size_t c = 0; c < 3; ++c) {
-        auto& least = room[as_size(surface_.triangles[i][c])];
-        least = std::min(least, rooms[i][c]);
-      }
+      with_movable(i, [&](const auto& v) {
+        for (std::size_t c = 0; c < v.size(); ++c)
+          room[as_size(v[c])] = std::min(room[as_size(v[c])], rooms[i][c]);
+      });
     // Nor may it come to the next crossing of its edge.
     for (const auto& edge : topology_.edges)
       for (std::size_t k = 1; k < edge.crossings.size(); ++k) {
@@ -262,9 +166,11 @@ class Distances {
     reach_.assign(surface_.points.size(), kShortest);
     for (const auto i : triangles_)
       if (!given_up[i])
-        for (const Index v : surface_.triangles[i])
-          reach_[as_size(v)] =
-              std::max(reach_[as_size(v)], std::min(asked_[i], most_[as_size(v)]));
+        with_movable(i, [&](const auto& corners) {
+          for (const Index v : corners)
+            reach_[as_size(v)] =
+                std::max(reach_[as_size(v)], std::min(asked_[i], most_[as_size(v)]));
+        });
   }
 
   /// Tries all triangles, and those again whose reaches grew. Gives up those that a few times what
@@ -282,14 +188,16 @@ class Distances {
       for (const auto i : trying) {
         if (proved[i]) continue;
         bool can_grow = false;
-        for (const Index v : surface_.triangles[i]) {
-          const int limit = std::min(limit_[i], most_[as_size(v)]);
-          can_grow |= grown[as_size(v)] != 0;
-          if (grown[as_size(v)] || reach_[as_size(v)] >= limit) continue;
-          reach_[as_size(v)] = std::min(reach_[as_size(v)] + kStep, limit);
-          grown[as_size(v)] = 1;
-          any_grown = can_grow = true;
-        }
+        with_movable(i, [&](const auto& corners) {
+          for (const Index v : corners) {
+            const int limit = std::min(limit_[i], most_[as_size(v)]);
+            can_grow |= grown[as_size(v)] != 0;
+            if (grown[as_size(v)] || reach_[as_size(v)] >= limit) continue;
+            reach_[as_size(v)] = std::min(reach_[as_size(v)] + kStep, limit);
+            grown[as_size(v)] = 1;
+            any_grown = can_grow = true;
+          }
+        });
         if (!can_grow) given_up[i] = 1, any_given_up = true;
       }
       if (!any_grown) break;

@@ -18,7 +18,8 @@ namespace tensortopo {
 /// and hold the arc, as its ends do not leave their edges and no other crossing is near; so what the
 /// segments over a sheet hold has degree one over the level's sheet, and covers it: each point of
 /// the level is within the reach of the triangles, too. (For a sheet that meets no edge of the
-/// tetrahedron see `uncovered_closed_rims`.)
+/// tetrahedron see `uncovered_closed_rims`.) Around vertices without deviator both are cones: what
+/// holds of the curve on the opposite face holds, shrunk, of all of it, and tips stay in place.
 ///
 /// @param triangles  those of the surface that the claim is about
 DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cone_points.hpp"
+#include "cone_sheets.hpp"
 #include "extractor_scalars.hpp"
 #include "narrow.hpp"
 #include "parallel_stage.hpp"
@@ -134,6 +135,7 @@ Extraction Pipeline<Scalar>::assemble() {
   }
 
   add_cone_points(surface, is_apex);
+  if (options_.keep_topology) result.topology.cones = cone_sheets(surface, is_apex);
   count = surface.points.size();
   surface.normal.assign(count, {0, 0, 0});
   surface.mode.assign(count, level_.value.approx());

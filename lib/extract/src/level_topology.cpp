@@ -44,12 +44,9 @@ LevelTopology Pipeline<Scalar>::topology(std::span<const Index> new_id) const {
   for (std::size_t t = 0; t < tets_.size(); ++t) {
     const auto& state = tets_[t];
     if (!state.plan || state.unresolved || state.drawn.triangles.empty()) continue;
-    if (state.method == Method::cone) {
-      result.coned.push_back(complex_.tets[t]);
-      continue;
-    }
     for (const Index e : complex_.tet_edges[t]) edge_used[as_size(e)] = 1;
     for (const Index f : complex_.tet_faces[t]) face_used[as_size(f)] = 1;
+    if (state.method == Method::cone) continue;  // see `cone_sheets`
     const auto rim_arc = [&](const RimPiece& piece) {
       const auto f = as_size(complex_.tet_faces[t][as_size(piece.face)]);
       const auto& arc = (*arcs_[f])[as_size(piece.arc)];

@@ -40,6 +40,8 @@ void check_level(const Json& claims, const Input& input, const Field& field,
   compare_faces(c, vertices, ledger);
   ledger.begin("tetrahedra");
   compare_tets(c, vertices, ledger);
+  ledger.begin("cones");
+  compare_cones(c, vertices, ledger);
   ledger.begin("surface");
   const auto placed = compare_surface(c, vertices, ledger);
   ledger.begin("distances");

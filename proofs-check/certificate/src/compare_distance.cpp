@@ -29,6 +29,15 @@ class Distances {
     const std::size_t tet = placed_.tets[triangle];
     return !c_.left_out[tet] && !is_coarse_[tet];
   }
+  /// Is there no mode, at a tip or between two?
+  bool is_apex(std::size_t v) const {
+    const Carrier& carrier = placed_.carriers[v];
+    return std::all_of(carrier.corners.begin(),
+                       carrier.corners.begin() + static_cast<std::ptrdiff_t>(carrier.count),
+                       [&](Vertex i) { return c_.field.is_zero(i); });
+  }
+  bool is_amid_carrier(std::size_t v) const;
+  bool is_clear(const MovedVertices& moved, std::size_t triangle) const;
   std::array<std::size_t, 3> vertices_of(std::size_t triangle) const {
     auto result = std::array<std::size_t, 3>{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -88,10 +97,47 @@ void Distances::require_bounds() const {
   if (reach_.size() != placed_.carriers.size())
     throw Wrong(std::to_string(placed_.carriers.size()) + " vertices");
   for (std::size_t v = 0; v < reach_.size(); ++v)
-    if (is_used_[v] && reach_length(reach_[v]) > bound_)
+    if (is_used_[v] && !is_apex(v) && reach_length(reach_[v]) > bound_)
       throw Wrong("a reach above the bound, of " + vertex(v));
   for (std::size_t tet = 0; tet < is_coarse_.size(); ++tet)
     if (is_coarse_[tet]) require_no_longer_edge(tet);
+}
+
+/// Is a vertex that does not move within the bound of the middle of what carries it?
+bool Distances::is_amid_carrier(std::size_t v) const {
+  const Carrier& carrier = placed_.carriers[v];
+  const mpq_class limit = mpq_class(bound_) * static_cast<unsigned long>(carrier.count);
+  mpq_class square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    mpq_class sum = 0;
+    for (std::size_t i = 0; i < carrier.count; ++i)
+      sum += mpq_class(c_.input.points[carrier.corners[i]][k]) -
+             mpq_class(c_.surface.points[c_.vertices.first + v][k]);
+    square += sum * sum;
+  }
+  return square <= limit * limit;
+}
+
+/// Do its corners, moved, span what the level does not meet? Those where there is no mode stay: on
+/// each ray from these the mode is constant, so that the others decide.
+bool Distances::is_clear(const MovedVertices& moved, std::size_t triangle) const {
+  auto v = vertices_of(triangle);
+  const auto end = std::remove_if(v.begin(), v.end(), [&](std::size_t i) { return is_apex(i); });
+  for (const auto way : {MovedVertices::kBehind, MovedVertices::kAhead}) {
+    const auto clear = [&]<std::size_t Count>(const std::array<std::size_t, Count>& at) {
+      std::array<Corner, Count> corners;
+      for (std::size_t i = 0; i < Count; ++i) corners[i] = moved.corner(at[i], way);
+      if (c_.level.is_one_sided(corners)) return true;
+      if constexpr (Count == 1) return false;
+      else return Refinement(c_.level, corners).is_one_sided();
+    };
+    const bool is_clear = end == v.end()         ? clear(v)
+                          : end == v.begin() + 2 ? clear(std::array{v[0], v[1]})
+                          : end == v.begin() + 1 ? clear(std::array{v[0]})
+                                                 : false;
+    if (!is_clear) return false;
+  }
+  return true;
 }
 
 /// A crossing's vertex moves past no other crossing of its edge: as there are points of
@@ -114,27 +160,21 @@ void Distances::prove_passed_crossings(const MovedVertices& moved) const {
 
 void Distances::prove() const {
   const MovedVertices moved(c_, placed_, reach_);
-  std::vector<char> is_near(placed_.carriers.size(), 1), is_clear(placed_.tets.size(), 1);
+  std::vector<char> is_near(placed_.carriers.size(), 1), clear(placed_.tets.size(), 1);
   parallel_for(is_near.size(), [&](std::size_t v) {
-    is_near[v] = !is_used_[v] || (moved.stays(v) && moved.is_within(v, bound_));
+    is_near[v] = !is_used_[v] || (is_apex(v) ? is_amid_carrier(v)
+                                             : moved.stays(v) && moved.is_within(v, bound_));
   });
   if (const auto far = std::find(is_near.begin(), is_near.end(), 0); far != is_near.end())
     throw Unproved(vertex(static_cast<std::size_t>(far - is_near.begin())) +
                    " moves out of its place or bound");
-  parallel_for(is_clear.size(), [&](std::size_t t) {
-    if (!is_asked(t)) return;
-    const auto [i, j, k] = vertices_of(t);
-    for (const auto way : {MovedVertices::kBehind, MovedVertices::kAhead}) {
-      const std::array corners{moved.corner(i, way), moved.corner(j, way), moved.corner(k, way)};
-      is_clear[t] = is_clear[t] && (c_.level.is_one_sided(corners) ||
-                                    Refinement(c_.level, corners).is_one_sided());
-    }
+  parallel_for(clear.size(), [&](std::size_t t) {
+    if (is_asked(t)) clear[t] = is_clear(moved, t);
   });
-  if (const auto missing = std::find(is_clear.begin(), is_clear.end(), 0);
-      missing != is_clear.end())
-    throw Unproved(std::to_string(std::count(missing, is_clear.end(), 0)) +
+  if (const auto missing = std::find(clear.begin(), clear.end(), 0); missing != clear.end())
+    throw Unproved(std::to_string(std::count(missing, clear.end(), 0)) +
                    " triangles not shown to stay clear, the first" +
-                   where(placed_.tets[static_cast<std::size_t>(missing - is_clear.begin())]));
+                   where(placed_.tets[static_cast<std::size_t>(missing - clear.begin())]));
   prove_passed_crossings(moved);
   for (const auto& [tet, loops] : placed_.closed_sheets)
     if (!is_coarse_[tet] && !is_covered(c_, moved, tet, loops))

@@ -86,7 +86,30 @@ Json named(const LevelCase& c, const CrossingVertices& vertices, const TetTopolo
   return numbers;
 }
 
+/// What names a cone's sheet in the certificate but its tips; or nothing.
+std::vector<Number> named(const LevelCase& c, const CrossingVertices& vertices,
+                          const ConeTopology& cone, const ConeSheet& sheet) {
+  std::vector<Number> names;
+  if (sheet.crossings.empty()) {
+    const auto curves =
+        curve_names(c, *c.topology.face({cone.base[0], cone.base[1], cone.base[2]}));
+    if (sheet.curve < curves.size()) names.push_back(curves[sheet.curve]);
+    return names;
+  }
+  for (const MeshCrossing& crossing : sheet.crossings) {
+    const auto place = vertices.vertex.find(crossing);
+    if (place == vertices.vertex.end()) return {};
+    names.push_back(place->second);
+  }
+  return names;
+}
+
 }  // namespace
+
+bool is_at(const LevelCase& c, const Json& vertex, Vertex place) {
+  const Number v = vertex.get<Number>();
+  return v - c.vertices.first < c.vertices.count && c.surface.points[v] == c.input.points[place];
+}
 
 /// As many intervals as crossings, without common inner points, and an odd number of crossings in
 /// each: so one.
@@ -160,6 +183,32 @@ void compare_tets(const LevelCase& c, const CrossingVertices& vertices, Ledger& 
     return std::array<Number, 1>{c.input.cells[tet.tet]};
   };
   compare_list<1>("tetrahedron ", c.claims["tets"], c.topology.tets, key, settle, ledger);
+}
+
+void compare_cones(const LevelCase& c, const CrossingVertices& vertices, Ledger& ledger) {
+  const auto settle = [&](const ConeTopology& cone, const Json& claim, const std::string& name) {
+    std::map<std::vector<Number>, const ConeSheet*> derived;
+    for (const ConeSheet& sheet : cone.sheets)
+      derived[named(c, vertices, cone, sheet)] = &sheet;
+    if (derived.contains({})) return ledger.leave_open(name, "no names for its sheets");
+    bool same = derived.size() == cone.sheets.size() && claim.size() == derived.size() + 1;
+    std::string text;
+    std::size_t i = 1;
+    for (const auto& [names, sheet] : derived) {
+      text += Json(names).dump() + " with tips at " + Json(sheet->tips).dump() + ' ';
+      if (!same) continue;
+      const Json& s = claim[i++];
+      const std::size_t first = names.size();
+      same = s.size() == (sheet->tips.size() == 2 ? 4 : first + 1) &&
+             std::equal(names.begin(), names.end(), s.begin()) &&
+             is_at(c, s[first], sheet->tips[0]) && is_at(c, s.back(), sheet->tips.back());
+    }
+    ledger.settle(same, name, claim.dump(), text);
+  };
+  const auto key = [&](const ConeTopology& cone) {
+    return std::array<Number, 1>{c.input.cells[cone.tet]};
+  };
+  compare_list<1>("cone ", c.claims["cones"], c.topology.cones, key, settle, ledger);
 }
 
 }  // namespace certificate

@@ -39,5 +39,9 @@ struct CrossingVertices {
 CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger);
 void compare_faces(const LevelCase& c, const CrossingVertices& vertices, Ledger& ledger);
 void compare_tets(const LevelCase& c, const CrossingVertices& vertices, Ledger& ledger);
+void compare_cones(const LevelCase& c, const CrossingVertices& vertices, Ledger& ledger);
+
+/// Is this vertex of the surface one of the level, and lies at a vertex of the mesh?
+bool is_at(const LevelCase& c, const Json& vertex, Vertex place);
 
 }  // namespace certificate

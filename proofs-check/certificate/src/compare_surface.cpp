@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <unordered_set>
 
+#include "cones.hpp"
 #include "half_edges.hpp"
 
 namespace certificate {
@@ -25,12 +27,16 @@ class Pieces {
   PlacedSurface place() &&;
 
  private:
+  bool is_end(Number v) const { return vertices_.crossing.contains(v) || apexes_.contains(v); }
   void group();
-  void compare(std::size_t tet, const Json& claim, std::vector<Piece> pieces);
+  void note_apexes();
+  void compare_sheets(const Json& claim, const ConeTopology* cone);
+  void compare(std::size_t tet, const Json& claim, std::vector<Piece>& pieces);
   std::vector<ClosedLoop> compare(std::size_t tet, const Json& claim, std::vector<RimEdge>& loop);
   void add_chain(std::size_t tet, const Json& opposite, std::span<const RimEdge> edges,
                  bool closed);
   void compare_chains() const;
+  void compare_folds() const;
 
   const LevelCase& c_;
   const CrossingVertices& vertices_;
@@ -39,6 +45,9 @@ class Pieces {
   std::map<std::size_t, std::vector<std::size_t>> by_tet_;
   std::map<Face, std::vector<std::size_t>> tets_at_;  ///< that are crossed or left out
   std::map<Face, std::map<std::size_t, std::vector<Chain>>> chains_;
+  std::unordered_set<Number> apexes_;  ///< tips, and vertices halfway between two
+  /// Where sheets end at an edge between two tips, by tetrahedron and crossing.
+  std::map<std::pair<std::size_t, Number>, std::vector<RimEdge>> folds_;
   std::vector<std::pair<std::size_t, std::vector<ClosedLoop>>> closed_sheets_;
 };
 
@@ -54,6 +63,8 @@ void Pieces::group() {
     for (std::size_t i = 0; i < 4; ++i) tets_at_[face_of(c_.input.tets[tet], i)].push_back(tet);
   };
   for (const TetTopology& tet : c_.topology.tets) add(tet.tet);
+  for (const ConeTopology& cone : c_.topology.cones)
+    if (cone.is_crossed()) add(cone.tet);
   for (std::size_t t = 0; t < c_.left_out.size(); ++t)
     if (c_.left_out[t]) add(t);
   for (const auto& [face, tets] : tets_at_)
@@ -87,8 +98,8 @@ void Pieces::add_chain(std::size_t tet, const Json& opposite, std::span<const Ri
 /// closed curve of a face.
 std::vector<ClosedLoop> Pieces::compare(std::size_t tet, const Json& claim,
                                         std::vector<RimEdge>& loop) {
-  const auto is_end = [&](const RimEdge& e) { return vertices_.crossing.contains(e.from); };
-  const auto ends = static_cast<std::size_t>(std::count_if(loop.begin(), loop.end(), is_end));
+  const auto is_end_of = [&](const RimEdge& e) { return is_end(e.from); };
+  const auto ends = static_cast<std::size_t>(std::count_if(loop.begin(), loop.end(), is_end_of));
   if (claim.size() != 2 * std::max<std::size_t>(ends, 1))
     throw Wrong("other crossings on a loop");
   if (ends == 0) {
@@ -102,19 +113,26 @@ std::vector<ClosedLoop> Pieces::compare(std::size_t tet, const Json& claim,
   auto start = loop.begin();
   for (std::size_t k = 0; k < ends; ++k) {
     if (claim[2 * k] != start->from) throw Wrong("other crossings on a loop");
-    const auto end = std::find_if(start + 1, loop.end(), is_end);
-    add_chain(tet, claim[2 * k + 1], {start, end}, false);
+    const auto end = std::find_if(start + 1, loop.end(), is_end_of);
+    if (!claim[2 * k + 1].is_null()) {
+      add_chain(tet, claim[2 * k + 1], {start, end}, false);
+    } else {
+      auto& fold = folds_[{tet, claim[0].get<Number>()}];
+      fold.insert(fold.end(), start, end);
+    }
     start = end;
   }
   return {};
 }
 
 /// The pieces of a tetrahedron against its claimed sheets, loop by loop.
-void Pieces::compare(std::size_t tet, const Json& claim, std::vector<Piece> pieces) {
+void Pieces::compare(std::size_t tet, const Json& claim, std::vector<Piece>& pieces) {
   std::map<Number, std::pair<std::size_t, std::size_t>> at;  // of each rim vertex: piece and loop
   for (std::size_t p = 0; p < pieces.size(); ++p)
     for (std::size_t l = 0; l < pieces[p].loops.size(); ++l)
-      for (const RimEdge& edge : pieces[p].loops[l]) at[edge.from] = {p, l};
+      for (const RimEdge& edge : pieces[p].loops[l])
+        if (!at.try_emplace(edge.from, p, l).second && !apexes_.contains(edge.from))
+          throw Wrong("two pieces at vertex " + std::to_string(edge.from));
   std::vector<bool> is_used(pieces.size());
   if (pieces.size() != claim.size() - 1)
     throw Wrong(std::to_string(pieces.size()) + " pieces of triangles");
@@ -153,7 +171,7 @@ void Pieces::compare_chains() const {
       if (side != sides.end()) chains = side->second;
       if (both.size() == 2) {
         for (Chain& chain : chains) {
-          const bool closed = !vertices_.crossing.contains(chain[0]);
+          const bool closed = !is_end(chain[0]);
           std::reverse(chain.begin() + (closed ? 1 : 0), chain.end());
         }
       }
@@ -164,6 +182,45 @@ void Pieces::compare_chains() const {
   }
 }
 
+/// Sheets that a stretch of larger modes around an edge between tips has at its ends are joined
+/// there, and no others.
+void Pieces::compare_folds() const {
+  const Folds folds(c_);
+  const auto edges_of = [&](const Fold& fold) -> const std::vector<RimEdge>& {
+    const auto name = vertices_.vertex.find(fold.cone->sheets[fold.sheet].crossings[0]);
+    if (name != vertices_.vertex.end())
+      if (const auto found = folds_.find({fold.cone->tet, name->second}); found != folds_.end())
+        return found->second;
+    throw Wrong("no sheet at a crossing");
+  };
+  for (const ConeTopology& cone : c_.topology.cones) {
+    for (std::size_t k = 0; cone.tips.size() == 2 && k < cone.sheets.size(); ++k) {
+      const std::vector<RimEdge>& own = edges_of({&cone, k});
+      Face last{};
+      const Fold other = folds.beyond({&cone, k}, last);
+      bool same = true;
+      if (other.cone != nullptr) {
+        const std::vector<RimEdge>& there = edges_of(other);
+        same = std::equal(own.begin(), own.end(), there.rbegin(), there.rend(),
+                          [](const RimEdge& a, const RimEdge& b) {
+                            return a.from == b.to && a.to == b.from;
+                          });
+      } else {
+        std::sort(last.begin(), last.end());
+        const auto tets = tets_at_.find(last);
+        for (const std::size_t tet : tets == tets_at_.end() ? std::vector<std::size_t>{}
+                                                            : tets->second)
+          if (c_.left_out[tet]) same = false;
+        // What is left out may be joined to anything, or nothing.
+        same = !same || std::all_of(own.begin(), own.end(),
+                                    [](const RimEdge& e) { return e.across == kNone; });
+      }
+      if (!same) throw Wrong("sheets joined otherwise in tetrahedron " +
+                             std::to_string(c_.input.cells[cone.tet]));
+    }
+  }
+}
+
 /// A vertex that is on no edge or face is inside the tetrahedron of its triangles.
 PlacedSurface Pieces::place() && {
   const std::size_t first = c_.vertices.first;
@@ -171,11 +228,26 @@ PlacedSurface Pieces::place() && {
                        std::move(closed_sheets_)};
   for (const auto& [vertex, crossing] : vertices_.crossing)
     result.carriers[vertex - first] = {{crossing.edge[0], crossing.edge[1]}, 2};
+  for (const Json& claim : c_.claims["cones"]) {
+    const ConeTopology& cone = *c_.topology.cone(c_.input.tet_at(claim[0].get<Number>()));
+    for (std::size_t i = 1; i < claim.size(); ++i) {
+      const auto carrier = [&](std::size_t k) -> Carrier& {
+        return result.carriers[claim[i][k].get<Number>() - first];
+      };
+      if (claim[i].size() < 4) {
+        carrier(claim[i].size() - 1) = {{cone.tips[0]}, 1};
+        continue;
+      }
+      for (const std::size_t k : {1u, 3u})
+        carrier(k) = {{cone.tips[is_at(c_, claim[i][k], cone.tips[0]) ? 0 : 1]}, 1};
+      carrier(2) = {{cone.tips[0], cone.tips[1]}, 2};
+    }
+  }
   for (const auto& [face, sides] : chains_)
     for (const auto& [tet, chains] : sides)
       for (const Chain& chain : chains)
         for (const Number v : chain)
-          if (Carrier& carrier = result.carriers[v - first]; carrier.count != 2)
+          if (Carrier& carrier = result.carriers[v - first]; carrier.count == 0)
             carrier = {{face[0], face[1], face[2]}, 3};
   for (std::size_t t = 0; t < result.tets.size(); ++t)
     for (const Number v : mesh_.triangles()[t])
@@ -184,27 +256,61 @@ PlacedSurface Pieces::place() && {
   return result;
 }
 
+void Pieces::note_apexes() {
+  for (const Json& claim : c_.claims["cones"])
+    for (std::size_t i = 1; i < claim.size(); ++i)
+      for (std::size_t k = claim[i].size() == 3 ? 2 : 1; k < claim[i].size(); ++k)
+        if (vertices_.crossing.contains(*apexes_.insert(claim[i][k].get<Number>()).first))
+          throw Wrong("a crossing as tip");
+}
+
+/// @param cone  if it is one
+void Pieces::compare_sheets(const Json& claim, const ConeTopology* cone) {
+  const std::size_t tet = c_.input.tet_at(claim[0].get<Number>());
+  const auto triangles = by_tet_.find(tet);
+  if (triangles == by_tet_.end() || c_.left_out[tet]) throw Wrong("no triangles");
+  std::vector<Piece> pieces = mesh_.pieces(
+      triangles->second, [&](std::size_t t, std::size_t i, std::size_t other) {
+        const auto& corners = mesh_.triangles()[t];
+        return tets_[other] == tet &&
+               !(apexes_.contains(corners[i]) && apexes_.contains(corners[(i + 1) % 3]));
+      });
+  if (cone == nullptr) return compare(tet, claim, pieces);
+  compare(tet, with_loops(c_, vertices_, *cone, claim), pieces);
+  for (std::size_t i = 1; i < claim.size(); ++i) {
+    const auto holds = [&](const Piece& piece) {
+      const auto has = [&](const Json& v) {
+        return std::binary_search(piece.vertices.begin(), piece.vertices.end(), v.get<Number>());
+      };
+      return has(claim[i][0]) && has(claim[i].back());
+    };
+    if (std::none_of(pieces.begin(), pieces.end(), holds)) throw Wrong("a tip of another sheet");
+  }
+}
+
 void Pieces::compare() {
   group();
+  note_apexes();
   std::size_t matched = 0;
-  for (const Json& claim : c_.claims["tets"]) {
-    const std::size_t tet = c_.input.tet_at(claim[0].get<Number>());
-    const auto triangles = by_tet_.find(tet);
-    const std::string where = " in tetrahedron " + claim[0].dump();
-    if (triangles == by_tet_.end() || c_.left_out[tet]) throw Wrong("no triangles" + where);
-    try {
-      compare(tet, claim, mesh_.pieces(triangles->second, [&](std::size_t t) {
-        return tets_[t] == tet;
-      }));
-    } catch (const Wrong& wrong) {
-      throw Wrong(wrong.what() + where);
+  const auto compare_all = [&](const Json& claims, bool are_cones) {
+    for (const Json& claim : claims) {
+      const ConeTopology* cone = c_.topology.cone(c_.input.tet_at(claim[0].get<Number>()));
+      try {
+        if ((cone != nullptr) != are_cones) throw Wrong("no such sheets");
+        compare_sheets(claim, cone);
+      } catch (const Wrong& wrong) {
+        throw Wrong(wrong.what() + (" in tetrahedron " + claim[0].dump()));
+      }
+      ++matched;
     }
-    ++matched;
-  }
+  };
+  compare_all(c_.claims["tets"], false);
+  compare_all(c_.claims["cones"], true);
   for (const auto& [tet, triangles] : by_tet_)
     if (c_.left_out[tet]) ++matched;
   if (matched != by_tet_.size()) throw Wrong("triangles in a tetrahedron without sheets");
   compare_chains();
+  compare_folds();
 }
 
 /// Vertices of the level's range only, and all of them.
@@ -235,7 +341,7 @@ std::optional<PlacedSurface> compare_surface(const LevelCase& c, const CrossingV
     mesh.require_manifold();
     std::vector<std::size_t> all(triangles.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    components = mesh.pieces(all, [](std::size_t) { return true; });
+    components = mesh.pieces(all, [](std::size_t, std::size_t, std::size_t) { return true; });
   } catch (const Wrong& wrong) {
     return ledger.refute("triangles", claimed, wrong.what()), std::nullopt;
   }
@@ -248,7 +354,7 @@ std::optional<PlacedSurface> compare_surface(const LevelCase& c, const CrossingV
                  {"boundary_loops", components[i].loops.size()},
                  {"orientable", true},
                  {"triangles", components[i].triangles},
-                 {"first_vertex", components[i].first_vertex}};
+                 {"first_vertex", components[i].vertices[0]}};
     ledger.settle(claim == derived, "component " + std::to_string(i), claim.dump(), derived.dump());
   }
   try {

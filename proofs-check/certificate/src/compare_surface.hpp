@@ -6,7 +6,7 @@
 
 namespace certificate {
 
-/// The edge, face or tetrahedron that holds a vertex of the surface.
+/// The edge, face or tetrahedron that holds a vertex of the surface; the vertex that a tip is at.
 struct Carrier {
   std::array<Vertex, 4> corners{};
   std::size_t count = 0;

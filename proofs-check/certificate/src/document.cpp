@@ -29,6 +29,7 @@ const Json& shape() {
       "faces": ["*3", ["natural", "natural", "natural",
                        ["*2", ["natural", "natural"]], ["*1", "natural"]]],
       "tets": ["*1", ["natural", "*0", ["integer", "*0", ["natural", "natural", "*0", "natural"]]]],
+      "cones": ["*1", ["natural", "*1", ["natural", "natural", "*0", "natural"]]],
       "components": ["*1", {"euler_characteristic": "integer", "boundary_loops": "integer",
                             "orientable": "boolean", "triangles": "natural",
                             "first_vertex": "natural"}],
@@ -178,10 +179,9 @@ double length_of(const Json& value) {
 
 std::string reason_of(const Json& value) {
   static const std::set<std::string> reasons{
-      "zero_deviator_vertex",   "zero_deviator_inside",   "level_constant_in_cell",
-      "level_constant_on_face", "level_constant_on_edge", "critical_value_in_cell",
-      "critical_value_on_face", "critical_value_on_edge", "budget_exhausted",
-      "inconsistent_samples"};
+      "zero_deviator_inside",   "level_constant_in_cell", "level_constant_on_face",
+      "level_constant_on_edge", "critical_value_in_cell", "critical_value_on_face",
+      "critical_value_on_edge", "budget_exhausted",       "inconsistent_samples"};
   if (!reasons.contains(text_of(value))) throw Malformed("", "no such reason");
   return text_of(value);
 }

@@ -30,6 +30,11 @@ Field::Field(const Input& input) : input_(input) {
   }
 }
 
+bool Field::is_zero(std::uint32_t vertex) const {
+  const auto& t = input_.tensors[vertex];
+  return t[0] == t[1] && t[1] == t[2] && t[3] == 0 && t[4] == 0 && t[5] == 0;
+}
+
 Tensor<mpz_class> Field::exact(std::uint32_t vertex) const {
   std::array<mpz_class, 6> t;
   for (std::size_t k = 0; k < 6; ++k) {

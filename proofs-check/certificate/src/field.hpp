@@ -14,6 +14,8 @@ class Field : public ExactTensors {
 
   /// An integer multiple, by 2^-exponent(v), of three times the deviator at a vertex.
   Tensor<mpz_class> exact(std::uint32_t vertex) const override;
+  /// Is the deviator zero, so that there is no mode?
+  bool is_zero(std::uint32_t vertex) const;
   long exponent(std::uint32_t vertex) const { return exponents_[vertex]; }
   /// The corner's ball is three times the deviator by 2^-scale(v).
   long scale(std::uint32_t vertex) const { return exponents_[vertex] + shifts_[vertex]; }

@@ -52,51 +52,57 @@ void HalfEdges::require_manifold() const {
                     std::to_string(triangles_[t][i]));
 }
 
-std::vector<Piece> HalfEdges::pieces(std::span<const std::size_t> some,
-                                     const std::function<bool(std::size_t)>& among) const {
-  UnionFind joined;  // by the triangles' places among these
-  std::map<std::uint32_t, RimEdge> rim;
-  std::map<std::uint32_t, std::size_t> triangle_at;  // one of each vertex
-  std::vector<long> edges(some.size());
+std::vector<Piece> HalfEdges::pieces(
+    std::span<const std::size_t> some,
+    const std::function<bool(std::size_t, std::size_t, std::size_t)>& joined) const {
+  UnionFind classes;  // of the triangles' places among these
+  std::vector<std::array<bool, 3>> is_inside(some.size());
+  for (std::size_t n = 0; n < some.size(); ++n) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t other = across_[some[n]][i];
+      is_inside[n][i] = other != kNone && joined(some[n], i, other);
+      if (is_inside[n][i])
+        classes.join(n, static_cast<std::size_t>(
+                            std::lower_bound(some.begin(), some.end(), other) - some.begin()));
+    }
+  }
+  std::map<std::size_t, Piece> found;  // by their first triangles
+  std::map<std::pair<std::size_t, std::uint32_t>, RimEdge> rim;
   for (std::size_t n = 0; n < some.size(); ++n) {
     const Triangle& corners = triangles_[some[n]];
+    const std::size_t number = classes.find(n);
+    Piece& piece = found[number];
+    ++piece.triangles, ++piece.euler_characteristic;
     for (std::size_t i = 0; i < 3; ++i) {
-      triangle_at.emplace(corners[i], n);
+      piece.vertices.push_back(corners[i]);
       const std::size_t other = across_[some[n]][i];
-      const bool is_inside = other != kNone && among(other);
-      if (!is_inside || other > some[n]) ++edges[n];
-      if (is_inside) {
-        joined.join(n, static_cast<std::size_t>(std::lower_bound(some.begin(), some.end(), other) -
-                                                some.begin()));
-        continue;
-      }
-      if (!rim.emplace(corners[i], RimEdge{corners[i], corners[(i + 1) % 3], other}).second)
+      if (!is_inside[n][i] || other > some[n]) --piece.euler_characteristic;
+      const RimEdge edge{corners[i], corners[(i + 1) % 3], other};
+      if (!is_inside[n][i] && !rim.try_emplace({number, corners[i]}, edge).second)
         throw Wrong("the rim passes vertex " + std::to_string(corners[i]) + " twice");
     }
   }
-  std::map<std::size_t, std::size_t> numbers;  // of the pieces, by their first triangles
-  std::vector<Piece> found;
-  for (const auto& [v, n] : triangle_at) {
-    const auto [place, is_new] = numbers.try_emplace(joined.find(n), found.size());
-    if (is_new) found.emplace_back().first_vertex = v;
-    ++found[place->second].euler_characteristic;
-  }
-  const auto piece_of = [&](std::size_t n) -> Piece& { return found[numbers.at(joined.find(n))]; };
-  for (std::size_t n = 0; n < some.size(); ++n) {
-    piece_of(n).euler_characteristic += 1 - edges[n];
-    ++piece_of(n).triangles;
-  }
   while (!rim.empty()) {
-    std::uint32_t at = rim.begin()->first;
-    auto& loop = piece_of(triangle_at.at(at)).loops.emplace_back();
-    while (const auto next = rim.extract(at)) {
+    auto [number, at] = rim.begin()->first;
+    auto& loop = found[number].loops.emplace_back();
+    while (const auto next = rim.extract({number, at})) {
       loop.push_back(next.mapped());
       at = next.mapped().to;
     }
     if (at != loop.front().from)
       throw Wrong("a rim that does not close at vertex " + std::to_string(at));
   }
-  return found;
+  std::vector<Piece> result;
+  for (auto& [number, piece] : found) {
+    std::sort(piece.vertices.begin(), piece.vertices.end());
+    piece.vertices.erase(std::unique(piece.vertices.begin(), piece.vertices.end()),
+                         piece.vertices.end());
+    piece.euler_characteristic += static_cast<long>(piece.vertices.size());
+    result.push_back(std::move(piece));
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Piece& a, const Piece& b) { return a.vertices < b.vertices; });
+  return result;
 }
 
 }  // namespace certificate

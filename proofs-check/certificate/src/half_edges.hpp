@@ -27,7 +27,7 @@ struct RimEdge {
 struct Piece {
   long euler_characteristic = 0;
   std::size_t triangles = 0;
-  std::uint32_t first_vertex = 0;  ///< the smallest
+  std::vector<std::uint32_t> vertices;  ///< ascending
   std::vector<std::vector<RimEdge>> loops;
 };
 
@@ -43,12 +43,13 @@ class HalfEdges {
   /// Throws Wrong unless they are an oriented manifold with boundary: no two triangles have an
   /// edge in one direction, and around each vertex they form one fan.
   void require_manifold() const;
-  /// The pieces of some triangles, in the order of their smallest vertices. Throws Wrong if
-  /// the rim passes a vertex twice.
+  /// The pieces of some triangles, in the order of their vertices. Throws Wrong if the rim of one
+  /// passes a vertex twice.
   /// @param some  ascending
-  /// @param among  is a triangle one of these?
-  std::vector<Piece> pieces(std::span<const std::size_t> some,
-                            const std::function<bool(std::size_t)>& among) const;
+  /// @param joined  are triangle t and this other one beside its edge i of one piece?
+  std::vector<Piece> pieces(
+      std::span<const std::size_t> some,
+      const std::function<bool(std::size_t t, std::size_t i, std::size_t other)>& joined) const;
 
  private:
   std::span<const Triangle> triangles_;

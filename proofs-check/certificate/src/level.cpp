@@ -107,6 +107,8 @@ bool Level::is_one_sided(const std::array<Corner, V>& corners) const {
   });
 }
 
+template bool Level::is_one_sided<1>(const std::array<Corner, 1>&) const;
+template bool Level::is_one_sided<2>(const std::array<Corner, 2>&) const;
 template bool Level::is_one_sided<3>(const std::array<Corner, 3>&) const;
 
 template <std::size_t V>

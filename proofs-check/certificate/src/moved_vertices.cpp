@@ -45,6 +45,7 @@ long MovedVertices::scale_of(const Carrier& carrier) const {
 
 void MovedVertices::move(std::size_t vertex, double reach) {
   const Carrier& carrier = placed_.carriers[vertex];
+  if (carrier.count < 2) return;  // a tip
   const auto size = static_cast<Eigen::Index>(carrier.count) - 1;
   const auto point = [&](std::size_t i) {
     return Eigen::Map<const Eigen::Vector3d>(c_.input.points[carrier.corners[i]].data());

@@ -8,7 +8,7 @@
 namespace certificate {
 namespace {
 
-constexpr std::size_t kMaxCells = 12000;
+constexpr std::size_t kMaxCells = 40000;
 
 }  // namespace
 
@@ -178,9 +178,6 @@ std::optional<std::size_t> Refinement::longest(Waiting& waiting, std::array<Id, 
 }
 
 bool Refinement::run() {
-  // Around a zero deviator all modes meet: nothing would ever be monotone there.
-  const bool has_zero_root = std::any_of(points_.begin(), points_.end(),
-                                         [](const Point& p) { return !(p.length > 0); });
   Waiting waiting;
   wait(0, waiting);
   std::array<Id, 2> edge;
@@ -188,7 +185,7 @@ bool Refinement::run() {
     // A part of a monotone cell may be empty all the same.
     if (cells_[*c].proof == Proof::open || !is_crossed(cells_[*c])) prove(cells_[*c]);
     if (cells_[*c].proof == Proof::empty || !is_open(cells_[*c])) continue;
-    if (cells_.size() > kMaxCells || has_zero_root) return false;
+    if (cells_.size() > kMaxCells) return false;
     bisect(edge, waiting);
   }
   return true;
@@ -200,11 +197,12 @@ bool Refinement::is_one_sided() {
   std::array<Id, 2> edge;
   while (const auto c = longest(waiting, edge)) {
     const auto& [i, j, k, none] = cells_[*c].points;
-    if (level_.is_one_sided(corners_at(std::array{i, j, k}))) {
+    if (corners() == 2 ? level_.is_one_sided(corners_at(std::array{i, j}))
+                       : level_.is_one_sided(corners_at(std::array{i, j, k}))) {
       cells_[*c].proof = Proof::empty;
       continue;
     }
-    if (cells_.size() > kMaxCells / 4) return false;
+    if (cells_.size() > kMaxCells / 12) return false;
     bisect(edge, waiting);
     if (points_.back().above != points_.front().above) return false;
   }

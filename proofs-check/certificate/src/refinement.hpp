@@ -51,7 +51,7 @@ class Refinement : public ExactTensors {
   /// Cuts. False if that takes more cells than the budget.
   bool run();
   /// Cuts until each part is proved to be on the side of the roots. False if one is not.
-  /// @pre 3 roots of one side; nothing else was called
+  /// @pre 2 or 3 roots of one side; nothing else was called
   bool is_one_sided();
 
   /// Are points of the cell on both sides?

@@ -44,6 +44,7 @@ class Derivation {
   void settle(EdgeTopology& edge) const;
   void settle(FaceTopology& face) const;
   void settle(TetTopology& tet) const;
+  void settle(ConeTopology& cone) const;
 
  private:
   bool trace_rim(const std::array<Vertex, 4>& tet, int turn, std::vector<MeshLoop>& loops,
@@ -132,8 +133,44 @@ void Derivation::settle(TetTopology& tet) const {
   tet.decided = true;
 }
 
+/// On each ray from a tip the mode is that of the face or edge opposite.
+void Derivation::settle(ConeTopology& cone) const {
+  const std::array<Vertex, 4>& vertices = input_.tets[cone.tet];
+  const int turn = orientation(input_, vertices);
+  if (cone.tips.size() == 1) {
+    const FaceTopology& face = *out_.face({cone.base[0], cone.base[1], cone.base[2]});
+    const auto place = std::find(vertices.begin(), vertices.end(), cone.tips[0]) - vertices.begin();
+    cone.decided = turn != 0 && face.is_decided();
+    for (auto [from, to] : face.arcs) {
+      if ((place % 2 == 1) != (turn < 0)) std::swap(from, to);
+      cone.sheets.push_back({{from, to}, cone.tips, 0});
+    }
+    for (std::size_t n = 0; n < face.level.loops.size(); ++n)
+      cone.sheets.push_back({{}, cone.tips, n});
+    return;
+  }
+  const EdgeTopology& edge = *out_.edge({cone.base[0], cone.base[1]});
+  cone.decided = turn != 0 && edge.is_decided();
+  // Tips and then the edge's second end turn like the mesh's vertices, or not.
+  const std::array order{cone.base[0], cone.tips[0], cone.tips[1], cone.base[1]};
+  int side = turn;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (order[i] > order[j]) side = -side;
+  for (unsigned k = 0; k < edge.level.crossings; ++k) {
+    ConeSheet& sheet = cone.sheets.emplace_back(ConeSheet{{{edge.vertices, k}}, cone.tips, 0});
+    const bool rises = out_.above[cone.base[0]] != (k % 2 == 0);
+    if (rises != (side > 0)) std::swap(sheet.tips[0], sheet.tips[1]);
+  }
+}
+
 }  // namespace
 
+const ConeTopology* Topology::cone(std::size_t tet) const {
+  const auto place = std::lower_bound(cones.begin(), cones.end(), tet,
+                                      [](const auto& c, std::size_t t) { return c.tet < t; });
+  return place != cones.end() && place->tet == tet ? &*place : nullptr;
+}
 const EdgeTopology* Topology::edge(const std::array<Vertex, 2>& vertices) const {
   return find_in(edges, vertices);
 }
@@ -173,11 +210,23 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   const Derivation derivation(input, field, level, out);
   std::vector<Proved<4>> proofs(input.tets.size(), Proved<4>{Proof::empty, {}});
   parallel_for(proofs.size(), [&](std::size_t t) {
-    if (!left_out[t]) proofs[t] = level.prove<4>(derivation.corners(input.tets[t]));
+    const auto& v = input.tets[t];
+    const auto is_tip = [&](Vertex i) { return field.is_zero(i); };
+    if (!left_out[t] && std::none_of(v.begin(), v.end(), is_tip))
+      proofs[t] = level.prove<4>(derivation.corners(v));
   });
   std::vector<std::array<Vertex, 2>> edges;
   std::vector<std::array<Vertex, 3>> faces;
   for (std::uint32_t t = 0; t < proofs.size(); ++t) {
+    ConeTopology cone{t, false, {}, {}, {}};
+    for (const Vertex v : input.tets[t]) (field.is_zero(v) ? cone.tips : cone.base).push_back(v);
+    if (!left_out[t] && (cone.tips.size() == 1 || cone.tips.size() == 2)) {
+      const std::vector<Vertex>& b = cone.base;
+      for (std::size_t i = 0; i < b.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) edges.push_back({b[j], b[i]});
+      if (b.size() == 3) faces.push_back({b[0], b[1], b[2]});
+      out.cones.push_back(std::move(cone));
+    }
     if (proofs[t].proof == Proof::empty) continue;
     TetTopology& tet = out.tets.emplace_back();
     tet.tet = t, tet.proved = proofs[t];
@@ -193,6 +242,7 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   settle_all(out.edges);
   settle_all(out.faces);
   settle_all(out.tets);
+  settle_all(out.cones);
   return out;
 }
 

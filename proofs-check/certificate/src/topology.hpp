@@ -59,6 +59,26 @@ struct TetTopology {
   bool is_crossed() const { return !sheets.empty(); }
 };
 
+/// A sheet of a cone: over an arc or, without crossings, the so-manieth closed curve of the face
+/// opposite its one tip, or from its two tips to the one crossing of the edge opposite them; in the
+/// order in which the triangles have it as their boundary.
+struct ConeSheet {
+  std::vector<MeshCrossing> crossings;
+  std::vector<Vertex> tips;
+  std::size_t curve = 0;
+};
+/// A tetrahedron with one or two vertices of zero deviator, its tips, from which the mode is
+/// constant along rays.
+struct ConeTopology {
+  std::uint32_t tet = 0;
+  bool decided = false;
+  std::vector<Vertex> base, tips;  ///< its vertices
+  std::vector<ConeSheet> sheets;
+
+  bool is_decided() const { return decided; }
+  bool is_crossed() const { return !sheets.empty(); }
+};
+
 /// What holds in all tetrahedra but those left out. Edges, faces and tetrahedra that are not
 /// listed do not hold the level; the lists ascend.
 struct Topology {
@@ -67,9 +87,11 @@ struct Topology {
   std::vector<EdgeTopology> edges;
   std::vector<FaceTopology> faces;
   std::vector<TetTopology> tets;
+  std::vector<ConeTopology> cones;  ///< with two tips: those without the level as well
 
   const EdgeTopology* edge(const std::array<Vertex, 2>& vertices) const;
   const FaceTopology* face(const std::array<Vertex, 3>& vertices) const;
+  const ConeTopology* cone(std::size_t tet) const;  ///< null if there is none
 };
 
 /// @param left_out tetrahedra of which nothing is asked

@@ -60,10 +60,10 @@ struct CertifiedLevel {
   std::vector<ComponentClaim> components;   ///< by first vertex
   DistanceClaim distance;
 
-  /// Entities claimed: crossed edges, crossed faces, crossed tetrahedra, components, distance.
+  /// Entities claimed: crossed edges, faces and tetrahedra, components, distance.
   std::size_t claims() const {
     return topology.edges.size() + topology.faces.size() + topology.tets.size() +
-           components.size() + 1;
+           topology.cones.size() + components.size() + 1;
   }
 };
 

@@ -12,7 +12,7 @@ namespace tensortopo {
 
 /// What the extraction proved of the level, in terms of the surface that it drew: the crossings of
 /// each edge, the curves of each face, the sheets of each tetrahedron. What is not listed is proved
-/// to be empty, except in tetrahedra that are unresolved or have a vertex without deviator.
+/// to be empty, except in tetrahedra that are unresolved.
 struct LevelTopology {
   using Index = TetMesh::Index;          ///< of the mesh
   using Vertex = SurfaceMesh::Index;     ///< of the surface
@@ -47,11 +47,20 @@ struct LevelTopology {
     Index tet = -1;  ///< position in the mesh
     std::vector<Sheet> sheets;
   };
+  /// A sheet of a tetrahedron with vertices without deviator, a disc, in the order of its triangles'
+  /// boundary. With one such vertex it is the cone over an arc of the opposite face, {from, to, tip},
+  /// or over a closed curve of it, {smallest vertex, tip}; with two the join of them with a crossing
+  /// of the opposite edge, {crossing, tip, halfway, other tip}.
+  using ConeSheet = std::vector<Vertex>;
+  struct Cone {
+    Index tet = -1;
+    std::vector<ConeSheet> sheets;  ///< ascending
+  };
 
   std::vector<Edge> edges;  ///< those with crossings, in order of their vertices
   std::vector<Face> faces;  ///< those with curves, in order of their vertices
-  std::vector<Tet> tets;    ///< those with sheets, ascending
-  std::vector<Index> coned;  ///< with a vertex without deviator, drawn as cones: not listed above
+  std::vector<Tet> tets;    ///< those with sheets and a deviator at each vertex, ascending
+  std::vector<Cone> cones;  ///< those with sheets and a vertex without deviator, ascending
 };
 
 }  // namespace tensortopo
