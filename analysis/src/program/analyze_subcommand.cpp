@@ -14,7 +14,7 @@ namespace tensortopo {
 namespace {
 
 struct Options {
-  std::filesystem::path input, output, mesh, against;
+  std::filesystem::path input, output, mesh, against, ridges;
   std::string sweep;
   std::size_t most_levels = SweepOptions{}.most_levels, check_modes = 0;
   bool smooth = false;
@@ -42,6 +42,7 @@ ExitStatus surface(const Options& options, const CommonOptions& common) {
   command.mesh = options.mesh;
   command.against = options.against;
   command.output = options.output;
+  command.ridges = options.ridges;
   command.smooth = options.smooth;
   command.read = options.read;
   ProgressBar bar(!common.quiet);
@@ -57,8 +58,9 @@ ExitStatus analyze(const Options& options, const CommonOptions& common) {
     throw UsageError(options.input.string() + ": --sweep takes a mesh, not a surface");
   if (!is_surface && options.sweep.empty())
     throw UsageError(options.input.string() + ": a mesh needs --sweep A:B:N (a surface is a .vtp)");
-  if (!is_surface && (!options.mesh.empty() || !options.against.empty() || options.smooth))
-    throw UsageError("--mesh, --against and --smooth are for surfaces (.vtp)");
+  if (!is_surface && (!options.mesh.empty() || !options.against.empty() ||
+                      !options.ridges.empty() || options.smooth))
+    throw UsageError("--mesh, --against, --ridges and --smooth are for surfaces (.vtp)");
   if (is_surface && options.check_modes > 0) throw UsageError("--check goes with --sweep");
   return is_surface ? surface(options, common) : sweep(options, common);
 }
@@ -88,6 +90,10 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_option("--mesh", options->mesh,
                  "Of a surface: the mesh that it was extracted from, for its curvature and "
                  "umbilics by the field's derivatives")
+      ->type_name("FILE");
+  app.add_option("--ridges", options->ridges,
+                 "Of a surface with --mesh: write its ridges and valleys, along which a principal "
+                 "curvature is extremal in its direction (.vtp)")
       ->type_name("FILE");
   app.add_flag("--smooth", options->smooth,
                "Of a surface: also the curvature that polynomials fitted to its vertices have");
