@@ -247,6 +247,31 @@ TEST(Ridges, OfAnEllipsoidAreTwoOfItsEllipses) {
   EXPECT_LT(errors[1], errors[0] / 3);
 }
 
+// The same from curvatures alone, as they are known at vertices.
+TEST(Ridges, OfAnEllipsoidAreFoundByItsCurvaturesAtVertices) {
+  const Ellipsoid e = ellipsoid(40);
+  std::vector<std::optional<LevelCurvature<double>>> vertices(e.surface.points.size());
+  for (std::size_t i = 0; i < e.corners.size(); ++i)
+    vertices[static_cast<std::size_t>(e.surface.triangles[i / 3][i % 3])] = e.corners[i]->curvature;
+  const RidgeLines ridges = ridges_of(e.surface, vertices);
+  // Next to umbilics, where curvatures are not smooth, there may be more, and short.
+  const auto longest = [&](RidgeKind kind) {
+    const RidgeLines::Line* result = nullptr;
+    for (const auto& line : ridges.lines)
+      if (line.kind == kind && (result == nullptr || line.length > result->length)) result = &line;
+    return *result;
+  };
+  const auto ridge = longest(RidgeKind::ridge), valley = longest(RidgeKind::valley);
+  EXPECT_TRUE(ridge.is_closed());
+  EXPECT_TRUE(valley.is_closed());
+  EXPECT_NEAR(ridge.length, perimeter(3, 2), 0.1);
+  EXPECT_NEAR(valley.length, perimeter(2, 1), 0.1);
+  EXPECT_LT(ridges.sums[0].length + ridges.sums[1].length, ridge.length + valley.length + 0.5);
+  for (const auto v : ridge.points)
+    EXPECT_NEAR(ridges.points[static_cast<std::size_t>(v)].z, 0, 0.05);
+  EXPECT_EQ(ridges.sums[0].bridges, 0u);
+}
+
 // Between tetrahedra of different fields the lines do not meet, and say so.
 TEST(Ridges, OfAPiecewiseFieldTellHowTheyEnd) {
   TetMesh mesh = cube_mesh(3);

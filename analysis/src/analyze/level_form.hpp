@@ -29,6 +29,8 @@ struct LevelForm {
   Scalar norm{};                               ///< P(T)
   Scalar ratio{};                              ///< c
 
+  /// How F changes with the tensor, DQ(U) - 3 c <T, U>.
+  Scalar along(const Deviator<Scalar>& u) const;
   /// D3F(v, v, v).
   Scalar third(const Vector3<Scalar>& v) const;
 };
@@ -39,5 +41,15 @@ template <RealScalar Scalar>
 std::optional<LevelForm<Scalar>> level_form(const std::array<Vector3<Scalar>, 4>& corners,
                                             const std::array<SymmetricTensor<Scalar>, 4>& tensors,
                                             const Vector3<Scalar>& point);
+
+/// The same from the tensor and its derivatives.
+template <RealScalar Scalar>
+std::optional<LevelForm<Scalar>> level_form(const Deviator<Scalar>& tensor,
+                                            const std::array<Deviator<Scalar>, 3>& derivative);
+
+/// The weights of the corners at a point; nothing if the tetrahedron is flat.
+template <RealScalar Scalar>
+std::optional<std::array<Scalar, 4>> barycentric_coordinates(
+    const std::array<Vector3<Scalar>, 4>& corners, const Vector3<Scalar>& point);
 
 }  // namespace tensortopo

@@ -37,11 +37,24 @@ Edge edge_of(const std::array<Index, 3>& t, std::size_t k) {
   return std::minmax(t[(k + 1) % 3], t[(k + 2) % 3]);
 }
 
+/// That of a linear function in a triangle, from its values at the corners; none if it is flat.
+std::optional<Vector3<double>> gradient_of(const SurfaceMesh& surface,
+                                           const std::array<Index, 3>& t,
+                                           const std::array<double, 3>& value) {
+  const auto& p = surface.points;
+  const Vector3<double> e1 = p[at(t[1])] - p[at(t[0])], e2 = p[at(t[2])] - p[at(t[0])];
+  const Vector3<double> normal = cross(e1, e2);
+  if (!(dot(normal, normal) > 0)) return std::nullopt;
+  return (1 / dot(normal, normal)) *
+         ((value[1] - value[0]) * cross(e2, normal) + (value[2] - value[0]) * cross(normal, e1));
+}
+
 /// Segments of all triangles, joined to lines.
 class Tracer {
  public:
-  Tracer(const SurfaceMesh& surface, const std::vector<Corner>& corners)
-      : surface_(surface), corners_(corners), verdicts_(surface.triangles.size()) {
+  /// @param smooth  the tetrahedra play no part
+  Tracer(const SurfaceMesh& surface, const std::vector<Corner>& corners, bool smooth)
+      : surface_(surface), corners_(corners), smooth_(smooth), verdicts_(surface.triangles.size()) {
     for (std::size_t i = 0; i < surface.triangles.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) around_[edge_of(surface.triangles[i], k)].push_back(i);
   }
@@ -69,6 +82,8 @@ class Tracer {
     std::vector<Index> next;
     std::size_t segments = 0;  ///< bridges aside
   };
+
+  Index tet_of(std::size_t triangle) const { return smooth_ ? 0 : surface_.tet[triangle]; }
 
   void trace(std::size_t triangle) {
     const auto& t = surface_.triangles[triangle];
@@ -122,14 +137,9 @@ class Tracer {
     for (std::size_t k = 0; k < 3; ++k)
       if (side[k] != side[(k + 1) % 3] && side[k] != side[(k + 2) % 3]) alone = k;
     if (alone == 3) return;
-    const auto& p = surface_.points;
-    const Vector3<double> e1 = p[at(t[1])] - p[at(t[0])], e2 = p[at(t[2])] - p[at(t[0])];
-    const Vector3<double> normal = cross(e1, e2);
-    if (!(dot(normal, normal) > 0)) return;
-    const Vector3<double> gradient =
-        (1 / dot(normal, normal)) *
-        ((value[1] - value[0]) * cross(e2, normal) + (value[2] - value[0]) * cross(normal, e1));
-    const double slope = dot(gradient, along) / length(along);
+    const auto gradient = gradient_of(surface_, t, value);
+    if (!gradient) return;
+    const double slope = dot(*gradient, along) / length(along);
     const double strength = kind == 0 ? -slope : slope;
     if (!(strength > 0)) return;
     const Index a = point_on(triangle, kind, (alone + 1) % 3, c),
@@ -151,7 +161,7 @@ class Tracer {
     const auto& t = surface_.triangles[triangle];
     std::size_t i = (across + 1) % 3, j = (across + 2) % 3;
     if (t[i] > t[j]) std::swap(i, j);
-    const Place place{kind, {t[i], t[j]}, surface_.tet[triangle]};
+    const Place place{kind, {t[i], t[j]}, tet_of(triangle)};
     const auto [found, is_new] = index_.emplace(place, static_cast<Index>(nodes_.size()));
     if (!is_new) return found->second;
     const double u = std::abs(c[i]->extremality[kind]), v = std::abs(c[j]->extremality[kind]);
@@ -191,9 +201,9 @@ class Tracer {
       for (const std::size_t triangle : around_.at(node.place.edge)) {
         if (triangle == node.triangle) continue;
         const Verdict verdict = verdicts_[triangle][node.place.kind];
-        end = verdict != Verdict::crossed                ? end_at(verdict)
-              : surface_.tet[triangle] != node.place.tet ? RidgeEnd::face
-                                                         : RidgeEnd::turn;
+        end = verdict != Verdict::crossed          ? end_at(verdict)
+              : tet_of(triangle) != node.place.tet ? RidgeEnd::face
+                                                   : RidgeEnd::turn;
       }
       ++lines_.sums[node.place.kind].ends[static_cast<std::size_t>(end)];
     }
@@ -244,6 +254,7 @@ class Tracer {
 
   const SurfaceMesh& surface_;
   const std::vector<Corner>& corners_;
+  bool smooth_;
   std::vector<std::array<Verdict, 2>> verdicts_;
   std::map<Edge, std::vector<std::size_t>> around_;
   std::map<Place, Index> index_;
@@ -254,7 +265,46 @@ class Tracer {
 }  // namespace
 
 RidgeLines ridges_of(const SurfaceMesh& surface, const std::vector<Corner>& corners) {
-  return Tracer(surface, corners).run();
+  return Tracer(surface, corners, false).run();
+}
+
+RidgeLines ridges_of(const SurfaceMesh& surface,
+                     const std::vector<std::optional<LevelCurvature<double>>>& vertices) {
+  struct Sum {
+    std::array<Vector3<double>, 2> gradient{};
+    double area = 0, steepest = 0;
+  };
+  std::vector<Sum> sums(surface.points.size());
+  for (const auto& t : surface.triangles) {
+    if (!std::all_of(t.begin(), t.end(), [&](Index v) { return vertices[at(v)].has_value(); }))
+      continue;
+    const auto& p = surface.points;
+    const double area = length(cross(p[at(t[1])] - p[at(t[0])], p[at(t[2])] - p[at(t[0])]));
+    for (const std::size_t kind : {0u, 1u}) {
+      std::array<double, 3> value;
+      for (std::size_t k = 0; k < 3; ++k) value[k] = vertices[at(t[k])]->principal[kind];
+      const auto gradient = gradient_of(surface, t, value);
+      if (!gradient) continue;
+      for (const Index v : t) {
+        sums[at(v)].gradient[kind] += area * *gradient;
+        sums[at(v)].area += area / 2;
+        sums[at(v)].steepest = std::max(sums[at(v)].steepest, length(*gradient));
+      }
+    }
+  }
+  std::vector<Corner> corners;
+  for (const auto& t : surface.triangles)
+    for (const Index v : t) {
+      const auto& curvature = vertices[at(v)];
+      const Sum& sum = sums[at(v)];
+      corners.emplace_back();
+      if (!curvature || !(sum.area > 0)) continue;
+      corners.back() = {*curvature, {}, sum.steepest};
+      for (const std::size_t kind : {0u, 1u})
+        corners.back()->extremality[kind] =
+            dot(sum.gradient[kind], curvature->directions[kind]) / sum.area;
+    }
+  return Tracer(surface, corners, true).run();
 }
 
 RidgeLines surface_ridges(const SurfaceMesh& surface, const TetMesh& mesh) {

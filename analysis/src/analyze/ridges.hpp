@@ -75,6 +75,12 @@ struct RidgeLines {
 /// The result does not depend on the number of threads.
 RidgeLines surface_ridges(const SurfaceMesh& surface, const TetMesh& mesh);
 
+/// The ridges and valleys by curvatures that are known at vertices, one each, as those that are
+/// recovered: their derivatives are those of linear interpolation, averaged around each vertex by
+/// area (Hildebrandt, Polthier and Wardetzky). Lines do not end at faces of the mesh.
+RidgeLines ridges_of(const SurfaceMesh& surface,
+                     const std::vector<std::optional<LevelCurvature<double>>>& vertices);
+
 /// The same from what is known at the corners, three a triangle. Corners of triangles of one
 /// tetrahedron must agree where they share a vertex.
 RidgeLines ridges_of(const SurfaceMesh& surface,

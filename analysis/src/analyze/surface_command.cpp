@@ -90,8 +90,8 @@ void require_sense(const SurfaceCommand& command) {
   for (const auto& file : {command.output, command.ridges})
     if (!file.empty() && file.extension() != ".vtp")
       throw UsageError(file.string() + ": the name must end in .vtp");
-  if (!command.ridges.empty() && command.mesh.empty())
-    throw UsageError("--ridges: needs the field's derivatives (--mesh)");
+  if ((!command.ridges.empty() || command.recover) && command.mesh.empty())
+    throw UsageError("--ridges and --recover need the field's derivatives (--mesh)");
   if (!command.ridges.empty() && command.ridges == command.output)
     throw UsageError("--ridges and -o: the same file");
   if (command.output.empty()) return;
@@ -140,9 +140,17 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
       return std::array{curvature.normal_jump[i], 0.0, 0.0};
     });
     of_field = std::move(curvature.vertices);
+    Curvatures recovered;
+    if (command.recover) {
+      tell("recovering", 0.3);
+      recovered = recovered_curvature(surface, read.mesh);
+      analysis.recovered = report_of(surface, recovered);
+      add_curvature(*input.file, "recovered_", recovered);
+    }
     if (!command.ridges.empty()) {
       tell("ridges", 0.4);
-      const RidgeLines ridges = surface_ridges(surface, read.mesh);
+      const RidgeLines ridges =
+          command.recover ? ridges_of(surface, recovered) : surface_ridges(surface, read.mesh);
       write_ridges(ridges, command.ridges);
       analysis.ridges = RidgeReport{command.ridges, ridges.sums, ridges.umbilic_triangles,
                                     ridges.undefined_triangles};

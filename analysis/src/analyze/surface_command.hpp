@@ -25,6 +25,7 @@ struct SurfaceCommand {
   std::filesystem::path against;  ///< another .vtp to measure distances to; may be empty
   std::filesystem::path output;   ///< the surface with its curvature, .vtp; may be empty
   std::filesystem::path ridges;   ///< ridges and valleys of the surface, .vtp; may be empty
+  bool recover = false;           ///< also the curvature by recovered derivatives; ridges by that
   bool smooth = false;            ///< also the curvature of the triangles as such
   ReadOptions read;               ///< of the mesh
 };
@@ -58,6 +59,7 @@ struct SurfaceAnalysis {
   std::optional<CurvatureReport> curvature;  ///< from the field
   Quantiles normal_jump;                     ///< in radians
   std::vector<Umbilic> umbilics;
+  std::optional<CurvatureReport> recovered;  ///< from derivatives recovered at the mesh's vertices
   std::optional<RidgeReport> ridges;
   std::optional<CurvatureReport> smooth;  ///< from the triangles
   /// Between the mean curvatures of both, where both are defined: median of the differences.

@@ -166,6 +166,7 @@ std::string to_json(const SurfaceAnalysis& analysis) {
                                   {"triangle", u.triangle},
                                   {"point", json_of(u.point)}});
   }
+  if (analysis.recovered) json["recovered_curvature"] = json_of(*analysis.recovered);
   if (analysis.ridges) json["ridges"] = json_of(*analysis.ridges);
   if (analysis.smooth) json["smooth_curvature"] = json_of(*analysis.smooth);
   if (analysis.median_difference) json["median_difference"] = *analysis.median_difference;
@@ -210,6 +211,7 @@ std::string to_text(const SurfaceAnalysis& analysis) {
     fmt::format_to(out, "  umbilics: {} of index 1/2, {} of index -1/2\n", wedges,
                    static_cast<std::ptrdiff_t>(analysis.umbilics.size()) - wedges);
   }
+  if (analysis.recovered) text += text_of("curvature (recovered)", *analysis.recovered);
   if (analysis.ridges) text += text_of(*analysis.ridges);
   if (analysis.smooth) text += text_of("curvature (fitted)", *analysis.smooth);
   if (analysis.median_difference)

@@ -17,7 +17,7 @@ struct Options {
   std::filesystem::path input, output, mesh, against, ridges;
   std::string sweep;
   std::size_t most_levels = SweepOptions{}.most_levels, check_modes = 0;
-  bool smooth = false;
+  bool smooth = false, recover = false;
   ReadOptions read;
 };
 
@@ -44,6 +44,7 @@ ExitStatus surface(const Options& options, const CommonOptions& common) {
   command.output = options.output;
   command.ridges = options.ridges;
   command.smooth = options.smooth;
+  command.recover = options.recover;
   command.read = options.read;
   ProgressBar bar(!common.quiet);
   const SurfaceAnalysis analysis = run_surface_analysis(command, bar.callback());
@@ -59,8 +60,8 @@ ExitStatus analyze(const Options& options, const CommonOptions& common) {
   if (!is_surface && options.sweep.empty())
     throw UsageError(options.input.string() + ": a mesh needs --sweep A:B:N (a surface is a .vtp)");
   if (!is_surface && (!options.mesh.empty() || !options.against.empty() ||
-                      !options.ridges.empty() || options.smooth))
-    throw UsageError("--mesh, --against, --ridges and --smooth are for surfaces (.vtp)");
+                      !options.ridges.empty() || options.smooth || options.recover))
+    throw UsageError("--mesh, --against, --recover, --ridges and --smooth are for surfaces (.vtp)");
   if (is_surface && options.check_modes > 0) throw UsageError("--check goes with --sweep");
   return is_surface ? surface(options, common) : sweep(options, common);
 }
@@ -91,6 +92,9 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Of a surface: the mesh that it was extracted from, for its curvature and "
                  "umbilics by the field's derivatives")
       ->type_name("FILE");
+  app.add_flag("--recover", options->recover,
+               "Of a surface with --mesh: also the curvature of the smooth field, by derivatives "
+               "recovered at the mesh's vertices; --ridges then goes by it");
   app.add_option("--ridges", options->ridges,
                  "Of a surface with --mesh: write its ridges and valleys, along which a principal "
                  "curvature is extremal in its direction (.vtp)")
