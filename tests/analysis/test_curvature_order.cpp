@@ -104,10 +104,9 @@ TEST(CurvatureOrder, OfRecoveredDerivativesIsAtLeastOne) {
   for (const auto& [field, mode] :
        {std::pair{Field(boussinesq), "-0.8"}, std::pair{Field(two_forces), "-0.5"}}) {
     const Errors coarse = errors(field, mode, 8), fine = errors(field, mode, 16);
-    std::printf("E %g %g  %g %g\n", coarse.of_pieces, fine.of_pieces, coarse.recovered,
                 fine.recovered);
-    EXPECT_GT(fine.of_pieces, coarse.of_pieces / 1.5);
-    EXPECT_LT(fine.recovered, coarse.recovered / 1.9);
+                EXPECT_GT(fine.of_pieces, coarse.of_pieces / 1.5);
+                EXPECT_LT(fine.recovered, coarse.recovered / 1.9);
   }
 }
 
