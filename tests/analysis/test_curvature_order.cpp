@@ -104,8 +104,8 @@ TEST(CurvatureOrder, OfRecoveredDerivativesIsAtLeastOne) {
   for (const auto& [field, mode] :
        {std::pair{Field(boussinesq), "-0.8"}, std::pair{Field(two_forces), "-0.5"}}) {
     const Errors coarse = errors(field, mode, 8), fine = errors(field, mode, 16);
-                EXPECT_GT(fine.of_pieces, coarse.of_pieces / 1.5);
-                EXPECT_LT(fine.recovered, coarse.recovered / 1.9);
+    EXPECT_GT(fine.of_pieces, coarse.of_pieces / 1.5);
+    EXPECT_LT(fine.recovered, coarse.recovered / 1.9);
   }
 }
 
