@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "support/folder.hpp"
+
 namespace tensortopo::test {
 
 /// How a run of the program ended, and what it said.
@@ -21,21 +23,5 @@ Outcome run_program(const std::vector<std::string>& arguments);
 std::string field(const std::string& name);
 
 std::string contents(const std::filesystem::path& file);
-
-/// A folder that is empty at first, and gone at the end.
-class Folder {
- public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  /// The names of the files in it, sorted.
-  std::vector<std::string> files() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace tensortopo::test

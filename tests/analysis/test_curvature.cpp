@@ -7,46 +7,12 @@
 #include <cmath>
 
 #include "analyze/surface_curvature.hpp"
-#include "support/random_fields.hpp"
-#include "support/witness_fields.hpp"
+#include "level_cells.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/scalar/real.hpp"
 
 namespace tensortopo::test {
 namespace {
-
-template <class Scalar>
-struct Cell {
-  std::array<Vector3<Scalar>, 4> points;
-  std::array<SymmetricTensor<Scalar>, 4> tensors;
-  std::optional<LevelCurvature<Scalar>> at(const Vector3<Scalar>& x) const {
-    return level_curvature(points, tensors, x);
-  }
-};
-
-template <class Scalar>
-Vector3<Scalar> to(const Vector3<double>& v) {
-  return {Scalar(v.x), Scalar(v.y), Scalar(v.z)};
-}
-
-const std::array<Vector3<double>, 4> kCorners{{{-4, -3, -2}, {5, -2, -1}, {1, 6, -3}, {0, 1, 7}}};
-
-template <class Scalar>
-Cell<Scalar> cell_of(const TetTensors& tensors) {
-  Cell<Scalar> cell;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& t = tensors[i];
-    cell.points[i] = to<Scalar>(kCorners[i]);
-    cell.tensors[i] = {Scalar(t.xx), Scalar(t.yy), Scalar(t.zz),
-                       Scalar(t.xy), Scalar(t.yz), Scalar(t.xz)};
-  }
-  return cell;
-}
-
-template <class Scalar>
-Cell<Scalar> cell_of(const LinearField& field) {
-  return cell_of<Scalar>(field.at(kCorners));
-}
 
 // Eigenvalues 1 + r, 1 - r and -2 of [[1+x, y, 0], [y, 1-x, 0], [0, 0, -2]]: the mode depends on
 // r = |(x, y)| alone, and rises until r = 3. Levels are cylinders of radius r around the z axis.
@@ -119,16 +85,6 @@ void expect_implicit_curvature(double tolerance) {
 TEST(LevelCurvature, OfANeutralSurfaceIsThatOfItsCubic) {
   expect_implicit_curvature<double>(1e-11);
   expect_implicit_curvature<Real50>(1e-42);
-}
-
-struct Drawn {
-  TetTensors tensors;
-  Vector3<double> point;
-};
-
-Drawn drawn() {
-  Random random(*rc::gen::arbitrary<std::uint64_t>());
-  return {random.tet_tensors(), {random.normal(), random.normal(), random.normal()}};
 }
 
 RC_GTEST_PROP(LevelCurvature, InDoublesIsThatOfFiftyDigits, ()) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "run_program.hpp"
@@ -14,7 +15,8 @@ namespace tensortopo::test {
 namespace {
 
 struct Picture {
-  std::size_t width = 0, height = 0, teal = 0, gold = 0, white = 0, dark = 0, green = 0;
+  std::size_t width = 0, height = 0, teal = 0, gold = 0, white = 0, dark = 0, green = 0, plum = 0,
+              red = 0, blue = 0;
 };
 
 Picture look_at(const std::string& file) {
@@ -30,6 +32,9 @@ Picture look_at(const std::string& file) {
     if (g > r + 60 && b > r + 60) ++picture.teal;
     if (r > b + 80 && g > b + 40) ++picture.gold;
     if (g > r + 60 && g > b + 40) ++picture.green;
+    if (r > g + 30 && b > g + 30) ++picture.plum;
+    if (r > g + 60 && r > b + 60) ++picture.red;
+    if (b > r + 60 && b > g + 40) ++picture.blue;
     if (r == 255 && g == 255 && b == 255) ++picture.white;
     if (std::max({r, g, b}) < 100) ++picture.dark;
   }
@@ -65,6 +70,42 @@ TEST(Render, DrawsDegenerateCurvesGreenAndYellow) {
   const Picture picture = look_at(folder / "c.png");
   EXPECT_GT(picture.green, 500u);
   EXPECT_GT(picture.gold, 1000u);
+}
+
+TEST(Render, DrawsOtherInvariantsPlumAndSaysTheirValues) {
+  const Folder folder;
+  const Outcome extract =
+      run_program({"extract", field("s4_slab"), "-o", folder / "v.vtp", "--invariant",
+                   "deviator-magnitude", "--value", "1/4", "--value", "1/2", "--quiet"});
+  ASSERT_EQ(extract.status, 0) << extract.err;
+  const Outcome run = run_program(
+      {"render", folder / "v.vtp", "-o", folder / "v.png", "--size", "400x300", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out).at("values"), (std::vector<double>{0.25, 0.5}));
+  const Picture picture = look_at(folder / "v.png");
+  EXPECT_GT(picture.plum, 1000u);
+  EXPECT_EQ(picture.teal + picture.gold, 0u);
+  EXPECT_EQ(run_program({"render", folder / "v.vtp", "--mesh", field("s4_slab"), "--texture",
+                         "major", "-o", folder / "t.png"})
+                .status,
+            3);
+}
+
+TEST(Render, DrawsRidgesRedAndValleysBlue) {
+  const Folder folder;
+  const std::string surface = folder / "s.vtp", ridges = folder / "r.vtp";
+  ASSERT_EQ(run_program({"extract", field("s4_slab"), "-o", surface, "--mode", "0.5"}).status, 0);
+  ASSERT_EQ(
+      run_program({"analyze", surface, "--mesh", field("s4_slab"), "--ridges", ridges, "--recover"})
+          .status,
+      0);
+  const Outcome run = run_program(
+      {"render", surface, "--surface", ridges, "-o", folder / "r.png", "--size", "400x300"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Picture picture = look_at(folder / "r.png");
+  EXPECT_GT(picture.teal, 1000u);
+  EXPECT_GT(picture.red, 100u);
+  EXPECT_GT(picture.blue, 100u);
 }
 
 TEST(Render, DrawsAMeshAlone) {

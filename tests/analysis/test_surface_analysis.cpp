@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 
 #include "analyze/surface_quality.hpp"
 #include "run_program.hpp"
@@ -104,6 +105,54 @@ TEST_F(SurfaceProgram, ReportsComponentsQualityCurvatureAndDistances) {
   EXPECT_EQ(Json::parse(again.out).at("components"), json.at("components"));
 }
 
+TEST_F(SurfaceProgram, WritesRidgesWhoseEndsAddUp) {
+  for (const bool recover : {false, true}) {
+    const std::string ridges = folder_ / "ridges.vtp";
+    std::vector<std::string> words{"analyze",  surface_, "--mesh", field("s4_slab"),
+                                   "--ridges", ridges,   "--json"};
+    if (recover) words.push_back("--recover");
+    const Outcome run = run_program(words);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json.contains("recovered_curvature"), recover);
+    for (const std::string kind : {"ridges", "valleys"}) {
+      const Json& sum = json.at("ridges").at(kind);
+      std::size_t ends = 0;
+      for (const auto& [reason, count] : sum.at("ends").items()) ends += count.get<std::size_t>();
+      const std::size_t lines = sum.at("lines"), closed = sum.at("closed");
+      EXPECT_GT(lines, 0u);
+      EXPECT_EQ(ends, 2 * (lines - closed));
+      EXPECT_GT(sum.at("length").get<double>(), sum.at("crest_length").get<double>());
+      // Recovered curvatures are continuous across faces of the mesh.
+      EXPECT_EQ(sum.at("ends").at("face") == 0, recover);
+      EXPECT_EQ(sum.at("bridges") == 0, recover);
+    }
+    const std::string written = contents(ridges);
+    for (const std::string name : {"\"kind\"", "\"curvature\"", "\"strength\"", "\"length\""})
+      EXPECT_NE(written.find(name), std::string::npos) << name;
+  }
+}
+
+TEST(InvariantSurface, ReportsItsValuesAndRefusesTheModesCurvature) {
+  const Folder folder;
+  const std::string surface = folder / "value.vtp";
+  const Outcome extract = run_program({"extract", field("s4_slab"), "-o", surface, "--invariant",
+                                       "deviator-magnitude", "--value", "1/4", "--value", "1/2"});
+  ASSERT_EQ(extract.status, 0) << extract.err;
+  const Outcome run = run_program({"analyze", surface, "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  std::set<double> values;
+  const Json json = Json::parse(run.out);
+  for (const Json& part : json.at("components")) {
+    values.insert(part.at("value").get<double>());
+    EXPECT_FALSE(part.contains("mode"));
+  }
+  EXPECT_EQ(values, (std::set<double>{0.25, 0.5}));
+  const Outcome curved = run_program({"analyze", surface, "--mesh", field("s4_slab")});
+  EXPECT_EQ(curved.status, 3);
+  EXPECT_NE(curved.err.find("another invariant"), std::string::npos) << curved.err;
+}
+
 TEST_F(SurfaceProgram, RefusesAMeshThatIsNotItsOwn) {
   const Outcome run = run_program({"analyze", surface_, "--mesh", field("s2_pushpull")});
   EXPECT_EQ(run.status, 3);
@@ -115,6 +164,8 @@ TEST_F(SurfaceProgram, RefusesWhatMakesNoSense) {
   EXPECT_EQ(run_program({"analyze", surface_, "--sweep", "0:1:3"}).status, 2);
   EXPECT_EQ(run_program({"analyze", surface_, "--smooth", "-o", picture}).status, 2);
   EXPECT_EQ(run_program({"analyze", surface_, "-o", output}).status, 2);
+  EXPECT_EQ(run_program({"analyze", surface_, "--ridges", output}).status, 2);
+  EXPECT_EQ(run_program({"analyze", surface_, "--recover"}).status, 2);
   EXPECT_EQ(run_program({"analyze", field("s4_slab")}).status, 2);
   EXPECT_EQ(run_program({"analyze", field("s4_slab"), "--sweep", "0:1:3", "--smooth"}).status, 2);
   EXPECT_EQ(run_program({"analyze", folder_ / "nowhere.vtp"}).status, 3);

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "calculix_files.hpp"
 
-#include <stdlib.h>
-
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <stdexcept>
 
 namespace tensortopo::test {
 
@@ -140,17 +137,6 @@ std::vector<RestartFile::HexStress> sampled(
     all.push_back(values);
   }
   return all;
-}
-
-Folder::Folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "tensortopo-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder");
-  path_ = name;
-}
-
-Folder::~Folder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 void put(const std::filesystem::path& file, const std::string& bytes) {

@@ -9,6 +9,7 @@
 
 #include "reactions.hpp"
 #include "restart_file.hpp"
+#include "support/folder.hpp"
 
 namespace tensortopo::test {
 
@@ -31,19 +32,6 @@ std::string dat_text(const scenarios::Reactions& reactions);
 std::vector<scenarios::RestartFile::HexStress> sampled(
     const scenarios::HexMesh& mesh,
     const std::function<SymmetricTensor<double>(const Vector3<double>&)>& stress);
-
-/// A new folder for one test, gone at its end.
-class Folder {
- public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Writes bytes to a file.
 void put(const std::filesystem::path& file, const std::string& bytes);

@@ -25,7 +25,7 @@ TEST_P(Solve, GivesTheBundledField) {
   if (!run("command -v ccx > /dev/null")) GTEST_SKIP() << "CalculiX is not installed";
   const std::string program = TENSORTOPO_SCENARIO, name = GetParam();
   const Folder folder;
-  const std::string job = (folder / "job").string(), field = (folder / "field.vtu").string();
+  const std::string job = folder / "job", field = folder / "field.vtu";
   ASSERT_TRUE(run(program + " deck " + name + " --small -o " + job + ".inp > /dev/null"));
   ASSERT_TRUE(run("cd " + job.substr(0, job.size() - 4) +
                   " && OMP_NUM_THREADS=1 ccx -i job > job.log 2>&1"));
@@ -58,7 +58,7 @@ class OwnSolve {
     text.replace(text.find("SPOOLES"), 7, solver);
     put(folder_ / "job.inp", text);
     solved_ =
-        run("cd " + (folder_ / "").string() + " && OMP_NUM_THREADS=1 ccx -i job > job.log 2>&1");
+        run("cd " + folder_ / "" + " && OMP_NUM_THREADS=1 ccx -i job > job.log 2>&1");
   }
   bool solved() const { return solved_; }
   Solution read() const { return read_solution(scenario_, folder_ / "job"); }

@@ -138,8 +138,8 @@ TEST(SpecialCurves, KeepTheirShape) {
     const TetMesh mesh = special_mesh(trial, random);
     const std::size_t n = mesh.points.size();
     TetMesh turned = mesh, scaled = mesh, renumbered = mesh;
-    const auto q = random_quaternion(random);
-    for (auto& t : turned.tensors) t = test::turned(t, q);
+    const auto q = random.quaternion();
+    for (auto& t : turned.tensors) t = tensortopo::turned(t, q);
     for (auto& t : scaled.tensors) t = std::ldexp(1.0, random.integer(-100, 100)) * t;
     for (std::size_t v = 0; v < n; ++v) {
       renumbered.points[n - 1 - v] = mesh.points[v];

@@ -117,7 +117,7 @@ TEST_P(Strata, AreTheSameInOtherFramesAndUnits) {
     if (before.reason == "inconsistent_samples") return;  // of samples, which scaling moves
     Random random(20241204);
     TetTensors other = tensors;
-    const auto q = random_quaternion(random);
+    const auto q = random.quaternion();
     for (auto& t : other) t = turned(t, q);
     EXPECT_EQ(outcome(extract(reference_tet_mesh(other), mode)), before);
     other = tensors;

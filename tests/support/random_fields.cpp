@@ -16,16 +16,10 @@ double round_to_24_bits(double value) { return std::round(value * 0x1p24) * 0x1p
 
 }  // namespace
 
-double Random::uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
 double Random::normal() {
   const double radius = std::sqrt(-2 * std::log(1 - uniform()));
   const double value = round_to_24_bits(radius * std::cos(2 * std::numbers::pi * uniform()));
-  return value + static_cast<double>(engine_() >> 38) * 0x1p-50;
-}
-
-int Random::integer(int low, int high) {
-  return low + static_cast<int>(std::floor(uniform() * (high - low + 1)));
+  return value + std::floor(uniform() * 0x1p26) * 0x1p-50;
 }
 
 SymmetricTensor<double> Random::tensor() {

@@ -4,38 +4,34 @@
 
 #include <array>
 #include <cstdint>
-#include <random>
 #include <string>
 
+#include "tensortopo/families/random_source.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo::test {
 
 using TetTensors = std::array<SymmetricTensor<double>, 4>;
 
-/// Seeded random numbers that are the same on every platform.
+/// The seeded random numbers of `RandomSource`, with another normal distribution: with all bits in
+/// use, and the same on every platform.
 ///
-/// The standard fixes the engine but neither the distributions nor the last digits of log and
-/// cos, so normal variates come from a Box-Muller step that is rounded to 24 bits after the point
-/// and then filled with random lower bits.
-class Random {
+/// The standard fixes the last digits neither of log nor of cos, so normal variates come from a
+/// Box-Muller step that is rounded to 24 bits after the point and then filled with random lower
+/// bits.
+class Random : private RandomSource {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Random(std::uint64_t seed) : RandomSource(seed) {}
+  using RandomSource::integer;
+  using RandomSource::quaternion;
+  using RandomSource::uniform;
 
-  /// Uniform in [0, 1), a multiple of 2^-53.
-  double uniform();
   /// Standard normal.
   double normal();
-  /// Uniform integer in [low, high].
-  int integer(int low, int high);
-
   /// Six independent standard normal components.
   SymmetricTensor<double> tensor();
   /// Four independent tensors: the hardest linear fields, with no smoothness to lean on.
   TetTensors tet_tensors();
-
- private:
-  std::mt19937_64 engine_;
 };
 
 /// One tetrahedron with vertices 0, e_x, e_y, e_z and these tensors.

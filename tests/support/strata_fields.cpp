@@ -184,31 +184,9 @@ std::string special_mode(Stratum stratum) {
   }
 }
 
-SymmetricTensor<double> turned(const Tensor& t, const std::array<int, 4>& q) {
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  const double r[3][3] = {
-      {w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-      {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-      {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
-  const double m[3][3] = {{t.xx, t.xy, t.xz}, {t.xy, t.yy, t.yz}, {t.xz, t.yz, t.zz}};
-  double result[3][3] = {};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l) result[i][j] += r[i][k] * m[k][l] * r[j][l];
-  return {result[0][0], result[1][1], result[2][2], result[0][1], result[1][2], result[0][2]};
-}
-
-std::array<int, 4> random_quaternion(Random& random) {
-  std::array<int, 4> q;
-  for (int& entry : q) entry = random.integer(-3, 3);
-  if (q == std::array<int, 4>{}) q[0] = 1;
-  return q;
-}
-
 TetTensors stratum_tensors(Stratum stratum, Random& random) {
   TetTensors t = upright(stratum, random);
-  const auto q = random_quaternion(random);
+  const auto q = random.quaternion();
   for (auto& corner : t) corner = turned(corner, q);
   // Any vertex may be the special one.
   for (std::size_t i = 3; i > 0; --i)

@@ -46,9 +46,4 @@ std::string special_mode(Stratum stratum);
 /// Tensors of the stratum with small integer entries.
 TetTensors stratum_tensors(Stratum stratum, Random& random);
 
-/// R T R^t for the matrix |q|^2 R of a rotation by an integer quaternion q: exact for small
-/// integers, and of the same mode.
-SymmetricTensor<double> turned(const SymmetricTensor<double>& t, const std::array<int, 4>& q);
-std::array<int, 4> random_quaternion(Random& random);
-
 }  // namespace tensortopo::test

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analyze/level_form.hpp"
 #include "tensortopo/scalar/real.hpp"
-#include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
 namespace {
@@ -56,56 +56,30 @@ LevelCurvature<Scalar> curvature_of(const Vector3<Scalar>& normal,
 }
 
 template <RealScalar Scalar>
-std::optional<LevelCurvature<Scalar>> level_curvature(
-    const std::array<Vector3<Scalar>, 4>& corners,
-    const std::array<SymmetricTensor<Scalar>, 4>& tensors, const Vector3<Scalar>& point) {
-  // The reciprocal basis of the edges from the first corner.
-  const Vector3<Scalar> e1 = corners[1] - corners[0], e2 = corners[2] - corners[0],
-                        e3 = corners[3] - corners[0];
-  const Scalar volume = dot(e1, cross(e2, e3));
-  if (volume == Scalar(0)) return std::nullopt;
-  const std::array<Vector3<Scalar>, 3> dual{(Scalar(1) / volume) * cross(e2, e3),
-                                            (Scalar(1) / volume) * cross(e3, e1),
-                                            (Scalar(1) / volume) * cross(e1, e2)};
-  const Deviator<Scalar> first = deviator(tensors[0]);
-  Deviator<Scalar> t = first;
-  std::array<Deviator<Scalar>, 3> u{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Deviator<Scalar> step = deviator(tensors[i + 1]) - first;
-    t = t + dot(dual[i], point - corners[0]) * step;
-    u[0] = u[0] + dual[i].x * step;
-    u[1] = u[1] + dual[i].y * step;
-    u[2] = u[2] + dual[i].z * step;
-  }
-  const Scalar p = norm_form(t);
-  if (!(p > Scalar(0))) return std::nullopt;
-  const Scalar c = determinant_form(t) / p, three(3);
-  const auto m = thrice(t), mm = square(m);
-  std::array<Scalar, 3> along, gradient;
-  for (std::size_t i = 0; i < 3; ++i) {
-    along[i] = norm_form(t, u[i]);
-    gradient[i] = inner(mm, thrice(u[i])) - three * c * along[i];
-  }
-  const auto second = [&](std::size_t i, std::size_t j) {
-    const auto k = thrice(u[j]);
-    return Scalar(inner(square(m + k) - mm - square(k), thrice(u[i])) -
-                  three * c * (norm_form(u[i], u[j]) + along[i] * along[j] / p));
-  };
-  const Vector3<Scalar> g{gradient[0], gradient[1], gradient[2]};
-  const Scalar steepness = length(g);
+std::optional<LevelCurvature<Scalar>> level_curvature(const Vector3<Scalar>& gradient,
+                                                      const SymmetricTensor<Scalar>& hessian) {
+  const Scalar steepness = length(gradient);
   if (!(steepness > Scalar(0))) return std::nullopt;
-  const SymmetricTensor<Scalar> hessian{second(0, 0), second(1, 1), second(2, 2),
-                                        second(0, 1), second(1, 2), second(0, 2)};
-  return curvature_of(Vector3<Scalar>((Scalar(1) / steepness) * g),
+  return curvature_of(Vector3<Scalar>((Scalar(1) / steepness) * gradient),
                       SymmetricTensor<Scalar>((Scalar(1) / steepness) * hessian));
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                      \
-  template std::array<Vector3<Scalar>, 2> tangents(const Vector3<Scalar>&);                 \
-  template LevelCurvature<Scalar> curvature_of(const Vector3<Scalar>&,                      \
-                                               const SymmetricTensor<Scalar>&);             \
-  template std::optional<LevelCurvature<Scalar>> level_curvature(                           \
-      const std::array<Vector3<Scalar>, 4>&, const std::array<SymmetricTensor<Scalar>, 4>&, \
+template <RealScalar Scalar>
+std::optional<LevelCurvature<Scalar>> level_curvature(
+    const std::array<Vector3<Scalar>, 4>& corners,
+    const std::array<SymmetricTensor<Scalar>, 4>& tensors, const Vector3<Scalar>& point) {
+  const auto form = level_form(corners, tensors, point);
+  return form ? level_curvature(form->gradient, form->hessian) : std::nullopt;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                            \
+  template std::array<Vector3<Scalar>, 2> tangents(const Vector3<Scalar>&);                       \
+  template LevelCurvature<Scalar> curvature_of(const Vector3<Scalar>&,                            \
+                                               const SymmetricTensor<Scalar>&);                   \
+  template std::optional<LevelCurvature<Scalar>> level_curvature(const Vector3<Scalar>&,          \
+                                                                 const SymmetricTensor<Scalar>&); \
+  template std::optional<LevelCurvature<Scalar>> level_curvature(                                 \
+      const std::array<Vector3<Scalar>, 4>&, const std::array<SymmetricTensor<Scalar>, 4>&,       \
       const Vector3<Scalar>&);
 TENSORTOPO_INSTANTIATE(double)
 TENSORTOPO_INSTANTIATE(Real50)

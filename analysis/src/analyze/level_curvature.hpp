@@ -24,12 +24,15 @@ struct LevelCurvature {
   Scalar gauss() const { return principal[0] * principal[1]; }
 };
 
-/// The curvature of the level through a point of a tetrahedron (or elsewhere in its linear field).
-///
-/// With the forms P and Q of `deviator.hpp`, T(x) = T + x_i U_i and c = Q / P at the point, the
-/// gradient is G_i = DQ(U_i) - 3 c <T, U_i>, and on the tangent plane the Hessian is
-/// D2Q(U_i, U_j) - 3 c (<U_i, U_j> + <T, U_i> <T, U_j> / P), both over P^(3/2), brackets being the
-/// polar form of P. The curvature tensor is the second, projected, over the length of the first.
+/// The curvature of the zero set of a function, from its gradient and Hessian at a point of it: the
+/// Hessian, projected on the tangent plane, over the length of the gradient.
+/// @return nothing if the gradient vanishes
+template <RealScalar Scalar>
+std::optional<LevelCurvature<Scalar>> level_curvature(const Vector3<Scalar>& gradient,
+                                                      const SymmetricTensor<Scalar>& hessian);
+
+/// The curvature of the level through a point of a tetrahedron (or elsewhere in its linear field),
+/// by the derivatives in `level_form.hpp`.
 /// @return nothing if the deviator or the gradient vanishes, or the tetrahedron is flat
 template <RealScalar Scalar>
 std::optional<LevelCurvature<Scalar>> level_curvature(

@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analyze/surface_command.hpp"
 
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkXMLPolyDataWriter.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <limits>
 
+#include "analyze/poly_data_output.hpp"
 #include "render/surface_input.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
-#include "tensortopo/io/io_error.hpp"
-#include "tensortopo/io/write_text.hpp"
 
 namespace tensortopo {
 namespace {
@@ -72,21 +65,6 @@ std::vector<Vector3<double>> normals_of(const SurfaceMesh& surface) {
   return normals;
 }
 
-/// An array of so many numbers a point.
-void add_array(vtkPolyData& data, const std::string& name, int components, std::size_t count,
-               const std::function<std::array<double, 3>(std::size_t)>& value) {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto numbers = value(i);
-    for (int k = 0; k < components; ++k)
-      array->SetComponent(static_cast<vtkIdType>(i), k, numbers[static_cast<std::size_t>(k)]);
-  }
-  data.GetPointData()->AddArray(array);
-}
-
 void add_curvature(vtkPolyData& data, const std::string& prefix, const Curvatures& curvatures) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto add = [&](const std::string& name, int components, const auto& value) {
@@ -108,19 +86,15 @@ void add_curvature(vtkPolyData& data, const std::string& prefix, const Curvature
   add("gauss_curvature", 1, [](const Curvature& c) { return std::array{c.gauss(), 0.0, 0.0}; });
 }
 
-void write(vtkPolyData& data, const std::filesystem::path& file) {
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(&data);
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0)
-    throw IoError(IoError::Kind::unwritable, file, "VTK could not write it");
-  write_text(file, writer->GetOutputString());
-}
-
 void require_sense(const SurfaceCommand& command) {
+  for (const auto& file : {command.output, command.ridges})
+    if (!file.empty() && file.extension() != ".vtp")
+      throw UsageError(file.string() + ": the name must end in .vtp");
+  if ((!command.ridges.empty() || command.recover) && command.mesh.empty())
+    throw UsageError("--ridges and --recover need the field's derivatives (--mesh)");
+  if (!command.ridges.empty() && command.ridges == command.output)
+    throw UsageError("--ridges and -o: the same file");
   if (command.output.empty()) return;
-  if (command.output.extension() != ".vtp")
-    throw UsageError(command.output.string() + ": the name must end in .vtp");
   if (command.mesh.empty() && !command.smooth)
     throw UsageError("-o: nothing to write without --mesh or --smooth");
 }
@@ -141,18 +115,21 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
   analysis.triangles = surface.triangles.size();
   analysis.invariants = surface_invariants(surface);
   analysis.vertices = analysis.invariants.vertices;
-  if (!surface.mode.empty()) {
-    analysis.part_modes.resize(analysis.invariants.parts.size());
-    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-      analysis.part_modes[at(analysis.invariants.component[i])] =
-          surface.mode[at(surface.triangles[i][0])];
-  }
+  const auto of_parts = [&](const std::vector<double>& of_vertices) {
+    std::vector<double> numbers(of_vertices.empty() ? 0 : analysis.invariants.parts.size());
+    for (std::size_t i = 0; i < surface.triangles.size() && !numbers.empty(); ++i)
+      numbers[at(analysis.invariants.component[i])] = of_vertices[at(surface.triangles[i][0])];
+    return numbers;
+  };
+  analysis.part_modes = of_parts(surface.mode);
+  analysis.part_values = of_parts(surface.value);
   analysis.quality = triangle_quality(surface);
 
   Curvatures of_field, of_triangles;
   if (!command.mesh.empty()) {
     tell("curvature", 0.2);
     const ReadResult read = read_mesh(command.mesh, command.read);
+    require_modes(input, command.surface);
     locate_in_mesh(input, read.mesh, command.surface);
     SurfaceCurvature curvature = surface_curvature(surface, read.mesh);
     analysis.curvature = report_of(surface, curvature.vertices);
@@ -163,6 +140,21 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
       return std::array{curvature.normal_jump[i], 0.0, 0.0};
     });
     of_field = std::move(curvature.vertices);
+    Curvatures recovered;
+    if (command.recover) {
+      tell("recovering", 0.3);
+      recovered = recovered_curvature(surface, read.mesh);
+      analysis.recovered = report_of(surface, recovered);
+      add_curvature(*input.file, "recovered_", recovered);
+    }
+    if (!command.ridges.empty()) {
+      tell("ridges", 0.4);
+      const RidgeLines ridges =
+          command.recover ? ridges_of(surface, recovered) : surface_ridges(surface, read.mesh);
+      write_ridges(ridges, command.ridges);
+      analysis.ridges = RidgeReport{command.ridges, ridges.sums, ridges.umbilic_triangles,
+                                    ridges.undefined_triangles};
+    }
   }
   if (command.smooth) {
     tell("fitting", 0.5);
@@ -187,7 +179,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
   }
   if (!command.output.empty()) {
     tell("writing", 0.9);
-    write(*input.file, command.output);
+    write_poly_data(*input.file, command.output);
     analysis.output = command.output;
   }
   analysis.seconds =

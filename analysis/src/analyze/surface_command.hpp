@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analyze/ridges.hpp"
 #include "analyze/surface_curvature.hpp"
 #include "analyze/surface_quality.hpp"
 #include "tensortopo/analysis/progress.hpp"
@@ -22,6 +24,8 @@ struct SurfaceCommand {
   std::filesystem::path mesh;     ///< that it was extracted from; empty: no curvature of the field
   std::filesystem::path against;  ///< another .vtp to measure distances to; may be empty
   std::filesystem::path output;   ///< the surface with its curvature, .vtp; may be empty
+  std::filesystem::path ridges;   ///< ridges and valleys of the surface, .vtp; may be empty
+  bool recover = false;           ///< also the curvature by recovered derivatives; ridges by that
   bool smooth = false;            ///< also the curvature of the triangles as such
   ReadOptions read;               ///< of the mesh
 };
@@ -37,16 +41,26 @@ struct CurvatureReport {
   double total_gauss = 0;  ///< integral of the Gauss curvature, by thirds of the triangles' areas
 };
 
+/// What `RidgeLines` says of its lines.
+struct RidgeReport {
+  std::filesystem::path output;
+  std::array<RidgeLines::Sum, 2> sums{};
+  std::size_t umbilic_triangles = 0, undefined_triangles = 0;
+};
+
 struct SurfaceAnalysis {
   std::filesystem::path surface;
   std::size_t vertices = 0, triangles = 0;
   SurfaceInvariants invariants;
-  std::vector<double> part_modes;  ///< of each part, if the file has modes
+  std::vector<double> part_modes;   ///< of each part, if the file has modes
+  std::vector<double> part_values;  ///< and if it has values of another invariant
   TriangleQuality quality;
 
   std::optional<CurvatureReport> curvature;  ///< from the field
   Quantiles normal_jump;                     ///< in radians
   std::vector<Umbilic> umbilics;
+  std::optional<CurvatureReport> recovered;  ///< from derivatives recovered at the mesh's vertices
+  std::optional<RidgeReport> ridges;
   std::optional<CurvatureReport> smooth;  ///< from the triangles
   /// Between the mean curvatures of both, where both are defined: median of the differences.
   std::optional<double> median_difference;

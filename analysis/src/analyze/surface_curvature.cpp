@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "analyze/recovered_derivatives.hpp"
+
 namespace tensortopo {
 namespace {
 
@@ -62,6 +64,20 @@ std::vector<Umbilic> umbilics_of(const SurfaceMesh& surface,
     umbilics.push_back(umbilic);
   }
   return umbilics;
+}
+
+std::vector<std::optional<Curvature>> recovered_curvature(const SurfaceMesh& surface,
+                                                          const TetMesh& mesh) {
+  const RecoveredDerivatives derivatives(mesh, surface.tet);
+  std::vector<SurfaceMesh::Index> tet(surface.points.size(), -1);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    for (const auto v : surface.triangles[i])
+      if (tet[at(v)] < 0) tet[at(v)] = surface.tet[i];
+  std::vector<std::optional<Curvature>> result(surface.points.size());
+  tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t v) {
+    if (tet[v] >= 0) result[v] = derivatives.curvature(tet[v], surface.points[v]);
+  });
+  return result;
 }
 
 SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& mesh) {

@@ -43,6 +43,14 @@ struct SurfaceCurvature {
 /// The result does not depend on the number of threads.
 SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& mesh);
 
+/// The curvature of the level of the smooth field that the mesh samples, at each vertex of the
+/// surface: by derivatives recovered from the tensors around (`recovered_derivatives.hpp`). The
+/// same from all tetrahedra that meet at a vertex. Its error is of first order in the size of the
+/// tetrahedra; that of `surface_curvature`, which knows no second derivatives, does not fall.
+/// @param surface  with `tet`, indices into the mesh
+std::vector<std::optional<LevelCurvature<double>>> recovered_curvature(const SurfaceMesh& surface,
+                                                                       const TetMesh& mesh);
+
 /// The umbilics in triangles whose corners have these curvatures, three a triangle.
 std::vector<Umbilic> umbilics_of(const SurfaceMesh& surface,
                                  const std::vector<std::optional<LevelCurvature<double>>>& corners);

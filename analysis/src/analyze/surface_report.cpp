@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -52,6 +53,48 @@ Json json_of(const SampledDistance& distance) {
           {"where", json_of(distance.where)}};
 }
 
+constexpr std::array<const char*, 2> kRidgeKinds{"ridges", "valleys"};
+constexpr std::array<const char*, kRidgeEnds> kRidgeEndNames{"rim",     "face", "turn",
+                                                             "umbilic", "flat", "undefined"};
+
+Json json_of(const RidgeReport& report) {
+  Json json{{"output", report.output.string()}};
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    const RidgeLines::Sum& sum = report.sums[kind];
+    Json ends;
+    for (std::size_t i = 0; i < kRidgeEnds; ++i) ends[kRidgeEndNames[i]] = sum.ends[i];
+    json[kRidgeKinds[kind]] = {{"lines", sum.lines},
+                               {"closed", sum.closed},
+                               {"length", sum.length},
+                               {"crest_length", sum.crest_length},
+                               {"greatest_strength", sum.strongest},
+                               {"bridges", sum.bridges},
+                               {"bridge_length", sum.bridge_length},
+                               {"ends", std::move(ends)},
+                               {"flat_triangles", sum.flat_triangles}};
+  }
+  json["skipped_triangles"] = {{"umbilic", report.umbilic_triangles},
+                               {"undefined", report.undefined_triangles}};
+  return json;
+}
+
+std::string text_of(const RidgeReport& report) {
+  std::string text = "\nridges and valleys\n";
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    const RidgeLines::Sum& sum = report.sums[kind];
+    text += fmt::format(
+        "  {:<8} {} lines, {} closed, length {:.6g} ({:.6g} of crests); {} bridges\n",
+        kRidgeKinds[kind], sum.lines, sum.closed, sum.length, sum.crest_length, sum.bridges);
+    text += fmt::format("  {:<8} ends:", "");
+    for (std::size_t i = 0; i < kRidgeEnds; ++i)
+      text += fmt::format(" {} {}", kRidgeEndNames[i], sum.ends[i]);
+    text += fmt::format("; {} triangles flat\n", sum.flat_triangles);
+  }
+  return text + fmt::format("  skipped: {} triangles at umbilics, {} undefined\n  {}\n",
+                            report.umbilic_triangles, report.undefined_triangles,
+                            report.output.string());
+}
+
 std::string row_of(const std::string& name, const Quantiles& q) {
   return fmt::format("  {:<18} {:>11.4g} {:>11.4g} {:>11.4g} {:>11.4g} {:>11.4g}\n", name, q.least,
                      q.low, q.median, q.high, q.greatest);
@@ -98,6 +141,7 @@ std::string to_json(const SurfaceAnalysis& analysis) {
     const auto& part = analysis.invariants.parts[i];
     Json row;
     if (!analysis.part_modes.empty()) row["mode"] = analysis.part_modes[i];
+    if (!analysis.part_values.empty()) row["value"] = analysis.part_values[i];
     row["triangles"] = part.triangles;
     row["area"] = part.area;
     row["euler_characteristic"] = part.euler_characteristic;
@@ -122,6 +166,8 @@ std::string to_json(const SurfaceAnalysis& analysis) {
                                   {"triangle", u.triangle},
                                   {"point", json_of(u.point)}});
   }
+  if (analysis.recovered) json["recovered_curvature"] = json_of(*analysis.recovered);
+  if (analysis.ridges) json["ridges"] = json_of(*analysis.ridges);
   if (analysis.smooth) json["smooth_curvature"] = json_of(*analysis.smooth);
   if (analysis.median_difference) json["median_difference"] = *analysis.median_difference;
   if (analysis.forth && analysis.back)
@@ -139,14 +185,15 @@ std::string to_text(const SurfaceAnalysis& analysis) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{}: {} vertices, {} triangles, area {:.6g}\n\n", analysis.surface.string(),
                  analysis.vertices, analysis.triangles, analysis.invariants.area);
-  fmt::format_to(out, "{:>10} {:>10} {:>10} {:>14} {:>8} {:>8}\n", "component", "mode", "triangles",
-                 "area", "Euler", "loops");
+  fmt::format_to(out, "{:>10} {:>10} {:>10} {:>14} {:>8} {:>8}\n", "component",
+                 analysis.part_values.empty() ? "mode" : "value", "triangles", "area", "Euler",
+                 "loops");
   const auto& parts = analysis.invariants.parts;
+  const auto& numbers = analysis.part_values.empty() ? analysis.part_modes : analysis.part_values;
   for (std::size_t i = 0; i < std::min(parts.size(), kMostRows); ++i)
     fmt::format_to(out, "{:>10} {:>10} {:>10} {:>14.6g} {:>8} {:>8}\n", i,
-                   analysis.part_modes.empty() ? "" : fmt::format("{:g}", analysis.part_modes[i]),
-                   parts[i].triangles, parts[i].area, parts[i].euler_characteristic,
-                   parts[i].boundary_loops);
+                   numbers.empty() ? "" : fmt::format("{:g}", numbers[i]), parts[i].triangles,
+                   parts[i].area, parts[i].euler_characteristic, parts[i].boundary_loops);
   if (parts.size() > kMostRows)
     fmt::format_to(out, "{:>10} (--json lists all {})\n", "...", parts.size());
   const TriangleQuality& quality = analysis.quality;
@@ -164,6 +211,8 @@ std::string to_text(const SurfaceAnalysis& analysis) {
     fmt::format_to(out, "  umbilics: {} of index 1/2, {} of index -1/2\n", wedges,
                    static_cast<std::ptrdiff_t>(analysis.umbilics.size()) - wedges);
   }
+  if (analysis.recovered) text += text_of("curvature (recovered)", *analysis.recovered);
+  if (analysis.ridges) text += text_of(*analysis.ridges);
   if (analysis.smooth) text += text_of("curvature (fitted)", *analysis.smooth);
   if (analysis.median_difference)
     fmt::format_to(out, "  median difference of the mean curvatures: {:.4g}\n",

@@ -14,10 +14,10 @@ namespace tensortopo {
 namespace {
 
 struct Options {
-  std::filesystem::path input, output, mesh, against;
+  std::filesystem::path input, output, mesh, against, ridges;
   std::string sweep;
   std::size_t most_levels = SweepOptions{}.most_levels, check_modes = 0;
-  bool smooth = false;
+  bool smooth = false, recover = false;
   ReadOptions read;
 };
 
@@ -42,7 +42,9 @@ ExitStatus surface(const Options& options, const CommonOptions& common) {
   command.mesh = options.mesh;
   command.against = options.against;
   command.output = options.output;
+  command.ridges = options.ridges;
   command.smooth = options.smooth;
+  command.recover = options.recover;
   command.read = options.read;
   ProgressBar bar(!common.quiet);
   const SurfaceAnalysis analysis = run_surface_analysis(command, bar.callback());
@@ -57,8 +59,9 @@ ExitStatus analyze(const Options& options, const CommonOptions& common) {
     throw UsageError(options.input.string() + ": --sweep takes a mesh, not a surface");
   if (!is_surface && options.sweep.empty())
     throw UsageError(options.input.string() + ": a mesh needs --sweep A:B:N (a surface is a .vtp)");
-  if (!is_surface && (!options.mesh.empty() || !options.against.empty() || options.smooth))
-    throw UsageError("--mesh, --against and --smooth are for surfaces (.vtp)");
+  if (!is_surface && (!options.mesh.empty() || !options.against.empty() ||
+                      !options.ridges.empty() || options.smooth || options.recover))
+    throw UsageError("--mesh, --against, --recover, --ridges and --smooth are for surfaces (.vtp)");
   if (is_surface && options.check_modes > 0) throw UsageError("--check goes with --sweep");
   return is_surface ? surface(options, common) : sweep(options, common);
 }
@@ -88,6 +91,13 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_option("--mesh", options->mesh,
                  "Of a surface: the mesh that it was extracted from, for its curvature and "
                  "umbilics by the field's derivatives")
+      ->type_name("FILE");
+  app.add_flag("--recover", options->recover,
+               "Of a surface with --mesh: also the curvature of the smooth field, by derivatives "
+               "recovered at the mesh's vertices; --ridges then goes by it");
+  app.add_option("--ridges", options->ridges,
+                 "Of a surface with --mesh: write its ridges and valleys, along which a principal "
+                 "curvature is extremal in its direction (.vtp)")
       ->type_name("FILE");
   app.add_flag("--smooth", options->smooth,
                "Of a surface: also the curvature that polynomials fitted to its vertices have");

@@ -60,6 +60,7 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
                                 {"height", report.height},
                                 {"modes", report.modes},
                                 {"seconds", report.seconds}};
+    if (!report.values.empty()) json["values"] = report.values;
     if (report.bifurcation_mode) json["bifurcation_mode"] = *report.bifurcation_mode;
     for (const auto& [point, mode, drawn] : report.marked)
       json["direction"].push_back(
@@ -82,7 +83,7 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand("render", "Draw surfaces to a PNG, without a display");
   const auto options = std::make_shared<Options>();
-  app.add_option("INPUT", options->input, "Surfaces (.vtp), or the mesh (.vtu, .pvtu, .vtk)")
+  app.add_option("INPUT", options->input, "Surfaces or ridges (.vtp), or the mesh (.vtu, .pvtu, .vtk)")
       ->required();
   app.add_option("-o,--output", options->command.output, "The picture")
       ->type_name("FILE.png")

@@ -41,6 +41,7 @@ struct RenderCommand {
 struct RenderReport {
   int width = 0, height = 0;  ///< pixels
   std::vector<double> modes;
+  std::vector<double> values;  ///< of surfaces of other invariants
   std::vector<std::filesystem::path> frames;  ///< the files of an animation
   /// Of a tetrahedron: the mode at which the topology of its generalized mode surface changes,
   /// sqrt(1 - mode^2) of the characteristic tensor.

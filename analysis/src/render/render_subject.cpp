@@ -48,6 +48,7 @@ std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetM
       input.surface.dominant_eigenvector.push_back(
           {vectors->GetComponent(i, 0), vectors->GetComponent(i, 1), vectors->GetComponent(i, 2)});
   } else {
+    require_modes(input, file);
     locate_in_mesh(input, mesh, file);
   }
   set_line_field(*input.file, surface_lines(input.surface, mesh, texture));
@@ -125,8 +126,10 @@ vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue
       for (Sheet& sheet : extracted(one, report)) sheets.push_back(std::move(sheet));
   }
   if (modes.empty())
-    for (const Sheet& sheet : sheets)
+    for (const Sheet& sheet : sheets) {
       if (sheet.mode) report.modes.push_back(*sheet.mode);
+      if (sheet.value) report.values.push_back(*sheet.value);
+    }
   return draw(sheets, domain_, command_.view);
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "render/legend.hpp"
 #include "render/look.hpp"
@@ -14,6 +15,15 @@ namespace {
 
 // Size of a texture's grain: pixels, if the scene is as high as the picture.
 constexpr double kGrain = 1.7;
+// Radii of tubes, of the diagonal. Ridges lie on a surface, and are many.
+constexpr double kTube = 0.004, kRidgeTube = 0.0018;
+
+std::string name_of(const Sheet& sheet) {
+  if (sheet.value) return fmt::format("value {:g}", *sheet.value);
+  if (sheet.ridge_kind) return *sheet.ridge_kind > 0 ? "ridges" : "valleys";
+  if (!sheet.mode) return "";
+  return *sheet.mode == 0 ? "mode 0, neutral" : fmt::format("mode {:+g}", *sheet.mode);
+}
 
 }  // namespace
 
@@ -22,8 +32,11 @@ vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData
   const vtkSmartPointer<vtkRenderer> renderer = new_scene();
   const double unit = 0.036 * view.height * kOversampling;
   const double line = std::max(1.0, 0.0016 * view.height) * kOversampling;
-  std::vector<std::optional<double>> modes;
-  for (const Sheet& sheet : sheets) modes.push_back(sheet.mode);
+  std::vector<std::optional<double>> modes, values;
+  for (const Sheet& sheet : sheets) {
+    modes.push_back(sheet.mode);
+    values.push_back(sheet.value);
+  }
   std::vector<LegendEntry> legend;
 
   if (domain != nullptr) add_domain(*renderer, domain, line);
@@ -31,18 +44,16 @@ vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData
   for (const Sheet& sheet : sheets) size = std::max(size, diagonal(sheet.shape->GetBounds()));
   const double cell = kGrain * size / view.height;
   for (const Sheet& sheet : sheets) {
-    const Look look = look_of(sheet.mode, modes);
+    const Look look = sheet.value        ? look_of_value(*sheet.value, values)
+                      : sheet.ridge_kind ? look_of_ridges(*sheet.ridge_kind)
+                                         : look_of(sheet.mode, modes);
     if (sheet.shape->GetNumberOfPolys() > 0) {
       add_triangles(*renderer, sheet.shape, look, 0.7 * line, cell);
     }
     if (sheet.shape->GetNumberOfLines() > 0) {
-      add_curves(*renderer, sheet.shape, look, 0.004 * size);
+      add_curves(*renderer, sheet.shape, look, (sheet.ridge_kind ? kRidgeTube : kTube) * size);
     }
-    if (sheet.mode) {
-      const std::string name =
-          *sheet.mode == 0 ? "mode 0, neutral" : fmt::format("mode {:+g}", *sheet.mode);
-      legend.push_back({look, name});
-    }
+    if (const std::string name = name_of(sheet); !name.empty()) legend.push_back({look, name});
   }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);

@@ -13,6 +13,7 @@
 
 #include <fstream>
 #include <set>
+#include <utility>
 
 #include "tensortopo/io/io_error.hpp"
 
@@ -27,14 +28,14 @@ class Complaint : public vtkCommand {
   bool heard = false;
 };
 
-// The cells whose first point has the mode.
-vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* modes, double mode) {
+// The cells whose first point has the number.
+vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* numbers, double number) {
   const auto selected = vtkSmartPointer<vtkCellArray>::New();
   vtkIdType size = 0;
   const vtkIdType* points = nullptr;
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
     cells->GetCellAtId(i, size, points);
-    if (size > 0 && modes->GetComponent(points[0], 0) == mode) {
+    if (size > 0 && numbers->GetComponent(points[0], 0) == number) {
       selected->InsertNextCell(size, points);
     }
   }
@@ -72,27 +73,31 @@ std::vector<Sheet> sheets_of(vtkPolyData* all) {
       normals != nullptr && normals->GetNumberOfComponents() == 3) {
     data->SetNormals(normals);
   }
-  vtkDataArray* const modes = data->GetArray("mode");
-  if (modes == nullptr) return {{std::nullopt, all}};
-
-  std::set<double> values;
-  for (vtkIdType i = 0; i < modes->GetNumberOfTuples(); ++i) {
-    values.insert(modes->GetComponent(i, 0));
+  // What tells sheets apart: the first of these that the file has.
+  for (const auto& [name, member] :
+       {std::pair{"mode", &Sheet::mode}, {"value", &Sheet::value}, {"kind", &Sheet::ridge_kind}}) {
+    vtkDataArray* const numbers = data->GetArray(name);
+    if (numbers == nullptr) continue;
+    std::set<double> values;
+    for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+      values.insert(numbers->GetComponent(i, 0));
+    std::vector<Sheet> sheets;
+    for (const double value : values) {
+      const auto part = vtkSmartPointer<vtkPolyData>::New();
+      part->SetPoints(all->GetPoints());
+      part->GetPointData()->ShallowCopy(data);
+      part->SetPolys(select(all->GetPolys(), numbers, value));
+      part->SetLines(select(all->GetLines(), numbers, value));
+      vtkNew<vtkCleanPolyData> used;  // drops the points of the others
+      used->PointMergingOff();
+      used->SetInputData(part);
+      used->Update();
+      sheets.push_back({std::nullopt, used->GetOutput()});
+      sheets.back().*member = value;
+    }
+    return sheets;
   }
-  std::vector<Sheet> sheets;
-  for (const double mode : values) {
-    const auto part = vtkSmartPointer<vtkPolyData>::New();
-    part->SetPoints(all->GetPoints());
-    part->GetPointData()->ShallowCopy(data);
-    part->SetPolys(select(all->GetPolys(), modes, mode));
-    part->SetLines(select(all->GetLines(), modes, mode));
-    vtkNew<vtkCleanPolyData> used;  // drops the points of the other modes
-    used->PointMergingOff();
-    used->SetInputData(part);
-    used->Update();
-    sheets.push_back({mode, used->GetOutput()});
-  }
-  return sheets;
+  return {{std::nullopt, all}};
 }
 
 }  // namespace tensortopo

@@ -11,17 +11,20 @@
 
 namespace tensortopo {
 
-/// What a .vtp file holds for one mode: triangles or, for degenerate curves, polylines.
+/// What a .vtp file holds for one mode: triangles or, for degenerate curves, polylines. Or what it
+/// holds for one value of another invariant, or of ridges or valleys.
 struct Sheet {
   std::optional<double> mode;  ///< nothing if the file has no array `mode`
   vtkSmartPointer<vtkPolyData> shape;
+  std::optional<double> value = {};       ///< where it has an array `value` instead
+  std::optional<double> ridge_kind = {};  ///< or `kind`: 1 ridges, -1 valleys
 };
 
 /// What a .vtp file holds, one point at least. Throws IoError.
 vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file);
 
-/// The sheets of a .vtp file, by ascending mode, with the normals that the file gives.
-/// Throws IoError.
+/// The sheets of a .vtp file, by ascending mode (or value, or kind), with the normals that the file
+/// gives. Throws IoError.
 std::vector<Sheet> read_sheets(const std::filesystem::path& file);
 
 /// The same from what a file holds.

@@ -76,6 +76,8 @@ SurfaceInput read_surface(const std::filesystem::path& file) {
     for (vtkIdType i = 0; i < count; ++i) surface.normal.push_back(vector_at(normals, i));
   if (vtkDataArray* const modes = data.GetPointData()->GetArray("mode"))
     for (vtkIdType i = 0; i < count; ++i) surface.mode.push_back(modes->GetComponent(i, 0));
+  if (vtkDataArray* const values = data.GetPointData()->GetArray("value"))
+    for (vtkIdType i = 0; i < count; ++i) surface.value.push_back(values->GetComponent(i, 0));
   // Cells come as vertices, lines, polygons.
   const vtkIdType before = data.GetNumberOfVerts() + data.GetNumberOfLines();
   if (vtkDataArray* const tets = data.GetCellData()->GetArray("tet"))
@@ -102,6 +104,11 @@ void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const std::filesys
                                input.cell_ids[i]));
     surface.tet.push_back(tet->second);
   }
+}
+
+void require_modes(const SurfaceInput& input, const std::filesystem::path& file) {
+  if (!input.surface.value.empty())
+    fail(file, "is a surface of another invariant; the field's curvature is known for modes only");
 }
 
 }  // namespace tensortopo

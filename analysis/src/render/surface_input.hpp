@@ -17,7 +17,7 @@ namespace tensortopo {
 /// The triangles of a .vtp file; polylines are left out.
 struct SurfaceInput {
   vtkSmartPointer<vtkPolyData> file;  ///< as read
-  SurfaceMesh surface;  ///< `points`, `triangles`; `normal`, `mode` if the file has them
+  SurfaceMesh surface;  ///< `points`, `triangles`; `normal`, `mode`, `value` if it has them
   std::vector<std::int64_t> cell_ids;  ///< of each triangle: the file's array `tet`; may be empty
 };
 
@@ -27,5 +27,9 @@ SurfaceInput read_surface(const std::filesystem::path& file);
 /// Fills `surface.tet` from the ids, and makes sure that each triangle is in its tetrahedron.
 /// Throws IoError if the surface is not one of this mesh.
 void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const std::filesystem::path& file);
+
+/// The curvature that we know is that of levels of the mode: throws IoError if the surface is one
+/// of another invariant.
+void require_modes(const SurfaceInput& input, const std::filesystem::path& file);
 
 }  // namespace tensortopo

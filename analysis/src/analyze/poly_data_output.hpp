@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vtkPolyData.h>
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "analyze/ridges.hpp"
+
+namespace tensortopo {
+
+/// Adds point data: an array of so many numbers a point.
+void add_array(vtkPolyData& data, const std::string& name, int components, std::size_t count,
+               const std::function<std::array<double, 3>(std::size_t)>& value);
+
+/// Writes a .vtp, whole or not at all. Throws IoError.
+void write_poly_data(vtkPolyData& data, const std::filesystem::path& file);
+
+/// Writes ridges and valleys as polylines: point data `kind` (1 on ridges, -1 on valleys),
+/// `curvature`, `other_curvature`, `strength`; cell data `kind`, `length`. Throws IoError.
+void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file);
+
+}  // namespace tensortopo
