@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "dominant_sheets.hpp"
@@ -27,8 +26,17 @@ std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
 
 constexpr int kAttemptsOnManifold = 3;
 
-/// From a sample of a curve to one that is asked for next to it, at least, in radians.
-constexpr double kLeastTurn = 0x1p-20;
+template <class Scalar>
+Effort effort_of_leaves(const Level<Scalar>& level) {
+  return is_thin(level) ? Effort::great : Effort::usual;
+}
+
+/// Thousands of tetrahedra may wait with their leaves: larger ones are rather made again.
+template <class Scalar>
+void release_large_leaves(TetPlan<Scalar>& plan) {
+  constexpr std::size_t kLarge = 10000;
+  if (plan.leaves && plan.leaves->refinement.cells().size() > kLarge) plan.leaves.reset();
+}
 
 }  // namespace
 
@@ -82,13 +90,13 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.method = Method::fan;
     return;
   }
-  if (!add_leaves(tet, level, *state.plan,
-                  is_thin(level) ? Effort::great : Effort::usual)) {
+  if (!add_leaves(tet, level, *state.plan, effort_of_leaves(level))) {
     state.unresolved = unproved(t);
     return;
   }
   state.method = Method::leaves;
   state.requests = leaf_requests(tet, level, *state.plan);
+  release_large_leaves(*state.plan);
 }
 
 template <class Scalar>
@@ -150,73 +158,6 @@ void Pipeline<Scalar>::number_face_vertices(std::span<const std::size_t> changed
         rim_medium_[id++] = narrow(sample.medium);
       }
   });
-}
-
-/// Puts the samples that tetrahedra ask for on their faces; lists the faces that changed.
-template <class Scalar>
-std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::size_t> asking) {
-  // All that is asked for, face by face.
-  struct Wanted {
-    std::size_t face;
-    int arc;
-    Scalar place;
-    bool is_needed;  ///< this very point
-    auto key() const { return std::tie(face, arc, place); }
-  };
-  std::vector<Wanted> wanted;
-  for (const auto t : asking)
-    for (const auto& request : tets_[t].requests)
-      if (request.arc >= 0 && !tets_[t].unresolved)
-        wanted.push_back(
-            {as_size(complex_.tet_faces[t][static_cast<std::size_t>(request.face)]), request.arc,
-             request.place, tets_[t].method == Method::leaves});
-  std::sort(wanted.begin(), wanted.end(),
-            [](const Wanted& a, const Wanted& b) { return a.key() < b.key(); });
-  std::vector<std::size_t> first;  // of each face
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (i == 0 || wanted[i].face != wanted[i - 1].face) first.push_back(i);
-  std::vector<char> changed(first.size(), 0);
-  parallel_stage(options_, "tetrahedra", first.size(), 64, [&](std::size_t k) {
-    const auto f = wanted[first[k]].face;
-    // The two neighbours, and the face itself, often cut the curve at the same point, and an edge
-    // of the face may be cut there too. Merging samples along a curve changes no topology; samples
-    // between which no eigenvector turns by more than rounding shows would be in no order.
-    const auto same = [&](const CurvePoint<Scalar>& p, const CurvePoint<Scalar>& q, bool exactly) {
-      const auto differ = [](const Vector3<double>& d, double limit) {
-        return dot(d, d) > limit * limit;
-      };
-      if (!differ(narrow(Vector3<Scalar>{p.weights[0] - q.weights[0], p.weights[1] - q.weights[1],
-                                         p.weights[2] - q.weights[2]}),
-                  0x1p-40))
-        return true;
-      return !exactly && !differ(cross(narrow(p.medium), narrow(q.medium)), kLeastTurn) &&
-             !differ(cross(narrow(dominant_eigenvector(p.tensor, level_)),
-                           narrow(dominant_eigenvector(q.tensor, level_))),
-                     kLeastTurn);
-    };
-    for (std::size_t i = first[k]; i < wanted.size() && wanted[i].face == f; ++i) {
-      const Scalar& place = wanted[i].place;
-      auto& arc = (*arcs_[f])[static_cast<std::size_t>(wanted[i].arc)];
-      const auto point = point_on_arc(arc, place, level_);
-      auto after = std::lower_bound(arc.samples.begin(), arc.samples.end(), place,
-                                    [](const auto& s, const Scalar& x) { return s.place < x; });
-      const Scalar last(static_cast<double>(arc.pieces.size()));
-      const auto neighbour = [&](bool next) {
-        if (next && after != arc.samples.end()) return *after;
-        if (!next && after != arc.samples.begin()) return *std::prev(after);
-        return arc.closed ? (next ? arc.samples.front() : arc.samples.back())
-                          : point_on_arc(arc, next ? last : Scalar(0), level_);
-      };
-      const bool exactly = wanted[i].is_needed;
-      if (same(neighbour(false), point, exactly) || same(neighbour(true), point, exactly)) continue;
-      arc.samples.insert(after, point);
-      changed[k] = 1;
-    }
-  });
-  std::vector<std::size_t> faces;
-  for (std::size_t k = 0; k < first.size(); ++k)
-    if (changed[k]) faces.push_back(wanted[first[k]].face);
-  return faces;
 }
 
 template <class Scalar>
@@ -325,6 +266,9 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   if (state.method == Method::dominant)
     return mesh_by_dominant<Scalar>(*state.manifold, tet, *state.plan, vertices, level_of(t),
                                     sampling_in(t), state.drawn);
+  if (!state.plan->leaves &&
+      !add_leaves(tet, level_of(t), *state.plan, effort_of_leaves(level_of(t))))
+    return false;
   for (const auto& sheet : state.plan->sheets) {
     const bool as_fan = state.method == Method::fan && sheet.euler_characteristic == 1;
     if (as_fan ? !mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_of(t), state.drawn)
@@ -332,6 +276,7 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
                                            level_of(t), state.drawn))
       return false;
   }
+  release_large_leaves(*state.plan);
   // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the
   // tetrahedron is named rather than drawn wrongly.
   std::vector<std::vector<RimVertex>> rims;
