@@ -65,6 +65,7 @@ class Bench {
     compare("extract", "vtk_contour_3d_linear_grid", "");
 
     add_certified();
+    add_graph();
     if (is_wanted("errors") || is_wanted("a_patches") || is_wanted("vtk_subdivided")) judge();
     add_a_patches();
     add_hybrid();
@@ -111,6 +112,9 @@ class Bench {
     const auto ours = our_surfaces(mesh_, modes_, resolution_);
     report_.errors.push_back(judge_->errors("extract", resolution_text(resolution_), ours, mesh_));
     our_error_ = report_.errors.back().distance.root_mean_square();
+    if (is_wanted("graph"))
+      report_.errors.push_back(
+          judge_->errors("graph", resolution_text(resolution_), graphs(), mesh_));
     tell(0.5);
     report_.errors.push_back(judge_->errors("vtk_contour", "the mesh as it is",
                                             baseline_surfaces(Baseline::marching, mesh_, modes_),
@@ -121,6 +125,17 @@ class Bench {
     if (!is_wanted("certified")) return leave_out("certified_over_vtk_contour", not_asked());
     add("certified", [this] { return certify_all(mesh_, modes_, resolution_); });
     compare("certified", "vtk_contour", "");
+  }
+
+  /// Ours, drawn as graphs where the level is one.
+  std::vector<SurfaceMesh> graphs() const {
+    return our_surfaces(mesh_, modes_, resolution_, nullptr, DrawingMethod::graph);
+  }
+
+  void add_graph() {
+    if (!is_wanted("graph")) return leave_out("graph_over_extract", not_asked());
+    add("graph", [this] { return triangles_of(graphs()); });
+    compare("graph", "extract", "");
   }
 
   /// The lowest resolution at which our error is at most this one.
@@ -270,8 +285,8 @@ class Bench {
 }  // namespace
 
 const std::vector<std::string>& BenchCommand::comparisons() {
-  static const std::vector<std::string> names{"certified", "a_patches", "hybrid", "vtk_subdivided",
-                                              "errors"};
+  static const std::vector<std::string> names{"certified", "graph", "a_patches", "hybrid",
+                                              "vtk_subdivided", "errors"};
   return names;
 }
 

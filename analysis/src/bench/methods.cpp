@@ -26,12 +26,14 @@ std::vector<ModeValue> with_opposites(std::span<const ModeValue> modes) {
 }
 
 std::vector<SurfaceMesh> our_surfaces(const TetMesh& mesh, std::span<const ModeValue> modes,
-                                      double resolution, std::map<std::string, double>* stages) {
+                                      double resolution, std::map<std::string, double>* stages,
+                                      DrawingMethod drawing) {
   std::vector<SurfaceMesh> surfaces;
   if (stages != nullptr) stages->clear();
   const auto field = prepared(mesh, modes);
   ExtractOptions options;
   options.sampling.resolution = resolution;
+  options.drawing = drawing;
   for (const ModeValue& mode : modes) {
     Extraction extraction = extract_mode_surface(field, mode, options);
     surfaces.push_back(std::move(extraction.surface));

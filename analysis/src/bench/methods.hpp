@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tensortopo/analysis/baseline.hpp"
+#include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
@@ -22,7 +23,8 @@ std::vector<ModeValue> with_opposites(std::span<const ModeValue> modes);
 /// @param stages  if given: the seconds of edges, faces, tets, stitch
 std::vector<SurfaceMesh> our_surfaces(const TetMesh& mesh, std::span<const ModeValue> modes,
                                       double resolution,
-                                      std::map<std::string, double>* stages = nullptr);
+                                      std::map<std::string, double>* stages = nullptr,
+                                      DrawingMethod drawing = DrawingMethod::manifold);
 
 /// Our surfaces with all that a certificate claims about them: triangles made.
 std::size_t certify_all(const TetMesh& mesh, std::span<const ModeValue> modes, double resolution);
