@@ -29,7 +29,8 @@ class DominantDrawing : SheetDrawing<Scalar> {
   using Base = SheetDrawing<Scalar>;
   using Base::images_, Base::inner_, Base::plan_, Base::points_, Base::rims_, Base::segments_,
       Base::triangles_;
-  using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals;
+  using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals,
+      Base::triangulate;
   using Place = DominantChart::Place;
 
  public:
@@ -132,7 +133,7 @@ class DominantDrawing : SheetDrawing<Scalar> {
   }
 
   std::vector<ChartTriangulation::Point> grid_samples(
-      const ChartTriangulation::Clearance& clearance) {
+      const ChartTriangulation::Clearance& clearance) override {
     const int rings = static_cast<int>(std::ceil((most_ - least_) / turn_));
     const int turns = std::max(4, static_cast<int>(std::ceil(kPi / turn_)));
     std::vector<ChartTriangulation::Point> samples;
@@ -145,16 +146,6 @@ class DominantDrawing : SheetDrawing<Scalar> {
         if (add_inner_place(place)) samples.push_back(point);
       }
     return samples;
-  }
-
-  bool triangulate() {
-    ChartTriangulation triangulation;
-    const auto points = points_;  // `grid_samples` adds to the images
-    if (!triangulation.build(points, segments_,
-                             [&](const auto& clearance) { return grid_samples(clearance); }))
-      return false;
-    triangles_ = std::move(triangulation.triangles);
-    return true;
   }
 
   std::optional<std::size_t> add_inner_place(const Place& place) {

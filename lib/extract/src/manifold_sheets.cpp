@@ -27,7 +27,8 @@ class Drawing : SheetDrawing<Scalar> {
   using Base = SheetDrawing<Scalar>;
   using Base::images_, Base::inner_, Base::plan_, Base::points_, Base::rims_, Base::segments_,
       Base::triangles_;
-  using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals;
+  using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals,
+      Base::triangulate;
 
  public:
   Drawing(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
@@ -215,7 +216,7 @@ class Drawing : SheetDrawing<Scalar> {
 
   /// Points of a grid, even in the chart, that lie in the region, clear of its boundary.
   std::vector<ChartTriangulation::Point> grid_samples(
-      const ChartTriangulation::Clearance& clearance) {
+      const ChartTriangulation::Clearance& clearance) override {
     // The region lies in the cap around its boundary: the rest of the sphere holds the complex
     // domain, whose boundary would be the region's too.
     Vector3<double> centre{0, 0, 0};
@@ -244,16 +245,6 @@ class Drawing : SheetDrawing<Scalar> {
       samples.push_back(place);
     });
     return samples;
-  }
-
-  bool triangulate() {
-    ChartTriangulation triangulation;
-    const auto points = points_;  // `grid_samples` adds to the images
-    if (!triangulation.build(points, segments_,
-                             [&](const auto& clearance) { return grid_samples(clearance); }))
-      return false;
-    triangles_ = std::move(triangulation.triangles);
-    return true;
   }
 
   /// An inner vertex of the level with the medium eigenvector along v, if there is one.

@@ -14,6 +14,17 @@
 namespace tensortopo {
 
 template <class Scalar>
+bool SheetDrawing<Scalar>::triangulate() {
+  ChartTriangulation triangulation;
+  const auto points = points_;  // `grid_samples` adds to the images
+  if (!triangulation.build(points, segments_,
+                           [&](const auto& clearance) { return grid_samples(clearance); }))
+    return false;
+  triangles_ = std::move(triangulation.triangles);
+  return true;
+}
+
+template <class Scalar>
 bool SheetDrawing<Scalar>::split_diagonals() {
   std::set<std::pair<std::int32_t, std::int32_t>> rim;
   for (const auto& loop : rims_)

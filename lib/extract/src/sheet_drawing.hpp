@@ -43,6 +43,13 @@ class SheetDrawing {
   /// is none.
   virtual std::optional<std::size_t> add_inner_image(const Vector3<double>& along) = 0;
 
+  /// Images of new vertices of the level inside the tetrahedron, clear of the rims; their points.
+  virtual std::vector<ChartTriangulation::Point> grid_samples(
+      const ChartTriangulation::Clearance& clearance) = 0;
+
+  /// The regions that the segments bound, with samples of a grid in them.
+  bool triangulate();
+
   /// A diagonal between two rim vertices on one face might be chosen by the neighbour as well, and
   /// a triangle with three of them lies in the face: puts a vertex on every such diagonal.
   bool split_diagonals();
