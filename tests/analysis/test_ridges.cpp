@@ -295,5 +295,45 @@ TEST(Ridges, OfAPiecewiseFieldTellHowTheyEnd) {
     }
 }
 
+// What a filter keeps and what it leaves out are the whole; what it keeps it keeps as it was.
+RC_GTEST_PROP(RidgeFilters, KeepStrongLinesWholeAndCountTheOthers, ()) {
+  static const RidgeLines all = [] {
+    TetMesh mesh = cube_mesh(3);
+    fill_with_smooth_tensors(mesh, 4);
+    const SurfaceMesh surface = extract_mode_surface<double>(mesh, ModeValue::parse("1/5")).surface;
+    return surface_ridges(surface, mesh);
+  }();
+  const auto any = [] { return *rc::gen::inRange(std::size_t{0}, all.lines.size()); };
+  const RidgeFilter filter{all.lines[any()].strength, all.lines[any()].length / 4};
+  const RidgeLines kept = filtered(all, filter);
+  std::vector<const RidgeLines::Line*> passed;
+  for (const auto& line : all.lines)
+    if (line.strength >= filter.least_strength && line.length >= filter.least_length)
+      passed.push_back(&line);
+  RC_ASSERT(kept.lines.size() == passed.size());
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    const auto &line = kept.lines[i], &before = *passed[i];
+    RC_ASSERT(line.points.size() == before.points.size());
+    points += line.points.size() - line.is_closed();
+    for (std::size_t k = 0; k < line.points.size(); ++k) {
+      const auto v = static_cast<std::size_t>(line.points[k]),
+                 w = static_cast<std::size_t>(before.points[k]);
+      RC_ASSERT(kept.points[v] == all.points[w] && kept.strength[v] == all.strength[w]);
+      RC_ASSERT(kept.strength[v] <= line.strongest);
+    }
+    RC_ASSERT(line.strength <= line.strongest);
+  }
+  RC_ASSERT(kept.points.size() == points);
+  for (const std::size_t kind : {0u, 1u}) {
+    const auto &sum = kept.sums[kind], &whole = all.sums[kind];
+    RC_ASSERT(sum.lines + sum.left_out == whole.lines);
+    RC_ASSERT(std::abs(sum.length + sum.left_out_length - whole.length) < 1e-9);
+    std::size_t ends = 0;
+    for (const std::size_t n : sum.ends) ends += n;
+    RC_ASSERT(ends == 2 * (sum.lines - sum.closed));
+  }
+}
+
 }  // namespace
 }  // namespace tensortopo::test

@@ -133,6 +133,31 @@ TEST_F(SurfaceProgram, WritesRidgesWhoseEndsAddUp) {
   }
 }
 
+TEST_F(SurfaceProgram, LeavesOutFaintAndShortRidgesAndCountsThem) {
+  const std::string ridges = folder_ / "ridges.vtp";
+  const auto analyzed = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"analyze",  surface_, "--mesh",    field("s4_slab"),
+                                   "--ridges", ridges,   "--recover", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome run = run_program(words);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return Json::parse(run.out).at("ridges");
+  };
+  const Json all = analyzed({});
+  const double strength = all.at("ridges").at("strength_of_all_lines").at("median");
+  const Json some = analyzed({"--ridge-strength", std::to_string(strength), "--ridge-length", "1"});
+  EXPECT_EQ(some.at("least_length"), 1);
+  for (const std::string kind : {"ridges", "valleys"}) {
+    const Json &whole = all.at(kind), &sum = some.at(kind);
+    EXPECT_EQ(whole.at("left_out").at("lines"), 0);
+    const std::size_t lines = sum.at("lines"), left_out = sum.at("left_out").at("lines");
+    EXPECT_GT(left_out, 0u);
+    EXPECT_GT(lines, 0u);
+    EXPECT_EQ(lines + left_out, whole.at("lines").get<std::size_t>());
+    EXPECT_EQ(sum.at("strength_of_all_lines"), whole.at("strength_of_all_lines"));
+  }
+}
+
 TEST(InvariantSurface, ReportsItsValuesAndRefusesTheModesCurvature) {
   const Folder folder;
   const std::string surface = folder / "value.vtp";
@@ -166,6 +191,11 @@ TEST_F(SurfaceProgram, RefusesWhatMakesNoSense) {
   EXPECT_EQ(run_program({"analyze", surface_, "-o", output}).status, 2);
   EXPECT_EQ(run_program({"analyze", surface_, "--ridges", output}).status, 2);
   EXPECT_EQ(run_program({"analyze", surface_, "--recover"}).status, 2);
+  EXPECT_EQ(run_program({"analyze", surface_, "--ridge-strength", "1"}).status, 2);
+  EXPECT_EQ(run_program({"analyze", surface_, "--mesh", field("s4_slab"), "--ridges", output,
+                         "--ridge-length=-1"})
+                .status,
+            2);
   EXPECT_EQ(run_program({"analyze", field("s4_slab")}).status, 2);
   EXPECT_EQ(run_program({"analyze", field("s4_slab"), "--sweep", "0:1:3", "--smooth"}).status, 2);
   EXPECT_EQ(run_program({"analyze", folder_ / "nowhere.vtp"}).status, 3);

@@ -58,20 +58,25 @@ constexpr std::array<const char*, kRidgeEnds> kRidgeEndNames{"rim",     "face", 
                                                              "umbilic", "flat", "undefined"};
 
 Json json_of(const RidgeReport& report) {
-  Json json{{"output", report.output.string()}};
+  Json json{{"output", report.output.string()},
+            {"least_strength", report.filter.least_strength},
+            {"least_length", report.filter.least_length}};
   for (std::size_t kind = 0; kind < 2; ++kind) {
     const RidgeLines::Sum& sum = report.sums[kind];
     Json ends;
     for (std::size_t i = 0; i < kRidgeEnds; ++i) ends[kRidgeEndNames[i]] = sum.ends[i];
-    json[kRidgeKinds[kind]] = {{"lines", sum.lines},
-                               {"closed", sum.closed},
-                               {"length", sum.length},
-                               {"crest_length", sum.crest_length},
-                               {"greatest_strength", sum.strongest},
-                               {"bridges", sum.bridges},
-                               {"bridge_length", sum.bridge_length},
-                               {"ends", std::move(ends)},
-                               {"flat_triangles", sum.flat_triangles}};
+    json[kRidgeKinds[kind]] = {
+        {"lines", sum.lines},
+        {"closed", sum.closed},
+        {"length", sum.length},
+        {"crest_length", sum.crest_length},
+        {"greatest_strength", sum.strongest},
+        {"left_out", {{"lines", sum.left_out}, {"length", sum.left_out_length}}},
+        {"strength_of_all_lines", json_of(report.strength[kind])},
+        {"bridges", sum.bridges},
+        {"bridge_length", sum.bridge_length},
+        {"ends", std::move(ends)},
+        {"flat_triangles", sum.flat_triangles}};
   }
   json["skipped_triangles"] = {{"umbilic", report.umbilic_triangles},
                                {"undefined", report.undefined_triangles}};
@@ -89,6 +94,11 @@ std::string text_of(const RidgeReport& report) {
     for (std::size_t i = 0; i < kRidgeEnds; ++i)
       text += fmt::format(" {} {}", kRidgeEndNames[i], sum.ends[i]);
     text += fmt::format("; {} triangles flat\n", sum.flat_triangles);
+    text += fmt::format("  {:<8} strength of lines: median {:.4g}, 95 % up to {:.4g}", "",
+                        report.strength[kind].median, report.strength[kind].high);
+    text += sum.left_out == 0 ? "\n"
+                              : fmt::format("; left out: {} lines, length {:.6g}\n", sum.left_out,
+                                            sum.left_out_length);
   }
   return text + fmt::format("  skipped: {} triangles at umbilics, {} undefined\n  {}\n",
                             report.umbilic_triangles, report.undefined_triangles,
