@@ -115,6 +115,13 @@ TEST_F(SurfaceProgram, WritesRidgesWhoseEndsAddUp) {
     ASSERT_EQ(run.status, 0) << run.err;
     const Json json = Json::parse(run.out);
     EXPECT_EQ(json.contains("recovered_curvature"), recover);
+    EXPECT_EQ(json.contains("recovered_umbilics"), recover);
+    if (recover) {
+      // Continuous curvatures have fewer.
+      const std::size_t smooth = json.at("recovered_umbilics").size();
+      EXPECT_GT(smooth, 0u);
+      EXPECT_LT(smooth, json.at("umbilics").size());
+    }
     for (const std::string kind : {"ridges", "valleys"}) {
       const Json& sum = json.at("ridges").at(kind);
       std::size_t ends = 0;

@@ -158,6 +158,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
       tell("recovering", 0.3);
       recovered = recovered_curvature(surface, read.mesh);
       analysis.recovered = report_of(surface, recovered);
+      analysis.recovered_umbilics = umbilics_of(surface, at_corners(surface, recovered));
       add_curvature(*input.file, "recovered_", recovered);
     }
     if (!command.ridges.empty()) {

@@ -63,6 +63,7 @@ struct SurfaceAnalysis {
   Quantiles normal_jump;                     ///< in radians
   std::vector<Umbilic> umbilics;
   std::optional<CurvatureReport> recovered;  ///< from derivatives recovered at the mesh's vertices
+  std::vector<Umbilic> recovered_umbilics;
   std::optional<RidgeReport> ridges;
   std::optional<CurvatureReport> smooth;  ///< from the triangles
   /// Between the mean curvatures of both, where both are defined: median of the differences.
