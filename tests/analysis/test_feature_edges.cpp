@@ -40,12 +40,13 @@ RC_GTEST_PROP(FeatureEdges, OfAFoldedSheetAreItsRimAndItsFold, ()) {
   RC_ASSERT(rim.size() == static_cast<std::size_t>(2 * n + 4));
   for (const auto& [low, high] : rim) {
     const bool along = low % 3 == high % 3;
-    RC_ASSERT(along ? low % 3 != 1 : low / 3 == high / 3 && (low < 3 || low / 3 == n));
+    const bool across = low / 3 == high / 3 && (low < 3 || low / 3 == n);
+    RC_ASSERT((along ? low % 3 != 1 : across));
   }
   const auto creases = feature_edges(sheet, EdgeKind::crease);
-  RC_ASSERT(creases.size() ==
-            (std::abs(degrees) > kFeatureAngle ? static_cast<std::size_t>(n) : 0));
-  for (const auto& [low, high] : creases) RC_ASSERT(low % 3 == 1 && high == low + 3);
+  const int folds = std::abs(degrees) > kFeatureAngle ? n : 0;
+  RC_ASSERT(creases.size() == static_cast<std::size_t>(folds));
+  for (const auto& [low, high] : creases) RC_ASSERT((low % 3 == 1 && high == low + 3));
 }
 
 // Three triangles at an edge make neither; triangles without common vertices are all rim.
