@@ -82,8 +82,8 @@ void add_edges(vtkRenderer& renderer, vtkPolyData* shape, EdgeKind kind, const C
     if (is_new) points->InsertNextPoint(p.x, p.y, p.z);
     return found->second;
   };
-  for (const auto& [low, high] : feature_edges(surface, kind)) {
-    const vtkIdType ends[2]{number(low), number(high)};
+  for (const auto& [from, to] : feature_edges(surface, kind)) {
+    const vtkIdType ends[2]{number(from), number(to)};
     lines->InsertNextCell(2, ends);
   }
   vtkNew<vtkPolyData> edges;

@@ -18,6 +18,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 /// A side of a triangle, its smaller vertex first.
 struct Side {
   Index low, high, triangle;
+  std::size_t first;  ///< the corner that it begins at in the triangle
 };
 
 /// Unit; 0 of a flat triangle.
@@ -36,7 +37,7 @@ std::vector<Side> sides_of(const SurfaceMesh& surface) {
     const auto& t = surface.triangles[i];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      sides.push_back({low, high, static_cast<Index>(i)});
+      sides.push_back({low, high, static_cast<Index>(i), k});
     }
   }
   std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
@@ -55,11 +56,18 @@ std::vector<std::array<Index, 2>> feature_edges(const SurfaceMesh& surface, Edge
     return count == 2 && dot(normal_of(surface, sides[first].triangle),
                              normal_of(surface, sides[first + 1].triangle)) <= bent;
   };
-  std::vector<std::array<Index, 2>> edges;
+  std::vector<std::array<std::size_t, 2>> places;
   for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
-    const auto& [low, high, triangle] = sides[i];
-    while (next < sides.size() && sides[next].low == low && sides[next].high == high) ++next;
-    if (is_wanted(i, next - i)) edges.push_back({low, high});
+    const Side& side = sides[i];
+    while (next < sides.size() && sides[next].low == side.low && sides[next].high == side.high)
+      ++next;
+    if (is_wanted(i, next - i)) places.push_back({at(side.triangle), side.first});
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<std::array<Index, 2>> edges;
+  for (const auto& [triangle, k] : places) {
+    const auto& t = surface.triangles[triangle];
+    edges.push_back({t[k], t[(k + 1) % 3]});
   }
   return edges;
 }
