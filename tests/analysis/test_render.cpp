@@ -4,9 +4,11 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "run_program.hpp"
@@ -89,6 +91,32 @@ TEST(Render, DrawsOtherInvariantsPlumAndSaysTheirValues) {
                          "major", "-o", folder / "t.png"})
                 .status,
             3);
+}
+
+// Only three of its points are in a triangle: what is drawn costs what there is, not its square.
+TEST(Render, DrawsASurfaceOfMillionsOfPoints) {
+  constexpr std::uint32_t count = 3000000;
+  std::vector<float> points(std::size_t{3} * count);
+  points[3] = points[7] = 1;
+  const std::uint32_t bytes = 12 * count;
+  std::string file = R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian")"
+                     R"( header_type="UInt32"><PolyData><Piece NumberOfPoints=")" +
+                     std::to_string(count) +
+                     R"(" NumberOfPolys="1"><Points>)"
+                     R"(<DataArray type="Float32" NumberOfComponents="3" format="appended")"
+                     R"( offset="0"/></Points><Polys>)"
+                     R"(<DataArray type="Int64" Name="connectivity">0 1 2</DataArray>)"
+                     R"(<DataArray type="Int64" Name="offsets">3</DataArray></Polys></Piece>)"
+                     R"(</PolyData><AppendedData encoding="raw">_)";
+  file.append(reinterpret_cast<const char*>(&bytes), sizeof bytes);
+  file.append(reinterpret_cast<const char*>(points.data()), bytes);
+  file += "</AppendedData></VTKFile>";
+  const Folder folder;
+  std::ofstream(folder / "s.vtp", std::ios::binary) << file;
+  const Outcome run =
+      run_program({"render", folder / "s.vtp", "-o", folder / "s.png", "--size", "200x150"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
 }
 
 TEST(Render, DrawsRidgesRedAndValleysBlue) {

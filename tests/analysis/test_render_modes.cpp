@@ -29,6 +29,11 @@ TEST(RenderModes, DrawsWhatAnExtractedFileHolds) {
     EXPECT_EQ(contents(folder / "file.png"), contents(folder / (texture + ".png")));
   }
   EXPECT_NE(contents(folder / "minor.png"), contents(folder / "dominant.png"));
+  const Outcome smooth =
+      run_program({"render", folder / "s.vtp", "--mesh", mesh, "--texture", "minor", "--recover",
+                   "--size", "150x100", "-o", folder / "smooth.png"});
+  ASSERT_EQ(smooth.status, 0) << smooth.err;
+  EXPECT_NE(contents(folder / "smooth.png"), contents(folder / "minor.png"));
 }
 
 TEST(RenderModes, DrawsCurvesBesideATexture) {
@@ -116,6 +121,7 @@ TEST(RenderModes, RefusesWhatContradicts) {
   EXPECT_EQ(status({"-o", png, "--animate", "0:1:3", "--mode", "0"}), 2);
   EXPECT_EQ(status({"-o", folder / "x.gif", "--mode", "0"}), 2);
   EXPECT_EQ(status({"-o", png, "--texture", "major"}), 2);
+  EXPECT_EQ(status({"-o", png, "--mode", "0", "--texture", "dominant", "--recover"}), 2);
   EXPECT_TRUE(folder.files().empty());
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "analyze/ridges.hpp"
+#include "analyze/surface_curvature.hpp"
 #include "level_cells.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/scalar/real.hpp"
@@ -247,6 +248,24 @@ TEST(Ridges, OfAnEllipsoidAreTwoOfItsEllipses) {
   EXPECT_LT(errors[1], errors[0] / 3);
 }
 
+// All umbilics of an ellipsoid are lemons, where its ellipse through the longest and the shortest
+// axis is met by the circular sections' tangent planes.
+TEST(Umbilics, OfAnEllipsoidAreFoundByItsCurvaturesAtVertices) {
+  const Ellipsoid e = ellipsoid(40);
+  std::vector<std::optional<LevelCurvature<double>>> vertices(e.surface.points.size());
+  for (std::size_t i = 0; i < e.corners.size(); ++i)
+    vertices[static_cast<std::size_t>(e.surface.triangles[i / 3][i % 3])] = e.corners[i]->curvature;
+  const auto umbilics = umbilics_of(e.surface, at_corners(e.surface, vertices));
+  ASSERT_EQ(umbilics.size(), 4u);
+  for (const Umbilic& umbilic : umbilics) {
+    EXPECT_EQ(umbilic.twice_index, 1);
+    EXPECT_NEAR(std::abs(umbilic.point.x), 3 * std::sqrt(5.0 / 8), 0.02);
+    EXPECT_NEAR(umbilic.point.y, 0, 0.02);
+    EXPECT_NEAR(std::abs(umbilic.point.z), std::sqrt(3.0 / 8), 0.02);
+    EXPECT_NEAR(umbilic.curvature, 3.0 / 8, 0.02);
+  }
+}
+
 // The same from curvatures alone, as they are known at vertices.
 TEST(Ridges, OfAnEllipsoidAreFoundByItsCurvaturesAtVertices) {
   const Ellipsoid e = ellipsoid(40);
@@ -293,6 +312,46 @@ TEST(Ridges, OfAPiecewiseFieldTellHowTheyEnd) {
       EXPECT_EQ(line.kind == RidgeKind::ridge, ridges.curvature[i] >= ridges.other_curvature[i]);
       EXPECT_GT(ridges.strength[i], 0);
     }
+}
+
+// What a filter keeps and what it leaves out are the whole; what it keeps it keeps as it was.
+RC_GTEST_PROP(RidgeFilters, KeepStrongLinesWholeAndCountTheOthers, ()) {
+  static const RidgeLines all = [] {
+    TetMesh mesh = cube_mesh(3);
+    fill_with_smooth_tensors(mesh, 4);
+    const SurfaceMesh surface = extract_mode_surface<double>(mesh, ModeValue::parse("1/5")).surface;
+    return surface_ridges(surface, mesh);
+  }();
+  const auto any = [] { return *rc::gen::inRange(std::size_t{0}, all.lines.size()); };
+  const RidgeFilter filter{all.lines[any()].strength, all.lines[any()].length / 4};
+  const RidgeLines kept = filtered(all, filter);
+  std::vector<const RidgeLines::Line*> passed;
+  for (const auto& line : all.lines)
+    if (line.strength >= filter.least_strength && line.length >= filter.least_length)
+      passed.push_back(&line);
+  RC_ASSERT(kept.lines.size() == passed.size());
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    const auto &line = kept.lines[i], &before = *passed[i];
+    RC_ASSERT(line.points.size() == before.points.size());
+    points += line.points.size() - line.is_closed();
+    for (std::size_t k = 0; k < line.points.size(); ++k) {
+      const auto v = static_cast<std::size_t>(line.points[k]),
+                 w = static_cast<std::size_t>(before.points[k]);
+      RC_ASSERT(kept.points[v] == all.points[w] && kept.strength[v] == all.strength[w]);
+      RC_ASSERT(kept.strength[v] <= line.strongest);
+    }
+    RC_ASSERT(line.strength <= line.strongest * (1 + 1e-12));
+  }
+  RC_ASSERT(kept.points.size() == points);
+  for (const std::size_t kind : {0u, 1u}) {
+    const auto &sum = kept.sums[kind], &whole = all.sums[kind];
+    RC_ASSERT(sum.lines + sum.left_out == whole.lines);
+    RC_ASSERT(std::abs(sum.length + sum.left_out_length - whole.length) < 1e-9);
+    std::size_t ends = 0;
+    for (const std::size_t n : sum.ends) ends += n;
+    RC_ASSERT(ends == 2 * (sum.lines - sum.closed));
+  }
 }
 
 }  // namespace

@@ -115,6 +115,13 @@ TEST_F(SurfaceProgram, WritesRidgesWhoseEndsAddUp) {
     ASSERT_EQ(run.status, 0) << run.err;
     const Json json = Json::parse(run.out);
     EXPECT_EQ(json.contains("recovered_curvature"), recover);
+    EXPECT_EQ(json.contains("recovered_umbilics"), recover);
+    const std::size_t triangles = json.at("surface").at("triangles");
+    if (recover)
+      for (const Json& umbilic : json.at("recovered_umbilics")) {
+        EXPECT_EQ(std::abs(umbilic.at("index").get<double>()), 0.5);
+        EXPECT_LT(umbilic.at("triangle").get<std::size_t>(), triangles);
+      }
     for (const std::string kind : {"ridges", "valleys"}) {
       const Json& sum = json.at("ridges").at(kind);
       std::size_t ends = 0;
@@ -130,6 +137,31 @@ TEST_F(SurfaceProgram, WritesRidgesWhoseEndsAddUp) {
     const std::string written = contents(ridges);
     for (const std::string name : {"\"kind\"", "\"curvature\"", "\"strength\"", "\"length\""})
       EXPECT_NE(written.find(name), std::string::npos) << name;
+  }
+}
+
+TEST_F(SurfaceProgram, LeavesOutFaintAndShortRidgesAndCountsThem) {
+  const std::string ridges = folder_ / "ridges.vtp";
+  const auto analyzed = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"analyze",  surface_, "--mesh",    field("s4_slab"),
+                                   "--ridges", ridges,   "--recover", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome run = run_program(words);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return Json::parse(run.out).at("ridges");
+  };
+  const Json all = analyzed({});
+  const double strength = all.at("ridges").at("strength_of_all_lines").at("median");
+  const Json some = analyzed({"--ridge-strength", std::to_string(strength), "--ridge-length", "1"});
+  EXPECT_EQ(some.at("least_length"), 1);
+  for (const std::string kind : {"ridges", "valleys"}) {
+    const Json &whole = all.at(kind), &sum = some.at(kind);
+    EXPECT_EQ(whole.at("left_out").at("lines"), 0);
+    const std::size_t lines = sum.at("lines"), left_out = sum.at("left_out").at("lines");
+    EXPECT_GT(left_out, 0u);
+    EXPECT_GT(lines, 0u);
+    EXPECT_EQ(lines + left_out, whole.at("lines").get<std::size_t>());
+    EXPECT_EQ(sum.at("strength_of_all_lines"), whole.at("strength_of_all_lines"));
   }
 }
 
@@ -166,6 +198,11 @@ TEST_F(SurfaceProgram, RefusesWhatMakesNoSense) {
   EXPECT_EQ(run_program({"analyze", surface_, "-o", output}).status, 2);
   EXPECT_EQ(run_program({"analyze", surface_, "--ridges", output}).status, 2);
   EXPECT_EQ(run_program({"analyze", surface_, "--recover"}).status, 2);
+  EXPECT_EQ(run_program({"analyze", surface_, "--ridge-strength", "1"}).status, 2);
+  EXPECT_EQ(run_program({"analyze", surface_, "--mesh", field("s4_slab"), "--ridges", output,
+                         "--ridge-length=-1"})
+                .status,
+            2);
   EXPECT_EQ(run_program({"analyze", field("s4_slab")}).status, 2);
   EXPECT_EQ(run_program({"analyze", field("s4_slab"), "--sweep", "0:1:3", "--smooth"}).status, 2);
   EXPECT_EQ(run_program({"analyze", folder_ / "nowhere.vtp"}).status, 3);

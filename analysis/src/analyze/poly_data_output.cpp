@@ -50,9 +50,10 @@ void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file) {
   points->SetDataTypeToDouble();
   for (const auto& p : ridges.points) points->InsertNextPoint(p.x, p.y, p.z);
   vtkNew<vtkCellArray> cells;
-  vtkNew<vtkDoubleArray> kinds, lengths;
+  vtkNew<vtkDoubleArray> kinds, lengths, strengths;
   kinds->SetName("kind");
   lengths->SetName("length");
+  strengths->SetName("line_strength");
   std::vector<double> kind(ridges.points.size());
   for (const auto& line : ridges.lines) {
     cells->InsertNextCell(static_cast<int>(line.points.size()));
@@ -62,12 +63,14 @@ void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file) {
     }
     kinds->InsertNextValue(number_of(line.kind));
     lengths->InsertNextValue(line.length);
+    strengths->InsertNextValue(line.strength);
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetLines(cells);
   data->GetCellData()->AddArray(kinds);
   data->GetCellData()->AddArray(lengths);
+  data->GetCellData()->AddArray(strengths);
   const auto add = [&](const std::string& name, const std::vector<double>& values) {
     add_array(*data, name, 1, values.size(), [&](std::size_t i) {
       return std::array{values[i], 0.0, 0.0};

@@ -62,7 +62,6 @@ class Tracer {
   RidgeLines run() {
     for (std::size_t i = 0; i < surface_.triangles.size(); ++i) trace(i);
     for (const std::size_t kind : {0u, 1u}) bridge(kind);
-    count_ends();
     join();
     return std::move(lines_);
   }
@@ -187,32 +186,25 @@ class Tracer {
       if (a.next.size() != 1 || b.next.size() != 1) continue;
       a.next.push_back(other->second);
       b.next.push_back(place->second);
-      auto& sum = lines_.sums[kind];
-      ++sum.bridges;
-      sum.bridge_length +=
-          length(lines_.points[at(other->second)] - lines_.points[at(place->second)]);
     }
   }
 
-  void count_ends() {
-    for (const Node& node : nodes_) {
-      if (node.next.size() != 1) continue;
-      RidgeEnd end = RidgeEnd::rim;
-      for (const std::size_t triangle : around_.at(node.place.edge)) {
-        if (triangle == node.triangle) continue;
-        const Verdict verdict = verdicts_[triangle][node.place.kind];
-        end = verdict != Verdict::crossed          ? end_at(verdict)
-              : tet_of(triangle) != node.place.tet ? RidgeEnd::face
-                                                   : RidgeEnd::turn;
-      }
-      ++lines_.sums[node.place.kind].ends[static_cast<std::size_t>(end)];
+  RidgeEnd end_of(const Node& node) const {
+    RidgeEnd end = RidgeEnd::rim;
+    for (const std::size_t triangle : around_.at(node.place.edge)) {
+      if (triangle == node.triangle) continue;
+      const Verdict verdict = verdicts_[triangle][node.place.kind];
+      end = verdict != Verdict::crossed          ? end_at(verdict)
+            : tet_of(triangle) != node.place.tet ? RidgeEnd::face
+                                                 : RidgeEnd::turn;
     }
+    return end;
   }
 
   void join() {
     std::vector<bool> taken(nodes_.size());
     const auto walk = [&](Index start) {
-      RidgeLines::Line line{RidgeKind{nodes_[at(start)].place.kind}, {start}, 0};
+      RidgeLines::Line line{RidgeKind{nodes_[at(start)].place.kind}, {start}};
       taken[at(start)] = true;
       for (bool more = true; more;) {
         more = false;
@@ -236,19 +228,23 @@ class Tracer {
 
   void finish(RidgeLines::Line line) {
     if (line.points.size() < 2) return;
-    auto& sum = lines_.sums[static_cast<std::size_t>(line.kind)];
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       const std::size_t a = at(line.points[i - 1]), b = at(line.points[i]);
       const double step = length(lines_.points[b] - lines_.points[a]);
       line.length += step;
+      line.strength += step * (lines_.strength[a] + lines_.strength[b]) / 2;
+      line.strongest = std::max({line.strongest, lines_.strength[a], lines_.strength[b]});
       if (std::abs(lines_.curvature[a] + lines_.curvature[b]) >
           std::abs(lines_.other_curvature[a] + lines_.other_curvature[b]))
-        sum.crest_length += step;
-      sum.strongest = std::max({sum.strongest, lines_.strength[a], lines_.strength[b]});
+        line.crest_length += step;
+      if (nodes_[a].place.tet == nodes_[b].place.tet) continue;
+      ++line.bridges;
+      line.bridge_length += step;
     }
-    ++sum.lines;
-    sum.closed += line.is_closed();
-    sum.length += line.length;
+    line.strength = line.length > 0 ? line.strength / line.length : line.strongest;
+    if (!line.is_closed())
+      line.ends = {end_of(nodes_[at(line.points.front())]), end_of(nodes_[at(line.points.back())])};
+    lines_.sums[static_cast<std::size_t>(line.kind)].add(line);
     lines_.lines.push_back(std::move(line));
   }
 
@@ -263,6 +259,54 @@ class Tracer {
 };
 
 }  // namespace
+
+void RidgeLines::Sum::add(const Line& line) {
+  ++lines;
+  length += line.length;
+  crest_length += line.crest_length;
+  strongest = std::max(strongest, line.strongest);
+  bridges += line.bridges;
+  bridge_length += line.bridge_length;
+  if (line.is_closed()) {
+    ++closed;
+  } else {
+    for (const RidgeEnd end : line.ends) ++ends[static_cast<std::size_t>(end)];
+  }
+}
+
+RidgeLines filtered(const RidgeLines& ridges, const RidgeFilter& filter) {
+  RidgeLines kept;
+  kept.umbilic_triangles = ridges.umbilic_triangles;
+  kept.undefined_triangles = ridges.undefined_triangles;
+  for (const std::size_t kind : {0u, 1u}) {
+    kept.sums[kind].flat_triangles = ridges.sums[kind].flat_triangles;
+    kept.sums[kind].left_out = ridges.sums[kind].left_out;
+    kept.sums[kind].left_out_length = ridges.sums[kind].left_out_length;
+  }
+  std::vector<Index> place(ridges.points.size(), -1);
+  for (RidgeLines::Line line : ridges.lines) {
+    RidgeLines::Sum& sum = kept.sums[static_cast<std::size_t>(line.kind)];
+    if (!filter.keeps(line)) {
+      ++sum.left_out;
+      sum.left_out_length += line.length;
+      continue;
+    }
+    for (Index& v : line.points) {
+      Index& known = place[at(v)];
+      if (known < 0) {
+        known = static_cast<Index>(kept.points.size());
+        kept.points.push_back(ridges.points[at(v)]);
+        kept.curvature.push_back(ridges.curvature[at(v)]);
+        kept.other_curvature.push_back(ridges.other_curvature[at(v)]);
+        kept.strength.push_back(ridges.strength[at(v)]);
+      }
+      v = known;
+    }
+    sum.add(line);
+    kept.lines.push_back(std::move(line));
+  }
+  return kept;
+}
 
 RidgeLines ridges_of(const SurfaceMesh& surface, const std::vector<Corner>& corners) {
   return Tracer(surface, corners, false).run();

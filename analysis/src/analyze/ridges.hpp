@@ -40,7 +40,13 @@ struct RidgeLines {
   struct Line {
     RidgeKind kind{};
     std::vector<SurfaceMesh::Index> points;  ///< two or more; a closed one ends where it begins
+    std::array<RidgeEnd, 2> ends{};          ///< at the first and at the last point, if it is open
     double length = 0;
+    double strength = 0;      ///< the mean along it
+    double strongest = 0;     ///< the largest at a point
+    double crest_length = 0;  ///< see `Sum`, as the next two
+    std::size_t bridges = 0;
+    double bridge_length = 0;
     bool is_closed() const { return points.front() == points.back(); }
   };
   std::vector<Line> lines;
@@ -58,6 +64,10 @@ struct RidgeLines {
     /// point of that edge: both are joined along it.
     std::size_t bridges = 0;
     double bridge_length = 0;
+    std::size_t left_out = 0;  ///< lines that `filtered` left out, and that nothing else counts
+    double left_out_length = 0;
+
+    void add(const Line& line);
   };
   std::array<Sum, 2> sums{};
   std::size_t umbilic_triangles = 0, undefined_triangles = 0;  ///< skipped
@@ -85,5 +95,17 @@ RidgeLines ridges_of(const SurfaceMesh& surface,
 /// tetrahedron must agree where they share a vertex.
 RidgeLines ridges_of(const SurfaceMesh& surface,
                      const std::vector<std::optional<LevelExtremality<double>>>& corners);
+
+/// Which lines to keep: on sampled fields most are short, faint, and mean nothing.
+struct RidgeFilter {
+  double least_strength = 0;  ///< of the mean along a line, in 1 / length^3
+  double least_length = 0;
+  bool keeps(const RidgeLines::Line& line) const {
+    return line.strength >= least_strength && line.length >= least_length;
+  }
+};
+
+/// The lines that the filter keeps, whole, and only their points; sums count what is left out.
+RidgeLines filtered(const RidgeLines& ridges, const RidgeFilter& filter);
 
 }  // namespace tensortopo

@@ -28,6 +28,13 @@ Quantiles quantiles_of(std::vector<double> values) {
   return {quantile(0), quantile(0.05), quantile(0.5), quantile(0.95), quantile(1)};
 }
 
+std::array<Quantiles, 2> strengths_of(const RidgeLines& ridges) {
+  std::array<std::vector<double>, 2> values;
+  for (const auto& line : ridges.lines)
+    values[static_cast<std::size_t>(line.kind)].push_back(line.strength);
+  return {quantiles_of(std::move(values[0])), quantiles_of(std::move(values[1]))};
+}
+
 CurvatureReport report_of(const SurfaceMesh& surface, const Curvatures& curvatures) {
   CurvatureReport report;
   std::array<std::vector<double>, 4> values;
@@ -94,6 +101,12 @@ void require_sense(const SurfaceCommand& command) {
     throw UsageError("--ridges and --recover need the field's derivatives (--mesh)");
   if (!command.ridges.empty() && command.ridges == command.output)
     throw UsageError("--ridges and -o: the same file");
+  const RidgeFilter& filter = command.ridge_filter;
+  for (const double least : {filter.least_strength, filter.least_length})
+    if (!(std::isfinite(least) && least >= 0))
+      throw UsageError("--ridge-strength, --ridge-length: must be a number, not negative");
+  if (command.ridges.empty() && (filter.least_strength > 0 || filter.least_length > 0))
+    throw UsageError("--ridge-strength and --ridge-length go with --ridges");
   if (command.output.empty()) return;
   if (command.mesh.empty() && !command.smooth)
     throw UsageError("-o: nothing to write without --mesh or --smooth");
@@ -145,15 +158,18 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
       tell("recovering", 0.3);
       recovered = recovered_curvature(surface, read.mesh);
       analysis.recovered = report_of(surface, recovered);
+      analysis.recovered_umbilics = umbilics_of(surface, at_corners(surface, recovered));
       add_curvature(*input.file, "recovered_", recovered);
     }
     if (!command.ridges.empty()) {
       tell("ridges", 0.4);
       const RidgeLines ridges =
           command.recover ? ridges_of(surface, recovered) : surface_ridges(surface, read.mesh);
-      write_ridges(ridges, command.ridges);
-      analysis.ridges = RidgeReport{command.ridges, ridges.sums, ridges.umbilic_triangles,
-                                    ridges.undefined_triangles};
+      const RidgeLines kept = filtered(ridges, command.ridge_filter);
+      write_ridges(kept, command.ridges);
+      analysis.ridges =
+          RidgeReport{command.ridges,       command.ridge_filter,   kept.sums,
+                      strengths_of(ridges), kept.umbilic_triangles, kept.undefined_triangles};
     }
   }
   if (command.smooth) {

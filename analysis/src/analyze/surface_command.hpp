@@ -25,6 +25,7 @@ struct SurfaceCommand {
   std::filesystem::path against;  ///< another .vtp to measure distances to; may be empty
   std::filesystem::path output;   ///< the surface with its curvature, .vtp; may be empty
   std::filesystem::path ridges;   ///< ridges and valleys of the surface, .vtp; may be empty
+  RidgeFilter ridge_filter;       ///< of these
   bool recover = false;           ///< also the curvature by recovered derivatives; ridges by that
   bool smooth = false;            ///< also the curvature of the triangles as such
   ReadOptions read;               ///< of the mesh
@@ -44,7 +45,9 @@ struct CurvatureReport {
 /// What `RidgeLines` says of its lines.
 struct RidgeReport {
   std::filesystem::path output;
+  RidgeFilter filter;
   std::array<RidgeLines::Sum, 2> sums{};
+  std::array<Quantiles, 2> strength{};  ///< of lines (the mean along each), before the filter
   std::size_t umbilic_triangles = 0, undefined_triangles = 0;
 };
 
@@ -60,6 +63,7 @@ struct SurfaceAnalysis {
   Quantiles normal_jump;                     ///< in radians
   std::vector<Umbilic> umbilics;
   std::optional<CurvatureReport> recovered;  ///< from derivatives recovered at the mesh's vertices
+  std::vector<Umbilic> recovered_umbilics;
   std::optional<RidgeReport> ridges;
   std::optional<CurvatureReport> smooth;  ///< from the triangles
   /// Between the mean curvatures of both, where both are defined: median of the differences.

@@ -66,6 +66,15 @@ std::vector<Umbilic> umbilics_of(const SurfaceMesh& surface,
   return umbilics;
 }
 
+std::vector<std::optional<Curvature>> at_corners(
+    const SurfaceMesh& surface, const std::vector<std::optional<Curvature>>& vertices) {
+  std::vector<std::optional<Curvature>> corners;
+  corners.reserve(3 * surface.triangles.size());
+  for (const auto& t : surface.triangles)
+    for (const auto v : t) corners.push_back(vertices[at(v)]);
+  return corners;
+}
+
 std::vector<std::optional<Curvature>> recovered_curvature(const SurfaceMesh& surface,
                                                           const TetMesh& mesh) {
   const RecoveredDerivatives derivatives(mesh, surface.tet);

@@ -51,6 +51,10 @@ SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& me
 std::vector<std::optional<LevelCurvature<double>>> recovered_curvature(const SurfaceMesh& surface,
                                                                        const TetMesh& mesh);
 
+/// Each vertex' curvature at all corners there, three a triangle.
+std::vector<std::optional<LevelCurvature<double>>> at_corners(
+    const SurfaceMesh& surface, const std::vector<std::optional<LevelCurvature<double>>>& vertices);
+
 /// The umbilics in triangles whose corners have these curvatures, three a triangle.
 std::vector<Umbilic> umbilics_of(const SurfaceMesh& surface,
                                  const std::vector<std::optional<LevelCurvature<double>>>& corners);

@@ -53,25 +53,47 @@ Json json_of(const SampledDistance& distance) {
           {"where", json_of(distance.where)}};
 }
 
+Json json_of(const std::vector<Umbilic>& umbilics) {
+  Json rows = Json::array();
+  for (const Umbilic& u : umbilics)
+    rows.push_back({{"index", u.twice_index / 2.0},
+                    {"curvature", u.curvature},
+                    {"triangle", u.triangle},
+                    {"point", json_of(u.point)}});
+  return rows;
+}
+
+std::string text_of(const std::vector<Umbilic>& umbilics) {
+  const auto wedges = std::count_if(umbilics.begin(), umbilics.end(),
+                                    [](const Umbilic& u) { return u.twice_index > 0; });
+  return fmt::format("  umbilics: {} of index 1/2, {} of index -1/2\n", wedges,
+                     static_cast<std::ptrdiff_t>(umbilics.size()) - wedges);
+}
+
 constexpr std::array<const char*, 2> kRidgeKinds{"ridges", "valleys"};
 constexpr std::array<const char*, kRidgeEnds> kRidgeEndNames{"rim",     "face", "turn",
                                                              "umbilic", "flat", "undefined"};
 
 Json json_of(const RidgeReport& report) {
-  Json json{{"output", report.output.string()}};
+  Json json{{"output", report.output.string()},
+            {"least_strength", report.filter.least_strength},
+            {"least_length", report.filter.least_length}};
   for (std::size_t kind = 0; kind < 2; ++kind) {
     const RidgeLines::Sum& sum = report.sums[kind];
     Json ends;
     for (std::size_t i = 0; i < kRidgeEnds; ++i) ends[kRidgeEndNames[i]] = sum.ends[i];
-    json[kRidgeKinds[kind]] = {{"lines", sum.lines},
-                               {"closed", sum.closed},
-                               {"length", sum.length},
-                               {"crest_length", sum.crest_length},
-                               {"greatest_strength", sum.strongest},
-                               {"bridges", sum.bridges},
-                               {"bridge_length", sum.bridge_length},
-                               {"ends", std::move(ends)},
-                               {"flat_triangles", sum.flat_triangles}};
+    json[kRidgeKinds[kind]] = {
+        {"lines", sum.lines},
+        {"closed", sum.closed},
+        {"length", sum.length},
+        {"crest_length", sum.crest_length},
+        {"greatest_strength", sum.strongest},
+        {"left_out", {{"lines", sum.left_out}, {"length", sum.left_out_length}}},
+        {"strength_of_all_lines", json_of(report.strength[kind])},
+        {"bridges", sum.bridges},
+        {"bridge_length", sum.bridge_length},
+        {"ends", std::move(ends)},
+        {"flat_triangles", sum.flat_triangles}};
   }
   json["skipped_triangles"] = {{"umbilic", report.umbilic_triangles},
                                {"undefined", report.undefined_triangles}};
@@ -89,6 +111,11 @@ std::string text_of(const RidgeReport& report) {
     for (std::size_t i = 0; i < kRidgeEnds; ++i)
       text += fmt::format(" {} {}", kRidgeEndNames[i], sum.ends[i]);
     text += fmt::format("; {} triangles flat\n", sum.flat_triangles);
+    text += fmt::format("  {:<8} strength of lines: median {:.4g}, 95 % up to {:.4g}", "",
+                        report.strength[kind].median, report.strength[kind].high);
+    text += sum.left_out == 0 ? "\n"
+                              : fmt::format("; left out: {} lines, length {:.6g}\n", sum.left_out,
+                                            sum.left_out_length);
   }
   return text + fmt::format("  skipped: {} triangles at umbilics, {} undefined\n  {}\n",
                             report.umbilic_triangles, report.undefined_triangles,
@@ -159,14 +186,12 @@ std::string to_json(const SurfaceAnalysis& analysis) {
   if (analysis.curvature) {
     json["curvature"] = json_of(*analysis.curvature);
     json["normal_jump"] = json_of(analysis.normal_jump);
-    json["umbilics"] = Json::array();
-    for (const Umbilic& u : analysis.umbilics)
-      json["umbilics"].push_back({{"index", u.twice_index / 2.0},
-                                  {"curvature", u.curvature},
-                                  {"triangle", u.triangle},
-                                  {"point", json_of(u.point)}});
+    json["umbilics"] = json_of(analysis.umbilics);
   }
-  if (analysis.recovered) json["recovered_curvature"] = json_of(*analysis.recovered);
+  if (analysis.recovered) {
+    json["recovered_curvature"] = json_of(*analysis.recovered);
+    json["recovered_umbilics"] = json_of(analysis.recovered_umbilics);
+  }
   if (analysis.ridges) json["ridges"] = json_of(*analysis.ridges);
   if (analysis.smooth) json["smooth_curvature"] = json_of(*analysis.smooth);
   if (analysis.median_difference) json["median_difference"] = *analysis.median_difference;
@@ -206,12 +231,12 @@ std::string to_text(const SurfaceAnalysis& analysis) {
   if (analysis.curvature) {
     text += text_of("curvature (field)", *analysis.curvature);
     text += row_of("normal jump", analysis.normal_jump);
-    const auto wedges = std::count_if(analysis.umbilics.begin(), analysis.umbilics.end(),
-                                      [](const Umbilic& u) { return u.twice_index > 0; });
-    fmt::format_to(out, "  umbilics: {} of index 1/2, {} of index -1/2\n", wedges,
-                   static_cast<std::ptrdiff_t>(analysis.umbilics.size()) - wedges);
+    text += text_of(analysis.umbilics);
   }
-  if (analysis.recovered) text += text_of("curvature (recovered)", *analysis.recovered);
+  if (analysis.recovered) {
+    text += text_of("curvature (recovered)", *analysis.recovered);
+    text += text_of(analysis.recovered_umbilics);
+  }
   if (analysis.ridges) text += text_of(*analysis.ridges);
   if (analysis.smooth) text += text_of("curvature (fitted)", *analysis.smooth);
   if (analysis.median_difference)

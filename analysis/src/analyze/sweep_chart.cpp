@@ -23,11 +23,10 @@
 namespace tensortopo {
 namespace {
 
-constexpr int kWidth = 1600, kHeight = 1400;
-constexpr float kLeft = 150, kRight = 1560, kTop = 1330, kBottom = 190, kGap = 34, kStrip = 60;
+constexpr int kWidth = 1600, kHeight = 1500;
+constexpr float kLeft = 150, kRight = 1560, kTop = 1430, kBottom = 190, kGap = 62, kStrip = 60;
 
 using namespace chart;
-
 
 struct Place {
   float x, y;
@@ -90,16 +89,16 @@ struct Kind {
 Kind kind_of(LocalChange change) {
   switch (change) {
     case LocalChange::birth:
-      return {"birth", kTeal};
+      return {"births", kTeal};
     case LocalChange::death:
-      return {"death", kRed};
+      return {"deaths", kRed};
     case LocalChange::join:
-      return {"join", kBlue};
+      return {"joins", kBlue};
     case LocalChange::split:
-      return {"split", kGold};
+      return {"splits", kGold};
     case LocalChange::open:
     case LocalChange::close:
-      return {"hole opens, closes", kViolet};
+      return {"holes open, close", kViolet};
     default:
       return {"other, undecided", kInk};
   }
@@ -165,7 +164,7 @@ class Chart : public ChartItem {
       pen(p.colour, 8);
       painter_->DrawPoints(places.data(), count);
     }
-    words(kLeft, top + 15, p.title + (p.steps ? "" : " (at the samples)"), 24, true, VTK_TEXT_LEFT,
+    words(kLeft, top + 26, p.title + (p.steps ? "" : " (at the samples)"), 24, true, VTK_TEXT_LEFT,
           p.colour);
   }
 
@@ -190,7 +189,7 @@ class Chart : public ChartItem {
             VTK_TEXT_CENTERED);
     }
     words((kLeft + kRight) / 2, bottom - 66, "mode", 24, true, VTK_TEXT_CENTERED);
-    words(kLeft, top + 15, fmt::format("{} critical values", sweep_->events.size()), 24, true,
+    words(kLeft, top + 22, fmt::format("{} critical values", sweep_->events.size()), 24, true,
           VTK_TEXT_LEFT);
     float x = kLeft;
     for (const auto& [kind, count] : kinds) {
@@ -198,7 +197,7 @@ class Chart : public ChartItem {
       painter_->GetBrush()->SetColor(kind.colour[0], kind.colour[1], kind.colour[2], 255);
       pen(kind.colour, 1);
       painter_->DrawRect(x, bottom - 130, 22, 22);
-      const std::string text = fmt::format("{} {}", count, kind.text);
+      const std::string text = fmt::format("{}: {}", kind.text, count);
       words(x + 32, bottom - 119, text, 22, false, VTK_TEXT_LEFT);
       x += 70 + 12.5F * static_cast<float>(text.size());
     }

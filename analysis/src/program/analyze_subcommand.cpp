@@ -18,6 +18,7 @@ struct Options {
   std::string sweep;
   std::size_t most_levels = SweepOptions{}.most_levels, check_modes = 0;
   bool smooth = false, recover = false;
+  RidgeFilter ridge_filter;
   ReadOptions read;
 };
 
@@ -43,6 +44,7 @@ ExitStatus surface(const Options& options, const CommonOptions& common) {
   command.against = options.against;
   command.output = options.output;
   command.ridges = options.ridges;
+  command.ridge_filter = options.ridge_filter;
   command.smooth = options.smooth;
   command.recover = options.recover;
   command.read = options.read;
@@ -59,9 +61,13 @@ ExitStatus analyze(const Options& options, const CommonOptions& common) {
     throw UsageError(options.input.string() + ": --sweep takes a mesh, not a surface");
   if (!is_surface && options.sweep.empty())
     throw UsageError(options.input.string() + ": a mesh needs --sweep A:B:N (a surface is a .vtp)");
-  if (!is_surface && (!options.mesh.empty() || !options.against.empty() ||
-                      !options.ridges.empty() || options.smooth || options.recover))
-    throw UsageError("--mesh, --against, --recover, --ridges and --smooth are for surfaces (.vtp)");
+  const RidgeFilter& filter = options.ridge_filter;
+  if (!is_surface &&
+      (!options.mesh.empty() || !options.against.empty() || !options.ridges.empty() ||
+       options.smooth || options.recover || filter.least_strength != 0 || filter.least_length != 0))
+    throw UsageError(
+        "--mesh, --against, --recover, --ridges (with --ridge-strength, --ridge-length) and "
+        "--smooth are for surfaces (.vtp)");
   if (is_surface && options.check_modes > 0) throw UsageError("--check goes with --sweep");
   return is_surface ? surface(options, common) : sweep(options, common);
 }
@@ -99,6 +105,13 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Of a surface with --mesh: write its ridges and valleys, along which a principal "
                  "curvature is extremal in its direction (.vtp)")
       ->type_name("FILE");
+  app.add_option("--ridge-strength", options->ridge_filter.least_strength,
+                 "Leave out ridges and valleys whose strength (of the array of this name, the mean "
+                 "along the line) is less, in 1 / length^3")
+      ->type_name("S");
+  app.add_option("--ridge-length", options->ridge_filter.least_length,
+                 "Leave out ridges and valleys that are shorter")
+      ->type_name("L");
   app.add_flag("--smooth", options->smooth,
                "Of a surface: also the curvature that polynomials fitted to its vertices have");
   app.add_option("--against", options->against,

@@ -83,7 +83,8 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand("render", "Draw surfaces to a PNG, without a display");
   const auto options = std::make_shared<Options>();
-  app.add_option("INPUT", options->input, "Surfaces or ridges (.vtp), or the mesh (.vtu, .pvtu, .vtk)")
+  app.add_option("INPUT", options->input,
+                 "Surfaces or ridges (.vtp), or the mesh (.vtu, .pvtu, .vtk)")
       ->required();
   app.add_option("-o,--output", options->command.output, "The picture")
       ->type_name("FILE.png")
@@ -111,6 +112,9 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
                  "Lines on the surface: major, minor (principal directions, by the field's "
                  "derivatives), or dominant (eigenvectors)")
       ->type_name("LINES");
+  app.add_flag("--recover", options->command.recover,
+               "With --texture major or minor: the principal directions of the smooth field, by "
+               "derivatives recovered at the mesh's vertices");
   app.add_option("--tet", options->command.tet,
                  "Draw the medium eigenvector manifold and the surface of this tetrahedron")
       ->type_name("ID");

@@ -4,9 +4,9 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
-#include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
@@ -14,13 +14,12 @@
 #include <vtkTubeFilter.h>
 
 #include <cmath>
+#include <unordered_map>
 
 #include "render/texture.hpp"
 
 namespace tensortopo {
 namespace {
-
-constexpr double kFeatureAngle = 25;
 
 vtkSmartPointer<vtkActor> actor_of(vtkAlgorithmOutput* shape) {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -70,21 +69,27 @@ double diagonal(const double* bounds) {
   return std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
 }
 
-void add_edges(vtkRenderer& renderer, vtkPolyData* shape, bool creases, const Colour& colour,
+void add_edges(vtkRenderer& renderer, vtkPolyData* shape, EdgeKind kind, const Colour& colour,
                double width) {
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(shape);
-  edges->SetBoundaryEdges(!creases);
-  edges->SetFeatureEdges(creases);
-  edges->SetFeatureAngle(kFeatureAngle);
-  edges->NonManifoldEdgesOff();
-  edges->ManifoldEdgesOff();
-  edges->ColoringOff();
-  const auto actor = actor_of(edges->GetOutputPort());
-  paint(*actor->GetProperty(), colour);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-  actor->GetProperty()->LightingOff();
-  renderer.AddActor(actor);
+  const SurfaceMesh surface = surface_of(*shape);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  std::unordered_map<SurfaceMesh::Index, vtkIdType> known;
+  const auto number = [&](SurfaceMesh::Index i) {
+    const auto [found, is_new] = known.emplace(i, points->GetNumberOfPoints());
+    const auto& p = surface.points[static_cast<std::size_t>(i)];
+    if (is_new) points->InsertNextPoint(p.x, p.y, p.z);
+    return found->second;
+  };
+  for (const auto& [from, to] : feature_edges(surface, kind)) {
+    const vtkIdType ends[2]{number(from), number(to)};
+    lines->InsertNextCell(2, ends);
+  }
+  vtkNew<vtkPolyData> edges;
+  edges->SetPoints(points);
+  edges->SetLines(lines);
+  add_lines(renderer, edges, colour, width);
 }
 
 void add_domain(vtkRenderer& renderer, vtkPolyData* domain, double line) {
@@ -97,7 +102,7 @@ void add_domain(vtkRenderer& renderer, vtkPolyData* domain, double line) {
   walls->GetProperty()->SetAmbient(0.5);
   walls->GetProperty()->SetDiffuse(0.5);
   renderer.AddActor(walls);
-  add_edges(renderer, domain, true, kInk, line);
+  add_edges(renderer, domain, EdgeKind::crease, kInk, line);
 }
 
 void add_triangles(vtkRenderer& renderer, vtkPolyData* shape, const Look& look, double line,
@@ -123,7 +128,7 @@ void add_triangles(vtkRenderer& renderer, vtkPolyData* shape, const Look& look, 
     finish(*actor->GetProperty(), look.opacity);
     renderer.AddActor(actor);
   }
-  add_edges(renderer, shape, false, mix(look.colour, kInk, 0.55), line);
+  add_edges(renderer, shape, EdgeKind::rim, mix(look.colour, kInk, 0.55), line);
 }
 
 void add_curves(vtkRenderer& renderer, vtkPolyData* shape, const Look& look, double radius) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "render/feature_edges.hpp"
 #include "render/look.hpp"
 
 namespace tensortopo {
@@ -31,8 +32,8 @@ double diagonal(const double* bounds);
 /// An empty white scene, lit. `part` is the part of the window: left, bottom, right, top in [0, 1].
 vtkSmartPointer<vtkRenderer> new_scene(const std::array<double, 4>& part = {0, 0, 1, 1});
 
-/// Edges with one triangle, or those where the surface bends sharply (`creases`).
-void add_edges(vtkRenderer& renderer, vtkPolyData* shape, bool creases, const Colour& colour,
+/// Edges of a kind, as lines.
+void add_edges(vtkRenderer& renderer, vtkPolyData* shape, EdgeKind kind, const Colour& colour,
                double width);
 /// Glass walls with dark creases.
 void add_domain(vtkRenderer& renderer, vtkPolyData* domain, double line);

@@ -19,9 +19,9 @@ struct FineSurface {
   std::vector<std::array<Index, 3>> triangles;
 };
 
-/// Halves edges, with all triangles around them, until none is longer than `longest`; gives up,
-/// with longer ones, before there are more than `most` vertices. The first vertices are those of
-/// the surface.
+/// Halves edges, with all triangles around them, until none is longer than `longest`, or there are
+/// `most` vertices or more (about four times as many at most, if the surface has fewer). The first
+/// vertices are those of the surface.
 FineSurface fine_surface(const SurfaceMesh& surface, double longest, std::size_t most);
 
 }  // namespace tensortopo

@@ -67,6 +67,9 @@ void check(const RenderCommand& command) {
        "--mode and --animate extract from a mesh, but surfaces are given");
   need(command.mesh || command.texture == Texture::none || command.texture == Texture::dominant,
        "--texture needs the field that the surface was extracted from (--mesh)");
+  need(!command.recover || (!command.tet && (command.texture == Texture::major ||
+                                             command.texture == Texture::minor)),
+       "--recover is about --texture major or minor, and not of one tetrahedron");
   if (command.tet) {
     need(command.surfaces.empty(), "--tet takes a mesh, not surfaces");
     need(modes || frames, "--tet needs --mode or --animate");

@@ -31,6 +31,7 @@ struct RenderCommand {
   bool generalized = false;       ///< with each mode its opposite; of a tetrahedron always
   std::vector<ModeValue> frames;  ///< a picture for each of these, instead of `modes`
   Texture texture = Texture::none;
+  bool recover = false;  ///< a texture of the smooth field's curvature, by recovered derivatives
 
   std::optional<std::int64_t> tet;  ///< draw this tetrahedron of the mesh, by its cell in the file
   std::vector<Panel> panels;        ///< none: the manifold and the surface
@@ -41,7 +42,7 @@ struct RenderCommand {
 struct RenderReport {
   int width = 0, height = 0;  ///< pixels
   std::vector<double> modes;
-  std::vector<double> values;  ///< of surfaces of other invariants
+  std::vector<double> values;                 ///< of surfaces of other invariants
   std::vector<std::filesystem::path> frames;  ///< the files of an animation
   /// Of a tetrahedron: the mode at which the topology of its generalized mode surface changes,
   /// sqrt(1 - mode^2) of the characteristic tensor.

@@ -36,7 +36,7 @@ std::size_t place_of_cell(const TetMesh& mesh, std::int64_t cell) {
 
 // The sheets of a file, with the lines of the texture.
 std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetMesh& mesh,
-                                   Texture texture) {
+                                   Texture texture, bool recover) {
   // A file of curves has nothing to be textured.
   if (const auto all = read_poly_data(file); all->GetNumberOfPolys() == 0) return sheets_of(all);
   SurfaceInput input = read_surface(file);
@@ -51,7 +51,7 @@ std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetM
     require_modes(input, file);
     locate_in_mesh(input, mesh, file);
   }
-  set_line_field(*input.file, surface_lines(input.surface, mesh, texture));
+  set_line_field(*input.file, surface_lines(input.surface, mesh, texture, recover));
   return sheets_of(input.file);
 }
 
@@ -67,8 +67,9 @@ RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
     }
   }
   for (const auto& file : command.surfaces) {
-    auto sheets = command.texture == Texture::none ? read_sheets(file)
-                                                   : textured_sheets(file, mesh_, command.texture);
+    auto sheets = command.texture == Texture::none
+                      ? read_sheets(file)
+                      : textured_sheets(file, mesh_, command.texture, command.recover);
     for (Sheet& sheet : sheets) sheets_.push_back(std::move(sheet));
   }
 }
@@ -88,7 +89,8 @@ std::vector<Sheet> RenderSubject::extracted(const ModeValue& mode, RenderReport&
   }
   const Extraction extraction = extract_mode_surface<double>(mesh_, mode);
   note(extraction.unresolved.size());
-  const LineField lines = surface_lines(extraction.surface, mesh_, command_.texture);
+  const LineField lines =
+      surface_lines(extraction.surface, mesh_, command_.texture, command_.recover);
   return {sheet_of(extraction.surface, value, lines)};
 }
 

@@ -90,6 +90,20 @@ vtkSmartPointer<vtkPolyData> segments(const std::vector<Polyline>& lines) {
 
 std::array<double, 3> array_of(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
+// From one direction to another along the sphere: the chord between distant ones is below it.
+Polyline arc(const Vector3<double>& u, const Vector3<double>& v) {
+  constexpr double kLongest = 0.05;
+  const double chord = std::sqrt(dot(v - u, v - u));
+  const int steps = std::max(1, static_cast<int>(std::ceil(chord / kLongest)));
+  Polyline line;
+  for (int i = 0; i <= steps; ++i) {
+    const double w = static_cast<double>(i) / steps;
+    const Vector3<double> p = (1 - w) * u + w * v;
+    line.push_back((1 / std::sqrt(dot(p, p))) * p);
+  }
+  return line;
+}
+
 void draw_manifold(vtkRenderer& renderer, const TetPicture& picture, const Subject& subject,
                    bool wires, const Scale& scale) {
   const bool inside = !(picture.beyond > 1);
@@ -109,8 +123,8 @@ void draw_manifold(vtkRenderer& renderer, const TetPicture& picture, const Subje
     std::vector<Polyline> rims, edges;
     const auto add = [&](std::vector<Polyline>& lines, const Vector3<double>& u,
                          const Vector3<double>& v) {
-      lines.push_back({u, v});
-      if (subject.mode.sign() == 0) lines.push_back({-u, -v});
+      lines.push_back(arc(u, v));
+      if (subject.mode.sign() == 0) lines.push_back(arc(-u, -v));
     };
     for (const SurfaceMesh& surface : subject.surface.surfaces) {
       const auto triangles = triangles_on_sphere(surface, subject.directions);

@@ -118,7 +118,8 @@ TetSurface tet_surface(const TetField& field, const ModeValue& mode, double beyo
   return result;
 }
 
-LineField surface_lines(const SurfaceMesh& surface, const TetMesh& mesh, Texture texture) {
+LineField surface_lines(const SurfaceMesh& surface, const TetMesh& mesh, Texture texture,
+                        bool recover) {
   LineField lines;
   if (texture == Texture::none) return lines;
   if (texture == Texture::dominant) {
@@ -126,7 +127,9 @@ LineField surface_lines(const SurfaceMesh& surface, const TetMesh& mesh, Texture
     return lines;
   }
   const double sign = texture == Texture::major ? 1 : -1;
-  for (const auto& curvature : surface_curvature(surface, mesh).vertices)
+  const auto curvatures =
+      recover ? recovered_curvature(surface, mesh) : surface_curvature(surface, mesh).vertices;
+  for (const auto& curvature : curvatures)
     lines.push_back(curvature ? sign * curvature->tensor : SymmetricTensor<double>{});
   return lines;
 }

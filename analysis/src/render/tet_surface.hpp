@@ -27,7 +27,8 @@ TetSurface tet_surface(const TetField& field, const ModeValue& mode, double beyo
 
 /// The directions of a texture at the vertices of a surface of the mesh: principal directions from
 /// the derivatives of the field, or dominant eigenvectors.
-LineField surface_lines(const SurfaceMesh& surface, const TetMesh& mesh, Texture texture);
+LineField surface_lines(const SurfaceMesh& surface, const TetMesh& mesh, Texture texture,
+                        bool recover = false);
 
 Sheet sheet_of(const SurfaceMesh& surface, double mode, const LineField& lines = {});
 Sheet sheet_of(const CurveMesh& curves, double mode);
