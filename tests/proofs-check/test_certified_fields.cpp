@@ -38,6 +38,17 @@ TEST(CertifiedFields, BundledFieldsAreCertified) {
   }
 }
 
+/// Triangles beside such a level reach far past mode 0, and past the level of the opposite mode.
+TEST(CertifiedFields, DistancesNearModeZeroAreCertified) {
+  for (const auto& file : bundled_files()) {
+    if (file.string().find("s1_") == std::string::npos) continue;
+    const auto s = certified_surface(read(file), {"1/200", "9/200"}, folder("near_zero"));
+    const certificate::Report report = check(s);
+    EXPECT_EQ(report.status(), "certified") << file << '\n' << to_text(report);
+    EXPECT_GT(report.certified, 8000u);
+  }
+}
+
 TEST(CertifiedFields, RandomMeshesAreNeverRefuted) {
   TetMesh mesh = cube_mesh(2);
   std::size_t certified = 0, undecided = 0;
