@@ -38,6 +38,17 @@ TEST(CertifiedFields, BundledFieldsAreCertified) {
   }
 }
 
+/// Triangles beside such a level reach far past mode 0, and past the level of the opposite mode.
+TEST(CertifiedFields, DistancesNearModeZeroAreCertified) {
+  for (const auto& file : bundled_files()) {
+    if (file.string().find("s1_") == std::string::npos) continue;
+    const Exhibit e = exhibit(read(file), {"9/200"});
+    Court court("near_zero");
+    EXPECT_EQ(court.verdict(e), "certified") << court.report();
+    EXPECT_GT(e.certificate["levels"][0]["distance"]["reach"].size(), 4000u);
+  }
+}
+
 TEST(CertifiedFields, RandomMeshesAreNeverRefuted) {
   TetMesh mesh = cube_mesh(2);
   std::size_t certified = 0, undecided = 0;

@@ -112,5 +112,73 @@ TEST(CheckerArithmetic, ProofsOfEdges) {
   EXPECT_EQ(prove_edge(half, diagonal(11, 2), diagonal(22, 4)), Proof::empty);
 }
 
+/// Corners with what they need to stay alive.
+template <std::size_t V>
+struct Simplex {
+  Given given;
+  std::array<Tensor<Ball>, V> balls;
+  std::array<Corner, V> corners;
+
+  Simplex(const Level& level, const std::array<Tensor<mpz_class>, V>& tensors) {
+    given.tensors.assign(tensors.begin(), tensors.end());
+    for (std::uint32_t i = 0; i < V; ++i) {
+      balls[i] = as_balls(tensors[i]);
+      corners[i] = {&balls[i], 8, &given, i};
+      corners[i].above = level.above(corners[i]);
+    }
+  }
+};
+
+/// diag(1000, k, -1000 - k) has a mode of about -0.0026 k: between the corners lie 0 and, the other
+/// side of it, a mode as far from 0 as the level's.
+TEST(CheckerArithmetic, ALevelNearZeroIsTakenApartFromItsOpposite) {
+  for (const int sign : {1, -1}) {
+    const Level level(sign, 50);
+    const Simplex<2> clear(level, {diagonal(1000, -4 * sign), diagonal(1000, 160 * sign)});
+    EXPECT_EQ(clear.corners[0].above, sign < 0);
+    EXPECT_TRUE(level.is_one_sided(clear.corners)) << sign;
+    const Simplex<2> crossed(level, {diagonal(1000, -12 * sign), diagonal(1000, 160 * sign)});
+    EXPECT_NE(crossed.corners[0].above, crossed.corners[1].above);
+    EXPECT_FALSE(level.is_one_sided(crossed.corners)) << sign;
+  }
+}
+
+/// What is shown to be on one side is there, wherever one looks; and much is shown.
+TEST(CheckerArithmetic, OneSidedTrianglesAreOneSided) {
+  std::mt19937_64 random(20241201);
+  const auto number = [&](int most) {
+    return static_cast<int>(random() % (2 * static_cast<unsigned>(most) + 1)) - most;
+  };
+  int shown = 0, left = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Level level(number(trial % 2 == 0 ? 5 : 99), 100);
+    const Tensor<mpz_class> middle{1000, number(300), 0, number(100), number(100), number(100)};
+    std::array<Tensor<mpz_class>, 3> tensors;
+    for (auto& t : tensors) {
+      t = middle;
+      for (auto& x : t) x += number(std::array{20, 100, 400}[static_cast<std::size_t>(trial) % 3]);
+      t[2] = -t[0] - t[1];
+    }
+    const Simplex<3> s(level, tensors);
+    if (s.corners[0].above != s.corners[1].above || s.corners[0].above != s.corners[2].above)
+      continue;
+    if (!level.is_one_sided(s.corners)) {
+      ++left;
+      continue;
+    }
+    ++shown;
+    for (int i = 0; i <= 6; ++i) {
+      for (int j = 0; i + j <= 6; ++j) {
+        Tensor<mpz_class> m;
+        for (std::size_t k = 0; k < 6; ++k)
+          m[k] = i * tensors[0][k] + j * tensors[1][k] + (6 - i - j) * tensors[2][k];
+        const Tensor<Ball> ball = as_balls(m);
+        ASSERT_EQ(level.above(ball, m), s.corners[0].above) << "trial " << trial;
+      }
+    }
+  }
+  EXPECT_GT(shown, 10 * left);
+}
+
 }  // namespace
 }  // namespace certificate

@@ -3,6 +3,7 @@
 #include "level.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "direction.hpp"
@@ -74,6 +75,8 @@ Level::Level(mpz_class numerator, mpz_class denominator)
       exact_{54 * denominator * denominator, -numerator * numerator} {
   const long size = static_cast<long>(mpz_sizeinbase(exact_.q.get_mpz_t(), 2));
   balls_ = {ball_of(exact_.q, size), ball_of(exact_.p, size)};
+  const long root_size = static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2));
+  root_ = {ball_of(denominator, root_size), ball_of(mpz_class(-numerator), root_size)};
 }
 
 template <class N, std::size_t V>
@@ -100,11 +103,42 @@ Answer Level::lies(bool above, const Forms<N, V>& f) const {
                : both(q_is(-1, Zero::fails), f_is(1, Zero::will_do));
 }
 
+/// Is all of the simplex on the side of the first corner, by a form that vanishes at mu only? (F
+/// does so at -mu as well, where the answer would need parts as narrow as all between.) With a
+/// linear bound s of sqrt(P/54), from above by convexity or from below by Cauchy's inequality.
+template <std::size_t V>
+bool Level::lies_by_norm(const std::array<Corner, V>& corners, const Forms<Ball, V>& f) const {
+  if (sign_ == 0) return false;
+  const int side = corners[0].above ? 1 : -1;
+  Polynomial<Ball, V, 1> s;
+  if (side == sign_) {
+    for (std::size_t i = 0; i < V; ++i) {
+      const Ball square = trace(*corners[i].ball, *corners[i].ball);
+      const Ball root((1 + 0x1p-40) * std::sqrt(square.value / 54), 0);
+      if (has_sign(Ball(54) * root * root - square, 1, Zero::fails) != Answer::yes) return false;
+      s.coefficients[i] = root;
+    }
+  } else {
+    // For all E with 54 tr(E^2) < 1: here about the mean of the corners.
+    Tensor<Ball> e{};
+    for (const Corner& corner : corners) {
+      const double length = std::sqrt(trace(*corner.ball, *corner.ball).value);
+      for (std::size_t k = 0; k < 6; ++k) e[k].value += (*corner.ball)[k].value / length;
+    }
+    const double factor = (1 - 0x1p-40) / std::sqrt(54 * trace(e, e).value);
+    for (Ball& x : e) x.value *= factor;
+    if (has_sign(Ball(1) - Ball(54) * trace(e, e), 1, Zero::fails) != Answer::yes) return false;
+    for (std::size_t i = 0; i < V; ++i) s.coefficients[i] = trace(*corners[i].ball, e);
+  }
+  const auto form = combination(root_.q, f.q, root_.p, f.p * s);
+  return have_sign(form, side, Zero::fails) == Answer::yes;
+}
+
 template <std::size_t V>
 bool Level::is_one_sided(const std::array<Corner, V>& corners) const {
-  return Simplex<V>(*this, corners).is_true([&](const auto& f) {
-    return lies(corners[0].above, f);
-  });
+  Simplex<V> simplex(*this, corners);
+  return simplex.is_true([&](const auto& f) { return lies(corners[0].above, f); }) ||
+         lies_by_norm(corners, simplex.balls());
 }
 
 template bool Level::is_one_sided<1>(const std::array<Corner, 1>&) const;

@@ -77,11 +77,14 @@ class Level {
   template <class N, std::size_t V>
   Answer lies(bool above, const Forms<N, V>& f) const;
   template <std::size_t V>
+  bool lies_by_norm(const std::array<Corner, V>& corners, const Forms<Ball, V>& f) const;
+  template <std::size_t V>
   class Simplex;
 
   int sign_;  ///< of mu
   Factors<mpz_class> exact_;
   Factors<Ball> balls_;  ///< both divided by one positive number
+  Factors<Ball> root_;  ///< of q Q + p P sqrt(P/54), of the sign of the mode less mu; divided alike
   mutable std::atomic<std::uint64_t> by_balls_{0}, by_integers_{0};
 };
 
