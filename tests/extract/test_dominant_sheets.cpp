@@ -23,8 +23,6 @@ CharacteristicTensor<double> characteristic_of(const TetTensors& tensors) {
   return *characteristic_tensor(field);
 }
 
-Vector3<double> times(const SymmetricTensor<double>& t, const Vector3<double>& v) { return t * v; }
-
 double off(const Vector3<double>& u, const Vector3<double>& v) {
   const auto w = cross(u, v);
   return std::sqrt(dot(w, w)) / std::sqrt(dot(u, u) * dot(v, v));
@@ -61,10 +59,10 @@ TEST(DominantChart, TensorsHaveTheModeAreInTheFieldAndAreFoundAgain) {
       const auto& [l1, l2, l3] = parameter.eigenvalues;
       const Vector3<double> probe{0.36, 0.48, 0.8};
       const auto identity = [](double x) { return SymmetricTensor<double>{x, x, x, 0, 0, 0}; };
-      const auto e = times(*tensor + identity(-l2), times(*tensor + identity(-l3), probe));
-      const auto m = times(*tensor + identity(-l1), times(*tensor + identity(-l3), probe));
+      const auto e = (*tensor + identity(-l2)) * ((*tensor + identity(-l3)) * probe);
+      const auto m = (*tensor + identity(-l1)) * ((*tensor + identity(-l3)) * probe);
       if (dot(e, e) < 1e-6 || dot(m, m) < 1e-6 * (l2 - l3) * (l2 - l3)) continue;
-      EXPECT_LT(off(times(*tensor, e), e), 1e-9);
+      EXPECT_LT(off(*tensor * e, e), 1e-9);
       const auto again = chart.place(unit(e), unit(m));
       const double rounding = 1e-12 / (l2 - l3);
       EXPECT_LT(angle_between(again.around, place.around), 1e-9) << mode;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analyze/ridges.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
+
+#include "analyze/each_corner.hpp"
 
 namespace tensortopo {
 namespace {
@@ -352,20 +352,7 @@ RidgeLines ridges_of(const SurfaceMesh& surface,
 }
 
 RidgeLines surface_ridges(const SurfaceMesh& surface, const TetMesh& mesh) {
-  std::vector<Corner> corners(3 * surface.triangles.size());
-  tbb::parallel_for(std::size_t{0}, surface.triangles.size(), [&](std::size_t i) {
-    const auto& tet = mesh.tets[at(surface.tet[i])];
-    std::array<Vector3<double>, 4> points;
-    std::array<SymmetricTensor<double>, 4> tensors;
-    for (std::size_t k = 0; k < 4; ++k) {
-      points[k] = mesh.points[at(tet[k])];
-      tensors[k] = mesh.tensors[at(tet[k])];
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[3 * i + k] =
-          level_extremality(points, tensors, surface.points[at(surface.triangles[i][k])]);
-  });
-  return ridges_of(surface, corners);
+  return ridges_of(surface, at_each_corner(surface, mesh, level_extremality<double>));
 }
 
 }  // namespace tensortopo

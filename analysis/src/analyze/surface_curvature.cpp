@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "analyze/each_corner.hpp"
 #include "analyze/recovered_derivatives.hpp"
 
 namespace tensortopo {
@@ -90,19 +91,10 @@ std::vector<std::optional<Curvature>> recovered_curvature(const SurfaceMesh& sur
 }
 
 SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& mesh) {
-  std::vector<std::optional<Curvature>> corners(3 * surface.triangles.size());
-  tbb::parallel_for(std::size_t{0}, surface.triangles.size(), [&](std::size_t i) {
-    const auto& tet = mesh.tets[at(surface.tet[i])];
-    std::array<Vector3<double>, 4> points;
-    std::array<SymmetricTensor<double>, 4> tensors;
-    for (std::size_t k = 0; k < 4; ++k) {
-      points[k] = mesh.points[at(tet[k])];
-      tensors[k] = mesh.tensors[at(tet[k])];
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[3 * i + k] =
-          level_curvature(points, tensors, surface.points[at(surface.triangles[i][k])]);
-  });
+  const auto corners =
+      at_each_corner(surface, mesh, [](const auto& points, const auto& tensors, const auto& at) {
+        return level_curvature(points, tensors, at);
+      });
 
   struct Sum {
     Vector3<double> normal{};

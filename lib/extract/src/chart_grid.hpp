@@ -24,8 +24,9 @@ void visit_grid(const ManifoldChart& chart, double turn, const Wanted& is_wanted
   };
   const int around = count(8, annulus ? 2 : 1.5);
   const int across = count(annulus ? 4 : 2, annulus ? 1 : 0.5);
-  for (int quadrant = 0; quadrant < chart.quadrants(); ++quadrant)
-    for (int i = 0; i < around && is_wanted(quadrant); ++i) {
+  for (int quadrant = 0; quadrant < chart.quadrants(); ++quadrant) {
+    if (!is_wanted(quadrant)) continue;
+    for (int i = 0; i < around; ++i) {
       const auto ray = chart.ray(quadrant, (i + 0.5) / around);
       for (int j = 0; j < across; ++j) {
         const auto point = [&] { return chart.point_at(ray, (j + 0.5) / across); };
@@ -39,6 +40,7 @@ void visit_grid(const ManifoldChart& chart, double turn, const Wanted& is_wanted
         visit(chart.vector_at(ray, (j + 0.5) / across), point, spacing);
       }
     }
+  }
 }
 
 }  // namespace tensortopo

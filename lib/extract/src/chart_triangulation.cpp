@@ -81,6 +81,13 @@ std::array<std::size_t, 3> corners_of(Triangulation::Face_handle face) {
   return {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
 }
 
+std::vector<std::array<std::size_t, 3>> triangles_of(const Triangulation& triangulation) {
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (auto face : triangulation.finite_face_handles())
+    if (inside(face)) triangles.push_back(corners_of(face));
+  return triangles;
+}
+
 /// Where to cut a triangle, with the triangle that holds the place.
 ChartTriangulation::Place place_of(const Triangulation& triangulation,
                                    Triangulation::Face_handle face, ChartTriangulation::Cut cut) {
@@ -149,10 +156,7 @@ bool ChartTriangulation::build(
   }
   if (triangulation.number_of_vertices() != next) return false;
   mark_regions(triangulation);
-  triangles.clear();
-  for (auto face : triangulation.finite_face_handles())
-    if (inside(face))
-      triangles.push_back(corners_of(face));
+  triangles = triangles_of(triangulation);
   return true;
 }
 
@@ -196,9 +200,7 @@ bool ChartTriangulation::build_fine(const std::vector<Point>& points,
     if (triangulation.number_of_vertices() != next) return false;
     mark_regions(triangulation);
   }
-  triangles.clear();
-  for (auto face : triangulation.finite_face_handles())
-    if (inside(face)) triangles.push_back(corners_of(face));
+  triangles = triangles_of(triangulation);
   return true;
 }
 

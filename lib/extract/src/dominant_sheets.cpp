@@ -27,8 +27,7 @@ constexpr int kProbes = 8;
 template <class Scalar>
 class DominantDrawing : SheetDrawing<Scalar> {
   using Base = SheetDrawing<Scalar>;
-  using Base::images_, Base::inner_, Base::plan_, Base::points_, Base::rims_, Base::segments_,
-      Base::triangles_;
+  using Base::images_, Base::inner_, Base::rims_, Base::segments_;
   using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals,
       Base::triangulate;
   using Place = DominantChart::Place;
@@ -38,14 +37,9 @@ class DominantDrawing : SheetDrawing<Scalar> {
                   const TetPlan<Scalar>& plan, const FaceArcVertices& vertices,
                   const Level<Scalar>& level, const Sampling& sampling,
                   DominantChart::About about, TetTriangles<Scalar>& out)
-      : Base(manifold, tet, plan, level, out),
+      : Base(manifold, tet, plan, vertices, level, out),
         chart_(manifold.characteristic, level.parameter, about),
-        turn_(sampling.largest_turn()) {
-    for (const auto& loop : plan.loops) {
-      rims_.push_back(loop_vertices(loop, vertices));
-      for (const auto& vertex : rims_.back()) inner_.take(vertex.position);
-    }
-  }
+        turn_(sampling.largest_turn()) {}
 
   bool draw() {
     return cut_open() && lay_out() && add_rims() && triangulate() && split_diagonals() &&

@@ -48,8 +48,10 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
   const auto tet = tet_with_curves(t);
   const auto& level = level_of(t);
-  if (state.method == Method::small_disc) state.manifold = tet_manifold(tet, level);
-  if (state.method == Method::small_disc) state.method = Method::manifold;
+  if (state.method == Method::small_disc) {
+    state.manifold = tet_manifold(tet, level);
+    state.method = Method::manifold;
+  }
   if (state.method == Method::tubes) {
     state.method = Method::dominant;
     return;

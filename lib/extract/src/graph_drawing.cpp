@@ -28,17 +28,17 @@ class GraphDrawing {
       : view_(view),
         plan_(plan),
         level_(level),
-        turn_(std::cos(std::min(kTurns * sampling.largest_turn(), 1.5))),
-        wide_turn_(std::cos(std::min(2 * kTurns * sampling.largest_turn(), 1.5))),
+        turn_(std::cos(std::min(sampling.largest_turn(), 1.5))),
+        wide_turn_(std::cos(std::min(2 * sampling.largest_turn(), 1.5))),
         out_(out) {}
 
   bool draw(const FaceArcVertices& vertices) {
     for (const auto& loop : plan_.loops) add_rim(loop_vertices(loop, vertices));
-    std::sort(rim_edges_.begin(), rim_edges_.end());
+    const RimEdges rim(rims_);
     ChartTriangulation triangulation;
     const auto points = points_;  // `add` makes more
     if (!triangulation.build_fine(
-            points, segments_, [&](const auto& corners) { return cut(corners); },
+            points, segments_, [&](const auto& corners) { return cut(corners, rim); },
             [&](const auto& place) { return add(place); }, kRounds))
       return false;
     return emit(triangulation.triangles);
@@ -46,9 +46,6 @@ class GraphDrawing {
 
  private:
   using Cut = ChartTriangulation::Cut;
-
-  /// Of the samples' largest turn, within a triangle.
-  static constexpr double kTurns = 1;
 
   struct Corner {
     std::int32_t id;
@@ -65,14 +62,8 @@ class GraphDrawing {
       corners_.push_back({v.id, v.faces, mapped, v.medium, v.dominant});
       points_.push_back(view_.seen(mapped));
       segments_.push_back({first + i, first + (i + 1) % n});
-      rim_edges_.emplace_back(v.id, rim[(i + 1) % n].id);
     }
     rims_.push_back(std::move(rim));
-  }
-
-  bool is_on_rim(const Corner& a, const Corner& b) const {
-    return std::binary_search(rim_edges_.begin(), rim_edges_.end(), std::pair{a.id, b.id}) ||
-           std::binary_search(rim_edges_.begin(), rim_edges_.end(), std::pair{b.id, a.id});
   }
 
   bool turns_far(const Corner& a, const Corner& b) const {
@@ -80,7 +71,7 @@ class GraphDrawing {
            !(line_cosine(a.dominant, b.dominant) > wide_turn_);
   }
 
-  Cut cut(const std::array<std::size_t, 3>& t) const {
+  Cut cut(const std::array<std::size_t, 3>& t, const RimEdges& rim) const {
     const Corner* c[3] = {&corners_[t[0]], &corners_[t[1]], &corners_[t[2]]};
     // A diagonal between two rim vertices on one face might be chosen by the neighbour as well.
     constexpr Cut edges[3] = {Cut::edge0, Cut::edge1, Cut::edge2};
@@ -89,7 +80,7 @@ class GraphDrawing {
       const Corner &a = *c[(i + 1) % 3], &b = *c[(i + 2) % 3];
       if ((a.faces & b.faces) == 0)
         far |= turns_far(a, b);
-      else if (!is_on_rim(a, b))
+      else if (!rim.joins(a.id, b.id))
         return edges[i];
     }
     // A rim of three vertices on one face would leave a triangle in that face.
@@ -111,24 +102,10 @@ class GraphDrawing {
     return true;
   }
 
-  /// Gives the triangles the direction that their rims have, and checks them against the plan.
   bool emit(const std::vector<std::array<std::size_t, 3>>& triangles) {
-    bool along = false, against = false;
-    for (const auto& t : triangles) {
-      std::array<std::int32_t, 3> ids;
-      for (std::size_t i = 0; i < 3; ++i) ids[i] = corners_[t[i]].id;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto a = ids[i], b = ids[(i + 1) % 3];
-        if (a < 0 || b < 0) continue;
-        along |= std::binary_search(rim_edges_.begin(), rim_edges_.end(), std::pair{a, b});
-        against |= std::binary_search(rim_edges_.begin(), rim_edges_.end(), std::pair{b, a});
-      }
-      out_.triangles.push_back(ids);
-    }
-    if (along == against) return false;
-    if (against)
-      for (auto& t : out_.triangles) std::swap(t[1], t[2]);
-    return are_planned_sheets(out_.triangles, rims_, plan_.sheets);
+    for (const auto& t : triangles)
+      out_.triangles.push_back({corners_[t[0]].id, corners_[t[1]].id, corners_[t[2]].id});
+    return direct_as_planned(out_.triangles, rims_, plan_.sheets);
   }
 
   const LineView<Scalar>& view_;
@@ -140,7 +117,6 @@ class GraphDrawing {
   std::vector<Corner> corners_;
   std::vector<ChartTriangulation::Point> points_;
   std::vector<std::array<std::size_t, 2>> segments_;
-  std::vector<std::pair<std::int32_t, std::int32_t>> rim_edges_;
   std::vector<std::vector<RimVertex>> rims_;
 };
 

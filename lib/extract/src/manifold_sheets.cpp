@@ -25,8 +25,7 @@ constexpr double kPi = std::numbers::pi;
 template <class Scalar>
 class Drawing : SheetDrawing<Scalar> {
   using Base = SheetDrawing<Scalar>;
-  using Base::images_, Base::inner_, Base::plan_, Base::points_, Base::rims_, Base::segments_,
-      Base::triangles_;
+  using Base::images_, Base::inner_, Base::rims_, Base::segments_;
   using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals,
       Base::triangulate;
 
@@ -35,10 +34,9 @@ class Drawing : SheetDrawing<Scalar> {
           const TetPlan<Scalar>& plan, std::span<const RimRequest<Scalar>> requests,
           const FaceArcVertices& vertices, const Level<Scalar>& level, const Sampling& sampling,
           TetTriangles<Scalar>& out)
-      : Base(manifold, tet, plan, level, out),
+      : Base(manifold, tet, plan, vertices, level, out),
         on_(manifold),
         chart_(manifold.manifold),
-        vertices_(vertices),
         turn_(sampling.largest_turn()) {
     for (const auto& crossing : requests) {
       if (!crossing.on_boundary) continue;
@@ -97,12 +95,10 @@ class Drawing : SheetDrawing<Scalar> {
   }
 
   bool add_rims() {
-    for (const auto& loop : plan_.loops) {
-      auto rim = loop_vertices(loop, vertices_);
+    for (const auto& rim : rims_) {
       const std::size_t n = rim.size();
       std::vector<std::size_t> image(n, 0);
       for (std::size_t i = 0; i < n; ++i) {
-        inner_.take(rim[i].position);
         if (on_boundary_.contains(rim[i].id)) continue;
         const double sigma = on_.manifold.sigma(rim[i].medium, rim[i].dominant);
         image[i] =
@@ -118,7 +114,6 @@ class Drawing : SheetDrawing<Scalar> {
         if (!(dot(images_[a].v, images_[b].v) > 0)) return false;
         segments_.push_back({a, b});
       }
-      rims_.push_back(std::move(rim));
     }
     return true;
   }
@@ -260,7 +255,6 @@ class Drawing : SheetDrawing<Scalar> {
 
   const TetManifold& on_;
   ManifoldChart chart_;
-  const FaceArcVertices& vertices_;
   double turn_;
 
   std::set<std::int32_t> on_boundary_;

@@ -88,7 +88,7 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
   return faces;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                   \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                \
   template std::vector<std::size_t> Pipeline<Scalar>::merge_requests( \
       std::span<const std::size_t>);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

@@ -75,12 +75,44 @@ bool sort_distinct(std::vector<Edge>& edges) {
   return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }
 
+std::vector<Edge> edges_of(std::span<const std::vector<RimVertex>> rims) {
+  std::vector<Edge> edges;
+  for (const auto& rim : rims)
+    for (std::size_t i = 0; i < rim.size(); ++i)
+      edges.push_back(edge(rim[i].id, rim[(i + 1) % rim.size()].id));
+  return edges;
+}
+
 }  // namespace
+
+RimEdges::RimEdges(std::span<const std::vector<RimVertex>> rims) : edges_(edges_of(rims)) {
+  std::sort(edges_.begin(), edges_.end());
+}
+
+bool RimEdges::contains(std::int32_t from, std::int32_t to) const {
+  return tensortopo::contains(edges_, edge(from, to));
+}
+
+bool direct_as_planned(std::vector<std::array<std::int32_t, 3>>& triangles,
+                       std::span<const std::vector<RimVertex>> rims,
+                       std::span<const SheetTopology> sheets) {
+  const RimEdges rim(rims);
+  bool along = false, against = false;
+  for (const auto& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      along |= rim.contains(t[i], t[(i + 1) % 3]);
+      against |= rim.contains(t[(i + 1) % 3], t[i]);
+    }
+  if (along == against) return false;
+  if (against)
+    for (auto& t : triangles) std::swap(t[1], t[2]);
+  return are_planned_sheets(triangles, rims, sheets);
+}
 
 bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const std::vector<RimVertex>> rims,
                         std::span<const SheetTopology> sheets) {
-  std::vector<Edge> directed, rim_edges;
+  std::vector<Edge> directed, rim_edges = edges_of(rims);
   std::vector<std::int32_t> vertices;
   for (const auto& t : triangles)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -88,9 +120,6 @@ bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
       directed.push_back(edge(t[i], t[(i + 1) % 3]));
       vertices.push_back(t[i]);
     }
-  for (const auto& rim : rims)
-    for (std::size_t i = 0; i < rim.size(); ++i)
-      rim_edges.push_back(edge(rim[i].id, rim[(i + 1) % rim.size()].id));
   if (!sort_distinct(directed) || !sort_distinct(rim_edges)) return false;
   for (const Edge e : rim_edges)
     if (!contains(directed, e) || contains(directed, edge(to(e), from(e)))) return false;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "extractor_scalars.hpp"
@@ -12,6 +11,17 @@
 #include "split_triangles.hpp"
 
 namespace tensortopo {
+
+template <class Scalar>
+SheetDrawing<Scalar>::SheetDrawing(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+                                   const TetPlan<Scalar>& plan, const FaceArcVertices& vertices,
+                                   const Level<Scalar>& level, TetTriangles<Scalar>& out)
+    : plan_(plan), out_(out), inner_(manifold, tet, level, out) {
+  for (const auto& loop : plan.loops) {
+    rims_.push_back(loop_vertices(loop, vertices));
+    for (const auto& vertex : rims_.back()) inner_.take(vertex.position);
+  }
+}
 
 template <class Scalar>
 bool SheetDrawing<Scalar>::triangulate() {
@@ -26,19 +36,14 @@ bool SheetDrawing<Scalar>::triangulate() {
 
 template <class Scalar>
 bool SheetDrawing<Scalar>::split_diagonals() {
-  std::set<std::pair<std::int32_t, std::int32_t>> rim;
-  for (const auto& loop : rims_)
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const auto a = loop[i].id, b = loop[(i + 1) % loop.size()].id;
-      rim.emplace(std::min(a, b), std::max(a, b));
-    }
+  const RimEdges rim(rims_);
   std::map<UndirectedEdge, std::vector<std::size_t>> apexes;  // of the diagonals
   for (const auto& t : triangles_)
     for (std::size_t i = 0; i < 3; ++i) {
       const auto a = t[i], b = t[(i + 1) % 3];
       const auto &p = images_[a], &q = images_[b];
       if ((p.faces & q.faces) == 0) continue;
-      if (rim.contains({std::min(p.corner, q.corner), std::max(p.corner, q.corner)})) continue;
+      if (rim.joins(p.corner, q.corner)) continue;
       apexes[std::minmax(a, b)].push_back(t[(i + 2) % 3]);
     }
   std::map<UndirectedEdge, std::size_t> middle;
@@ -79,23 +84,10 @@ bool SheetDrawing<Scalar>::raise_flat_triangles() {
 
 template <class Scalar>
 bool SheetDrawing<Scalar>::emit() {
-  std::set<std::pair<std::int32_t, std::int32_t>> rim;
-  for (const auto& loop : rims_)
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      rim.emplace(loop[i].id, loop[(i + 1) % loop.size()].id);
-  bool along = false, against = false;
   std::vector<std::array<std::int32_t, 3>> triangles;
-  for (const auto& t : triangles_) {
+  for (const auto& t : triangles_)
     triangles.push_back({images_[t[0]].corner, images_[t[1]].corner, images_[t[2]].corner});
-    for (std::size_t i = 0; i < 3; ++i) {
-      along |= rim.contains({triangles.back()[i], triangles.back()[(i + 1) % 3]});
-      against |= rim.contains({triangles.back()[(i + 1) % 3], triangles.back()[i]});
-    }
-  }
-  if (along == against) return false;
-  if (against)
-    for (auto& t : triangles) std::swap(t[1], t[2]);
-  if (!are_planned_sheets(triangles, rims_, plan_.sheets)) return false;
+  if (!direct_as_planned(triangles, rims_, plan_.sheets)) return false;
   out_.triangles.insert(out_.triangles.end(), triangles.begin(), triangles.end());
   return true;
 }

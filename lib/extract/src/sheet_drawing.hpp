@@ -18,9 +18,8 @@ template <class Scalar>
 class SheetDrawing {
  public:
   SheetDrawing(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
-               const TetPlan<Scalar>& plan, const Level<Scalar>& level,
-               TetTriangles<Scalar>& out)
-      : plan_(plan), out_(out), inner_(manifold, tet, level, out) {}
+               const TetPlan<Scalar>& plan, const FaceArcVertices& vertices,
+               const Level<Scalar>& level, TetTriangles<Scalar>& out);
   virtual ~SheetDrawing() = default;
 
  protected:

@@ -209,18 +209,20 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
 
   const Derivation derivation(input, field, level, out);
   std::vector<Proved<4>> proofs(input.tets.size(), Proved<4>{Proof::empty, {}});
+  const auto is_tip = [&](Vertex i) { return field.is_zero(i); };
   parallel_for(proofs.size(), [&](std::size_t t) {
     const auto& v = input.tets[t];
-    const auto is_tip = [&](Vertex i) { return field.is_zero(i); };
     if (!left_out[t] && std::none_of(v.begin(), v.end(), is_tip))
       proofs[t] = level.prove<4>(derivation.corners(v));
   });
   std::vector<std::array<Vertex, 2>> edges;
   std::vector<std::array<Vertex, 3>> faces;
   for (std::uint32_t t = 0; t < proofs.size(); ++t) {
-    ConeTopology cone{t, false, {}, {}, {}};
-    for (const Vertex v : input.tets[t]) (field.is_zero(v) ? cone.tips : cone.base).push_back(v);
-    if (!left_out[t] && (cone.tips.size() == 1 || cone.tips.size() == 2)) {
+    const auto& corners = input.tets[t];
+    const auto tips = std::count_if(corners.begin(), corners.end(), is_tip);
+    if (!left_out[t] && (tips == 1 || tips == 2)) {
+      ConeTopology cone{t, false, {}, {}, {}};
+      for (const Vertex v : corners) (is_tip(v) ? cone.tips : cone.base).push_back(v);
       const std::vector<Vertex>& b = cone.base;
       for (std::size_t i = 0; i < b.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) edges.push_back({b[j], b[i]});
