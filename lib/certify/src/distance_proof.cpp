@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "closed_rims.hpp"
 #include "level_in_cell.hpp"
@@ -35,16 +38,42 @@ constexpr double kRoom = 0.98;
 
 std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
 
-template <class Body>
-void for_each(std::size_t count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 512), [&](const auto& range) {
-    const FloatingPointEnvironment environment;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-  });
-}
-
 using detail::LevelInCell;
 using detail::MovingCorner;
+
+/// A tetrahedron, and the corners in it that were asked for: its triangles follow each other, and
+/// share them.
+class CellWithCorners {
+ public:
+  CellWithCorners(const TetMesh& mesh, const ScaledField<double>& field, Index tet)
+      : tet_(tet), cell_(mesh, field, tet) {}
+
+  Index tet() const { return tet_; }
+  const LevelInCell& cell() const { return cell_; }
+  const MovingCorner& corner(const SurfaceMesh& surface, Index vertex,
+                             const Level<double>& level) {
+    const auto found = std::find(vertices_.begin(), vertices_.end(), vertex);
+    const auto place = static_cast<std::size_t>(found - vertices_.begin());
+    if (found == vertices_.end()) {
+      vertices_.push_back(vertex);
+      corners_.push_back(cell_.corner(surface, vertex, level));
+    }
+    return corners_[place];
+  }
+
+ private:
+  Index tet_;
+  LevelInCell cell_;
+  std::vector<Index> vertices_;
+  std::vector<MovingCorner> corners_;
+};
+
+/// Whether a triangle was proved with these reaches.
+struct Trial {
+  std::array<std::int16_t, 3> reach;
+  bool is_proved;
+  std::int32_t previous;  ///< of the same triangle, or -1
+};
 
 class Distances {
  public:
@@ -57,6 +86,7 @@ class Distances {
   /// Finds reaches that prove as many triangles as possible; returns those that are left.
   std::vector<std::size_t> run() {
     measure();
+    last_trial_.assign(surface_.triangles.size(), -1);
     std::vector<char> given_up(surface_.triangles.size(), 0);
     // A triangle that is given up has made its neighbours' reaches longer: once more without it.
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
@@ -92,12 +122,42 @@ class Distances {
     return f(std::array{v[0]});
   }
 
-  bool is_proved(std::size_t triangle) const {
+  /// Calls f for some triangles, in parallel, with their tetrahedra.
+  template <class F>
+  void for_each(std::span<const std::size_t> triangles, const F& f) const {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, triangles.size(), 512), [&](const auto& range) {
+          const FloatingPointEnvironment environment;
+          std::optional<CellWithCorners> cell;
+          for (std::size_t k = range.begin(); k != range.end(); ++k) {
+            const Index tet = surface_.tet[triangles[k]];
+            if (!cell || cell->tet() != tet) cell.emplace(mesh_, field_, tet);
+            f(triangles[k], *cell);
+          }
+        });
+  }
+
+  std::array<std::int16_t, 3> reaches(std::size_t triangle) const {
+    std::array<std::int16_t, 3> result;
+    for (std::size_t c = 0; c < 3; ++c)
+      result[c] = static_cast<std::int16_t>(reach_[as_size(surface_.triangles[triangle][c])]);
+    return result;
+  }
+
+  /// What is known of a triangle with the reaches as they are.
+  const Trial* trial_of(std::size_t triangle) const {
+    const auto reach = reaches(triangle);
+    for (auto t = last_trial_[triangle]; t >= 0; t = trials_[as_size(t)].previous)
+      if (trials_[as_size(t)].reach == reach) return &trials_[as_size(t)];
+    return nullptr;
+  }
+
+  bool is_proved(std::size_t triangle, CellWithCorners& in) const {
     return with_movable(triangle, [&](const auto& v) {
-      const LevelInCell cell(mesh_, field_, surface_.tet[triangle]);
+      const LevelInCell& cell = in.cell();
       std::array<std::array<double, 4>, std::tuple_size_v<std::decay_t<decltype(v)>>> ahead, behind;
       for (std::size_t c = 0; c < v.size(); ++c) {
-        const MovingCorner corner = cell.corner(surface_, v[c], level_);
+        const MovingCorner& corner = in.corner(surface_, v[c], level_);
         const double by = reach_length(reach_[as_size(v[c])]);
         ahead[c] = corner.moved(by);
         behind[c] = corner.moved(-by);
@@ -112,9 +172,8 @@ class Distances {
     asked_.resize(surface_.triangles.size());
     limit_.resize(surface_.triangles.size());
     std::vector<std::array<double, 3>> rooms(surface_.triangles.size());
-    for_each(triangles_.size(), [&](std::size_t k) {
-      const auto i = triangles_[k];
-      const LevelInCell cell(mesh_, field_, surface_.tet[i]);
+    for_each(triangles_, [&](std::size_t i, CellWithCorners& in) {
+      const LevelInCell& cell = in.cell();
       double farthest = 0x1p-44 * cell.size();
       const auto look = [&](const std::array<double, 4>& weights) {
         const double d = cell.distance(weights, level_);
@@ -125,7 +184,7 @@ class Distances {
         std::array<MovingCorner, 3> corners;
         std::array<double, 4> centre{};
         for (std::size_t c = 0; c < v.size(); ++c) {
-          corners[c] = cell.corner(surface_, v[c], level_);
+          corners[c] = in.corner(surface_, v[c], level_);
           rooms[i][c] = kRoom * corners[c].room();
           for (std::size_t j = 0; j < 4; ++j) centre[j] += corners[c].weights[j] / count;
         }
@@ -180,9 +239,20 @@ class Distances {
     for (const auto i : triangles_)
       if (!given_up[i]) trying.push_back(i);
     std::vector<char> proved(surface_.triangles.size(), 0), grown(surface_.points.size(), 0);
+    std::vector<std::size_t> unknown;
     bool any_given_up = false;
     while (!trying.empty()) {
-      for_each(trying.size(), [&](std::size_t k) { proved[trying[k]] = is_proved(trying[k]); });
+      unknown.clear();
+      for (const auto i : trying) {
+        const auto* known = trial_of(i);
+        if (known) proved[i] = known->is_proved;
+        else unknown.push_back(i);
+      }
+      for_each(unknown, [&](std::size_t i, CellWithCorners& in) { proved[i] = is_proved(i, in); });
+      for (const auto i : unknown) {
+        trials_.push_back({reaches(i), proved[i] != 0, last_trial_[i]});
+        last_trial_[i] = static_cast<std::int32_t>(trials_.size() - 1);
+      }
       std::fill(grown.begin(), grown.end(), 0);
       bool any_grown = false;
       for (const auto i : trying) {
@@ -218,6 +288,8 @@ class Distances {
   const Level<double>& level_;
   std::vector<int> asked_, limit_;  ///< by triangle
   std::vector<int> reach_, most_;  ///< by vertex
+  std::vector<Trial> trials_;      ///< attempts differ around few triangles
+  std::vector<std::int32_t> last_trial_;  ///< by triangle, or -1
 };
 
 }  // namespace
@@ -251,16 +323,20 @@ DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
     claim.coarse_bound = std::max(claim.coarse_bound, kAbove * distances.size_of(t));
   std::vector<char> is_coarse(mesh.tets.size(), 0);
   for (const Index t : claim.coarse) is_coarse[as_size(t)] = 1;
-  for (const auto i : triangles)
-    if (!is_coarse[as_size(surface.tet[i])])
-      for (const Index v : surface.triangles[i]) {
-        // A position is rounded off the edge or face that holds the vertex.
-        const auto& x = surface.points[as_size(v)];
-        const double rounding = 0x1p-48 * (std::abs(x.x) + std::abs(x.y) + std::abs(x.z) +
-                                           distances.size_of(surface.tet[i]));
-        claim.bound = std::max(claim.bound,
-                               kAbove * (reach_length(claim.reach[as_size(v)]) + rounding));
-      }
+  Index tet = -1;  // triangles of one follow each other
+  double size = 0;
+  for (const auto i : triangles) {
+    if (is_coarse[as_size(surface.tet[i])]) continue;
+    if (tet != surface.tet[i]) size = distances.size_of(tet = surface.tet[i]);
+    for (const Index v : surface.triangles[i]) {
+      // A position is rounded off the edge or face that holds the vertex.
+      const auto& x = surface.points[as_size(v)];
+      const double rounding =
+          0x1p-48 * (std::abs(x.x) + std::abs(x.y) + std::abs(x.z) + size);
+      claim.bound =
+          std::max(claim.bound, kAbove * (reach_length(claim.reach[as_size(v)]) + rounding));
+    }
+  }
   return claim;
 }
 

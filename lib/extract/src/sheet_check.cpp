@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace tensortopo {
@@ -16,142 +17,163 @@ using Edge = std::uint64_t;
 Edge edge(std::int32_t from, std::int32_t to) {
   return Edge{static_cast<std::uint32_t>(from)} << 32 | static_cast<std::uint32_t>(to);
 }
-std::int32_t from(Edge e) { return static_cast<std::int32_t>(e >> 32); }
-std::int32_t to(Edge e) { return static_cast<std::int32_t>(e & 0xffffffffu); }
-
-/// Union-find over the places of vertices in a sorted list.
-class Components {
- public:
-  explicit Components(std::vector<std::int32_t> vertices) : vertices_(std::move(vertices)) {
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-    parent_.resize(vertices_.size());
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  std::size_t count() const { return vertices_.size(); }
-  std::size_t of(std::int32_t v) {
-    return root(static_cast<std::size_t>(
-        std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin()));
-  }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  bool has(std::int32_t v) const {
-    return std::binary_search(vertices_.begin(), vertices_.end(), v);
-  }
-  void join(std::int32_t u, std::int32_t v) { parent_[of(u)] = of(v); }
-
- private:
-  std::vector<std::int32_t> vertices_;
-  std::vector<std::size_t> parent_;
-};
-
-/// The faces on which rim vertices lie.
-class FacesOfVertices {
- public:
-  explicit FacesOfVertices(std::span<const std::vector<RimVertex>> rims) {
-    for (const auto& rim : rims)
-      for (const auto& v : rim) faces_.emplace_back(v.id, v.faces);
-    std::sort(faces_.begin(), faces_.end());
-  }
-  unsigned at(std::int32_t v) const {
-    const auto found = std::lower_bound(faces_.begin(), faces_.end(), std::pair{v, std::uint8_t{0}});
-    return found != faces_.end() && found->first == v ? found->second : 0u;
-  }
-
- private:
-  std::vector<std::pair<std::int32_t, std::uint8_t>> faces_;
-};
-
-bool contains(const std::vector<Edge>& sorted, Edge e) {
-  return std::binary_search(sorted.begin(), sorted.end(), e);
-}
-
-/// Sorts; false if an edge occurs twice.
-bool sort_distinct(std::vector<Edge>& edges) {
-  std::sort(edges.begin(), edges.end());
-  return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
-}
 
 std::vector<Edge> edges_of(std::span<const std::vector<RimVertex>> rims) {
   std::vector<Edge> edges;
   for (const auto& rim : rims)
     for (std::size_t i = 0; i < rim.size(); ++i)
       edges.push_back(edge(rim[i].id, rim[(i + 1) % rim.size()].id));
+  std::sort(edges.begin(), edges.end());
   return edges;
+}
+
+/// Vertices by their places in a sorted list, joined to components.
+class Vertices {
+ public:
+  Vertices(std::span<const std::array<std::int32_t, 3>> triangles,
+           std::span<const std::vector<RimVertex>> rims) {
+    ids_.reserve(3 * triangles.size());
+    for (const auto& t : triangles) ids_.insert(ids_.end(), t.begin(), t.end());
+    std::sort(ids_.begin(), ids_.end());
+    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+    parent_.resize(ids_.size());
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    faces_.resize(ids_.size(), 0);
+    for (const auto& rim : rims)
+      for (const auto& v : rim)
+        if (has(v.id)) faces_[place(v.id)] = v.faces;
+  }
+
+  std::size_t count() const { return ids_.size(); }
+  bool has(std::int32_t v) const { return std::binary_search(ids_.begin(), ids_.end(), v); }
+  /// @pre has(v)
+  std::uint32_t place(std::int32_t v) const {
+    return static_cast<std::uint32_t>(std::lower_bound(ids_.begin(), ids_.end(), v) - ids_.begin());
+  }
+  std::int32_t id(std::uint32_t place) const { return ids_[place]; }
+  /// The faces on which rim vertices lie.
+  unsigned faces(std::uint32_t place) const { return faces_[place]; }
+
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t u, std::uint32_t v) { parent_[root(u)] = root(v); }
+
+ private:
+  std::vector<std::int32_t> ids_;
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> faces_;
+};
+
+/// Edges of triangles, between places of vertices: each has one triangle, or two that run against
+/// each other.
+struct SheetEdges {
+  std::vector<std::array<std::uint32_t, 2>> single, paired;
+};
+
+std::optional<SheetEdges> edges_of(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  // The smaller vertex first; the last bit tells whether it was the second.
+  std::vector<Edge> uses;
+  uses.reserve(3 * triangles.size());
+  for (const auto& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Edge a = t[i], b = t[(i + 1) % 3];
+      if (a == b) return std::nullopt;
+      uses.push_back(a < b ? a << 33 | b << 1 : b << 33 | a << 1 | 1);
+    }
+  std::sort(uses.begin(), uses.end());
+  SheetEdges edges;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const auto low = static_cast<std::uint32_t>(uses[i] >> 33),
+               high = static_cast<std::uint32_t>(uses[i] >> 1);
+    const bool has_two = i + 1 < uses.size() && uses[i] >> 1 == uses[i + 1] >> 1;
+    if (!has_two) {
+      if (uses[i] & 1)
+        edges.single.push_back({high, low});
+      else
+        edges.single.push_back({low, high});
+      continue;
+    }
+    if (uses[i] == uses[i + 1]) return std::nullopt;
+    if (i + 2 < uses.size() && uses[i] >> 1 == uses[i + 2] >> 1) return std::nullopt;
+    edges.paired.push_back({low, high});
+    ++i;
+  }
+  return edges;
+}
+
+/// 1 if triangles are the planned sheets, -1 if they are when turned around, else 0.
+int direction_in_plan(std::span<const std::array<std::int32_t, 3>> triangles,
+                      std::span<const std::vector<RimVertex>> rims,
+                      std::span<const SheetTopology> sheets) {
+  Vertices vertices(triangles, rims);
+  std::vector<std::array<std::uint32_t, 3>> places;
+  places.reserve(triangles.size());
+  for (const auto& t : triangles)
+    places.push_back({vertices.place(t[0]), vertices.place(t[1]), vertices.place(t[2])});
+  const auto edges = edges_of(places);
+  if (!edges) return 0;
+  const auto rim_edges = edges_of(rims);
+  const auto is_rim = [&](std::size_t first) {
+    std::vector<Edge> single;
+    for (const auto& e : edges->single)
+      single.push_back(edge(vertices.id(e[first]), vertices.id(e[1 - first])));
+    std::sort(single.begin(), single.end());
+    return single == rim_edges;
+  };
+  const int direction = is_rim(0) ? 1 : is_rim(1) ? -1 : 0;
+  if (direction == 0) return 0;
+
+  for (const auto& t : places) vertices.join(t[0], t[1]), vertices.join(t[1], t[2]);
+  std::vector<int> euler(vertices.count(), 0);
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < vertices.count(); ++v) {
+    ++euler[vertices.root(v)];
+    if (vertices.root(v) == v) ++count;
+  }
+  for (const auto& t : places) ++euler[vertices.root(t[0])];
+  for (const auto& e : edges->single) --euler[vertices.root(e[0])];
+  for (const auto& e : edges->paired) {
+    if ((vertices.faces(e[0]) & vertices.faces(e[1])) != 0) return 0;
+    --euler[vertices.root(e[0])];
+  }
+  if (count != sheets.size()) return 0;
+  std::vector<char> taken(vertices.count(), 0);
+  for (const auto& sheet : sheets) {
+    if (sheet.loops.empty()) return 0;
+    const auto component_of = [&](int loop) {
+      return vertices.root(vertices.place(rims[static_cast<std::size_t>(loop)][0].id));
+    };
+    const auto component = component_of(sheet.loops[0]);
+    for (const int loop : sheet.loops)
+      if (component_of(loop) != component) return 0;
+    if (taken[component]++ || euler[component] != sheet.euler_characteristic) return 0;
+  }
+  return direction;
 }
 
 }  // namespace
 
-RimEdges::RimEdges(std::span<const std::vector<RimVertex>> rims) : edges_(edges_of(rims)) {
-  std::sort(edges_.begin(), edges_.end());
-}
+RimEdges::RimEdges(std::span<const std::vector<RimVertex>> rims) : edges_(edges_of(rims)) {}
 
 bool RimEdges::contains(std::int32_t from, std::int32_t to) const {
-  return tensortopo::contains(edges_, edge(from, to));
+  return std::binary_search(edges_.begin(), edges_.end(), edge(from, to));
 }
 
 bool direct_as_planned(std::vector<std::array<std::int32_t, 3>>& triangles,
                        std::span<const std::vector<RimVertex>> rims,
                        std::span<const SheetTopology> sheets) {
-  const RimEdges rim(rims);
-  bool along = false, against = false;
-  for (const auto& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      along |= rim.contains(t[i], t[(i + 1) % 3]);
-      against |= rim.contains(t[(i + 1) % 3], t[i]);
-    }
-  if (along == against) return false;
-  if (against)
+  const int direction = direction_in_plan(triangles, rims, sheets);
+  if (direction < 0)
     for (auto& t : triangles) std::swap(t[1], t[2]);
-  return are_planned_sheets(triangles, rims, sheets);
+  return direction != 0;
 }
 
 bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const std::vector<RimVertex>> rims,
                         std::span<const SheetTopology> sheets) {
-  std::vector<Edge> directed, rim_edges = edges_of(rims);
-  std::vector<std::int32_t> vertices;
-  for (const auto& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (t[i] == t[(i + 1) % 3]) return false;
-      directed.push_back(edge(t[i], t[(i + 1) % 3]));
-      vertices.push_back(t[i]);
-    }
-  if (!sort_distinct(directed) || !sort_distinct(rim_edges)) return false;
-  for (const Edge e : rim_edges)
-    if (!contains(directed, e) || contains(directed, edge(to(e), from(e)))) return false;
-
-  const FacesOfVertices faces(rims);
-  Components components(std::move(vertices));
-  for (const Edge e : directed) components.join(from(e), to(e));
-  std::vector<int> euler(components.count(), 0);
-  for (std::size_t v = 0; v < components.count(); ++v) ++euler[components.root(v)];
-  for (const auto& t : triangles) ++euler[components.of(t[0])];
-  for (const Edge e : directed) {
-    const auto a = from(e), b = to(e);
-    const bool paired = contains(directed, edge(b, a));
-    if (!paired && !contains(rim_edges, e)) return false;
-    if (paired && (faces.at(a) & faces.at(b)) != 0) return false;
-    if (!paired || a < b) --euler[components.of(a)];
-  }
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < components.count(); ++v)
-    if (components.root(v) == v) ++count;
-  if (count != sheets.size()) return false;
-  std::vector<char> taken(components.count(), 0);
-  for (const auto& sheet : sheets) {
-    if (sheet.loops.empty()) return false;
-    const auto first = rims[static_cast<std::size_t>(sheet.loops[0])][0].id;
-    if (!components.has(first)) return false;
-    const auto component = components.of(first);
-    for (const int loop : sheet.loops)
-      if (components.of(rims[static_cast<std::size_t>(loop)][0].id) != component) return false;
-    if (taken[component]++ || euler[component] != sheet.euler_characteristic) return false;
-  }
-  return true;
+  return direction_in_plan(triangles, rims, sheets) > 0;
 }
 
 }  // namespace tensortopo
