@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "chart_triangulation.hpp"
+#include "edge_flips.hpp"
 #include "extractor_scalars.hpp"
 #include "line_view.hpp"
 #include "narrow.hpp"
@@ -23,9 +24,11 @@ constexpr int kRounds = 16;
 template <class Scalar>
 class GraphDrawing {
  public:
-  GraphDrawing(const LineView<Scalar>& view, const TetPlan<Scalar>& plan,
+  GraphDrawing(const TetWithCurves<Scalar>& tet, const LineView<Scalar>& view,
+               const TetPlan<Scalar>& plan,
                const Level<Scalar>& level, const Sampling& sampling, TetTriangles<Scalar>& out)
-      : view_(view),
+      : tet_(tet),
+        view_(view),
         plan_(plan),
         level_(level),
         turn_(std::cos(std::min(sampling.largest_turn(), 1.5))),
@@ -105,9 +108,12 @@ class GraphDrawing {
   bool emit(const std::vector<std::array<std::size_t, 3>>& triangles) {
     for (const auto& t : triangles)
       out_.triangles.push_back({corners_[t[0]].id, corners_[t[1]].id, corners_[t[2]].id});
-    return direct_as_planned(out_.triangles, rims_, plan_.sheets);
+    if (!direct_as_planned(out_.triangles, rims_, plan_.sheets)) return false;
+    flip_edges<Scalar>(tet_, level_, rims_, out_);
+    return true;
   }
 
+  const TetWithCurves<Scalar>& tet_;
   const LineView<Scalar>& view_;
   const TetPlan<Scalar>& plan_;
   const Level<Scalar>& level_;
@@ -130,7 +136,7 @@ bool mesh_as_graph(const TetWithCurves<Scalar>& tet, const TetPlan<Scalar>& plan
   const auto view = LineView<Scalar>::along(tet, *plan.direction);
   if (!view) return false;
   TetTriangles<Scalar> drawn;
-  if (!GraphDrawing<Scalar>(*view, plan, level, sampling, drawn).draw(vertices)) return false;
+  if (!GraphDrawing<Scalar>(tet, *view, plan, level, sampling, drawn).draw(vertices)) return false;
   out = std::move(drawn);
   return true;
 }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
+#include "edge_flips.hpp"
 #include "extractor_scalars.hpp"
 #include "sheet_check.hpp"
 #include "split_triangles.hpp"
@@ -16,7 +16,7 @@ template <class Scalar>
 SheetDrawing<Scalar>::SheetDrawing(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                                    const TetPlan<Scalar>& plan, const FaceArcVertices& vertices,
                                    const Level<Scalar>& level, TetTriangles<Scalar>& out)
-    : plan_(plan), out_(out), inner_(manifold, tet, level, out) {
+    : tet_(tet), plan_(plan), level_(level), out_(out), inner_(manifold, tet, level, out) {
   for (const auto& loop : plan.loops) {
     rims_.push_back(loop_vertices(loop, vertices));
     for (const auto& vertex : rims_.back()) inner_.take(vertex.position);
@@ -84,11 +84,10 @@ bool SheetDrawing<Scalar>::raise_flat_triangles() {
 
 template <class Scalar>
 bool SheetDrawing<Scalar>::emit() {
-  std::vector<std::array<std::int32_t, 3>> triangles;
   for (const auto& t : triangles_)
-    triangles.push_back({images_[t[0]].corner, images_[t[1]].corner, images_[t[2]].corner});
-  if (!direct_as_planned(triangles, rims_, plan_.sheets)) return false;
-  out_.triangles.insert(out_.triangles.end(), triangles.begin(), triangles.end());
+    out_.triangles.push_back({images_[t[0]].corner, images_[t[1]].corner, images_[t[2]].corner});
+  if (!direct_as_planned(out_.triangles, rims_, plan_.sheets)) return false;
+  flip_edges<Scalar>(tet_, level_, rims_, out_);
   return true;
 }
 

@@ -57,10 +57,13 @@ class SheetDrawing {
   /// across it might draw as well: puts a vertex amid it.
   bool raise_flat_triangles();
 
-  /// Gives the triangles the direction that their rims have, and checks them against the plan.
+  /// Gives the triangles the direction that their rims have, checks them against the plan and
+  /// exchanges diagonals.
   bool emit();
 
+  const TetWithCurves<Scalar>& tet_;
   const TetPlan<Scalar>& plan_;
+  const Level<Scalar>& level_;
   TetTriangles<Scalar>& out_;
   InnerVertices<Scalar> inner_;
   std::vector<std::vector<RimVertex>> rims_;
