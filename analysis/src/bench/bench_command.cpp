@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kFewest = 5;
 constexpr std::size_t kLargestSubdivided = 4'000'000;  // tetrahedra
-constexpr std::array<double, 5> kResolutions{1, 2, 4, 8, 16};
+constexpr std::array<double, 9> kResolutions{1, 1.4, 2, 2.8, 4, 5.7, 8, 11.3, 16};
 
 std::size_t peak_memory_bytes() {
   rusage usage{};
