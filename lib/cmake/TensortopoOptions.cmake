@@ -18,6 +18,11 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${TENSORTOPO_CCACHE})
   endif()
 endif()
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
+  # Not being told so, ccache compiles anew whatever uses precompiled headers.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+    CCACHE_SLOPPINESS=pch_defines,time_macros ${CMAKE_CXX_COMPILER_LAUNCHER})
+endif()
 
 # The language level and the arithmetic contract. Public: templates and inline functions are
 # compiled in the client's flags, and an error bound proved without contraction does not hold with it.
