@@ -1,14 +1,19 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
 
-# tensortopo_module(NAME HEADERS h... SOURCES s... [PUBLIC target...] [PRIVATE target...])
+# tensortopo_module(NAME HEADERS h... SOURCES s... [ROUNDING_SOURCES s...] [PUBLIC target...]
+#   [PRIVATE target...] [REUSE_PRECOMPILED_NUMBERS])
 # One folder of lib as one target tensortopo::NAME. Headers are named relative to
-# include/tensortopo/NAME, sources relative to src.
+# include/tensortopo/NAME, sources relative to src. ROUNDING_SOURCES compute with directed rounding,
+# of intervals of doubles mostly. REUSE_PRECOMPILED_NUMBERS is for targets whose flags are those of
+# tensortopo_scalar, which makes the precompiled headers.
 function(tensortopo_module name)
-  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "REUSE_PRECOMPILED_NUMBERS" ""
+    "HEADERS;SOURCES;ROUNDING_SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target tensortopo_${name})
   list(TRANSFORM arg_HEADERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/include/tensortopo/${name}/")
   list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
+  list(TRANSFORM arg_ROUNDING_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
   if(arg_SOURCES)
     add_library(${target} STATIC ${arg_SOURCES})
     set(scope PUBLIC)
@@ -26,4 +31,21 @@ function(tensortopo_module name)
     POSITION_INDEPENDENT_CODE ON
     VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
   set_property(GLOBAL APPEND PROPERTY TENSORTOPO_TARGETS ${target})
+
+  if(arg_ROUNDING_SOURCES)
+    # A target of its own, because precompiled headers hold for equal flags only.
+    add_library(${target}_rounding OBJECT ${arg_ROUNDING_SOURCES})
+    target_include_directories(${target}_rounding PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/include")
+    target_compile_options(${target}_rounding PRIVATE -frounding-math)
+    target_link_libraries(${target}_rounding PRIVATE
+      tensortopo::fp $<BUILD_INTERFACE:tensortopo_warnings> ${arg_PUBLIC} ${arg_PRIVATE})
+    set_target_properties(${target}_rounding PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_rounding>)
+  endif()
+  if(arg_REUSE_PRECOMPILED_NUMBERS)
+    target_precompile_headers(${target} REUSE_FROM tensortopo_scalar)
+    if(TARGET ${target}_rounding)
+      target_precompile_headers(${target}_rounding REUSE_FROM tensortopo_scalar_rounding)
+    endif()
+  endif()
 endfunction()

@@ -18,6 +18,11 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${TENSORTOPO_CCACHE})
   endif()
 endif()
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
+  # Not being told so, ccache compiles anew whatever uses precompiled headers.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+    CCACHE_SLOPPINESS=pch_defines,time_macros ${CMAKE_CXX_COMPILER_LAUNCHER})
+endif()
 
 # The language level and the arithmetic contract. Public: templates and inline functions are
 # compiled in the client's flags, and an error bound proved without contraction does not hold with it.
@@ -34,6 +39,28 @@ target_compile_options(tensortopo_warnings INTERFACE
   # GCC 12 believes that short strings overlap themselves (its bug 105329).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
   $<$<BOOL:${TENSORTOPO_WERROR}>:-Werror>)
+
+# GCC 12 takes strings of precompiled headers for smaller objects of ours and warns of overflows:
+# for targets where it does. Builds without precompiled headers (preset dev) keep the warnings.
+add_library(tensortopo_precompiled_strings INTERFACE)
+if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  target_compile_options(tensortopo_precompiled_strings INTERFACE
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds>
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow>)
+endif()
+
+# tensortopo_headers(NAME HEADERS h... [LIBRARIES target...] [OPTIONS o...])
+# Headers compiled once, for REUSE_FROM by targets of equal flags and definitions. The compiler
+# refuses them to others for most differences, but not for -frounding-math or -O1 instead of -O3.
+function(tensortopo_headers name)
+  cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES;OPTIONS" ${ARGN})
+  set(empty "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  file(CONFIGURE OUTPUT "${empty}" CONTENT "// Precompiled headers want a source.\n")
+  add_library(${name} OBJECT "${empty}")
+  target_compile_options(${name} PRIVATE ${arg_OPTIONS})
+  target_link_libraries(${name} PRIVATE tensortopo::fp tensortopo_warnings ${arg_LIBRARIES})
+  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+endfunction()
 
 if(TENSORTOPO_SANITIZE)
   add_compile_options(-fsanitize=${TENSORTOPO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
