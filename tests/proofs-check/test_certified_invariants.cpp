@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces of the magnitude, the deviator's and the anisotropy: what is claimed of them is what the
 // checker derives, and nothing else passes.
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <fstream>
-#include <set>
+#include <map>
 
 #include "extract/bundled_fields.hpp"
 #include "extract/extract_case.hpp"
