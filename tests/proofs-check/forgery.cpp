@@ -159,16 +159,20 @@ bool has_closed_cone(const Exhibit& e) {
   });
 }
 
-/// In one tetrahedron: a closed sheet, a closed curve on a face, an edge crossed twice; and a level of
-/// each kind in one file.
+/// In one tetrahedron: a closed sheet, a closed curve on a face, an edge crossed twice, both nappes of
+/// an anisotropy; and levels of two kinds in one file.
 std::vector<Exhibit> invariant_exhibits() {
   std::vector<Exhibit> result;
   result.push_back(exhibit(reference_tet_mesh(kAroundZero), {"magnitude 1/10"}));
   result.push_back(exhibit(reference_tet_mesh(kZeroInFace), {"deviator-magnitude 1/10"}));
   result.push_back(exhibit(reference_tet_mesh(kZeroOnEdge), {"magnitude 1/10"}, 2));
-  TetMesh mesh = cube_mesh(1);
-  fill_with_normal_tensors(mesh, 5);
-  result.push_back(exhibit(mesh, {"anisotropy 4/5", "1/4", "magnitude 2"}));
+  // Isotropic of both signs at two vertices.
+  const TetTensors two_nappes{{{2, 1, 1.5, 0.25, 0, 0},
+                               {-1.5, -1, -2, 0, 0.5, 0},
+                               {1, -1, 0, 1, 0, 0.5},
+                               {0.5, 0, -0.5, 0, 1, -1}}};
+  result.push_back(exhibit(reference_tet_mesh(two_nappes), {"anisotropy 4/5"}));
+  result.push_back(exhibit(reference_tet_mesh(two_nappes), {"magnitude 2", "1/4"}));
   return result;
 }
 

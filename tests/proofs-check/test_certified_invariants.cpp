@@ -27,22 +27,24 @@ std::map<std::string, std::size_t> reasons(const Json& level) {
 
 TEST(CertifiedInvariants, BundledFieldsAreCertified) {
   Court court("invariants");
-  std::size_t fields = 0;
-  for (const auto& file : bundled_files()) {
-    if (file.string().find("s3_") == std::string::npos &&
-        file.string().find("s4_") == std::string::npos)
-      continue;
-    ++fields;
-    const Exhibit e = exhibit(read(file), {"magnitude 1/4", "magnitude 1/2",
-                                           "deviator-magnitude 0.2", "deviator-magnitude 0.4",
-                                           "anisotropy 0.7", "anisotropy 9/10"}, 2);
-    EXPECT_EQ(court.verdict(e), "certified") << file << '\n' << court.report();
+  const std::vector<std::pair<std::string, std::vector<std::string>>> fields{
+      {"s3_", {"magnitude 12", "magnitude 6", "deviator-magnitude 9", "deviator-magnitude 4.5",
+               "anisotropy 0.8", "anisotropy 2/3"}},
+      {"s4_", {"magnitude 1/4", "magnitude 1/2", "deviator-magnitude 0.2",
+               "deviator-magnitude 0.4", "anisotropy 0.7", "anisotropy 9/10"}}};
+  for (const auto& [name, levels] : fields) {
+    const auto files = bundled_files();
+    const auto file = std::find_if(files.begin(), files.end(), [&](const auto& f) {
+      return f.string().find(name) != std::string::npos;
+    });
+    ASSERT_NE(file, files.end());
+    const Exhibit e = exhibit(read(*file), levels, 2);
+    EXPECT_EQ(court.verdict(e), "certified") << name << '\n' << court.report();
     for (const Json& level : e.certificate["levels"]) {
       EXPECT_GT(level["tets"].size(), 100u) << level["invariant"] << level["value"];
-      EXPECT_LT(3 * level["distance"]["coarse"].size(), level["tets"].size());
+      EXPECT_LT(8 * level["distance"]["coarse"].size(), level["tets"].size());
     }
   }
-  EXPECT_EQ(fields, 2u);
 }
 
 /// Independent tensors, of any size: sheets of all kinds. Also with zero tensors among them.
