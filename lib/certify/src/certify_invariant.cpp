@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "bracket_search.hpp"
 #include "claims.hpp"
@@ -82,6 +84,23 @@ Brackets brackets_of(const TetMesh& mesh, const QuadraticLevel& level, LevelTopo
   return brackets;
 }
 
+/// Tetrahedra, ascending, with a crossing that is another vertex elsewhere: there the tetrahedra with
+/// a zero tensor cut the surface in two, and an edge's crossing has the name of one vertex only.
+std::vector<Index> cut_off(const SurfaceMesh& surface) {
+  std::set<std::pair<std::array<Index, 4>, std::array<double, 3>>> found;
+  std::vector<char> is_copy(surface.points.size(), 0);
+  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+    if (surface.carrier[v] != Carrier::edge) continue;
+    const auto& p = surface.points[v];
+    is_copy[v] = !found.insert({surface.carrier_vertices[v], {p.x, p.y, p.z}}).second;
+  }
+  std::set<Index> tets;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const auto v : surface.triangles[t])
+      if (is_copy[as_size(v)]) tets.insert(surface.tet[t]);
+  return {tets.begin(), tets.end()};
+}
+
 }  // namespace
 
 CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
@@ -94,6 +113,8 @@ CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
   result.triangles = surface.triangles.size();
   result.on_level = extraction.statistics.vertices_on_level;
   for (const Index tet : extraction.zero_tensor) result.undecided.push_back({tet, "zero_tensor"});
+  if (!extraction.zero_tensor.empty())
+    for (const Index tet : cut_off(surface)) result.undecided.push_back({tet, "zero_tensor"});
   result.topology = topology_of(mesh, surface, result.undecided);
   const auto& tets = result.topology.tets;
   std::vector<std::string> reasons(tets.size());

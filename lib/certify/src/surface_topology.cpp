@@ -199,12 +199,15 @@ LevelTopology topology_of(const TetMesh& mesh, const SurfaceMesh& surface,
   const TetReader reader(mesh, surface);
   LevelTopology topology;
   FaceCurves curves;
-  std::vector<char> is_read(surface.points.size(), 0);
+  std::vector<char> is_read(surface.points.size(), 0), is_undecided(mesh.tets.size(), 0);
+  for (const auto& cell : undecided) is_undecided[as_size(cell.tet)] = 1;
   for (std::size_t i = 0; i < order.size();) {
     const Index tet = surface.tet[order[i]];
     std::size_t end = i;
     while (end < order.size() && surface.tet[order[end]] == tet) ++end;
     const std::span triangles(order.data() + i, end - i);
+    i = end;
+    if (is_undecided[as_size(tet)]) continue;
     FaceCurves own;
     if (auto read = reader.read(tet, triangles, own)) {
       topology.tets.push_back(std::move(*read));
@@ -215,7 +218,6 @@ LevelTopology topology_of(const TetMesh& mesh, const SurfaceMesh& surface,
     } else {
       undecided.push_back({tet, "inconsistent_samples"});
     }
-    i = end;
   }
   topology.edges = edges_of(mesh, surface, is_read);
   topology.faces = faces_of(std::move(curves));
