@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <map>
+#include <set>
 
 #include "extract/bundled_fields.hpp"
 #include "extract/extract_case.hpp"
@@ -211,6 +212,28 @@ TEST(CertifiedInvariants, ZeroTensorsAreLeftOutAndNamed) {
   level["undecided"] = claimed;
   level["undecided"][0][1] = "zero";
   trial.expect("malformed", e, "another reason");
+}
+
+/// Where they cut the surface in two around an edge, what cannot be named is undecided, not refuted.
+TEST(CertifiedInvariants, ManyZeroTensorsAreNamedAndNothingIsRefuted) {
+  constexpr std::uint64_t kSeed = 20241203;
+  Random random(kSeed);
+  Court court("zero_tensors");
+  std::size_t cut = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    TetMesh mesh = cube_mesh(2);
+    fill_with_normal_tensors(mesh, kSeed + static_cast<std::uint64_t>(trial));
+    for (int i = 0; i < 6; ++i)
+      mesh.tensors[static_cast<std::size_t>(random.integer(0, 26))] = {};
+    const Exhibit e = exhibit(mesh, {"anisotropy 9/10"}, 2);
+    EXPECT_EQ(court.verdict(e), "undecided") << "trial " << trial << '\n' << court.report();
+    std::set<std::array<double, 3>> places;
+    for (const auto& p : e.surface.points) places.insert({p.x, p.y, p.z});
+    cut += e.surface.points.size() - places.size();
+    const std::size_t zeros = reasons(first_level(e))["zero_tensor"];
+    EXPECT_EQ(zeros, first_level(e)["undecided"].size());
+  }
+  EXPECT_GT(cut, 0u);
 }
 
 }  // namespace
