@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certificate.hpp"
 
-#include <algorithm>
-
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/io/number_hash.hpp"
@@ -13,9 +11,9 @@ namespace tensortopo {
 
 namespace {
 
-std::string components_name(const ReadResult& read, const ExtractCommand& command) {
+std::string components_name(const ReadResult& read, const ReadOptions& options) {
   if (read.report.tensor_components == 9) return "full";
-  switch (command.read.components.value_or(ComponentOrder::vtk)) {
+  switch (options.components.value_or(ComponentOrder::vtk)) {
     case ComponentOrder::voigt:
       return "voigt";
     case ComponentOrder::abaqus:
@@ -28,27 +26,22 @@ std::string components_name(const ReadResult& read, const ExtractCommand& comman
 
 }  // namespace
 
-void require_certifiable(const ExtractCommand& command) {
-  if (command.output.extension() != ".vtp")
+void require_certifiable(const std::filesystem::path& input, const ReadOptions& options,
+                         const std::filesystem::path& output) {
+  if (output.extension() != ".vtp")
     throw UsageError("--certify: the certificate names vertices and tetrahedra of the surface, "
                      "which only a .vtp keeps; give -o a name in .vtp");
-  if (command.baseline)
-    throw UsageError("--certify: only surfaces of the method `manifold` come with proofs");
-  if (std::any_of(command.modes.begin(), command.modes.end(), is_degenerate))
-    throw UsageError("--certify: there are certificates of mode surfaces, not of degenerate "
-                     "curves (--mode 1 or -1)");
-  if (command.read.cell_to_point || command.read.tetrahedralize ||
-      command.input.extension() == ".pvtu")
+  if (options.cell_to_point || options.tetrahedralize || input.extension() == ".pvtu")
     throw UsageError("--certify: the certificate is about the numbers in one file as they are; "
                      "--cell-to-point, --tetrahedralize and .pvtu make others");
 }
 
-CertificateReport write_certificate(const std::filesystem::path& file, const ExtractCommand& command,
+CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
                                     const ReadResult& read, const SurfaceMesh& surface,
                                     const std::vector<CertifiedLevel>& levels) {
   CertificateSubject subject;
   subject.tensor = read.report.tensor_name;
-  subject.components = components_name(read, command);
+  subject.components = components_name(read, options);
   subject.points = read.mesh.points.size();
   subject.tetrahedra = read.mesh.tets.size();
   subject.field_sha256 = field_sha256(read.mesh);

@@ -6,18 +6,19 @@
 #include <vector>
 
 #include "tensortopo/analysis/certificate_report.hpp"
-#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 
 namespace tensortopo {
 
-/// Throws UsageError for a command whose surface a certificate cannot describe.
-void require_certifiable(const ExtractCommand& command);
+/// Throws UsageError for files that a certificate cannot describe.
+void require_certifiable(const std::filesystem::path& input, const ReadOptions& options,
+                         const std::filesystem::path& output);
 
 /// Writes the certificate of a surface, whole or not at all. Throws IoError.
-CertificateReport write_certificate(const std::filesystem::path& file, const ExtractCommand& command,
+/// @param options  with which the field was read
+CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
                                     const ReadResult& read, const SurfaceMesh& surface,
                                     const std::vector<CertifiedLevel>& levels);
 

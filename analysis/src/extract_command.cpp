@@ -40,6 +40,15 @@ void tell(const Progress& progress, std::string_view stage, double fraction) {
 
 using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vector<ModeValue>>;
 
+/// Throws UsageError for surfaces that no proof is about.
+void require_proofs(const ExtractCommand& command) {
+  if (command.baseline)
+    throw UsageError("--certify: only surfaces of the method `manifold` come with proofs");
+  if (std::any_of(command.modes.begin(), command.modes.end(), is_degenerate))
+    throw UsageError("--certify: there are certificates of surfaces, not of degenerate curves "
+                     "(--mode 1 or -1)");
+}
+
 /// A baseline's surface as if extracted: it leaves nothing out, and counts nothing.
 Extraction extract_baseline(const TetMesh& mesh, const ModeValue& mode,
                             const ExtractCommand& command) {
@@ -142,7 +151,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
-    require_certifiable(command);
+    require_certifiable(command.input, command.read, command.output);
+    require_proofs(command);
     require_folder(command.certificate);
   }
 
@@ -249,7 +259,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (certifying) {
     const Clock certify_clock;
     report.certificate =
-        write_certificate(command.certificate, command, read, surface, certified);
+        write_certificate(command.certificate, command.read, read, surface, certified);
     report.certificate->seconds = seconds_certify + certify_clock.seconds();
   }
   return report;

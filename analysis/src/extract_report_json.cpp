@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "certificate_report_output.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
 #include "topology_json.hpp"
 
@@ -73,16 +74,6 @@ Json statistics_json(const ExtractStatistics& s) {
           {"sheets_cones", s.sheets_cones},
           {"cone_points", s.cone_points},
           {"zero_deviator_vertices", s.zero_deviator_vertices}};
-}
-
-Json certificate_json(const std::optional<CertificateReport>& certificate) {
-  if (!certificate) return nullptr;
-  return {{"status", certificate->undecided.empty() ? "certified" : "undecided"},
-          {"certified", certificate->certified},
-          {"refuted", 0},
-          {"undecided", counts(certificate->undecided)},
-          {"path", certificate->path.string()},
-          {"bytes", certificate->bytes}};
 }
 
 Json seconds_json(const ExtractReport& report, const ExtractStatistics& s) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <set>
 
+#include "certificate_report_output.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
 
 namespace tensortopo {
@@ -106,12 +107,7 @@ std::string to_text(const ExtractReport& report) {
                    report.output.string(), report.bytes, report.seconds_read,
                    report.seconds_extract, report.seconds_write);
   }
-  if (report.certificate) {
-    fmt::format_to(out, "{}: {} bytes, {} claims certified ({:.2f} s)\n",
-                   report.certificate->path.string(), report.certificate->bytes,
-                   report.certificate->certified, report.certificate->seconds);
-  }
-  return text;
+  return text + text_of(report.certificate);
 }
 
 }  // namespace tensortopo

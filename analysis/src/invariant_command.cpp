@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "certificate.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
@@ -43,6 +44,11 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   if (command.levels.empty()) throw UsageError("--value: no value given");
   require_surface_extension(command.output, false);
   require_folder(command.output);
+  const bool certifying = !command.certificate.empty();
+  if (certifying) {
+    require_certifiable(command.input, command.read, command.output);
+    require_folder(command.certificate);
+  }
   InvariantReport report;
   report.input = command.input;
   report.output = command.output;
@@ -58,6 +64,8 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
 
   SurfaceMesh surface;
   std::set<std::int64_t> unresolved;
+  std::vector<CertifiedLevel> certified;
+  double seconds_certify = 0;
   std::vector<InvariantLevel> done;
   for (const InvariantLevel& level : command.levels) {
     if (std::find(done.begin(), done.end(), level) != done.end()) continue;
@@ -75,6 +83,12 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
     for (const auto t : extraction.zero_tensor)
       unresolved.insert(read.mesh.cell_ids[static_cast<std::size_t>(t)]);
     report.surfaces.push_back(surface_report(level, extraction));
+    if (certifying) {
+      if (progress) options.progress("certificate", 0);
+      start = Clock::now();
+      certified.push_back(certify(read.mesh, level, extraction));
+      seconds_certify += seconds_since(start);
+    }
     append_surface(surface, std::move(extraction.surface));
   }
   report.unresolved.assign(unresolved.begin(), unresolved.end());
@@ -84,6 +98,12 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   report.bytes = write_surface(surface, read.mesh, command.output).bytes;
   report.written = true;
   report.seconds_write = seconds_since(start);
+  if (certifying) {
+    start = Clock::now();
+    report.certificate =
+        write_certificate(command.certificate, command.read, read, surface, certified);
+    report.certificate->seconds = seconds_certify + seconds_since(start);
+  }
   return report;
 }
 

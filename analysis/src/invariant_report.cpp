@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "certificate_report_output.hpp"
 #include "tensortopo/analysis/invariant_command.hpp"
 #include "topology_json.hpp"
 
@@ -66,11 +67,12 @@ std::string to_json(const InvariantReport& report) {
   json["unresolved_cells"] = Json::array();
   for (std::size_t i = 0; i < std::min(report.unresolved.size(), kListedCells); ++i)
     json["unresolved_cells"].push_back({{"cell", report.unresolved[i]}, {"reason", kReason}});
-  json["certificate"] = nullptr;
+  json["certificate"] = certificate_json(report.certificate);
   json["seconds"] = {{"read", report.seconds_read},
                      {"tets", tets},
                      {"stitch", stitch},
                      {"extract", report.seconds_extract},
+                     {"certify", report.certificate ? report.certificate->seconds : 0},
                      {"write", report.seconds_write}};
   // A path may hold bytes that are no UTF-8; JSON must not.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -95,7 +97,7 @@ std::string to_text(const InvariantReport& report) {
     fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",
                    report.output.string(), report.bytes, report.seconds_read,
                    report.seconds_extract, report.seconds_write);
-  return text;
+  return text + text_of(report.certificate);
 }
 
 }  // namespace tensortopo

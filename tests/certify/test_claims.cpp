@@ -58,8 +58,9 @@ TEST_P(Claims, BracketsPartTheCrossingsOfAnEdge) {
         EXPECT_GE(low, free_from);
         EXPECT_LE(high, 1);
         free_from = high;
-        EXPECT_EQ(is_above(mesh, edge, low, c.level.mode), !edge.crossings[k].rising);
-        EXPECT_EQ(is_above(mesh, edge, high, c.level.mode), edge.crossings[k].rising);
+        const auto& mode = std::get<ModeValue>(c.level.value);
+        EXPECT_EQ(is_above(mesh, edge, low, mode), !edge.crossings[k].rising);
+        EXPECT_EQ(is_above(mesh, edge, high, mode), edge.crossings[k].rising);
         // The vertex is where the bracket says.
         const auto &p = mesh.points[as_size(edge.vertices[0])],
                    &q = mesh.points[as_size(edge.vertices[1])];

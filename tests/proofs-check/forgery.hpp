@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
+#include "support/random_fields.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
@@ -25,11 +26,28 @@ struct Exhibit {
   std::string surface_text() const;  ///< a .vtp
 };
 
-Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& modes);
+/// @param levels  modes "-1/2", or invariants with values "magnitude 3/2"
+/// @param pieces  as in InvariantOptions
+Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& levels, int pieces = 1);
 
 /// Small meshes whose levels have several sheets in a tetrahedron, several crossings on an edge,
-/// closed curves on a face, and more than one mode.
+/// closed curves on a face, and more than one mode; of other invariants also closed sheets.
 const std::vector<Exhibit>& honest_exhibits();
+
+/// Tensors of a tetrahedron that are zero at a point inside it, inside the face of its first three
+/// vertices, on the edge of its first two: small values are around that point.
+inline constexpr TetTensors kAroundZero{{{1, -1, 0, 0.25, 0, 0},
+                                         {0, 1, -1, 0, 0.5, 0},
+                                         {0, 0.5, -0.5, 1, 0, 0.5},
+                                         {-1, -0.5, 1.5, -1.25, -0.5, -0.5}}};
+inline constexpr TetTensors kZeroInFace{{{1, -1, 0, 0.25, 0, 0},
+                                         {0, 1, -1, 0, 0.5, 0},
+                                         {-1, 0, 1, -0.25, -0.5, 0},
+                                         {0.5, 0.5, -1, 1, 0, 0.75}}};
+inline constexpr TetTensors kZeroOnEdge{{{1, -1, 0, 0.25, 0, 0},
+                                         {-2, 2, 0, -0.5, 0, 0},
+                                         {0, 1, -1, 0, 0.5, 1},
+                                         {0.5, 0.5, -1, 1, 0, 0.75}}};
 
 /// Has files checked, in a folder of its own, which it removes.
 class Court {
@@ -55,7 +73,8 @@ class Court {
 
 /// Do the two certificates say the same, or the second one less, or the same otherwise? A
 /// distance may be claimed with other reaches, a larger bound or more coarse tetrahedra, or not at
-/// all; and a crossing by a wider or narrower interval: such claims may be true as well.
+/// all; a crossing by a wider or narrower interval; and a surface without crossings may be that of
+/// another value: such claims may be true as well.
 bool may_be_true(const nlohmann::json& honest, const nlohmann::json& altered);
 
 }  // namespace tensortopo::test

@@ -9,6 +9,7 @@
 #include "analysis/run_program.hpp"
 #include "certificate_writer.hpp"
 #include "support/random_fields.hpp"
+#include "tensortopo/io/write_mesh.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -69,6 +70,29 @@ TEST(CheckProgram, RefusesFilesInOneLine) {
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   }
   EXPECT_EQ(run_program({"check", s.input()}).status, 2);
+}
+
+TEST(CheckProgram, CertifiesWhatExtractClaimsOfInvariants) {
+  const Folder folder;
+  TetMesh mesh = cube_mesh(2);
+  fill_with_normal_tensors(mesh, 3);
+  for (const bool has_zero : {false, true}) {
+    if (has_zero) mesh.tensors[13] = {};
+    write_mesh(mesh, folder / "m.vtu");
+    const Outcome made = run_program(
+        {"extract", folder / "m.vtu", "-o", folder / "s.vtp", "--invariant", "anisotropy", "--value",
+         "0.9", "--value", "4/5", "--certify", folder / "c.cbor", "--json"});
+    EXPECT_EQ(made.status, has_zero ? 1 : 0) << made.err;
+    const Json said = Json::parse(made.out).at("certificate");
+    EXPECT_EQ(said.at("status"), has_zero ? "undecided" : "certified");
+    EXPECT_EQ(said.at("undecided").contains("zero_tensor"), has_zero);
+    const Outcome checked = run_program(
+        {"check", folder / "m.vtu", folder / "s.vtp", folder / "c.cbor", "--json"});
+    EXPECT_EQ(checked.status, has_zero ? 1 : 0) << checked.err;
+    const Json report = Json::parse(checked.out);
+    EXPECT_EQ(report.at("refuted"), 0);
+    EXPECT_EQ(report.at("undecided"), has_zero ? said.at("undecided").at("zero_tensor") : Json(0));
+  }
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ LevelTruth level_of(const Json& json) {
 
 LevelTruth level_truth(const CertifiedLevel& level, bool detailed) {
   LevelTruth truth;
-  truth.mode = level.mode;
+  truth.mode = std::get<ModeValue>(level.value);
   truth.detailed = detailed;
   truth.undecided = level.undecided;
   for (const auto& c : level.components)

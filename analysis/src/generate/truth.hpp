@@ -71,6 +71,7 @@ struct FieldTruth {
 };
 
 /// The facts among the claims.
+/// @pre the level is a mode's
 LevelTruth level_truth(const CertifiedLevel& level, bool detailed);
 
 /// JSON; equal truths give equal bytes. Ends with a newline.

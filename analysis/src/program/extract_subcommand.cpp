@@ -62,12 +62,7 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
                 << " tetrahedra the distance to the level is not proved to be below --max-error\n";
     return ExitStatus::undecided;
   }
-  if (report.certificate && report.certificate->undecided_cells > 0) {
-    if (!common.quiet)
-      std::cerr << "tensortopo: " << command.certificate.string() << ": "
-                << report.certificate->undecided_cells << " tetrahedra stay undecided\n";
-    return ExitStatus::undecided;
-  }
+  if (say_undecided(report.certificate, common.quiet)) return ExitStatus::undecided;
   return command.strict && !unresolved.empty() ? ExitStatus::undecided : ExitStatus::done;
 }
 

@@ -32,14 +32,11 @@ void add_invariant_option(CLI::App& app, InvariantOption& option,
 
 ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand& command,
                              const CommonOptions& common) {
-  if (!command.certificate.empty())
-    throw UsageError(
-        "--certify: there are certificates of mode surfaces, not yet of the surfaces "
-        "of other invariants (--invariant)");
   if (option.values.empty()) throw UsageError("--invariant " + option.invariant + ": no --value");
   InvariantCommand own;
   own.input = command.input;
   own.output = command.output;
+  own.certificate = command.certificate;
   own.read = command.read;
   own.strict = command.strict;
   own.pieces = option.pieces;
@@ -61,6 +58,7 @@ ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand
     std::cerr << "tensortopo: " << report.input.string() << ": " << unresolved
               << (report.written ? "" : "; nothing written") << '\n';
   print(common.json ? to_json(report) + '\n' : to_text(report));
+  if (say_undecided(report.certificate, common.quiet)) return ExitStatus::undecided;
   return own.strict && !unresolved.empty() ? ExitStatus::undecided : ExitStatus::done;
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <iostream>
+#include <optional>
 #include <string_view>
 
+#include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/io/io_error.hpp"
 
 namespace tensortopo {
@@ -13,6 +15,15 @@ namespace tensortopo {
 inline void print(std::string_view text) {
   std::cout << text << std::flush;
   if (!std::cout) throw IoError(IoError::Kind::unwritable, "standard output", "cannot write");
+}
+
+/// Says, unless it is to be quiet, how much a certificate leaves undecided. False if nothing.
+inline bool say_undecided(const std::optional<CertificateReport>& certificate, bool quiet) {
+  if (!certificate || certificate->undecided_cells == 0) return false;
+  if (!quiet)
+    std::cerr << "tensortopo: " << certificate->path.string() << ": "
+              << certificate->undecided_cells << " tetrahedra stay undecided\n";
+  return true;
 }
 
 }  // namespace tensortopo

@@ -101,7 +101,12 @@ Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size
                           {"triangles", c.triangles},
                           {"first_vertex", first_vertex + as_size(c.first_vertex)}});
   Json json;
-  json["mode"] = level.mode.text();
+  if (const auto* invariant = std::get_if<InvariantLevel>(&level.value)) {
+    json["invariant"] = name_of(invariant->invariant());
+    json["value"] = invariant->text();
+  } else {
+    json["mode"] = std::get<ModeValue>(level.value).text();
+  }
   json["vertices"] = {first_vertex, level.vertices};
   json["triangles"] = {first_triangle, level.triangles};
   json["on_level"] = level.on_level;

@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossing_brackets.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "bracket_search.hpp"
 #include "tensortopo/extract/refinement.hpp"
 
 namespace tensortopo {
 
 namespace {
-
-/// Coarse brackets are short to write and quick to check, fine ones part close crossings.
-constexpr std::array kDepths{16, 24, 32, 40, 50};
 
 /// Beyond this the smaller of two vertex tensors is lost in the sum.
 constexpr int kLargestRatio = 900;
@@ -63,36 +60,10 @@ std::optional<std::vector<DyadicBracket>> crossing_brackets(const LevelTopology:
                                                             const Level<double>& level) {
   const EdgeSides sides(edge, field, level);
   if (!sides.is_usable()) return std::nullopt;
-  std::vector<DyadicBracket> brackets;
-  double free_from = 0;  // end of the last bracket
-  for (std::size_t k = 0; k < edge.crossings.size(); ++k) {
-    const auto& crossing = edge.crossings[k];
-    const double t = std::clamp(sides.coordinate(crossing.weight), 0.0, 1.0);
-    const double next = k + 1 < edge.crossings.size()
-                            ? sides.coordinate(edge.crossings[k + 1].weight)
-                            : 1;
-    const auto holds = [&](double place, int depth) {
-      const double low = std::ldexp(place, -depth), high = std::ldexp(place + 1, -depth);
-      if (place < 0 || high > 1 || low < free_from) return false;
-      // The next crossing needs room.
-      if (k + 1 < edge.crossings.size() && high >= next) return false;
-      return sides.is_above(low) != crossing.rising && sides.is_above(high) == crossing.rising;
-    };
-    const auto find = [&]() -> std::optional<DyadicBracket> {
-      for (const int depth : kDepths) {
-        const double place = std::min(std::floor(std::ldexp(t, depth)), std::ldexp(1.0, depth) - 1);
-        for (const double shift : {0.0, -1.0, 1.0})
-          if (holds(place + shift, depth))
-            return DyadicBracket{static_cast<std::uint64_t>(place + shift), depth};
-      }
-      return std::nullopt;
-    };
-    const auto bracket = find();
-    if (!bracket) return std::nullopt;
-    free_from = std::ldexp(static_cast<double>(bracket->place + 1), -bracket->depth);
-    brackets.push_back(*bracket);
-  }
-  return brackets;
+  std::vector<NearCrossing> crossings;
+  for (const auto& crossing : edge.crossings)
+    crossings.push_back({sides.coordinate(crossing.weight), crossing.rising});
+  return find_brackets(crossings, [&](double t) { return sides.is_above(t); });
 }
 
 }  // namespace tensortopo

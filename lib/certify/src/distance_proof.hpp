@@ -6,6 +6,7 @@
 
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
+#include "tensortopo/quadric/quadric_form.hpp"
 
 namespace tensortopo {
 
@@ -26,5 +27,11 @@ DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                              std::span<const std::size_t> triangles,
                              const LevelTopology& topology, const ScaledField<double>& field,
                              const Level<double>& level);
+
+/// The same of an invariant's level: moved along the gradient of its quadratic form, which is
+/// also what a triangle's side is told by: the polar forms of its corners are the coefficients there.
+DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
+                             std::span<const std::size_t> triangles,
+                             const LevelTopology& topology, const QuadraticLevel& level);
 
 }  // namespace tensortopo

@@ -9,19 +9,13 @@
 #include <stdexcept>
 
 #include "cell_scale.hpp"
+#include "in_rationals.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
 namespace {
 
-/// Error of an entry q(S, T) of the form at places with integer coordinates, over the product
-/// of their sizes. A size is the root of 3 P + |tau| m^2 + gamma, m being the sum of the absolute
-/// diagonal, so a polar form evaluated in absolute values stays below the product (that of P below
-/// 3 times the roots). A term passes through less than 40 roundings: 2 in a deviator, 6 in P, 8 in
-/// tau tr tr, 4 in gamma, 20 in the sum over coordinates. Underflow adds less than 2^-1000, little
-/// beside the square of the smallest size admitted.
-constexpr double kEntryError = 64 * std::numeric_limits<double>::epsilon();
-constexpr double kSmallestSize = 0x1p-430;
+constexpr double kEntryError = QuadricForm::kError, kSmallestSize = QuadricForm::kSmallestSize;
 
 /// Errors of determinants of order n whose entries are at most 1 and wrong by kEntryError: below
 /// n! n kEntryError, and as much again for the rounding of the determinant.
@@ -35,17 +29,13 @@ Scalar combine(const std::array<Scalar, 4>& values, const GridPoint& p) {
   return sum;
 }
 
-template <class Scalar>
-Scalar combine(const SquareMatrix<Scalar, 4>& form, const GridPoint& p, const GridPoint& r) {
+template <class Form>
+auto combine(const Form& form, const GridPoint& p, const GridPoint& r) {
+  using Scalar = std::decay_t<decltype(form[0][0])>;
   Scalar sum(0);
   for (std::size_t i = 0; i < 4; ++i)
     if (p[i] != 0) sum += Scalar(p[i]) * combine(form[i], r);
   return sum;
-}
-
-SymmetricTensor<Rational> in_rationals(const SymmetricTensor<double>& t) {
-  return {Rational(t.xx), Rational(t.yy), Rational(t.zz),
-          Rational(t.xy), Rational(t.yz), Rational(t.xz)};
 }
 
 Side side_of_trace(int nappe, int trace_sign) {
@@ -58,18 +48,11 @@ int sign(const Rational& r) { return r > 0 ? 1 : r < 0 ? -1 : 0; }
 
 }  // namespace
 
-ConvexLevel::ConvexLevel(const InvariantLevel& level, int which) : nappe(which) {
-  const Rational exact(level.text()), square = exact * exact;
-  value = level.approx();
+ConvexLevel::ConvexLevel(const InvariantLevel& level, int which)
+    : QuadraticLevel(level), nappe(which) {
   const bool is_cone = level.invariant() == Invariant::anisotropy;
   if (is_cone != (nappe == 1 || nappe == -1) || (!is_cone && nappe != 0))
     throw std::invalid_argument("ConvexLevel: an anisotropy has the nappes 1 and -1, others 0");
-  if (is_cone) {
-    tau = -square / (1 - square);
-    return;
-  }
-  tau = level.invariant() == Invariant::magnitude ? 1 : 0;
-  gamma = 3 * square;
 }
 
 struct CellForm::Exact {
@@ -79,24 +62,14 @@ struct CellForm::Exact {
 
 CellForm::CellForm(const ConvexLevel& level,
                    const std::array<const SymmetricTensor<double>*, 4>& tensors)
-    : level_(level), tensors_(tensors) {
+    : level_(level), tensors_(tensors), form_(level, tensors) {
   const CellScale scale(tensors);
-  const double tau = level.tau.convert_to<double>();
-  const double value = level.gamma == 0 ? 0 : std::ldexp(level.value, scale.exponent);
-  const double gamma = 3 * value * value;
-  std::array<Deviator<double>, 4> deviators;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto t = scale(*tensors[i]);
-    deviators[i] = deviator(t);
+    size_[i] = form_.size(i);
     trace_[i] = trace(t);
     trace_size_[i] = std::abs(t.xx) + std::abs(t.yy) + std::abs(t.zz);
-    size_[i] = std::sqrt(3 * norm_form(deviators[i]) +
-                         std::abs(tau) * trace_size_[i] * trace_size_[i] + gamma);
   }
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j <= i; ++j)
-      form_[i][j] = form_[j][i] =
-          norm_form(deviators[i], deviators[j]) + tau * (trace_[i] * trace_[j]) - gamma;
 }
 
 CellForm::~CellForm() = default;
@@ -105,18 +78,11 @@ const CellForm::Exact& CellForm::exact() const {
   ++exact_answers_;
   if (exact_) return *exact_;
   exact_ = std::make_unique<Exact>();
-  std::array<Deviator<Rational>, 4> deviators;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto own = in_rationals(*tensors_[i]);
-    deviators[i] = deviator(own);
-    exact_->trace[i] = trace(own);
+    exact_->trace[i] = trace(in_rationals(*tensors_[i]));
+    for (std::size_t j = 0; j <= i; ++j)
+      exact_->form[i][j] = exact_->form[j][i] = form_.exact(i, j);
   }
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      const Rational traces = exact_->trace[i] * exact_->trace[j];
-      exact_->form[i][j] = exact_->form[j][i] =
-          norm_form(deviators[i], deviators[j]) + level_.tau * traces - level_.gamma;
-    }
   return *exact_;
 }
 

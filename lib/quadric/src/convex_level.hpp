@@ -7,26 +7,19 @@
 #include <memory>
 #include <span>
 
-#include "copositive.hpp"
-#include "tensortopo/quadric/invariant_level.hpp"
-#include "tensortopo/scalar/rational.hpp"
-#include "tensortopo/tensor/symmetric_tensor.hpp"
+#include "tensortopo/quadric/copositive.hpp"
+#include "tensortopo/quadric/quadric_form.hpp"
 
 namespace tensortopo {
 
 /// A level of an invariant as the boundary of a convex body of tensors.
 ///
-/// With P(T) = 3 |D|^2 all three levels are q = 0 for one quadratic form,
-/// q(T) = P(T) + tau (tr T)^2 - gamma. {|T| <= v} and {|D| <= v} are convex (gamma = 3 v^2, tau = 1
-/// and 0). {|D| <= v |T|} is a double cone (gamma = 0, tau = -v^2 / (1 - v^2)): two convex bodies,
+/// {|T| <= v} and {|D| <= v} are convex. {|D| <= v |T|} is a double cone: two convex bodies,
 /// the isotropic tensors of positive and of negative trace with what is close to them. They meet
 /// in T = 0 only. The level of an anisotropy is therefore extracted as two, one for each nappe.
 /// The level is value + 0: tensors on it belong to the body.
-struct ConvexLevel {
-  Rational tau;
-  Rational gamma;
-  double value = 0;  ///< nearest to the level's value; gamma is three times its square, or 0
-  int nappe = 0;     ///< 1 or -1: the sign of the trace in the body; 0: it is one piece
+struct ConvexLevel : QuadraticLevel {
+  int nappe = 0;  ///< 1 or -1: the sign of the trace in the body; 0: it is one piece
 
   /// Requires nappe 1 or -1 for an anisotropy and 0 else, or throws std::invalid_argument.
   ConvexLevel(const InvariantLevel& level, int nappe);
@@ -83,9 +76,8 @@ class CellForm {
 
   const ConvexLevel& level_;
   std::array<const SymmetricTensor<double>*, 4> tensors_;
-  SquareMatrix<double, 4> form_;  ///< of tensors scaled by a power of two
-  std::array<double, 4> size_;    ///< bounds: |form_[i][j]| <= size_[i] size_[j]
-  std::array<double, 4> trace_, trace_size_;
+  QuadricForm form_;
+  std::array<double, 4> size_, trace_, trace_size_;  ///< of tensors scaled as the form's
   mutable std::unique_ptr<Exact> exact_;
   mutable std::size_t exact_answers_ = 0;
 };

@@ -15,7 +15,9 @@
 
 #include "assemble_invariant_surface.hpp"
 #include "cell_subdivision.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
+#include "vertex_fans.hpp"
 
 namespace tensortopo {
 namespace {
@@ -104,6 +106,10 @@ InvariantExtraction extract_invariant_surface(const TetMesh& mesh, const Invaria
   result.statistics.seconds_tets = seconds_since(start);
   start = std::chrono::steady_clock::now();
   result.surface = assemble_invariant_surface(cells, tets, level.approx());
+  if (!result.zero_tensor.empty()) {
+    separate_fans(result.surface);
+    result.surface.component = surface_components(result.surface);
+  }
   result.statistics.seconds_stitch = seconds_since(start);
   return result;
 }

@@ -20,11 +20,23 @@ bool mark_left_out(const Json& claims, const Input& input, std::vector<bool>& le
   return true;
 }
 
-void check_level(const Json& claims, const Input& input, const Field& field,
-                 const Triangles& surface, Ledger& ledger) {
-  const mpq_class mode = mode_of(claims["mode"]);
-  ledger.level = "mode " + mode.get_str() + ", ";
-  const Level level(mode.get_num(), mode.get_den());
+Level level_of(const Json& claims) {
+  if (claims.contains("mode")) {
+    const mpq_class mode = mode_of(claims["mode"]);
+    return {mode.get_num(), mode.get_den()};
+  }
+  const Invariant invariant = invariant_of(claims["invariant"]);
+  return {invariant, value_of(claims["value"], invariant)};
+}
+
+void check_level(const Json& claims, const Input& input, const Triangles& surface,
+                 Ledger& ledger) {
+  const Level level = level_of(claims);
+  ledger.level = (claims.contains("mode")
+                      ? "mode " + claims["mode"].get<std::string>()
+                      : claims["invariant"].get<std::string>() + ' ' +
+                            claims["value"].get<std::string>()) + ", ";
+  const Field field(input, level.multiples());
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
   if (!mark_left_out(claims, input, left_out, ledger)) return;
@@ -86,8 +98,7 @@ Report check(const std::string& input_file, const std::string& surface_file,
                 "levels", "all of the surface, one after the other", "they are not");
   if (report.refuted > 0) return report;  // of another field or surface nothing need be derived
 
-  const Field field(input);
-  for (const Json& claims : levels) check_level(claims, input, field, surface, ledger);
+  for (const Json& claims : levels) check_level(claims, input, surface, ledger);
   return report;
 }
 

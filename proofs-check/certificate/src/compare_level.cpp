@@ -57,7 +57,7 @@ bool above_at(const LevelCase& c, const std::array<Vertex, 2>& edge, const mpz_c
   const long ea = c.field.exponent(edge[0]), eb = c.field.exponent(edge[1]);
   const long low = std::min(ea, eb);
   Tensor<mpz_class> sum;
-  for (std::size_t n = 0; n < 6; ++n) {
+  for (std::size_t n = 0; n < sum.size(); ++n) {
     sum[n] = (mpz_class(((mpz_class(1) << k) - i) * a[n]) << static_cast<unsigned long>(ea - low)) +
              (mpz_class(i * b[n]) << static_cast<unsigned long>(eb - low));
   }
@@ -174,7 +174,7 @@ void compare_tets(const LevelCase& c, const CrossingVertices& vertices, Ledger& 
       std::sort(out.begin() + 1, out.end());
     }
     std::sort(derived.begin(), derived.end(), [](const Json& a, const Json& b) {
-      return a.size() > 1 && b.size() > 1 && a[1][0] < b[1][0];
+      return b.size() > 1 && (a.size() == 1 || a[1][0] < b[1][0]);  // first one without boundary
     });
     derived.insert(derived.begin(), claim[0]);
     ledger.settle(claim == derived, name, claim.dump(), derived.dump());

@@ -140,6 +140,8 @@ void Pieces::compare(std::size_t tet, const Json& claim, std::vector<Piece>& pie
     std::vector<ClosedLoop> closed;
     std::optional<std::size_t> piece;
     std::set<std::size_t> loops;
+    for (std::size_t p = 0; p < pieces.size() && claim[s].size() == 1; ++p)
+      if (pieces[p].loops.empty() && !is_used[p]) piece = p;
     for (std::size_t l = 1; l < claim[s].size(); ++l) {
       const auto place = at.find(claim[s][l][0].get<Number>());
       if (place == at.end()) throw Wrong("a loop through no vertex at the rim");

@@ -6,28 +6,29 @@
 #include <cmath>
 #include <optional>
 
-#include "ball.hpp"
 #include "forms.hpp"
 
 namespace certificate {
 
-/// A direction along which the mode probably increases, with small integer entries: a guess in
-/// double arithmetic, for others to prove. A perceptron over the coefficients of `increase`,
-/// which is linear in the direction.
-template <std::size_t V>
-std::optional<std::array<int, V>> likely_direction(const Forms<Ball, V>& f) {
-  Forms<double, V> plain;
-  for (std::size_t i = 0; i < f.p.kCount; ++i)
-    plain.p.coefficients[i] = f.p.coefficients[i].value;
-  for (std::size_t i = 0; i < f.q.kCount; ++i)
-    plain.q.coefficients[i] = f.q.coefficients[i].value;
-  constexpr std::size_t kCount = Monomials<V, 4>::kCount;
+/// A direction along which the level's function probably increases, with small integer entries: a
+/// guess in double arithmetic, for others to prove. A perceptron over the coefficients of
+/// `increase`, which is linear in the direction.
+/// @param within_chart  among the directions whose entries have the sum 0
+template <template <class, std::size_t> class Form, std::size_t V>
+std::optional<std::array<int, V>> likely_direction(const Form<Ball, V>& f, bool within_chart) {
+  const auto plain_form = plain(f);
+  constexpr std::size_t kCount = decltype(increase(plain_form, {}))::kCount;
   std::array<std::array<double, V>, kCount> rows{};
   for (std::size_t j = 0; j < V; ++j) {
     std::array<int, V> axis{};
     axis[j] = 1;
-    const auto g = increase(plain, axis);
+    const auto g = increase(plain_form, axis);
     for (std::size_t i = 0; i < kCount; ++i) rows[i][j] = g.coefficients[i];
+  }
+  for (auto& row : rows) {
+    double mean = 0;
+    for (const double x : row) mean += x / static_cast<double>(V);
+    for (double& x : row) x -= within_chart ? mean : 0;
   }
   std::array<double, V> d{};
   for (auto& row : rows) {

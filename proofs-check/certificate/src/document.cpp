@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -14,9 +15,9 @@ namespace {
 
 /// What may stand where. An array has what is listed up to "*n", and then any number of the
 /// item that follows, ascending by their first n entries; numbers by themselves, and objects by
-/// their first vertex.
-const Json& shape() {
-  static const Json result = Json::parse(R"({
+/// their first vertex. If there is another item behind, it is for objects with the key `invariant`.
+Json make_shape() {
+  Json result = Json::parse(R"({
     "format": "text", "version": "natural",
     "input": {"tensor": "text", "components": "text", "points": "natural",
               "tetrahedra": "natural", "sha256": "text"},
@@ -35,6 +36,10 @@ const Json& shape() {
                             "first_vertex": "natural"}],
       "distance or null": {"reach": ["*0", "integer"], "bound": "text",
                            "coarse": ["*1", "natural"], "coarse_bound": "text"}}]})");
+  Json level = result["levels"][1];
+  level.erase("mode");
+  level["invariant"] = level["value"] = "text";
+  result["levels"].push_back(std::move(level));
   return result;
 }
 
@@ -86,7 +91,8 @@ std::string misfit(const Json& value, const Json& shape) {
   if (value.size() < fixed || (fixed == shape.size() && value.size() > fixed))
     return ": of another length";
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if (const std::string wrong = misfit(value[i], shape[i < fixed ? i : fixed + 1]);
+    const bool is_other = fixed + 2 < shape.size() && value[i].contains("invariant");
+    if (const std::string wrong = misfit(value[i], shape[i < fixed ? i : fixed + (is_other ? 2 : 1)]);
         !wrong.empty())
       return "/" + std::to_string(i) + wrong;
     if (i <= fixed) continue;
@@ -151,21 +157,48 @@ Json read_document(const std::string& file) {
   } catch (const Json::exception& error) {
     throw Malformed(file, error.what());
   }
-  if (const std::string wrong = misfit(document, shape()); !wrong.empty())
+  static const Json shape = make_shape();
+  if (const std::string wrong = misfit(document, shape); !wrong.empty())
     throw Malformed(file, wrong);
   if (document["format"] != "tensortopo certificate" || document["version"] != 1)
     throw Malformed(file, "no certificate of version 1");
   return document;
 }
 
+namespace {
+
+mpq_class fraction_of(const Json& value) {
+  mpq_class fraction;
+  if (fraction.set_str(text_of(value), 10) != 0 || fraction.get_den() == 0)
+    throw Malformed("", "a level at what is no fraction");
+  fraction.canonicalize();
+  if (fraction.get_str() != text_of(value)) throw Malformed("", "a level not in lowest terms");
+  return fraction;
+}
+
+}  // namespace
+
 mpq_class mode_of(const Json& value) {
-  mpq_class mode;
-  if (mode.set_str(text_of(value), 10) != 0 || mode.get_den() == 0)
-    throw Malformed("", "a mode that is no fraction");
-  mode.canonicalize();
-  if (mode.get_str() != text_of(value) || abs(mode) >= 1)
-    throw Malformed("", "a mode that is not between -1 and 1 in lowest terms");
+  const mpq_class mode = fraction_of(value);
+  if (abs(mode) >= 1) throw Malformed("", "a mode that is not between -1 and 1");
   return mode;
+}
+
+Invariant invariant_of(const Json& name) {
+  static const std::map<std::string, Invariant> names{
+      {"magnitude", Invariant::magnitude},
+      {"deviator-magnitude", Invariant::deviator_magnitude},
+      {"anisotropy", Invariant::anisotropy}};
+  const auto found = names.find(text_of(name));
+  if (found == names.end()) throw Malformed("", "no such invariant");
+  return found->second;
+}
+
+mpq_class value_of(const Json& value, Invariant invariant) {
+  const mpq_class v = fraction_of(value);
+  if (v <= 0 || (invariant == Invariant::anisotropy && v >= 1))
+    throw Malformed("", "a value that the invariant has on no surface");
+  return v;
 }
 
 double length_of(const Json& value) {
@@ -181,7 +214,8 @@ std::string reason_of(const Json& value) {
   static const std::set<std::string> reasons{
       "zero_deviator_inside",   "level_constant_in_cell", "level_constant_on_face",
       "level_constant_on_edge", "critical_value_in_cell", "critical_value_on_face",
-      "critical_value_on_edge", "budget_exhausted",       "inconsistent_samples"};
+      "critical_value_on_edge", "budget_exhausted",       "inconsistent_samples",
+      "zero_tensor"};
   if (!reasons.contains(text_of(value))) throw Malformed("", "no such reason");
   return text_of(value);
 }

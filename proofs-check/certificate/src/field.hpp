@@ -7,17 +7,18 @@
 
 namespace certificate {
 
-/// The tensors at the vertices of the mesh: three times the deviator, which has no fractions.
+/// The tensors at the vertices of the mesh: three times the deviator, which has no fractions, and
+/// the trace and the number one if they are asked for.
 class Field : public ExactTensors {
  public:
-  explicit Field(const Input& input);
+  Field(const Input& input, Multiples multiples);
 
-  /// An integer multiple, by 2^-exponent(v), of three times the deviator at a vertex.
+  /// An integer multiple, by 2^-exponent(v), of the tensor at a vertex.
   Tensor<mpz_class> exact(std::uint32_t vertex) const override;
-  /// Is the deviator zero, so that there is no mode?
-  bool is_zero(std::uint32_t vertex) const;
+  /// Is all of it zero, so that there is no mode, or no anisotropy?
+  bool is_zero(std::uint32_t vertex) const { return is_zero_[vertex]; }
   long exponent(std::uint32_t vertex) const { return exponents_[vertex]; }
-  /// The corner's ball is three times the deviator by 2^-scale(v).
+  /// The corner's ball is the tensor by 2^-scale(v).
   long scale(std::uint32_t vertex) const { return exponents_[vertex] + shifts_[vertex]; }
   Corner corner(std::uint32_t vertex, bool above) const {
     return {&balls_[vertex], shifts_[vertex], this, vertex, above};
@@ -25,7 +26,9 @@ class Field : public ExactTensors {
 
  private:
   const Input& input_;
+  Multiples multiples_;
   std::vector<long> exponents_, shifts_;
+  std::vector<bool> is_zero_;
   std::vector<Tensor<Ball>> balls_;
 };
 

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-// What signs of coefficients prove about the level mu + 0 on a simplex.
+// What signs of coefficients prove about the level, of a mode or of another invariant, on a simplex.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <variant>
 
-#include "ball.hpp"
-#include "forms.hpp"
+#include "invariant_rule.hpp"
+#include "mode_rule.hpp"
 
 namespace certificate {
 
@@ -18,7 +19,7 @@ class ExactTensors {
   virtual Tensor<mpz_class> exact(std::uint32_t id) const = 0;
 };
 
-/// A tensor, up to a positive factor: exactly, and exact / 2^shift enclosed.
+/// A tensor: exactly, and exact / 2^shift enclosed.
 struct Corner {
   const Tensor<Ball>* ball = nullptr;
   long shift = 0;
@@ -32,7 +33,7 @@ struct Corner {
 enum class Proof : std::uint8_t {
   open,      ///< none found
   empty,     ///< the simplex does not hold the level
-  monotone,  ///< the mode increases strictly along one direction, and P > 0
+  monotone,  ///< what the level is of increases strictly along one direction, and is defined
 };
 
 /// A proof, and the direction along which it holds if it is `monotone`: in weights of
@@ -43,16 +44,24 @@ struct Proved {
   std::array<int, V> direction{};
 };
 
-/// The level of the mode numerator/denominator, and how often each arithmetic decided.
+/// The level, and how often each arithmetic decided.
+///
+/// What it is a level of, is asked of a rule only: on which side of it a form says that all of a
+/// simplex lies, and a form with the sign of the derivative along a direction.
 class Level {
  public:
-  /// @pre |numerator| < denominator
-  Level(mpz_class numerator, mpz_class denominator);
+  /// Of a mode. @pre |numerator| < denominator
+  Level(const mpz_class& numerator, const mpz_class& denominator)
+      : rule_(ModeRule(numerator, denominator)) {}
+  /// Of another invariant. @pre 0 < value, and < 1 for an anisotropy
+  Level(Invariant invariant, const mpq_class& value) : rule_(InvariantRule(invariant, value)) {}
 
-  /// Is the mode of this tensor greater than mu? (mu itself is below.)
+  /// What tensors it is about.
+  Multiples multiples() const;
+  /// Is the tensor above? (On the level is below.)
   bool above(const Corner& corner) const;
   bool above(const Tensor<Ball>& ball, const Tensor<mpz_class>& exact) const;
-  /// Is the mode exactly mu?
+  /// Is it exactly on the level? @pre it is not zero
   bool on_level(const Corner& corner) const;
 
   /// @pre V is 2, 3 or 4
@@ -63,28 +72,17 @@ class Level {
   template <std::size_t V>
   bool is_one_sided(const std::array<Corner, V>& corners) const;
 
+  /// About the derivative at m along a change, up to a positive factor.
+  double slope(const Tensor<double>& m, const Tensor<double>& change) const;
+
   std::uint64_t decided_by_balls() const { return by_balls_; }
   std::uint64_t decided_exactly() const { return by_integers_; }
 
  private:
-  /// F = q Q^2 + p P^3.
-  template <class N>
-  struct Factors {
-    N q, p;
-  };
-  template <class N, std::size_t V>
-  Polynomial<N, V, 6> degree_six(const Forms<N, V>& f) const;
-  template <class N, std::size_t V>
-  Answer lies(bool above, const Forms<N, V>& f) const;
-  template <std::size_t V>
-  bool lies_by_norm(const std::array<Corner, V>& corners, const Forms<Ball, V>& f) const;
-  template <std::size_t V>
+  template <class Rule, std::size_t V>
   class Simplex;
 
-  int sign_;  ///< of mu
-  Factors<mpz_class> exact_;
-  Factors<Ball> balls_;  ///< both divided by one positive number
-  Factors<Ball> root_;  ///< of q Q + p P sqrt(P/54), of the sign of the mode less mu; divided alike
+  std::variant<ModeRule, InvariantRule> rule_;
   mutable std::atomic<std::uint64_t> by_balls_{0}, by_integers_{0};
 };
 

@@ -63,7 +63,7 @@ void MovedVertices::move(std::size_t vertex, double reach) {
           c_.surface.points[c_.vertices.first + vertex].data()) - point(0);
   Small weights = solver.solve(edges.transpose() * rest);
   weights += solver.solve(edges.transpose() * (rest - edges * weights));
-  // The gradient of the mode, and its length.
+  // The gradient of what the level is of, and its length.
   const long scale = scale_of(carrier);
   std::array<Tensor<double>, 4> t;
   Tensor<double> m{};
@@ -71,7 +71,7 @@ void MovedVertices::move(std::size_t vertex, double reach) {
     const Vertex v = carrier.corners[i];
     const auto down = static_cast<int>(std::max(c_.field.scale(v) - scale, -2000L));
     const double w = i == 0 ? 1 - weights.sum() : weights(static_cast<Eigen::Index>(i) - 1);
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < m.size(); ++k) {
       t[i][k] = std::ldexp((*c_.field.corner(v, false).ball)[k].value, down);
       m[k] += w * t[i][k];
     }
@@ -79,10 +79,8 @@ void MovedVertices::move(std::size_t vertex, double reach) {
   Small slope(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     Tensor<double> change;
-    for (std::size_t k = 0; k < 6; ++k) change[k] = t[static_cast<std::size_t>(i) + 1][k] - t[0][k];
-    const Forms<double, 2> along({&m, &change});
-    slope(i) = 2 * along.p.coefficients[0] * along.q.coefficients[1] -
-               3 * along.q.coefficients[0] * along.p.coefficients[1];
+    for (std::size_t k = 0; k < m.size(); ++k) change[k] = t[static_cast<std::size_t>(i) + 1][k] - t[0][k];
+    slope(i) = c_.level.slope(m, change);
   }
   const Small gradient = solver.solve(slope);
   const double by = reach / std::sqrt(slope.dot(gradient));
@@ -122,7 +120,7 @@ void MovedVertices::enclose(const Carrier& carrier, Point& point) const {
     const Ball weight(std::ldexp(point.weights[i], static_cast<int>(down)),
                       down < -20 ? Ball::kTiny : 0);
     const Tensor<Ball>& t = *c_.field.corner(v, false).ball;
-    for (std::size_t k = 0; k < 6; ++k) point.ball[k] += weight * t[k];
+    for (std::size_t k = 0; k < t.size(); ++k) point.ball[k] += weight * t[k];
   }
   point.shift = scale - unit_of(carrier, point);  // exact() is in that unit, the ball in 2^scale
 }
@@ -145,7 +143,7 @@ Tensor<mpz_class> MovedVertices::exact(std::uint32_t id) const {
   Tensor<mpz_class> sum{};
   for (std::size_t i = 0; i < placed_.carriers[id / 2].count; ++i) {
     const Tensor<mpz_class> t = c_.field.exact(placed_.carriers[id / 2].corners[i]);
-    for (std::size_t k = 0; k < 6; ++k) sum[k] += weights[i] * t[k];
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weights[i] * t[k];
   }
   return sum;
 }

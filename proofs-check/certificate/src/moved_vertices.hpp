@@ -10,7 +10,8 @@ namespace certificate {
 /// The length that a reach stands for: (4 + n mod 4) 2^floor(n / 4).
 double reach_length(std::int64_t n);
 
-/// The vertices of a level's triangles, moved both ways along the gradient of the mode.
+/// The vertices of a level's triangles, moved both ways along the gradient of the mode, or whatever
+/// the level is of.
 ///
 /// A moved vertex is an exact point of its carrier, the one whose weights are in proportion to
 /// some positive doubles. These are computed in doubles, and need not be more than near to what the

@@ -17,7 +17,7 @@ Refinement::Refinement(const Level& level, std::span<const Corner> roots)
   Cell cell{};
   for (std::size_t i = 0; i < roots.size(); ++i) {
     Point point{*roots[i].ball, roots[i].shift, {}, 0, 1U << i, roots[i].above};
-    point.length = std::sqrt(trace(point.ball, point.ball).value);
+    point.length = std::sqrt(product(point.ball, point.ball).value);
     point.weights[i] = 1;
     points_.push_back(std::move(point));
     cell.points[i] = static_cast<Id>(i);
@@ -58,7 +58,7 @@ Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
     const mpz_class& weight = points_[point].weights[i];
     if (weight == 0) continue;
     const Tensor<mpz_class> root = roots_[i].exact();
-    for (std::size_t k = 0; k < 6; ++k) sum[k] += weight * root[k];
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * root[k];
   }
   return sum;
 }
@@ -97,7 +97,8 @@ bool Refinement::is_open(const Cell& cell) {
 double Refinement::closeness(Id a, Id b) const {
   const Tensor<Ball>&m = points_[a].ball, &k = points_[b].ball;
   double dot = 0;
-  for (std::size_t i = 0; i < 6; ++i) dot += (i < 3 ? 1 : 2) * m[i].value * k[i].value;
+  for (std::size_t i = 0; i < m.size(); ++i)
+    dot += (i < 3 || i > 5 ? 1 : 2) * m[i].value * k[i].value;
   return dot / (points_[a].length * points_[b].length);
 }
 
@@ -117,7 +118,7 @@ Refinement::Id Refinement::middle(Id a, Id b) {
   const Point &p = points_[a], &q = points_[b];
   Point m;
   double size = 0;
-  for (std::size_t k = 0; k < 6; ++k) {
+  for (std::size_t k = 0; k < m.ball.size(); ++k) {
     m.ball[k] = Ball(17) * p.ball[k] + Ball(15) * q.ball[k];
     size = std::max(size, std::abs(m.ball[k].value));
   }
@@ -125,7 +126,7 @@ Refinement::Id Refinement::middle(Id a, Id b) {
   if (size > 0 && size < HUGE_VAL) std::frexp(size, &scale);
   const Ball factor(std::ldexp(1.0, -scale), 0);
   for (Ball& x : m.ball) x = x * factor;
-  m.length = std::sqrt(trace(m.ball, m.ball).value);
+  m.length = std::sqrt(product(m.ball, m.ball).value);
   const long shift = std::max(p.shift, q.shift);
   for (std::size_t i = 0; i < corners(); ++i) {
     m.weights[i] = (mpz_class(17 * p.weights[i]) << static_cast<unsigned long>(shift - p.shift)) +

@@ -202,7 +202,7 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   parallel_for(above.size(), [&](std::size_t v) {
     const Corner corner = field.corner(static_cast<Vertex>(v), false);
     above[v] = level.above(corner);
-    if (level.on_level(corner)) ++on_level;
+    if (!field.is_zero(static_cast<Vertex>(v)) && level.on_level(corner)) ++on_level;
   });
   out.above.assign(above.begin(), above.end());
   out.on_level = on_level;

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
@@ -20,6 +22,7 @@ struct InvariantCommand {
   std::filesystem::path output;        ///< .vtp, .ply, .obj, .off or .stl
   std::vector<InvariantLevel> levels;  ///< in this order; repetitions count once
   int pieces = 2;                      ///< as in InvariantOptions
+  std::filesystem::path certificate;   ///< .json or .cbor; empty: none
   bool strict = false;                 ///< write nothing if a tetrahedron stays unresolved
   ReadOptions read;
 };
@@ -50,6 +53,7 @@ struct InvariantReport {
   std::filesystem::path output;
   bool written = false;
   std::uintmax_t bytes = 0;
+  std::optional<CertificateReport> certificate;
   double seconds_read = 0, seconds_extract = 0, seconds_write = 0;
 };
 

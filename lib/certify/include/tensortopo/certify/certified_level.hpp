@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/quadric/extract_invariant_surface.hpp"
 
 namespace tensortopo {
 
@@ -30,7 +32,7 @@ struct ComponentClaim {
 /// How far the triangles are from the level, both ways.
 struct DistanceClaim {
   /// For each vertex of the surface the length (4 + n mod 4) 2^floor(n/4) by which it, moved along
-  /// the gradient of the mode in the edge, face or tetrahedron that holds it, comes to the other
+  /// the gradient of the mode, or other invariant, in the edge, face or tetrahedron that holds it, comes to the other
   /// side of the level, and with it the triangles around. See `reach_length`.
   std::vector<int> reach;
   double bound = 0;  ///< a bound on both distances where `reach` proves one
@@ -46,12 +48,12 @@ struct UndecidedCell {
   std::string reason;
 };
 
-/// Everything that a certificate claims about one mode surface: see proofs-check's description of
+/// Everything that a certificate claims about the surface of one level: see proofs-check's description of
 /// the file for what each claim means.
 struct CertifiedLevel {
-  ModeValue mode;
+  std::variant<ModeValue, InvariantLevel> value;
   std::size_t vertices = 0, triangles = 0;  ///< of the surface
-  std::size_t on_level = 0;                 ///< vertices of the mesh whose mode is exactly `mode`
+  std::size_t on_level = 0;                 ///< vertices of the mesh with exactly this value
   std::vector<UndecidedCell> undecided;     ///< ascending
   LevelTopology topology;                   ///< of all other tetrahedra
   /// An interval around each crossing, in the order of `topology.edges` and their crossings, with
@@ -73,6 +75,14 @@ struct CertifiedLevel {
 /// @param extraction  made of `mesh` with `ExtractOptions::keep_topology`; its topology is moved
 ///                    out
 CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction);
+
+/// The claims that the extraction of an invariant's surface supports: its triangles' topology in
+/// each tetrahedron is proved, so they are read off these. Undecided besides the tetrahedra with a
+/// zero tensor are those in which the level has a critical point, exactly (`critical_value_on_edge`,
+/// `_on_face`, `_in_cell`): there the surface is that of all levels just above, which no checker
+/// that looks at this one can tell.
+CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
+                       const InvariantExtraction& extraction);
 
 /// The length that a reach of n stands for.
 double reach_length(int n);

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "tensortopo/analysis/certificate_report.hpp"
+
+namespace tensortopo {
+
+/// What reports say of a certificate: an object, or null.
+inline nlohmann::ordered_json certificate_json(const std::optional<CertificateReport>& certificate) {
+  if (!certificate) return nullptr;
+  auto undecided = nlohmann::ordered_json::object();
+  for (const auto& [reason, count] : certificate->undecided) undecided[reason] = count;
+  return {{"status", certificate->undecided.empty() ? "certified" : "undecided"},
+          {"certified", certificate->certified},
+          {"refuted", 0},
+          {"undecided", std::move(undecided)},
+          {"path", certificate->path.string()},
+          {"bytes", certificate->bytes}};
+}
+
+/// A line, or nothing.
+inline std::string text_of(const std::optional<CertificateReport>& certificate) {
+  if (!certificate) return {};
+  return fmt::format("{}: {} bytes, {} claims certified ({:.2f} s)\n", certificate->path.string(),
+                     certificate->bytes, certificate->certified, certificate->seconds);
+}
+
+}  // namespace tensortopo

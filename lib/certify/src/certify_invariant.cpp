@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "bracket_search.hpp"
+#include "claims.hpp"
+#include "critical_simplices.hpp"
+#include "distance_proof.hpp"
+#include "surface_topology.hpp"
+#include "tensortopo/certify/certified_level.hpp"
+#include "tensortopo/scalar/floating_point_environment.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Index = TetMesh::Index;
+
+std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
+
+template <class Body>
+void for_each(std::size_t count, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
+    const FloatingPointEnvironment environment;
+    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  });
+}
+
+/// Sides of points of an edge, in double with an error bound, in rationals where that leaves it open.
+class EdgeForm {
+ public:
+  EdgeForm(const TetMesh& mesh, const QuadraticLevel& level, const std::array<Index, 2>& ends)
+      : form_(level, tensors(mesh, ends)) {}
+
+  /// @param t  of the second vertex, with so few bits that 1 - t is exact
+  bool is_above(double t) const {
+    const double s = 1 - t;
+    const double size = s * form_.size(0) + t * form_.size(1);
+    const double value = value_at(s, t, [&](std::size_t i, std::size_t j) { return form_[i][j]; });
+    if (size > QuadricForm::kSmallestSize && std::abs(value) > 2 * QuadricForm::kError * size * size)
+      return value > 0;
+    return value_at(Rational(s), Rational(t), [&](std::size_t i, std::size_t j) {
+             return form_.exact(i, j);
+           }) > 0;
+  }
+
+ private:
+  static std::array<const SymmetricTensor<double>*, 4> tensors(const TetMesh& mesh,
+                                                               const std::array<Index, 2>& ends) {
+    const auto *a = &mesh.tensors[as_size(ends[0])], *b = &mesh.tensors[as_size(ends[1])];
+    return {a, b, a, b};
+  }
+  template <class Scalar, class Form>
+  static Scalar value_at(const Scalar& s, const Scalar& t, const Form& form) {
+    const Scalar mixed = s * t * form(0, 1);
+    return s * s * form(0, 0) + mixed + mixed + t * t * form(1, 1);
+  }
+
+  QuadricForm form_;
+};
+
+/// Also finds out which way the invariant goes at each crossing.
+Brackets brackets_of(const TetMesh& mesh, const QuadraticLevel& level, LevelTopology& topology) {
+  Brackets brackets(topology.edges.size());
+  for_each(brackets.size(), [&](std::size_t e) {
+    auto& edge = topology.edges[e];
+    const EdgeForm form(mesh, level, edge.vertices);
+    std::vector<NearCrossing> crossings;
+    bool above = form.is_above(0);
+    for (auto& crossing : edge.crossings) {
+      above = !above;
+      crossing.rising = above;
+      crossings.push_back({crossing.weight, crossing.rising});
+    }
+    brackets[e] =
+        find_brackets(crossings, [&](double t) { return form.is_above(t); });
+  });
+  return brackets;
+}
+
+/// Tetrahedra, ascending, with a crossing that is another vertex elsewhere: there the tetrahedra with
+/// a zero tensor cut the surface in two, and an edge's crossing has the name of one vertex only.
+std::vector<Index> cut_off(const SurfaceMesh& surface) {
+  std::set<std::pair<std::array<Index, 4>, std::array<double, 3>>> found;
+  std::vector<char> is_copy(surface.points.size(), 0);
+  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+    if (surface.carrier[v] != Carrier::edge) continue;
+    const auto& p = surface.points[v];
+    is_copy[v] = !found.insert({surface.carrier_vertices[v], {p.x, p.y, p.z}}).second;
+  }
+  std::set<Index> tets;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const auto v : surface.triangles[t])
+      if (is_copy[as_size(v)]) tets.insert(surface.tet[t]);
+  return {tets.begin(), tets.end()};
+}
+
+}  // namespace
+
+CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
+                       const InvariantExtraction& extraction) {
+  const SurfaceMesh& surface = extraction.surface;
+  const QuadraticLevel form(level);
+  CertifiedLevel result;
+  result.value = level;
+  result.vertices = surface.points.size();
+  result.triangles = surface.triangles.size();
+  result.on_level = extraction.statistics.vertices_on_level;
+  for (const Index tet : extraction.zero_tensor) result.undecided.push_back({tet, "zero_tensor"});
+  if (!extraction.zero_tensor.empty())
+    for (const Index tet : cut_off(surface)) result.undecided.push_back({tet, "zero_tensor"});
+  result.topology = topology_of(mesh, surface, result.undecided);
+  const auto& tets = result.topology.tets;
+  std::vector<std::string> reasons(tets.size());
+  for_each(reasons.size(), [&](std::size_t i) {
+    auto vertices = mesh.tets[as_size(tets[i].tet)];
+    std::sort(vertices.begin(), vertices.end());
+    reasons[i] = critical_reason(mesh, form, vertices);
+  });
+  std::map<Index, std::string> critical;
+  for (std::size_t i = 0; i < reasons.size(); ++i)
+    if (!reasons[i].empty()) critical[tets[i].tet] = reasons[i];
+  drop_cells(mesh, result, brackets_of(mesh, form, result.topology), [&](Index tet) {
+    const auto found = critical.find(tet);
+    return found == critical.end() ? std::string() : found->second;
+  });
+  result.components = components_of(surface);
+  result.distance = prove_distance(mesh, surface, decided_triangles(mesh, surface, result),
+                                   result.topology, form);
+  return result;
+}
+
+}  // namespace tensortopo
