@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <utility>
 
 #include "claims.hpp"
 #include "crossing_brackets.hpp"
 #include "distance_proof.hpp"
+#include "for_each.hpp"
 #include "tensortopo/certify/certified_level.hpp"
-#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 
@@ -20,12 +17,9 @@ using Index = TetMesh::Index;
 Brackets brackets_of(const LevelTopology& topology, const ScaledField<double>& field,
                      const Level<double>& level) {
   Brackets brackets(topology.edges.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, brackets.size(), 256),
-                    [&](const auto& range) {
-                      const FloatingPointEnvironment environment;
-                      for (std::size_t e = range.begin(); e != range.end(); ++e)
-                        brackets[e] = crossing_brackets(topology.edges[e], field, level);
-                    });
+  detail::for_each(brackets.size(), [&](std::size_t e) {
+    brackets[e] = crossing_brackets(topology.edges[e], field, level);
+  });
   return brackets;
 }
 

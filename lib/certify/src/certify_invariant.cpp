@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -12,9 +9,9 @@
 #include "claims.hpp"
 #include "critical_simplices.hpp"
 #include "distance_proof.hpp"
+#include "for_each.hpp"
 #include "surface_topology.hpp"
 #include "tensortopo/certify/certified_level.hpp"
-#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 
@@ -23,14 +20,6 @@ namespace {
 using Index = TetMesh::Index;
 
 std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
-template <class Body>
-void for_each(std::size_t count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
-    const FloatingPointEnvironment environment;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-  });
-}
 
 /// Sides of points of an edge, in double with an error bound, in rationals where that leaves it open.
 class EdgeForm {
@@ -68,7 +57,7 @@ class EdgeForm {
 /// Also finds out which way the invariant goes at each crossing.
 Brackets brackets_of(const TetMesh& mesh, const QuadraticLevel& level, LevelTopology& topology) {
   Brackets brackets(topology.edges.size());
-  for_each(brackets.size(), [&](std::size_t e) {
+  detail::for_each(brackets.size(), [&](std::size_t e) {
     auto& edge = topology.edges[e];
     const EdgeForm form(mesh, level, edge.vertices);
     std::vector<NearCrossing> crossings;
@@ -118,7 +107,7 @@ CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
   result.topology = topology_of(mesh, surface, result.undecided);
   const auto& tets = result.topology.tets;
   std::vector<std::string> reasons(tets.size());
-  for_each(reasons.size(), [&](std::size_t i) {
+  detail::for_each(reasons.size(), [&](std::size_t i) {
     auto vertices = mesh.tets[as_size(tets[i].tet)];
     std::sort(vertices.begin(), vertices.end());
     reasons[i] = critical_reason(mesh, form, vertices);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "least_sine.hpp"
 #include "tensortopo/extract/position.hpp"
 #include "tensortopo/extract/simple_simplex.hpp"
 #include "tensortopo/extract/tet_geometry.hpp"
@@ -136,13 +137,9 @@ class Flips {
   Shape shape_of(const Triangle& t, const std::array<double, 3>& offsets) const {
     const auto n = normal(t);
     const double twice_area = std::sqrt(dot(n, n));
-    const auto &p = points[t[0]], &q = points[t[1]], &r = points[t[2]];
-    std::array<double, 3> edges{dot(q - p, q - p), dot(r - q, r - q), dot(p - r, p - r)};
-    std::sort(edges.begin(), edges.end());
-    const double longer = std::sqrt(edges[1]) * std::sqrt(edges[2]);
     const auto& [a, b, c] = offsets;
     return {offsets, twice_area * (a * a + b * b + c * c + a * b + b * c + c * a),
-            longer > 0 ? twice_area / longer : 0};
+            least_sine(points[t[0]], points[t[1]], points[t[2]], twice_area)};
   }
 
   bool is_edge(std::uint32_t a, std::uint32_t b) const {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "least_sine.hpp"
 #include "level_in_tet.hpp"
 
 namespace tensortopo {
@@ -76,10 +77,7 @@ class Improver {
                &r = surface_.points[at(t[2])];
     const Vector n = normal(t);
     const double twice_area = std::sqrt(dot(n, n));
-    std::array<double, 3> edges{dot(q - p, q - p), dot(r - q, r - q), dot(p - r, p - r)};
-    std::sort(edges.begin(), edges.end());
-    const double longer = std::sqrt(edges[1]) * std::sqrt(edges[2]);
-    shape.least_sine = std::min(shape.least_sine, longer > 0 ? twice_area / longer : 0);
+    shape.least_sine = std::min(shape.least_sine, least_sine(p, q, r, twice_area));
     const double distance = level.distance((1.0 / 3) * (p + q + r));
     shape.squares += twice_area * distance * distance;
   }

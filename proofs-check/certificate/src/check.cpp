@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <optional>
+
 #include "compare_distance.hpp"
 
 namespace certificate {
@@ -29,14 +31,12 @@ Level level_of(const Json& claims) {
   return {invariant, value_of(claims["value"], invariant)};
 }
 
-void check_level(const Json& claims, const Input& input, const Triangles& surface,
-                 Ledger& ledger) {
-  const Level level = level_of(claims);
+void check_level(const Json& claims, const Level& level, const Input& input, const Field& field,
+                 const Triangles& surface, Ledger& ledger) {
   ledger.level = (claims.contains("mode")
                       ? "mode " + claims["mode"].get<std::string>()
                       : claims["invariant"].get<std::string>() + ' ' +
                             claims["value"].get<std::string>()) + ", ";
-  const Field field(input, level.multiples());
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
   if (!mark_left_out(claims, input, left_out, ledger)) return;
@@ -98,7 +98,13 @@ Report check(const std::string& input_file, const std::string& surface_file,
                 "levels", "all of the surface, one after the other", "they are not");
   if (report.refuted > 0) return report;  // of another field or surface nothing need be derived
 
-  for (const Json& claims : levels) check_level(claims, input, surface, ledger);
+  std::optional<Field> field;  // levels mostly are about the same tensors
+  for (const Json& claims : levels) {
+    const Level level = level_of(claims);
+    if (!field || !(field->multiples() == level.multiples()))
+      field.emplace(input, level.multiples());
+    check_level(claims, level, input, *field, surface, ledger);
+  }
   return report;
 }
 

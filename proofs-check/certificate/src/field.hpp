@@ -12,6 +12,7 @@ namespace certificate {
 class Field : public ExactTensors {
  public:
   Field(const Input& input, Multiples multiples);
+  const Multiples& multiples() const { return multiples_; }
 
   /// An integer multiple, by 2^-exponent(v), of the tensor at a vertex.
   Tensor<mpz_class> exact(std::uint32_t vertex) const override;

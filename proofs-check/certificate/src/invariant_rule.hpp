@@ -16,6 +16,10 @@ struct Multiples {
   mpz_class tensor = 1;
   bool trace = false;
   mpz_class one = 0;
+
+  friend bool operator==(const Multiples& a, const Multiples& b) {
+    return a.tensor == b.tensor && a.trace == b.trace && a.one == b.one;
+  }
 };
 
 /// p tr(M^2) + t^2 (trace) + h^2 (one), on a simplex.
