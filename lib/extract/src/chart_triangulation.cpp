@@ -5,12 +5,16 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <list>
+#include <numeric>
 
 namespace tensortopo {
 
@@ -55,15 +59,33 @@ void mark_regions(Triangulation& triangulation) {
 
 bool inside(Triangulation::Face_handle face) { return face->info() % 2 == 1; }
 
+/// Along the outline while it is short: neighbours are near. A long outline would so take squared
+/// time, each point undoing many triangles of those before it; in a random order few are undone.
+std::vector<std::size_t> order_of_insertion(const std::vector<Kernel::Point_2>& points) {
+  constexpr std::size_t short_outline = 256;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (order.size() <= short_outline) return order;
+  using Traits = CGAL::Spatial_sort_traits_adapter_2<
+      Kernel, CGAL::Pointer_property_map<Kernel::Point_2>::const_type>;
+  CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(points)));
+  return order;
+}
+
 /// False if segments cross or points coincide. Numbers the regions.
 bool insert_outline(const std::vector<ChartTriangulation::Point>& points,
                     const std::vector<std::array<std::size_t, 2>>& segments,
                     Triangulation& triangulation) {
+  std::vector<Kernel::Point_2> places;
+  places.reserve(points.size());
+  for (const auto& p : points) {
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1])) return false;
+    places.emplace_back(p[0], p[1]);
+  }
   std::vector<Triangulation::Vertex_handle> handles(points.size());
   Triangulation::Face_handle near;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1])) return false;
-    handles[i] = triangulation.insert({points[i][0], points[i][1]}, near);
+  for (const std::size_t i : order_of_insertion(places)) {
+    handles[i] = triangulation.insert(places[i], near);
     near = handles[i]->face();
     handles[i]->info() = i;
   }
