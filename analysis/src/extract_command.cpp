@@ -184,6 +184,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     ExtractOptions options;
     options.sampling = command.sampling;
     options.drawing = command.drawing;
+    options.keep_samples = command.all_samples;
     options.keep_topology = certifying;
     if (progress) {
       options.progress = [&, label = "mode " + modes[i].text() + ": "](std::string_view stage,

@@ -91,6 +91,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->check(CLI::PositiveNumber);
   app.add_flag("--improve", command.improve,
                "Flip edges and move vertices within their tetrahedra and faces for better angles");
+  app.add_flag("--all-samples", command.all_samples,
+               "Keep samples of face curves that make needles and that the level can do without");
   app.add_option("--method", options->method, "How to extract")
       ->check(CLI::IsMember({"manifold", "graph", "marching", "a-patches", "hybrid"}))
       ->capture_default_str();

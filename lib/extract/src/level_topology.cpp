@@ -32,9 +32,11 @@ LevelTopology Pipeline<Scalar>::topology(std::span<const Index> new_id) const {
   };
   const auto smallest_of_closed = [&](std::size_t f, std::size_t arc) {
     const auto first = as_size(first_sample(f, arc));
-    const auto count = (*arcs_[f])[arc].samples.size();
-    return *std::min_element(new_id.begin() + static_cast<std::ptrdiff_t>(first),
-                             new_id.begin() + static_cast<std::ptrdiff_t>(first + count));
+    Vertex smallest = -1;  // a sample that was taken out has no number
+    for (std::size_t i = 0; i < (*arcs_[f])[arc].samples.size(); ++i)
+      if (const Vertex v = new_id[first + i]; v >= 0 && (smallest < 0 || v < smallest))
+        smallest = v;
+    return smallest;
   };
   const auto end_of = [&](std::size_t f, const ArcEnd& end) {
     const auto e = as_size(complex_.face_edges[f][as_size(end.edge)]);

@@ -76,6 +76,8 @@ Extraction Pipeline<Scalar>::run() {
     draw_tets();
     statistics_.seconds_tets += watch.lap();
   } while (move_from_vertices());
+  if (!options_.keep_samples) thin_rims();
+  statistics_.seconds_tets += watch.lap();
   Extraction result = assemble();
   statistics_.seconds_stitch = watch.lap();
   result.statistics = statistics_;

@@ -65,6 +65,7 @@ class Pipeline {
   void number_face_vertices(std::span<const std::size_t> changed);
   std::vector<std::size_t> merge_requests(std::span<const std::size_t> asking);
   void draw_tets();
+  void thin_rims();
   bool move_from_vertices();
   bool draw_one(std::size_t t);
   bool draw_small_discs(std::size_t t, const TetWithCurves<Scalar>& tet);

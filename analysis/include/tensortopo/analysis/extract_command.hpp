@@ -28,6 +28,7 @@ struct ExtractCommand {
   ReadOptions read;
   Sampling sampling;
   DrawingMethod drawing = DrawingMethod::manifold;
+  bool all_samples = false;  ///< `ExtractOptions::keep_samples`
   bool improve = false;  ///< surfaces by `improve_triangles`
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone
 };

@@ -50,6 +50,9 @@ struct ExtractOptions {
   /// For each tetrahedron of the mesh by how much denser its samples are than `sampling` says; a
   /// face has the denser ones of its two. Empty for 1 everywhere.
   std::vector<float> density;
+  /// Keep the samples of face curves that drawing on the manifold needed, but that make needles of
+  /// the triangles beside them and that the level can do without. They are dropped otherwise.
+  bool keep_samples = false;
   bool keep_topology = false;  ///< fill `Extraction::topology`
   /// Called now and then, from one thread at a time, with the stage and how much of it is done.
   std::function<void(std::string_view stage, double fraction)> progress;

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "drawn_tet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "extractor_scalars.hpp"
+#include "least_sine.hpp"
+#include "tensortopo/extract/position.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Vector = Vector3<double>;
+
+/// A power of two that brings the longest side of the box around the points to 1 or 2.
+double unit_of(const std::array<Vector, 4>& points) {
+  double size = 0;
+  for (const auto& p : points) {
+    const auto e = p - points[0];
+    size = std::max({size, std::abs(e.x), std::abs(e.y), std::abs(e.z)});
+  }
+  return std::ldexp(1.0, -std::ilogb(size));
+}
+
+std::array<Vector, 4> times(double factor, std::array<Vector, 4> points) {
+  for (auto& p : points) p = factor * p;
+  return points;
+}
+
+template <class Triangle, class Corner>
+bool has(const Triangle& t, Corner v) {
+  return t[0] == v || t[1] == v || t[2] == v;
+}
+
+}  // namespace
+
+template <class Scalar>
+DrawnTet::DrawnTet(const TetWithCurves<Scalar>& tet, const Level<double>& level,
+                   const FaceArcVertices& rims, const TetTriangles<Scalar>& drawn)
+    : tensors_(rounded(tet.simplex.tensors)),
+      level_(&level),
+      geometry_(times(unit_of(tet.points), tet.points), tet.simplex.exponents),
+      unit_(unit_of(tet.points)),
+      length_(geometry_.longest_edge()) {
+  for (const auto& t : drawn.triangles) ids_.insert(ids_.end(), t.begin(), t.end());
+  std::sort(ids_.begin(), ids_.end());
+  ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+  corners_.resize(ids_.size());
+  const auto points = times(unit_, tet.points);
+  for (std::size_t i = 0; i < ids_.size() && ids_[i] < 0; ++i)
+    corners_[i].position =
+        position_at(drawn.inner[static_cast<std::size_t>(-1 - ids_[i])].weights,
+                    tet.simplex.exponents, points);
+  for (const auto& face : rims)
+    for (const auto& arc : face)
+      for (const auto& vertex : arc.vertices) {
+        const auto place = std::lower_bound(ids_.begin(), ids_.end(), vertex.id);
+        if (place == ids_.end() || *place != vertex.id) continue;
+        auto& corner = corners_[static_cast<std::size_t>(place - ids_.begin())];
+        corner.position = unit_ * vertex.position;
+        corner.faces = vertex.faces;
+      }
+  for (auto& corner : corners_) {
+    const auto at = level_slope(geometry_.tensor(corner.position, tensors_), *level_);
+    const auto g = geometry_.gradient(at.slope, tensors_);
+    corner.up = (1 / std::sqrt(dot(g, g))) * g;
+  }
+  triangles_.reserve(drawn.triangles.size());
+  for (const auto& t : drawn.triangles)
+    triangles_.push_back({place_of(t[0]), place_of(t[1]), place_of(t[2])});
+}
+
+DrawnTet::Place DrawnTet::place_of(Id id) const {
+  return static_cast<Place>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+}
+
+double DrawnTet::offset_at(const Vector& x) const {
+  const auto at = level_slope(geometry_.tensor(x, tensors_), *level_);
+  const auto g = geometry_.gradient(at.slope, tensors_);
+  return std::abs(at.value) / (std::sqrt(dot(g, g)) * length_);
+}
+
+Vector DrawnTet::normal(const Triangle& t) const {
+  const auto& p = corners_[t[0]].position;
+  return cross(corners_[t[1]].position - p, corners_[t[2]].position - p);
+}
+
+double DrawnTet::offset_of(const Triangle& t) const {
+  const auto &p = corners_[t[0]].position, &q = corners_[t[1]].position,
+             &r = corners_[t[2]].position;
+  return std::max({offset_at(0.5 * (p + q)), offset_at(0.5 * (q + r)), offset_at(0.5 * (r + p)),
+                   offset_at((1.0 / 3) * (p + q + r))});
+}
+
+double DrawnTet::least_sine_around(Id vertex) const {
+  const Place v = place_of(vertex);
+  double sine = 1;
+  for (const auto& t : triangles_)
+    if (has(t, v)) {
+      const auto n = normal(t);
+      sine = std::min(sine, least_sine(corners_[t[0]].position, corners_[t[1]].position,
+                                       corners_[t[2]].position, std::sqrt(dot(n, n))));
+    }
+  return sine;
+}
+
+double DrawnTet::offset_around(Id vertex) const {
+  const Place v = place_of(vertex);
+  double offset = 0;
+  for (const auto& t : triangles_)
+    if (has(t, v)) offset = std::max(offset, offset_of(t));
+  return offset;
+}
+
+double DrawnTet::offset_after(Id vertex, Id neighbour) const {
+  const Place v = place_of(vertex), u = place_of(neighbour);
+  double offset = 0;
+  for (Triangle t : triangles_)
+    if (has(t, v) && !has(t, u)) {
+      *std::find(t.begin(), t.end(), v) = u;
+      offset = std::max(offset, offset_of(t));
+    }
+  return offset;
+}
+
+/// Contracting the edge between v and u leaves every sheet what it is if no vertex but the third
+/// of their triangle is a neighbour of both, and that triangle is not all there is. No edge that is
+/// new may lie in a face, but for the one that goes on along the curve.
+bool DrawnTet::keeps_sheets(Place v, Place u, std::span<const std::uint32_t> star) const {
+  std::vector<Place> near_v, near_u;
+  const auto add = [](std::vector<Place>& list, const Triangle& t, Place self) {
+    for (const Place x : t)
+      if (x != self) list.push_back(x);
+  };
+  std::size_t between = 0;
+  for (const auto i : star) {
+    add(near_v, triangles_[i], v);
+    between += has(triangles_[i], u);
+  }
+  if (between != 1) return false;
+  for (const auto& t : triangles_)
+    if (has(t, u)) add(near_u, t, u);
+  std::sort(near_v.begin(), near_v.end());
+  std::sort(near_u.begin(), near_u.end());
+  const auto is_rim_of = [](const std::vector<Place>& list, Place x) {
+    return std::upper_bound(list.begin(), list.end(), x) -
+               std::lower_bound(list.begin(), list.end(), x) == 1;
+  };
+  for (std::size_t i = 0; i < near_v.size(); ++i) {
+    const Place x = near_v[i];
+    if (x == u || (i > 0 && near_v[i - 1] == x)) continue;
+    if (std::binary_search(near_u.begin(), near_u.end(), x)) {
+      const bool is_third = std::any_of(star.begin(), star.end(), [&](std::uint32_t t) {
+        return has(triangles_[t], u) && has(triangles_[t], x);
+      });
+      if (!is_third || (is_rim_of(near_v, x) && is_rim_of(near_u, x))) return false;
+    } else if (!is_rim_of(near_v, x) && (corners_[u].faces & corners_[x].faces) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+double DrawnTet::least_sine_after(Id vertex, Id neighbour, double least_cosine) const {
+  const Place v = place_of(vertex), u = place_of(neighbour);
+  std::vector<std::uint32_t> star;
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+    if (has(triangles_[i], v)) star.push_back(i);
+  if (!star.empty() && !keeps_sheets(v, u, star)) return 0;
+  double sine = 1;
+  for (const auto i : star) {
+    Triangle t = triangles_[i];
+    if (has(t, u)) continue;
+    *std::find(t.begin(), t.end(), v) = u;
+    const auto n = normal(t);
+    const double length = std::sqrt(dot(n, n));
+    for (const Place corner : t)
+      if (!(dot(n, corners_[corner].up) > least_cosine * length)) return 0;
+    sine = std::min(sine, least_sine(corners_[t[0]].position, corners_[t[1]].position,
+                                     corners_[t[2]].position, length));
+  }
+  return sine;
+}
+
+void DrawnTet::move(Id vertex, Id neighbour) {
+  const Place v = place_of(vertex), u = place_of(neighbour);
+  std::erase_if(triangles_, [&](const Triangle& t) { return has(t, v) && has(t, u); });
+  for (auto& t : triangles_)
+    if (has(t, v)) *std::find(t.begin(), t.end(), v) = u;
+}
+
+std::vector<std::array<DrawnTet::Id, 3>> DrawnTet::triangles() const {
+  std::vector<std::array<Id, 3>> result;
+  result.reserve(triangles_.size());
+  for (const auto& t : triangles_) result.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
+  return result;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                        \
+  template DrawnTet::DrawnTet(const TetWithCurves<Scalar>&, const Level<double>&, \
+                              const FaceArcVertices&, const TetTriangles<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo
