@@ -15,16 +15,6 @@ namespace {
 
 using Vector = Vector3<double>;
 
-/// A power of two that brings the longest side of the box around the points to 1 or 2.
-double unit_of(const std::array<Vector, 4>& points) {
-  double size = 0;
-  for (const auto& p : points) {
-    const auto e = p - points[0];
-    size = std::max({size, std::abs(e.x), std::abs(e.y), std::abs(e.z)});
-  }
-  return std::ldexp(1.0, -std::ilogb(size));
-}
-
 std::array<Vector, 4> times(double factor, std::array<Vector, 4> points) {
   for (auto& p : points) p = factor * p;
   return points;

@@ -202,13 +202,7 @@ class Flips {
 template <class Scalar>
 std::size_t flip_edges(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                        std::span<const std::vector<RimVertex>> rims, TetTriangles<Scalar>& drawn) {
-  // In a unit of the tetrahedron's size, so that no product overflows.
-  double size = 0;
-  for (const auto& p : tet.points) {
-    const auto e = p - tet.points[0];
-    size = std::max({size, std::abs(e.x), std::abs(e.y), std::abs(e.z)});
-  }
-  const double unit = std::ldexp(1.0, -std::ilogb(size));
+  const double unit = unit_of(tet.points);
   auto corners = tet.points;
   for (auto& p : corners) p = unit * p;
   const TetGeometry geometry(corners, tet.simplex.exponents);

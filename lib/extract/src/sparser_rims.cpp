@@ -124,13 +124,18 @@ void Pipeline<Scalar>::thin_rims() {
   std::vector<char> has_needle(tets_.size(), 0);
   parallel_stage(options_, "tetrahedra", tets_.size(), 256, [&](std::size_t t) {
     const auto& state = tets_[t];
+    if (state.drawn.triangles.empty()) return;
+    std::array<Vector3<double>, 4> points;
+    for (std::size_t i = 0; i < 4; ++i) points[i] = mesh_.points[as_size(vertices_of(t)[i])];
+    const double unit = unit_of(points);
     has_needle[t] = std::any_of(
         state.drawn.triangles.begin(), state.drawn.triangles.end(), [&](const auto& triangle) {
           if (std::any_of(triangle.begin(), triangle.end(), [](Index v) { return v < 0; }))
             return true;  // not known yet
-          const auto &p = rim_position_[as_size(triangle[0])],
-                     &q = rim_position_[as_size(triangle[1])],
-                     &r = rim_position_[as_size(triangle[2])];
+          const auto at = [&](std::size_t i) {
+            return unit * rim_position_[as_size(triangle[i])];
+          };
+          const auto p = at(0), q = at(1), r = at(2);
           const auto n = cross(q - p, r - p);
           return !(least_sine(p, q, r, std::sqrt(dot(n, n))) > kNeedle);
         });

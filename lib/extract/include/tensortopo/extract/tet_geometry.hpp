@@ -12,6 +12,18 @@
 
 namespace tensortopo {
 
+/// A power of two that brings the longest side of the box around the points to between 1 and 2: in
+/// this unit no product of lengths overflows.
+inline double unit_of(const std::array<Vector3<double>, 4>& points) {
+  auto low = points[0], high = points[0];
+  for (const auto& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const auto side = high - low;
+  return std::ldexp(1.0, -std::ilogb(std::max({side.x, side.y, side.z})));
+}
+
 /// The linear field of a tetrahedron in space: barycentric coordinates from a position.
 class TetGeometry {
  public:
