@@ -8,7 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <stdexcept>
 #include <system_error>
 
@@ -95,6 +97,21 @@ bool is_film(const std::filesystem::path& file) {
   return file.extension() == ".gif" || file.extension() == ".mp4";
 }
 
+void require_ffmpeg(const std::filesystem::path& file) {
+  const char* const folders = std::getenv("PATH");
+  for (std::string_view rest = folders == nullptr ? "" : folders; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    const auto program = std::filesystem::path(rest.substr(0, end)) / "ffmpeg";
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0)
+      return;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  throw IoError(IoError::Kind::unwritable, file,
+                "films need the program ffmpeg (Debian package ffmpeg); nothing is drawn. With "
+                "-o FILE.png there are the frames alone");
+}
+
 void write_film(const std::filesystem::path& file, const std::vector<std::string>& pictures) {
   const auto fail = [&](const std::string& why) {
     throw IoError(IoError::Kind::unwritable, file, why);
@@ -121,7 +138,7 @@ void write_film(const std::filesystem::path& file, const std::vector<std::string
   int status = 0;
   waitpid(child, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == kExecFailed)
-    fail("films need the program ffmpeg (Debian package ffmpeg); the frames are written");
+    fail("cannot start ffmpeg; the frames are written");
   if (whole && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   std::error_code ignored;
   if (!was_there) std::filesystem::remove(file, ignored);
