@@ -33,8 +33,9 @@ constexpr int kExecFailed = 127;
   std::vector<std::string> words{"ffmpeg", "-y", "-f", "image2pipe", "-c:v",
                                  "png",    "-r", "12", "-i",         "-"};
   if (file.extension() == ".gif") {
-    // One palette for all frames.
-    words.insert(words.end(), {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse"});
+    // One palette for all frames; grains between its colours would only make the file larger.
+    words.insert(words.end(),
+                 {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none"});
   } else {
     words.insert(words.end(), {"-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"});
   }

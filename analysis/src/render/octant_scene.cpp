@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kRows = 500;      // of small triangles
 constexpr int kSamples = 2000;  // of the boundary
-constexpr double kBall = 0.017, kLift = 0.001;
+constexpr double kBall = 0.013, kLift = 0.001;
 const double kHeight = std::sqrt(3.0) / 2;
 
 using Place = std::array<double, 3>;
@@ -103,7 +103,7 @@ void add_octant(vtkRenderer& renderer, const TetDirections& directions, double l
     for (int i = 0; i <= kSamples; ++i)
       arc.push_back(
           place_of(directions, manifold.boundary_point(0, last * i / kSamples), 2 * kLift));
-    add_lines(renderer, line_of(arc), kInk, 2 * line);
+    add_lines(renderer, line_of(arc), kInk, 1.5 * line);
     for (const Place& end : {arc.front(), arc.back()}) add_ball(renderer, end, kBall, kYellow);
   }
   const std::array colours{kRed, kGreen, kCyan};

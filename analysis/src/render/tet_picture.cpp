@@ -273,7 +273,8 @@ TetImage draw_tet(const TetPicture& picture) {
   scale.panel_width = static_cast<double>(picture.view.width) * kOversampling / scale.columns;
   scale.panel_height = static_cast<double>(picture.view.height) * kOversampling / scale.rows;
   scale.line = std::max(1.0, scale.least() / kOversampling / 560) * kOversampling;
-  scale.unit = 0.042 * scale.least();
+  // Of more columns each is drawn smaller in the end.
+  scale.unit = (0.034 + 0.008 * std::min(scale.columns, 3)) * scale.least();
 
   TetImage result;
   std::vector<Subject> subjects;
@@ -284,7 +285,9 @@ TetImage draw_tet(const TetPicture& picture) {
       result.marked.push_back(point);
     const auto& notes = subjects.back().surface.notes;
     result.notes.insert(result.notes.end(), notes.begin(), notes.end());
-    if (is_empty(subjects.back())) result.missed.push_back(mode);
+    const bool only_octants = std::count(picture.panels.begin(), picture.panels.end(),
+                                         Panel::octant) == std::ssize(picture.panels);
+    if (!only_octants && is_empty(subjects.back())) result.missed.push_back(mode);
   }
   std::vector<vtkSmartPointer<vtkRenderer>> scenes;
   SphereSeen seen;
