@@ -203,8 +203,12 @@ class Chart : public ChartItem {
         if (!places.empty()) places.insert(places.end(), {x, places.back()});
         places.insert(places.end(), {x, y, x_of(step.to), y});
       }
+      if (places.empty()) continue;
       pen(p.colour, 2);
-      if (!places.empty()) painter_->DrawPoly(places.data(), static_cast<int>(places.size() / 2));
+      painter_->DrawPoly(places.data(), static_cast<int>(places.size() / 2));
+      // What is too short to be seen.
+      pen(p.colour, 6);
+      if (places[places.size() - 2] - places[0] < 6) painter_->DrawPoint(places[0], places[1]);
     }
     std::vector<float> places;
     for (const auto& [mode, value] : p.dots) places.insert(places.end(), {x_of(mode), y_of(value)});
