@@ -21,7 +21,6 @@ namespace {
 constexpr int kPeels = 16;
 // How much of the frame the scene takes.
 constexpr double kFill = 0.93;
-constexpr double kViewAngle = 24;  // degrees, before it is fitted
 
 void add_lights(vtkRenderer& renderer) {
   vtkNew<vtkLightKit> lights;
@@ -82,7 +81,7 @@ void aim(vtkRenderer& renderer, const double* bounds, const View& view, const Fr
                      middle[2] + std::sin(e));
   const bool from_above = std::abs(std::cos(e)) < 0.01;
   camera.SetViewUp(0, from_above ? 1 : 0, from_above ? 0 : 1);
-  camera.SetViewAngle(kViewAngle);
+  camera.SetViewAngle(24);
   renderer.ResetCamera(bounds);
   vtkMatrix4x4& projection = *camera.GetCompositeProjectionTransformMatrix(frame.aspect, -1, 1);
   const auto seen_at = [&](const std::array<double, 3>& point) {
@@ -109,8 +108,10 @@ void aim(vtkRenderer& renderer, const double* bounds, const View& view, const Fr
     const double zoom = view.zoom * kFill / reach;
     std::array<double, 2> centre{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
     if (view.focus) centre = seen_at(*view.focus);
-    // Not camera.Zoom, which divides the angle and not its tangent.
-    camera.SetViewAngle(2 * std::atan(std::tan(kViewAngle / 2 * degree) / zoom) / degree);
+    // Not camera.Zoom, which divides the angle and not its tangent. (The angle is what ResetCamera
+    // leaves.)
+    const double angle = camera.GetViewAngle() * degree;
+    camera.SetViewAngle(2 * std::atan(std::tan(angle / 2) / zoom) / degree);
     camera.SetWindowCenter(zoom * centre[0], zoom * centre[1] - frame.rise);
   }
   renderer.ResetCameraClippingRange(bounds);
