@@ -30,9 +30,21 @@ void add_invariant_option(CLI::App& app, InvariantOption& option,
   for (const std::string& name : others) invariant->excludes(app.get_option(name));
 }
 
+std::vector<InvariantLevel> levels_of(const InvariantOption& option) {
+  if (option.values.empty()) throw UsageError("--invariant " + option.invariant + ": no --value");
+  std::vector<InvariantLevel> levels;
+  for (const std::string& text : option.values) {
+    try {
+      levels.push_back(InvariantLevel::parse(*invariant_named(option.invariant), text));
+    } catch (const std::invalid_argument& problem) {
+      throw UsageError("--value " + text + ": " + problem.what());
+    }
+  }
+  return levels;
+}
+
 ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand& command,
                              const CommonOptions& common) {
-  if (option.values.empty()) throw UsageError("--invariant " + option.invariant + ": no --value");
   InvariantCommand own;
   own.input = command.input;
   own.output = command.output;
@@ -40,13 +52,7 @@ ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand
   own.read = command.read;
   own.strict = command.strict;
   own.pieces = option.pieces;
-  for (const std::string& text : option.values) {
-    try {
-      own.levels.push_back(InvariantLevel::parse(*invariant_named(option.invariant), text));
-    } catch (const std::invalid_argument& problem) {
-      throw UsageError("--value " + text + ": " + problem.what());
-    }
-  }
+  own.levels = levels_of(option);
   ProgressBar bar(!common.quiet);
   const InvariantReport report = run_invariant_extract(own, bar.callback());
   bar.erase();

@@ -9,6 +9,7 @@
 #include "program/common_options.hpp"
 #include "tensortopo/analysis/exit_status.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/quadric/invariant_level.hpp"
 
 namespace tensortopo {
 
@@ -22,6 +23,9 @@ struct InvariantOption {
 /// Adds `--invariant`, `--value` and `--pieces`; the options named in `others` are for modes only.
 void add_invariant_option(CLI::App& app, InvariantOption& option,
                           const std::vector<std::string>& others);
+
+/// The surfaces that the words ask for. Throws UsageError.
+std::vector<InvariantLevel> levels_of(const InvariantOption& option);
 
 /// Does what `extract` does, with the input, output and reading options of `command`.
 ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand& command,

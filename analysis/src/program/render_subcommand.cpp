@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "program/invariant_option.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
@@ -22,7 +23,8 @@ namespace {
 struct Options {
   RenderCommand command;
   std::filesystem::path input, mesh;
-  std::string size, view, texture, panels, direction, animation;
+  std::string size, view, focus, texture, panels, direction, animation;
+  InvariantOption invariant;
   std::vector<std::string> modes;
 };
 
@@ -38,7 +40,10 @@ RenderCommand command_of(const Options& options) {
   }
   if (!options.size.empty()) parse_size(options.size, command.view);
   if (!options.view.empty()) parse_view(options.view, command.view);
+  if (!options.focus.empty()) parse_focus(options.focus, command.view);
   command.modes = parse_modes(options.modes);
+  if (!options.invariant.invariant.empty()) command.levels = levels_of(options.invariant);
+  command.pieces = options.invariant.pieces;
   if (!options.animation.empty()) command.frames = parse_animation(options.animation);
   if (!options.texture.empty()) command.texture = parse_texture(options.texture);
   if (!options.panels.empty()) command.panels = parse_panels(options.panels);
@@ -98,6 +103,12 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
                  "Where to look from, in degrees: right of the front, above the horizon "
                  "(default: 30,22)")
       ->type_name("AZIMUTH,ELEVATION");
+  app.add_option("--focus", options->focus,
+                 "The point of space in the middle of the picture (default: all is in view)")
+      ->type_name("X,Y,Z");
+  app.add_option("--zoom", options->command.view.zoom,
+                 "A closer view: what is in space, so many times as large")
+      ->type_name("F");
   add_mode_option(app, options->modes)
       ->required(false)
       ->description(
@@ -108,6 +119,7 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
                  "A frame for each of N modes from A to B: FILE-000.png and so on; with ffmpeg "
                  "and a FILE.gif or FILE.mp4 also a film")
       ->type_name("A:B:N");
+  add_invariant_option(app, options->invariant, {"--mode", "--generalized", "--animate"});
   app.add_option("--texture", options->texture,
                  "Lines on the surface: major, minor (principal directions, by the field's "
                  "derivatives), or dominant (eigenvectors)")
@@ -115,11 +127,13 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
   app.add_flag("--recover", options->command.recover,
                "With --texture major or minor: the principal directions of the smooth field, by "
                "derivatives recovered at the mesh's vertices");
-  app.add_option("--tet", options->command.tet,
-                 "Draw the medium eigenvector manifold and the surface of this tetrahedron")
+  app.add_option(
+         "--tet", options->command.tet,
+         "Draw the medium eigenvector manifold and the surface of this tetrahedron; the cell "
+         "data 'tet' of an extracted .vtp names those that the surface meets")
       ->type_name("ID");
   app.add_option("--panels", options->panels,
-                 "With --tet: some of curves, manifold, triangles, surface "
+                 "With --tet: some of curves, manifold, triangles, surface, octant "
                  "(default: manifold,surface)")
       ->type_name("LIST");
   app.add_option("--beyond", options->command.beyond,

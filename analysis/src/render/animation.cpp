@@ -8,7 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <stdexcept>
 #include <system_error>
 
@@ -31,8 +33,9 @@ constexpr int kExecFailed = 127;
   std::vector<std::string> words{"ffmpeg", "-y", "-f", "image2pipe", "-c:v",
                                  "png",    "-r", "12", "-i",         "-"};
   if (file.extension() == ".gif") {
-    // One palette for all frames.
-    words.insert(words.end(), {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse"});
+    // One palette for all frames; grains between its colours would only make the file larger.
+    words.insert(words.end(),
+                 {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none"});
   } else {
     words.insert(words.end(), {"-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"});
   }
@@ -95,6 +98,21 @@ bool is_film(const std::filesystem::path& file) {
   return file.extension() == ".gif" || file.extension() == ".mp4";
 }
 
+void require_ffmpeg(const std::filesystem::path& file) {
+  const char* const folders = std::getenv("PATH");
+  for (std::string_view rest = folders == nullptr ? "" : folders; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    const auto program = std::filesystem::path(rest.substr(0, end)) / "ffmpeg";
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0)
+      return;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  throw IoError(IoError::Kind::unwritable, file,
+                "films need the program ffmpeg (Debian package ffmpeg); nothing is drawn. With "
+                "-o FILE.png there are the frames alone");
+}
+
 void write_film(const std::filesystem::path& file, const std::vector<std::string>& pictures) {
   const auto fail = [&](const std::string& why) {
     throw IoError(IoError::Kind::unwritable, file, why);
@@ -121,7 +139,7 @@ void write_film(const std::filesystem::path& file, const std::vector<std::string
   int status = 0;
   waitpid(child, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == kExecFailed)
-    fail("films need the program ffmpeg (Debian package ffmpeg); the frames are written");
+    fail("cannot start ffmpeg; the frames are written");
   if (whole && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   std::error_code ignored;
   if (!was_there) std::filesystem::remove(file, ignored);

@@ -21,6 +21,9 @@ std::filesystem::path frame_file(const std::filesystem::path& picture, std::size
 /// Whether the name ends in .gif or .mp4.
 bool is_film(const std::filesystem::path& file);
 
+/// Throws IoError about `file`, which is to be a film, if the program ffmpeg is not there.
+void require_ffmpeg(const std::filesystem::path& file);
+
 /// Makes a film of pictures, each the bytes of a PNG, by the program ffmpeg.
 /// Throws IoError, also where there is no ffmpeg.
 void write_film(const std::filesystem::path& file, const std::vector<std::string>& pictures);

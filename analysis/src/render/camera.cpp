@@ -84,27 +84,35 @@ void aim(vtkRenderer& renderer, const double* bounds, const View& view, const Fr
   camera.SetViewAngle(24);
   renderer.ResetCamera(bounds);
   vtkMatrix4x4& projection = *camera.GetCompositeProjectionTransformMatrix(frame.aspect, -1, 1);
+  const auto seen_at = [&](const std::array<double, 3>& point) {
+    const double place[4]{point[0], point[1], point[2], 1};
+    double seen[4];
+    projection.MultiplyPoint(place, seen);
+    return std::array{seen[0] / seen[3], seen[1] / seen[3]};
+  };
   double low[2]{HUGE_VAL, HUGE_VAL}, high[2]{-HUGE_VAL, -HUGE_VAL};
   std::vector<std::array<double, 3>> points = frame.points;
   for (int corner = 0; frame.points.empty() && corner < 8; ++corner)
     points.push_back(
         {bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)]});
   for (const auto& point : points) {
-    const double place[4]{point[0], point[1], point[2], 1};
-    double seen[4];
-    projection.MultiplyPoint(place, seen);
-    for (int k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], seen[k] / seen[3]);
-      high[k] = std::max(high[k], seen[k] / seen[3]);
+    const auto seen = seen_at(point);
+    for (std::size_t k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], seen[k]);
+      high[k] = std::max(high[k], seen[k]);
     }
   }
   const double reach =
       std::max(high[0] - low[0], (high[1] - low[1]) / (1 - frame.rise - frame.margin)) / 2;
   if (reach > 0) {
-    const double zoom = kFill / reach;
-    camera.Zoom(zoom);
-    camera.SetWindowCenter(zoom * (low[0] + high[0]) / 2,
-                           zoom * (low[1] + high[1]) / 2 - frame.rise);
+    const double zoom = view.zoom * kFill / reach;
+    std::array<double, 2> centre{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
+    if (view.focus) centre = seen_at(*view.focus);
+    // Not camera.Zoom, which divides the angle and not its tangent. (The angle is what ResetCamera
+    // leaves.)
+    const double angle = camera.GetViewAngle() * degree;
+    camera.SetViewAngle(2 * std::atan(std::tan(angle / 2) / zoom) / degree);
+    camera.SetWindowCenter(zoom * centre[0], zoom * centre[1] - frame.rise);
   }
   renderer.ResetCameraClippingRange(bounds);
 }

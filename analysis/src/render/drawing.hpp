@@ -8,6 +8,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "render/feature_edges.hpp"
@@ -21,6 +22,9 @@ struct View {
   bool sized = false;               ///< somebody asked for this size
   double azimuth = 30;              ///< degrees to the right of the front (the side of small y)
   double elevation = 22;            ///< degrees above the horizon (z points up)
+  /// A point of space that is seen in the middle; nothing: all is in view, as large as it can be.
+  std::optional<std::array<double, 3>> focus;
+  double zoom = 1;  ///< how much larger than that
 };
 
 /// A picture is drawn this many times larger each way, and averaged: smooth edges with
@@ -59,7 +63,8 @@ struct Frame {
   std::vector<std::array<double, 3>> points;  ///< that must be seen; none: the corners of the box
 };
 
-/// Aims at the middle of a box and comes as near as the frame allows.
+/// Aims at the middle of a box and comes as near as the frame allows; of a view with a focus or a
+/// zoom the picture is a part of that, enlarged.
 void aim(vtkRenderer& renderer, const double* bounds, const View& view, const Frame& frame);
 
 /// What the scenes look like, one byte a channel, RGB. Throws std::runtime_error.

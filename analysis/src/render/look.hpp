@@ -17,6 +17,7 @@ inline constexpr Colour kTeal{0.06, 0.58, 0.57};
 inline constexpr Colour kGold{0.93, 0.67, 0.13};
 inline constexpr Colour kGreen{0.10, 0.62, 0.22};
 inline constexpr Colour kYellow{0.98, 0.86, 0.10};
+inline constexpr Colour kChartreuse{0.62, 0.85, 0.12};
 inline constexpr Colour kPlum{0.56, 0.30, 0.58};
 inline constexpr Colour kCrimson{0.76, 0.12, 0.10};
 inline constexpr Colour kNavy{0.10, 0.24, 0.66};
@@ -48,10 +49,10 @@ inline Look nested(const Colour& base, std::size_t inside, std::size_t count) {
   return {mix(base, kWhite, 0.45 * rank), std::max(0.22, 0.6 - 0.4 * rank)};
 }
 
-/// Teal for positive modes, gold for negative ones; where there are several of a sign, the one
+/// Teal for positive modes, gold for negative ones, chartreuse for mode 0; where there are several of a sign, the one
 /// furthest from zero, which the others enclose, is solid and the others are glass.
 inline Look look_of(std::optional<double> mode, const std::vector<std::optional<double>>& all) {
-  if (!mode || *mode == 0) return {kGrey, 1};
+  if (!mode || *mode == 0) return {mode ? kChartreuse : kGrey, 1};
   if (*mode == 1) return {kGreen, 1};
   if (*mode == -1) return {kYellow, 1};
   std::size_t further = 0, same_sign = 0;

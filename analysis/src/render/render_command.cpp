@@ -38,6 +38,15 @@ std::optional<std::pair<Number, Number>> two_numbers(std::string_view text, char
   return std::pair{first, second};
 }
 
+std::optional<Vector3<double>> three_numbers(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto first = two_numbers<double>(std::string(text.substr(0, comma)) + ",0", ',');
+  const auto rest = two_numbers<double>(text.substr(comma + 1), ',');
+  if (!first || !rest) return std::nullopt;
+  return Vector3<double>{first->first, rest->first, rest->second};
+}
+
 std::string png_bytes(vtkImageData* image) {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
@@ -62,6 +71,8 @@ void check(const RenderCommand& command) {
          command.output.string() + ": the name must end in .png");
   }
   need(!command.surfaces.empty() || command.mesh, "nothing to draw");
+  need(std::isfinite(command.view.zoom) && command.view.zoom >= 0.1 && command.view.zoom <= 1000,
+       "--zoom: must be from 0.1 to 1000");
   need(!(modes && frames), "--animate gives the modes, so --mode has no meaning");
   need(command.surfaces.empty() || !(modes || frames),
        "--mode and --animate extract from a mesh, but surfaces are given");
@@ -70,6 +81,9 @@ void check(const RenderCommand& command) {
   need(!command.recover || (!command.tet && (command.texture == Texture::major ||
                                              command.texture == Texture::minor)),
        "--recover is about --texture major or minor, and not of one tetrahedron");
+  need(command.levels.empty() || (command.surfaces.empty() && command.mesh && !modes && !frames &&
+                                  !command.tet && command.texture == Texture::none),
+       "--invariant extracts from a mesh and is drawn alone, in plain colours");
   if (command.tet) {
     need(command.surfaces.empty(), "--tet takes a mesh, not surfaces");
     need(modes || frames, "--tet needs --mode or --animate");
@@ -86,18 +100,18 @@ void check(const RenderCommand& command) {
 }  // namespace
 
 Vector3<double> parse_direction(std::string_view text) {
-  const auto fail = [&] {
+  const auto v = three_numbers(text);
+  const double length = v ? std::sqrt(dot(*v, *v)) : 0;
+  if (!(length > 0) || !std::isfinite(length))
     throw UsageError(fmt::format("--direction {}: must be X,Y,Z, not all zero", text));
-  };
-  const std::size_t comma = text.find(',');
-  const auto first = two_numbers<double>(std::string(text.substr(0, comma)) + ",0", ',');
-  if (comma == std::string_view::npos || !first) fail();
-  const auto rest = two_numbers<double>(text.substr(comma + 1), ',');
-  if (!rest) fail();
-  const Vector3<double> v{first->first, rest->first, rest->second};
-  const double length = std::sqrt(dot(v, v));
-  if (!(length > 0) || !std::isfinite(length)) fail();
-  return (1 / length) * v;
+  return (1 / length) * *v;
+}
+
+void parse_focus(std::string_view text, View& view) {
+  const auto point = three_numbers(text);
+  if (!point || !std::isfinite(dot(*point, *point)))
+    throw UsageError(fmt::format("--focus {}: must be X,Y,Z", text));
+  view.focus = {point->x, point->y, point->z};
 }
 
 void parse_size(std::string_view text, View& view) {
@@ -123,6 +137,7 @@ void parse_view(std::string_view text, View& view) {
 RenderReport run_render(const RenderCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   check(command);
+  if (is_film(command.output)) require_ffmpeg(command.output);
   if (progress) progress("reading", 0);
   RenderSubject subject(command);
   RenderReport report;

@@ -14,6 +14,7 @@
 #include "render/texture.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/quadric/invariant_level.hpp"
 
 namespace tensortopo {
 
@@ -28,7 +29,10 @@ struct RenderCommand {
   /// Surfaces (of 1 and -1 curves) to extract from the mesh and draw; of a tetrahedron the modes
   /// whose generalized surfaces are drawn side by side.
   std::vector<ModeValue> modes;
-  bool generalized = false;       ///< with each mode its opposite; of a tetrahedron always
+  bool generalized = false;  ///< with each mode its opposite; of a tetrahedron always
+  /// Surfaces of other invariants to extract and draw, instead of `modes`.
+  std::vector<InvariantLevel> levels;
+  int pieces = 2;                 ///< of these, as in InvariantOptions
   std::vector<ModeValue> frames;  ///< a picture for each of these, instead of `modes`
   Texture texture = Texture::none;
   bool recover = false;  ///< a texture of the smooth field's curvature, by recovered derivatives
@@ -56,6 +60,8 @@ struct RenderReport {
 /// "1,-2,0.5", not zero. Throws UsageError.
 Vector3<double> parse_direction(std::string_view text);
 
+/// "10,-2,0.5". Throws UsageError.
+void parse_focus(std::string_view text, View& view);
 /// "1600x1200". Throws UsageError.
 void parse_size(std::string_view text, View& view);
 /// "azimuth,elevation" in degrees. Throws UsageError.

@@ -18,6 +18,7 @@
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/quadric/extract_invariant_surface.hpp"
 
 namespace tensortopo {
 namespace {
@@ -55,6 +56,20 @@ std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetM
   return sheets_of(input.file);
 }
 
+// Why there is nothing in space.
+std::string missed_note(const ModeValue& mode, std::int64_t tet, double beyond) {
+  if (beyond > 1)
+    return fmt::format(
+        "mode {}: there is no surface in the cube around tetrahedron {}; a larger "
+        "--beyond shows more of its linear field",
+        mode.text(), tet);
+  return fmt::format(
+      "mode {}: the surface misses tetrahedron {}, so nothing is drawn in it. Those "
+      "that it meets are in the cell data 'tet' of an extracted .vtp; --beyond 4 "
+      "shows the linear field outside",
+      mode.text(), tet);
+}
+
 }  // namespace
 
 RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
@@ -85,13 +100,33 @@ std::vector<Sheet> RenderSubject::extracted(const ModeValue& mode, RenderReport&
     const auto kind = value > 0 ? Degeneracy::linear : Degeneracy::planar;
     const CurveExtraction extraction = extract_degenerate_curves(mesh_, kind);
     note(extraction.unresolved.size());
+    if (extraction.curves.lines.empty())
+      report.notes.push_back(fmt::format("mode {}: the field has no such curves", mode.text()));
     return {sheet_of(extraction.curves, value)};
   }
   const Extraction extraction = extract_mode_surface<double>(mesh_, mode);
   note(extraction.unresolved.size());
+  if (extraction.surface.triangles.empty())
+    report.notes.push_back(fmt::format("mode {}: the field has no such surface", mode.text()));
   const LineField lines =
       surface_lines(extraction.surface, mesh_, command_.texture, command_.recover);
   return {sheet_of(extraction.surface, value, lines)};
+}
+
+Sheet RenderSubject::extracted(const InvariantLevel& level, RenderReport& report) const {
+  InvariantOptions options;
+  options.pieces = command_.pieces;
+  const InvariantExtraction extraction = extract_invariant_surface(mesh_, level, options);
+  const std::string name = fmt::format("{} {}", name_of(level.invariant()), level.text());
+  if (!extraction.zero_tensor.empty())
+    report.notes.push_back(fmt::format("{}: {} of {} tetrahedra unresolved, and not drawn", name,
+                                       extraction.zero_tensor.size(), mesh_.tets.size()));
+  if (extraction.surface.triangles.empty())
+    report.notes.push_back(name + ": the field has no such surface");
+  Sheet sheet = sheet_of(extraction.surface, 0);
+  sheet.mode.reset();
+  sheet.value = extraction.surface.value.empty() ? 0 : extraction.surface.value.front();
+  return sheet;
 }
 
 vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue>& modes,
@@ -114,6 +149,8 @@ vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue
       TetImage result = draw_tet(picture);
       report.marked.insert(report.marked.end(), result.marked.begin(), result.marked.end());
       report.notes.insert(report.notes.end(), result.notes.begin(), result.notes.end());
+      for (const ModeValue& missed : result.missed)
+        report.notes.push_back(missed_note(missed, *command_.tet, command_.beyond));
       return result.image;
     } catch (const std::invalid_argument& problem) {
       throw IoError(IoError::Kind::invalid, *command_.mesh,
@@ -126,6 +163,10 @@ vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue
     if (command_.generalized && mode.sign() != 0) signs.push_back(mode.opposite());
     for (const ModeValue& one : signs)
       for (Sheet& sheet : extracted(one, report)) sheets.push_back(std::move(sheet));
+  }
+  for (const InvariantLevel& level : command_.levels) {
+    Sheet sheet = extracted(level, report);
+    if (sheet.shape->GetNumberOfPolys() > 0) sheets.push_back(std::move(sheet));
   }
   if (modes.empty())
     for (const Sheet& sheet : sheets) {

@@ -23,6 +23,7 @@ class RenderSubject {
 
  private:
   std::vector<Sheet> extracted(const ModeValue& mode, RenderReport& report) const;
+  Sheet extracted(const InvariantLevel& level, RenderReport& report) const;
 
   const RenderCommand& command_;
   TetMesh mesh_;

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include "render/legend.hpp"
 #include "render/look.hpp"
@@ -27,10 +29,16 @@ std::string name_of(const Sheet& sheet) {
 
 }  // namespace
 
-vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData* domain,
+vtkSmartPointer<vtkImageData> draw(std::vector<Sheet> sheets, vtkPolyData* domain,
                                    const View& view) {
+  const auto place = [](const Sheet& s) {
+    return std::pair{-s.mode.value_or(-2), s.value.value_or(0)};  // all modes first
+  };
+  std::stable_sort(sheets.begin(), sheets.end(),
+                   [&](const Sheet& a, const Sheet& b) { return place(a) < place(b); });
   const vtkSmartPointer<vtkRenderer> renderer = new_scene();
-  const double unit = 0.036 * view.height * kOversampling;
+  const double unit =
+      0.04 * std::sqrt(static_cast<double>(view.width) * view.height) * kOversampling;
   const double line = std::max(1.0, 0.0016 * view.height) * kOversampling;
   std::vector<std::optional<double>> modes, values;
   for (const Sheet& sheet : sheets) {
@@ -42,7 +50,7 @@ vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData
   if (domain != nullptr) add_domain(*renderer, domain, line);
   double size = domain != nullptr ? diagonal(domain->GetBounds()) : 0;
   for (const Sheet& sheet : sheets) size = std::max(size, diagonal(sheet.shape->GetBounds()));
-  const double cell = kGrain * size / view.height;
+  const double cell = kGrain * size / view.height / view.zoom;
   for (const Sheet& sheet : sheets) {
     const Look look = sheet.value        ? look_of_value(*sheet.value, values)
                       : sheet.ridge_kind ? look_of_ridges(*sheet.ridge_kind)
@@ -51,7 +59,8 @@ vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData
       add_triangles(*renderer, sheet.shape, look, 0.7 * line, cell);
     }
     if (sheet.shape->GetNumberOfLines() > 0) {
-      add_curves(*renderer, sheet.shape, look, (sheet.ridge_kind ? kRidgeTube : kTube) * size);
+      const double radius = (sheet.ridge_kind ? kRidgeTube : kTube) * size / view.zoom;
+      add_curves(*renderer, sheet.shape, look, radius);
     }
     if (const std::string name = name_of(sheet); !name.empty()) legend.push_back({look, name});
   }

@@ -13,9 +13,10 @@
 
 namespace tensortopo {
 
-/// Draws sheets and, unless null, the boundary of their domain. Needs a display.
+/// Draws sheets, named by descending mode, and, unless null, the boundary of their domain. Needs a
+/// display.
 /// The image is RGB, one byte a channel. Throws std::runtime_error.
-vtkSmartPointer<vtkImageData> draw(const std::vector<Sheet>& sheets, vtkPolyData* domain,
+vtkSmartPointer<vtkImageData> draw(std::vector<Sheet> sheets, vtkPolyData* domain,
                                    const View& view);
 
 }  // namespace tensortopo

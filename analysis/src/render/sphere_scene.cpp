@@ -97,32 +97,6 @@ std::vector<double> texture_values(const TetDirections& directions, const Surfac
   return values;
 }
 
-// Where a closed curve of the boundary is in the tetrahedron (`inside`) or not, as pieces.
-void boundary_pieces(const TetDirections& directions, bool inside, std::vector<Polyline>& out) {
-  const auto& manifold = directions.manifold();
-  constexpr int samples = 6 * kSamples;
-  for (int loop = 0; loop < manifold.loop_count(); ++loop) {
-    Polyline piece;
-    const auto end = [&] {
-      if (piece.size() > 1) {
-        out.push_back(piece);
-        for (auto& v : piece) v = -v;
-        out.push_back(piece);
-      }
-      piece.clear();
-    };
-    for (int i = 0; i <= samples; ++i) {
-      const Vector3<double> v = manifold.boundary_point(loop, 2 * kPi * i / samples);
-      if ((directions.sign_inside_boundary(v) != 0) == inside) {
-        piece.push_back(v);
-      } else {
-        end();
-      }
-    }
-    end();
-  }
-}
-
 }  // namespace
 
 Colour colour_of(DirectionKind kind) {
@@ -153,21 +127,56 @@ SphereFrame sphere_frame(const TetDirections& directions, double azimuth, double
   return frame;
 }
 
-bool inside_is_behind(const TetDirections& directions, const SphereFrame& frame) {
+std::vector<Vector3<double>> visible_directions(const SphereFrame& frame) {
   constexpr int rows = 200;
-  int front = 0, behind = 0;
+  std::vector<Vector3<double>> directions;
   // Rows of equal area.
   for (int i = 0; i < rows; ++i) {
     const double height = (i + 0.5) / rows, radius = std::sqrt(1 - height * height);
     for (int j = 0; j < 2 * rows; ++j) {
       const double turn = kPi * j / rows;
-      const Vector3<double> v = height * frame.viewer + radius * std::cos(turn) * frame.right +
-                                radius * std::sin(turn) * frame.up;
-      if (directions.sign_inside(v) != 0) ++front;
-      if (directions.sign_inside(-v) != 0) ++behind;
+      directions.push_back(height * frame.viewer + radius * std::cos(turn) * frame.right +
+                           radius * std::sin(turn) * frame.up);
     }
   }
+  return directions;
+}
+
+bool inside_is_behind(const TetDirections& directions, const SphereFrame& frame) {
+  int front = 0, behind = 0;
+  for (const Vector3<double>& v : visible_directions(frame)) {
+    if (directions.sign_inside(v) != 0) ++front;
+    if (directions.sign_inside(-v) != 0) ++behind;
+  }
   return behind > front;
+}
+
+std::vector<Polyline> boundary_pieces(const TetDirections& directions, bool inside) {
+  std::vector<Polyline> out;
+  const auto& manifold = directions.manifold();
+  if (manifold.complex_domain_empty()) return out;
+  constexpr int samples = 6 * kSamples;
+  for (int loop = 0; loop < manifold.loop_count(); ++loop) {
+    Polyline piece;
+    const auto end = [&] {
+      if (piece.size() > 1) {
+        out.push_back(piece);
+        for (auto& v : piece) v = -v;
+        out.push_back(piece);
+      }
+      piece.clear();
+    };
+    for (int i = 0; i <= samples; ++i) {
+      const Vector3<double> v = manifold.boundary_point(loop, 2 * kPi * i / samples);
+      if ((directions.sign_inside_boundary(v) != 0) == inside) {
+        piece.push_back(v);
+      } else {
+        end();
+      }
+    }
+    end();
+  }
+  return out;
 }
 
 void add_sphere_lines(vtkRenderer& renderer, const SphereFrame& frame,
@@ -245,13 +254,9 @@ void add_sphere(vtkRenderer& renderer, const TetDirections& directions, const Sp
     }
     add_sphere_lines(renderer, frame, grid, mix(kInk, kWhite, 0.35), 0.6 * look.line, 1.002);
   }
-  if (!manifold.complex_domain_empty()) {
-    std::vector<Polyline> boundary, within;
-    boundary_pieces(directions, false, boundary);
-    boundary_pieces(directions, true, look.inside ? within : boundary);
-    add_sphere_lines(renderer, frame, boundary, kInk, 1.3 * look.line);
-    add_sphere_lines(renderer, frame, within, kGreen, 2.6 * look.line);
-  }
+  add_sphere_lines(renderer, frame, boundary_pieces(directions, false), kInk, 1.3 * look.line);
+  add_sphere_lines(renderer, frame, boundary_pieces(directions, true), look.inside ? kGreen : kInk,
+                   (look.inside ? 2.6 : 1.3) * look.line);
   for (const auto& s : manifold.singularities())
     for (const double sign : {1.0, -1.0})
       add_ball(renderer, {sign * s.x, sign * s.y, sign * s.z}, 0.022, kYellow);

@@ -17,8 +17,9 @@ inline constexpr Colour kCyan{0.36, 0.84, 0.92};
 inline constexpr Colour kMagenta{0.93, 0.40, 0.80};
 inline constexpr Colour kBlue{0.36, 0.50, 0.93};
 inline constexpr Colour kComplexGrey{0.60, 0.60, 0.60};
-inline constexpr Colour kChartreuse{0.62, 0.85, 0.12};
 inline constexpr Colour kRed{0.88, 0.10, 0.10};
+
+inline constexpr Colour kFaceCurve{0.05, 0.16, 0.72};
 
 /// How much white is in the colours of directions that are not in the tetrahedron.
 inline constexpr double kPale = 0.55, kPaleGrey = 0.25;
@@ -46,6 +47,14 @@ SphereFrame sphere_frame(const TetDirections& directions, double azimuth, double
 
 /// Whether more of the directions in the tetrahedron are on the back.
 bool inside_is_behind(const TetDirections& directions, const SphereFrame& frame);
+
+/// Directions of the visible half, evenly spread.
+std::vector<Vector3<double>> visible_directions(const SphereFrame& frame);
+
+/// The boundary of the complex domain where its points are in the tetrahedron (`inside`), or where
+/// they are not.
+std::vector<std::vector<Vector3<double>>> boundary_pieces(const TetDirections& directions,
+                                                          bool inside);
 
 /// The visible half of the sphere, the quad grid, the complex domain's boundary (green where its
 /// points are in the tetrahedron) and the singularities.

@@ -15,7 +15,9 @@
 
 #include "render/domain_boundary.hpp"
 #include "render/legend.hpp"
+#include "render/octant_scene.hpp"
 #include "render/sphere_scene.hpp"
+#include "render/tet_legend.hpp"
 #include "render/tet_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/tensor/mode.hpp"
@@ -27,8 +29,7 @@ using Polyline = std::vector<Vector3<double>>;
 
 constexpr double kSphereShare = 0.9;                                      // of its panel
 constexpr double kGrain = 1.7;                                            // pixels
-constexpr double kPanelWidth = 720, kPanelHeight = 840, kLargest = 4096;  // pixels
-constexpr Colour kFaceCurve{0.05, 0.16, 0.72};
+constexpr double kPanelWidth = 720, kPanelHeight = 960, kLargest = 4096;  // pixels
 
 std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
 
@@ -104,8 +105,15 @@ Polyline arc(const Vector3<double>& u, const Vector3<double>& v) {
   return line;
 }
 
+bool any_visible(const std::vector<Polyline>& lines, const SphereFrame& frame) {
+  for (const Polyline& line : lines)
+    for (const auto& v : line)
+      if (dot(v, frame.viewer) > 0) return true;
+  return false;
+}
+
 void draw_manifold(vtkRenderer& renderer, const TetPicture& picture, const Subject& subject,
-                   bool wires, const Scale& scale) {
+                   bool wires, const Scale& scale, SphereSeen& seen) {
   const bool inside = !(picture.beyond > 1);
   SphereFrame frame =
       sphere_frame(subject.directions, picture.sphere_azimuth, picture.sphere_elevation, false);
@@ -119,6 +127,7 @@ void draw_manifold(vtkRenderer& renderer, const TetPicture& picture, const Subje
   look.line = scale.line;
   look.radius_pixels = kSphereShare * scale.least() / 2;
   add_sphere(renderer, subject.directions, frame, look);
+  for (const auto& v : visible_directions(frame)) seen.add(subject.directions, v, inside);
   if (inside) {
     std::vector<Polyline> rims, edges;
     const auto add = [&](std::vector<Polyline>& lines, const Vector3<double>& u,
@@ -135,6 +144,8 @@ void draw_manifold(vtkRenderer& renderer, const TetPicture& picture, const Subje
     }
     add_sphere_lines(renderer, frame, edges, kInk, 0.6 * scale.line, 1.003);
     add_sphere_lines(renderer, frame, rims, kFaceCurve, 2.2 * scale.line, 1.005);
+    seen.curves = seen.curves || any_visible(rims, frame);
+    seen.boundary = seen.boundary || any_visible(boundary_pieces(subject.directions, true), frame);
   }
   if (picture.marked)
     for (const double sign : {1.0, -1.0})
@@ -167,7 +178,8 @@ void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject&
   const auto domain = domain_boundary(subject.surface.mesh);
   add_domain(renderer, domain, scale.line);
   const double size = diagonal(domain->GetBounds());
-  const double cell = kGrain * kOversampling * size / scale.least();
+  const double zoom = picture.view.zoom;
+  const double cell = kGrain * kOversampling * size / scale.least() / zoom;
   if (picture.beyond > 1) {
     std::vector<Polyline> edges;
     const auto& c = picture.field.corners;
@@ -193,10 +205,10 @@ void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject&
   for (std::size_t i = 0; i < subject.surface.curves.size(); ++i) {
     if (only_curves || subject.surface.curves[i].lines.empty()) continue;
     const Sheet sheet = sheet_of(subject.surface.curves[i], i == 0 ? 1 : -1);
-    add_curves(renderer, sheet.shape, {i == 0 ? kGreen : kYellow, 1}, 0.006 * size);
+    add_curves(renderer, sheet.shape, {i == 0 ? kGreen : kYellow, 1}, 0.006 * size / zoom);
   }
   for (const MarkedPoint& marked : marked_points(picture, subject))
-    if (marked.drawn) add_ball(renderer, array_of(marked.point), 0.019 * size, kRed);
+    if (marked.drawn) add_ball(renderer, array_of(marked.point), 0.019 * size / zoom, kRed);
   double bounds[6];
   domain->GetBounds(bounds);
   Frame frame{scale.aspect(), scale.rise(), 0.12, {}};
@@ -204,49 +216,15 @@ void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject&
   aim(renderer, bounds, picture.view, frame);
 }
 
-std::vector<LegendEntry> sphere_legend(const TetPicture& picture) {
-  const bool inside = !(picture.beyond > 1);
-  bool neutral = false, other = false;
-  for (const ModeValue& mode : picture.modes) (mode.sign() == 0 ? neutral : other) = true;
-  std::vector<LegendEntry> entries;
-  const auto add = [&](const Colour& colour, const char* text) {
-    entries.push_back({{colour, 1}, text});
-  };
-  const auto pale = [&](const Colour& c) { return inside ? mix(c, kWhite, kPale) : c; };
-  if (other) {
-    add(inside ? mix(kComplexGrey, kWhite, kPaleGrey) : kComplexGrey, "complex domain");
-    add(pale(kCyan), "two points of mode > 0");
-    add(pale(kMagenta), "two of mode < 0");
-    add(pale(kBlue), "one of each");
-  }
-  if (inside && other) add(kTeal, "in the tetrahedron, mode > 0");
-  if (inside && other) add(kGold, "in the tetrahedron, mode < 0");
-  if (inside && neutral) add(kChartreuse, "in the tetrahedron, mode 0");
-  return entries;
-}
+bool is_sphere(Panel panel) { return panel == Panel::manifold || panel == Panel::triangles; }
 
-// Of what is in space in any column.
-std::vector<LegendEntry> space_legend(const std::vector<Subject>& subjects, bool curves) {
-  bool positive = false, negative = false, neutral = false, linear = false, planar = false;
-  for (const Subject& subject : subjects) {
-    for (const SurfaceMesh& surface : subject.surface.surfaces) {
-      if (surface.triangles.empty()) continue;
-      const double mode = surface.mode.front();
-      (mode > 0 ? positive : mode < 0 ? negative : neutral) = true;
-    }
-    linear = linear || !subject.surface.curves[0].lines.empty();
-    planar = planar || !subject.surface.curves[1].lines.empty();
-  }
-  std::vector<LegendEntry> entries;
-  const auto add = [&](bool there, const Colour& colour, const char* text) {
-    if (there) entries.push_back({{colour, 1}, text});
-  };
-  add(positive, kTeal, "mode > 0");
-  add(negative, kGold, "mode < 0");
-  add(neutral, kChartreuse, "mode 0, neutral");
-  add(linear && curves, kGreen, "mode +1, linear degenerate");
-  add(planar && curves, kYellow, "mode -1, planar degenerate");
-  return entries;
+// Whether there is nothing of this mode in space.
+bool is_empty(const Subject& subject) {
+  const auto& [mesh, surfaces, curves, notes] = subject.surface;
+  if (surfaces.empty())
+    return std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.lines.empty(); });
+  return std::all_of(surfaces.begin(), surfaces.end(),
+                     [](const auto& s) { return s.triangles.empty(); });
 }
 
 std::string title_of(const ModeValue& mode) {
@@ -269,9 +247,12 @@ std::vector<Panel> parse_panels(std::string_view text) {
       panels.push_back(Panel::triangles);
     } else if (name == "surface") {
       panels.push_back(Panel::surface);
+    } else if (name == "octant") {
+      panels.push_back(Panel::octant);
     } else {
       throw UsageError(fmt::format(
-          "--panels {}: must be some of curves, manifold, triangles, surface, with commas", text));
+          "--panels {}: must be some of curves, manifold, triangles, surface, octant, with commas",
+          text));
     }
     begin = end + 1;
   }
@@ -292,7 +273,8 @@ TetImage draw_tet(const TetPicture& picture) {
   scale.panel_width = static_cast<double>(picture.view.width) * kOversampling / scale.columns;
   scale.panel_height = static_cast<double>(picture.view.height) * kOversampling / scale.rows;
   scale.line = std::max(1.0, scale.least() / kOversampling / 560) * kOversampling;
-  scale.unit = 0.034 * scale.least();
+  // Of more columns each is drawn smaller in the end.
+  scale.unit = (0.034 + 0.008 * std::min(scale.columns, 3)) * scale.least();
 
   TetImage result;
   std::vector<Subject> subjects;
@@ -303,8 +285,12 @@ TetImage draw_tet(const TetPicture& picture) {
       result.marked.push_back(point);
     const auto& notes = subjects.back().surface.notes;
     result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+    const bool only_octants = std::count(picture.panels.begin(), picture.panels.end(),
+                                         Panel::octant) == std::ssize(picture.panels);
+    if (!only_octants && is_empty(subjects.back())) result.missed.push_back(mode);
   }
   std::vector<vtkSmartPointer<vtkRenderer>> scenes;
+  SphereSeen seen;
   for (std::size_t m = 0; m < subjects.size(); ++m) {
     for (std::size_t p = 0; p < picture.panels.size(); ++p) {
       const auto column = static_cast<double>(one ? p : m), row = static_cast<double>(one ? 0 : p);
@@ -312,19 +298,28 @@ TetImage draw_tet(const TetPicture& picture) {
                                   (column + 1) / scale.columns, 1 - row / scale.rows}));
       vtkRenderer& scene = *scenes.back();
       const Panel panel = picture.panels[p];
-      const bool sphere = panel == Panel::manifold || panel == Panel::triangles;
-      if (sphere) {
-        draw_manifold(scene, picture, subjects[m], panel == Panel::triangles, scale);
+      if (panel == Panel::octant) {
+        add_octant(scene, subjects[m].directions, scale.line);
+        aim_at_octant(scene, scale.aspect(), kSphereShare, scale.rise());
+      } else if (is_sphere(panel)) {
+        draw_manifold(scene, picture, subjects[m], panel == Panel::triangles, scale, seen);
       } else {
         draw_space(scene, picture, subjects[m], panel == Panel::curves, scale);
       }
-      if (m == 0 && panel != Panel::triangles)
-        add_legend(
-            scene,
-            sphere ? sphere_legend(picture) : space_legend(subjects, panel == Panel::surface),
-            scale.unit);
       if (p == 0) add_title(scene, title_of(subjects[m].mode), scale.unit, scale.panel_height);
     }
+  }
+  // In the first column, of all columns.
+  std::vector<const TetSurface*> surfaces;
+  for (const Subject& subject : subjects) surfaces.push_back(&subject.surface);
+  for (std::size_t p = 0; p < picture.panels.size(); ++p) {
+    const Panel panel = picture.panels[p];
+    if (panel == Panel::triangles) continue;
+    add_legend(*scenes[p],
+               panel == Panel::octant ? octant_legend()
+               : is_sphere(panel)     ? sphere_legend(seen, !(picture.beyond > 1))
+                                      : space_legend(surfaces, panel == Panel::surface),
+               scale.unit);
   }
   result.image = grab(scenes, picture.view.width, picture.view.height);
   return result;

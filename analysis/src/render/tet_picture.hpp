@@ -21,6 +21,7 @@ enum class Panel {
   manifold,   ///< the sphere of medium eigenvectors, the quad grid, the face curves on it
   triangles,  ///< the sphere with the extracted triangles
   surface,    ///< in space, the surface and the degenerate curves
+  octant,     ///< the complex domain in an eighth of the sphere, as a triangle
 };
 
 /// "manifold,surface", in any order. Throws UsageError.
@@ -55,6 +56,7 @@ struct TetImage {
   vtkSmartPointer<vtkImageData> image;
   std::vector<MarkedPoint> marked;
   std::vector<std::string> notes;  ///< what could not be extracted, and so is not drawn
+  std::vector<ModeValue> missed;   ///< modes that are nowhere in space
 };
 
 /// Needs a display. Throws std::invalid_argument where there is no manifold, std::runtime_error
