@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "closed_curves.hpp"
+#include "degenerate_offset.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/tensor/mode.hpp"
 #include "tiers.hpp"
@@ -20,27 +21,12 @@ namespace {
 /// Paths have 2^kDepth segments at most.
 constexpr int kDepth = 9;
 
-/// Steps of Newton's method towards the degenerate curve, and of the power method.
-constexpr int kNewtonSteps = 4, kPowerSteps = 8;
+/// Steps of Newton's method towards the degenerate curve.
+constexpr int kNewtonSteps = 4;
 
 using Weights = std::array<double, 4>;
 
 Vector3<double> unit(const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
-/// The eigenvector of the simple eigenvalue of a tensor next to a degenerate one.
-Vector3<double> simple_eigenvector(const Deviator<double>& t, int sign) {
-  auto m = thrice(t);
-  // Shifted such that the double eigenvalue is next to zero.
-  const double size = std::sqrt(inner(m, m) / 6);
-  m = (sign / size) * m;
-  m.xx += 1, m.yy += 1, m.zz += 1;
-  Vector3<double> e{m.xx, m.xy, m.xz};
-  for (const Vector3<double>& column :
-       {Vector3<double>{m.xy, m.yy, m.yz}, Vector3<double>{m.xz, m.yz, m.zz}})
-    if (dot(column, column) > dot(e, e)) e = column;
-  for (int step = 0; step < kPowerSteps; ++step) e = unit(m * unit(e));
-  return e;
-}
 
 template <class Scalar>
 class Paths {
