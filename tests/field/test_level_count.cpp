@@ -37,23 +37,5 @@ TEST(LevelCount, HasOneLevelFromBothSides) {
   EXPECT_GT(other_than_a_disc, 100);
 }
 
-TEST(LevelCount, FindsADiscAroundTheOnlyVertexBeyondALevel) {
-  // One vertex is next to uniaxial, the others are neutral; no degenerate curve is near.
-  const TetTensors tensors{{{2, -1, -1.5, 0, 0, 0},
-                            {1, -1, 0, 0.125, 0, 0},
-                            {1, 0, -1, 0, 0.25, 0},
-                            {1, -0.5, -0.5, 0, 0.5, 0.25}}};
-  const ModeValue mode = ModeValue::parse("9/10");
-  const auto arcs = degenerate_arcs(tensors, {0, 0, 0, 0}, mode);
-  ASSERT_TRUE(arcs);
-  ASSERT_TRUE(arcs->empty());
-  const auto count = count_level(tensors, mode, 1);
-  ASSERT_TRUE(count);
-  EXPECT_EQ(count->inside, 1);
-  EXPECT_EQ(count->boundary, 1);
-  EXPECT_EQ(count->level(), 1);
-  EXPECT_EQ(count->bridges, 0);
-}
-
 }  // namespace
 }  // namespace tensortopo::test
