@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
+#include <vector>
 
 #include "curved_tet.hpp"
 #include "extract_case.hpp"
 #include "laws.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
+#include "thin_sheets.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -92,6 +95,92 @@ TEST(ThinLevel, HasTheTopologyOfEveryLevelWithoutACriticalValueInBetween) {
   }
   std::cout << compared << " levels compared\n";
   EXPECT_GT(compared, trials(60));
+}
+
+// What the critical points of one side and paths beyond the level decide is what a refinement finds.
+TEST(ThinLevel, HasTheSheetsThatItsCriticalPointsCount) {
+  const std::uint64_t seed = 20250560;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  int compared = 0, discs = 0, annuli = 0, several = 0;
+  for (int trial = 0; trial < trials(250); ++trial) {
+    const TetTensors tensors = random.tet_tensors();
+    for (const char* mode : {"1/2", "99/100", "-997/1000"}) {
+      const CurvedTet c(tensors, ModeValue::parse(mode));
+      if (!c.has_curves) continue;
+      const auto& level = c.simplex_case.level;
+      auto plan = plan_tet(c.tet, level);
+      if (!plan || plan->loops.empty()) continue;
+      const auto counted = detail::counted_sheets(c.tet, level, plan->loops);
+      if (!counted) continue;
+      plan->leaves.reset();
+      if (!add_leaves(c.tet, level, *plan)) continue;
+      ++compared;
+      several += counted->size() > 1 ? 1 : 0;
+      for (const auto& sheet : *counted)
+        (sheet.loops.size() == 1 ? discs : annuli) += sheet.loops.size() <= 2 ? 1 : 0;
+      EXPECT_EQ(in_order(*counted), in_order(plan->sheets)) << mode << '\n' << exact_text(tensors);
+    }
+  }
+  std::cout << compared << " compared, " << discs << " discs, " << annuli << " annuli, " << several
+            << " with several sheets\n";
+  EXPECT_GT(compared, trials(100));
+  EXPECT_GT(annuli, trials(2));
+  EXPECT_GT(several, trials(5));
+}
+
+struct NextToCurve {
+  const char* mode;
+  TetTensors tensors;
+  std::vector<std::pair<std::size_t, int>> sheets;  ///< loops and Euler characteristic, ascending
+};
+
+// Tetrahedra of simulated stresses that the degenerate curve leaves next to an edge, or that are
+// nearly degenerate along a plane of symmetry: cells as small as tubes are thin would be too many.
+TEST(ThinLevel, IsSettledNextToEdgesAndPlanesOfSymmetry) {
+  const std::vector<NextToCurve> witnesses{
+      {"999999999/1000000000",
+       {{{1.0037896746080095, 1.0358045513328964, 18.191543301727222, -0.082636207668618955,
+          0.49382996422066272, -4.0804880694496051},
+         {0.40190404892910114, 0.43650232728088434, 17.513903786406065, -0.045730082707095818,
+          0.52455543975606767, -2.1885950155173419},
+         {0.40288074787648986, 0.41765158711556155, 17.556054885403956, 1.3663473564379247e-13,
+          1.4371628886955534e-12, -2.1947537300456412},
+         {0.23894763943711994, -1.0430950427131143, 16.021411800914084, 1.6435594205055359e-13,
+          -2.1122409377127838e-12, -1.8412136871046823}}},
+       {{2, 0}}},
+      {"999999999/1000000000",
+       {{{-1.3023256541692472, -1.346197369193217, 44.896465495448986, -1.1736232645442879e-12,
+          4.4670656063061642e-12, 1.1430861502820482},
+         {-1.4113605985924513, -1.3684046855643119, 45.42158697951583, -6.0189700445967276e-13,
+          4.4377695962438679e-12, -0.43356703473527647},
+         {-1.41886642283043, -1.3233735859313172, 45.184515390398118, -0.005411179036488389,
+          -1.5519943395962081, -0.43506776948371639},
+         {-1.1437375310026496, -1.1425340927639696, 48.50210719374936, -0.0026042608182084131,
+          -1.7313736577406362, -0.3602241338195355}}},
+       {{1, 1}, {2, 0}}},
+      {"-999999999/1000000000",
+       {{{-1.8055704445676792, -1.8005913653635361, -11.023835746940918, 0.0067443496014057466,
+          0.18305541661827329, -0.36604921084337505},
+         {-1.4736711730227641, -1.4736711730228456, -11.353470347035461, 0.0039906753690106987,
+          0.18887289166100402, -0.18887289156325143},
+         {-1.8025457225720014, -1.8025457225719308, -11.055453213022568, 0.0034059642404390064,
+          0.18387179598683076, -0.18387179606819312},
+         {-1.4723180556402635, -1.4778388119325909, -11.31892553514276, 0.0079021803057359469,
+          0.37571201427013845, -0.18795303530085919}}},
+       {{2, 0}}},
+  };
+  for (const auto& witness : witnesses) {
+    const CurvedTet c(witness.tensors, ModeValue::parse(witness.mode));
+    ASSERT_TRUE(c.has_curves) << exact_text(witness.tensors);
+    const auto plan = plan_tet(c.tet, c.simplex_case.level);
+    ASSERT_TRUE(plan) << exact_text(witness.tensors);
+    std::vector<std::pair<std::size_t, int>> sheets;
+    for (const auto& sheet : plan->sheets)
+      sheets.emplace_back(sheet.loops.size(), sheet.euler_characteristic);
+    std::sort(sheets.begin(), sheets.end());
+    EXPECT_EQ(sheets, witness.sheets) << exact_text(witness.tensors);
+  }
 }
 
 }  // namespace

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "count_predicate.hpp"
+#include "degenerate_offset.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/exact_side.hpp"
+#include "thin_sheets.hpp"
 #include "tiers.hpp"
 
 namespace tensortopo {
@@ -20,6 +22,10 @@ namespace {
 /// How many edges of a refinement are cut off the middle. Each such cut along a chain takes five
 /// bits of the weights, which have 52.
 constexpr std::size_t kUnevenCuts = 12;
+
+/// Next to the degenerate curve two tensors are apart by their offsets from it, and by this times
+/// the square of their chord, by which the curve leaves it: cells are long along the curve.
+constexpr double kBend = 1;
 
 /// Lengths are squared chords, 4 at most; this is for what has no length.
 constexpr double kLongest = 5;
@@ -111,6 +117,7 @@ void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Ver
   simplex_ = &simplex;
   level_ = &level;
   vertices_.clear();
+  offsets_.clear();
   cells_.clear();
   edges_.clear();
   faces_.clear();
@@ -123,6 +130,10 @@ void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Ver
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 std::uint32_t Refinement<Scalar, Vertices, Corners>::add_vertex(const Vertex& v) {
   vertices_.push_back(v);
+  if (is_thin(*level_)) {
+    const auto t = rounded(std::array{v.tensor})[0];
+    offsets_.push_back(norm_form(t) > 0 ? detail::degenerate_offset(t, level_->sign) : t);
+  }
   if (cells_at_.size() < vertices_.size()) cells_at_.emplace_back();
   cells_at_[vertices_.size() - 1].clear();
   return static_cast<std::uint32_t>(vertices_.size() - 1);
@@ -143,7 +154,7 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
   while (true) {
     for (; next < cells_.size(); ++next) {
       const auto longest = longest_edge(cells_[next].vertices);
-      waiting.emplace(squared_chord(longest[0], longest[1]), static_cast<std::uint32_t>(next));
+      waiting.emplace(squared_length(longest[0], longest[1]), static_cast<std::uint32_t>(next));
     }
     if (waiting.empty()) return true;
     const auto c = waiting.top().second;
@@ -169,7 +180,7 @@ std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners
     for (std::size_t j = i + 1; j < Corners; ++j) {
       const auto u = cell.vertices[i], v = cell.vertices[j];
       if (is_simple_edge(u, v)) continue;
-      if (kLonger * squared_chord(u, v) < squared_chord(longest[0], longest[1])) return longest;
+      if (kLonger * squared_length(u, v) < squared_length(longest[0], longest[1])) return longest;
       return std::array<std::uint32_t, 2>{u, v};
     }
   if constexpr (Corners == 4)
@@ -285,7 +296,7 @@ bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-double Refinement<Scalar, Vertices, Corners>::squared_chord(std::uint32_t u,
+double Refinement<Scalar, Vertices, Corners>::squared_length(std::uint32_t u,
                                                             std::uint32_t v) const {
   const auto &s = vertices_[u].tensor, &t = vertices_[v].tensor;
   const Scalar scale = norm_form(s) * norm_form(t);
@@ -293,7 +304,9 @@ double Refinement<Scalar, Vertices, Corners>::squared_chord(std::uint32_t u,
   const double cosine =
       static_cast<double>(norm_form(s, t)) / std::sqrt(static_cast<double>(scale));
   // Not below zero, where the search for a longer edge around one would never end.
-  return std::max(2 - 2 * cosine, 0.0);
+  const double square = std::max(2 - 2 * cosine, 0.0);
+  if (offsets_.empty()) return square;
+  return norm_form(offsets_[u] - offsets_[v]) / 3 + kBend * square * square;
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
@@ -304,7 +317,7 @@ std::array<std::uint32_t, 2> Refinement<Scalar, Vertices, Corners>::longest_edge
   double best = -1;
   for (std::size_t i = 0; i < Part; ++i)
     for (std::size_t j = i + 1; j < Part; ++j)
-      if (const double a = squared_chord(part[i], part[j]); a > best)
+      if (const double a = squared_length(part[i], part[j]); a > best)
         best = a, longest = {part[i], part[j]};
   return longest;
 }
@@ -312,14 +325,14 @@ std::array<std::uint32_t, 2> Refinement<Scalar, Vertices, Corners>::longest_edge
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners>::much_longer_edge(
     std::uint32_t u, std::uint32_t v) const {
-  const double limit = kMuchLonger * squared_chord(u, v);
+  const double limit = kMuchLonger * squared_length(u, v);
   for (const auto c : cells_at_[u]) {
     const auto& cell = cells_[c];
     if (!cell.alive ||
         std::find(cell.vertices.begin(), cell.vertices.end(), v) == cell.vertices.end())
       continue;
     const auto longest = longest_edge(cell.vertices);
-    if (squared_chord(longest[0], longest[1]) > limit) return longest;
+    if (squared_length(longest[0], longest[1]) > limit) return longest;
   }
   return std::nullopt;
 }

@@ -22,9 +22,11 @@ std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
   std::array<SymmetricTensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
   const auto gaps = critical_gaps(tensors, level.value, detail::widest_gap());
-  if (!gaps) return std::nullopt;
-  if (gaps->none_beyond)
+  if (gaps && gaps->none_beyond)
     if (auto sheets = detail::tubes(tet, level, loops)) return sheets;
+  if (auto sheets = detail::counted_sheets(tet, level, loops))
+    return ThinSheets{std::move(*sheets), {}};
+  if (!gaps) return std::nullopt;
   auto sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort);
   if (!sheets) return std::nullopt;
   return ThinSheets{std::move(*sheets), {}};

@@ -41,6 +41,14 @@ template <class Scalar>
 std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                                 const std::vector<std::vector<RimPiece>>& loops);
 
+/// By the Euler characteristic of all sheets together, which the critical points of the mode on one
+/// side of the level give: enough to tell discs, a sheet with all loops if there is one, and an
+/// annulus.
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> counted_sheets(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops);
+
 /// The sheets, known from another level of the same sign from which there is no critical value to
 /// this one. Isotopies keep edges and faces: crossings of an edge correspond in their order, arcs
 /// by their ends, and a closed curve to the one that bounds the same part of its face.

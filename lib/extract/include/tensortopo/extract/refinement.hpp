@@ -39,7 +39,8 @@ struct RefinementVertex {
 /// between tensors, or the edge with several crossings that stands in the way; all cells around the
 /// edge are cut with it. An edge is cut where the angle is about halved: the tensors at its ends
 /// are brought to about the same norm and added. So cells have one size in angles everywhere, also
-/// where the field comes close to zero and all angles happen within a short way.
+/// where the field comes close to zero and all angles happen within a short way. For levels next to
+/// modes 1 and -1 cells are longer along the degenerate curve than across it.
 ///
 /// What is proved of the cells fixes the topology of the level in the simplex: it is the one that
 /// marching tetrahedra (triangles) give on the signs at the vertices.
@@ -95,8 +96,9 @@ class Refinement {
   std::optional<Between> between(int a, const Vertex& u, int b, const Vertex& v) const;
   /// Crossings of the level between two places, 2 for more than one or not known.
   int crossings_between(const Vertex& u, const Vertex& v, int depth) const;
-  /// Between the unit tensors at two vertices.
-  double squared_chord(std::uint32_t u, std::uint32_t v) const;
+  /// Of the chord between the unit tensors at two vertices, or next to the degenerate curve of
+  /// what counts there.
+  double squared_length(std::uint32_t u, std::uint32_t v) const;
   /// An edge of a cell around (u, v) that should be cut before it.
   std::optional<std::array<std::uint32_t, 2>> much_longer_edge(std::uint32_t u,
                                                                std::uint32_t v) const;
@@ -109,6 +111,7 @@ class Refinement {
   const LevelSimplex<Scalar, Vertices>* simplex_ = nullptr;
   const Level<Scalar>* level_ = nullptr;
   std::vector<Vertex> vertices_;
+  std::vector<Deviator<double>> offsets_;  ///< of them from the degenerate curve, if that is near
   std::vector<Cell> cells_;
   /// Cells of each vertex, dead ones among them.
   std::vector<std::vector<std::uint32_t>> cells_at_;

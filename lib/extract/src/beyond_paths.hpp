@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "tensortopo/extract/tet_sheets.hpp"
+
+namespace tensortopo::detail {
+
+/// Which boundary loops of a thin level border one and the same part of the tetrahedron beyond the
+/// level, as far as paths between them show it: chains of straight segments along the degenerate curve,
+/// each of them proved not to meet the level.
+///
+/// @return for each loop a number; two loops with the same number certainly border the same part
+template <class Scalar>
+std::vector<int> loops_joined_beyond(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+                                     const std::vector<std::vector<RimPiece>>& loops);
+
+}  // namespace tensortopo::detail

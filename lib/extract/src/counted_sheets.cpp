@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <map>
+#include <utility>
+
+#include "beyond_paths.hpp"
+#include "extractor_scalars.hpp"
+#include "tensortopo/extract/simple_simplex.hpp"
+#include "tensortopo/field/degenerate_arcs.hpp"
+#include "tensortopo/field/level_count.hpp"
+#include "thin_sheets.hpp"
+
+namespace tensortopo::detail {
+
+namespace {
+
+/// Whether the mode is nowhere 0 in the tetrahedron, and of the sign given.
+template <class Scalar>
+bool has_mode_of_sign(const LevelSimplex<Scalar, 4>& tet, int sign) {
+  const Scalar norm = largest_norm(tet.tensors);
+  const auto forms = mode_forms(tet.tensors);
+  return has_strict_sign(forms.determinant, sign,
+                         Scalar(kDeterminantBound) * rounding_unit(norm, 1.0) * norm * norm *
+                             norm) == Verdict::positive;
+}
+
+SheetTopology sheet_of(std::vector<int> loops, int euler_characteristic) {
+  SheetTopology sheet;
+  sheet.loops = std::move(loops);
+  sheet.euler_characteristic = euler_characteristic;
+  return sheet;
+}
+
+/// What boundary loops bound if the Euler characteristic of all sheets together leaves no choice. Every
+/// sheet has a loop: there are at most as many, and only discs have an Euler characteristic of
+/// one for each.
+std::optional<std::vector<SheetTopology>> sheets_of(std::size_t loops, const LevelCount& count) {
+  const int n = static_cast<int>(loops), chi = count.level();
+  std::vector<SheetTopology> sheets;
+  if (chi == n)
+    for (int l = 0; l < n; ++l) sheets.push_back(sheet_of({l}, 1));
+  else if (n == 1)
+    sheets.push_back(sheet_of({0}, chi));
+  else if (n == 2 && chi == 0 && count.bridges == 0)
+    sheets.push_back(sheet_of({0, 1}, 0));
+  return sheets.empty() ? std::nullopt : std::optional(std::move(sheets));
+}
+
+/// The sheets if each loop bounds a disc beyond the level on the boundary, and paths join these. The
+/// part beyond the level has as many pieces as joined discs, or fewer, and no voids; if its Euler
+/// characteristic is that number it has no handles either, so its pieces are balls, and what is left
+/// of the surface of each without its discs is one sheet.
+///
+/// @param nearer what is counted on the other side of the level, all of it
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> joined_sheets(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops, const LevelCount& nearer) {
+  const int n = static_cast<int>(loops.size());
+  // On the boundary, a sphere, the other side is one piece with n holes.
+  if (nearer.boundary != 2 - n) return std::nullopt;
+  const int beyond = 1 - nearer.inside + nearer.level();
+  if (beyond < 1 || beyond > n) return std::nullopt;
+  const auto part = loops_joined_beyond(tet, level, loops);
+  std::map<int, std::vector<int>> parts;
+  for (int l = 0; l < n; ++l) parts[part[static_cast<std::size_t>(l)]].push_back(l);
+  if (static_cast<int>(parts.size()) != beyond) return std::nullopt;
+  std::vector<SheetTopology> sheets;
+  for (auto& [number, own] : parts)
+    sheets.push_back(sheet_of(own, 2 - static_cast<int>(own.size())));
+  return sheets;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> counted_sheets(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops) {
+  std::array<SymmetricTensor<double>, 4> tensors;
+  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  // Away from the degenerate curve next to the level there is most often no other.
+  if (has_mode_of_sign(tet.simplex, level.sign))
+    if (const auto count = count_level(tensors, level.value, -level.sign)) {
+      if (auto sheets = sheets_of(loops.size(), *count)) return sheets;
+      if (auto sheets = joined_sheets(tet, level, loops, *count)) return sheets;
+    }
+  if (!degenerate_arcs(tensors, tet.simplex.exponents, level.value)) return std::nullopt;
+  const auto count = count_level(tensors, level.value, level.sign);
+  return count ? sheets_of(loops.size(), *count) : std::nullopt;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                             \
+  template std::optional<std::vector<SheetTopology>> counted_sheets( \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,           \
+      const std::vector<std::vector<RimPiece>>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo::detail
