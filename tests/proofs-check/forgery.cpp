@@ -200,7 +200,6 @@ const std::vector<Exhibit>& honest_exhibits() {
       Exhibit e = exhibit(mesh, {"0"});
       if (e.surface.triangles.size() > 30) result.push_back(std::move(e));
     }
-    result.push_back(exhibit(two_tets_at_an_edge(), {"1/4"}));
     // Around one vertex without deviator, around the edge between two, over a closed curve.
     constexpr SymmetricTensor<double> kNoDeviator{3, 3, 3, 0, 0, 0};
     for (const auto& zeros : {std::vector<std::size_t>{0}, std::vector<std::size_t>{0, 7}}) {

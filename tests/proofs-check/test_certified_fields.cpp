@@ -207,7 +207,7 @@ TEST(CertifiedFields, LevelsInSpecialPositionAreNotRefuted) {
   TetMesh mesh = cube_mesh(2);
   Court court("special");
   std::size_t open = 0;
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     Random random(seed);
     const auto entry = [&] { return random.integer(-2, 2); };
     for (auto& t : mesh.tensors)
@@ -219,6 +219,25 @@ TEST(CertifiedFields, LevelsInSpecialPositionAreNotRefuted) {
     }
   }
   EXPECT_GT(open, 0u);
+}
+
+/// An edge that the level touches: it stays open, and so do the cones around it.
+TEST(CertifiedFields, ConesOverWhatStaysOpenAreNotRefuted) {
+  constexpr std::array<std::array<int, 6>, 27> entries{{
+      {1, 0, 0, -1, 1, 0}, {0, 0, 1, -1, 0, -1}, {1, -1, 1, -1, -1, -1}, {0, 0, 1, 0, 1, 0},
+      {0, -1, 1, 1, 0, 0}, {-1, 0, -1, -1, 0, 1}, {1, 0, -1, 0, 0, 1}, {1, -1, 0, 1, 0, 0},
+      {-1, -1, 1, -1, 1, 1}, {0, 0, -1, 1, -1, -1}, {1, 1, 0, -1, -1, 1}, {1, 0, 0, 0, 1, 0},
+      {-1, -1, 1, -1, 0, 0}, {-1, -1, 1, 1, -1, 1}, {0, -1, -1, 0, 0, -1}, {-1, 0, 0, -1, 0, 1},
+      {-1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 0, 0}, {-1, -1, 0, 1, -1, 1}, {0, 0, -1, -1, 0, 0},
+      {1, 1, 1, 0, -1, 0}, {1, 1, 1, -1, 0, 0}, {1, 1, 1, 0, 0, 0}, {1, 1, 0, 0, 1, -1},
+      {1, -1, 0, 1, 0, 0}, {1, 0, 0, 0, 1, 1}, {1, 0, 0, 0, 1, 0}}};
+  TetMesh mesh = cube_mesh(2);
+  for (std::size_t v = 0; v < entries.size(); ++v) {
+    const auto& [xx, yy, zz, xy, yz, xz] = entries[v];
+    mesh.tensors[v] = {1.0 * xx, 1.0 * yy, 1.0 * zz, 1.0 * xy, 1.0 * yz, 1.0 * xz};
+  }
+  Court court("open_cones");
+  EXPECT_EQ(court.verdict(exhibit(mesh, {"0"})), "undecided") << court.report();
 }
 
 /// Two of the six tetrahedra around the cube's diagonal hold a zero deviator: two parts are left.

@@ -116,17 +116,16 @@ bool is_at(const LevelCase& c, const Json& vertex, Vertex place) {
 CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
   CrossingVertices result;
   const auto note = [&](const EdgeTopology& edge, unsigned n, const Json& crossing) {
-    const char* wrong = "";
     const Number first = crossing[2].get<Number>();
     for (std::size_t i = 2; i < crossing.size(); ++i) {
       const Number v = crossing[i].get<Number>();
-      if (v - c.vertices.first >= c.vertices.count) wrong = "a vertex of another level";
+      if (v - c.vertices.first >= c.vertices.count) return "a vertex of another level";
       if (!result.crossing.emplace(v, MeshCrossing{edge.vertices, n}).second)
-        wrong = "a vertex at two crossings";
+        return "a vertex at two crossings";
       if (i > 2) result.original[v] = first;
     }
     result.vertex[{edge.vertices, n}] = first;
-    return wrong;
+    return "";
   };
   const auto settle = [&](const EdgeTopology& edge, const Json& claim, const std::string& name) {
     const std::size_t count = claim.size() - 2;

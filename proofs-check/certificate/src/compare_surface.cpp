@@ -64,7 +64,7 @@ void Pieces::group() {
   };
   for (const TetTopology& tet : c_.topology.tets) add(tet.tet);
   for (const ConeTopology& cone : c_.topology.cones)
-    if (cone.is_crossed()) add(cone.tet);
+    if (cone.is_crossed() || !cone.is_decided()) add(cone.tet);
   for (std::size_t t = 0; t < c_.left_out.size(); ++t)
     if (c_.left_out[t]) add(t);
   for (const auto& [face, tets] : tets_at_)
