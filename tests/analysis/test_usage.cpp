@@ -142,7 +142,7 @@ TEST(Usage, WhatTheCheckerMayLeaveOpenIsSaid) {
   for (const bool thin : {false, true}) {
     const Outcome run =
         run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
-                     thin ? "0.9999999" : "0.5", "--certify", folder / "c.json", "--json"});
+                     thin ? "0.999999" : "0.5", "--certify", folder / "c.json", "--json"});
     EXPECT_EQ(run.status, 0) << run.err;
     const auto beyond = nlohmann::json::parse(run.out).at("certificate").at("beyond_checker");
     EXPECT_EQ(beyond.at("tubes") > 0, thin) << beyond;

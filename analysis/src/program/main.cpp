@@ -54,7 +54,6 @@ void keep_memory() {
 class Silence : public vtkOutputWindow {
  public:
   static Silence* New() { return new Silence; }
-  vtkTypeMacro(Silence, vtkOutputWindow);
   void DisplayText(const char*) override {}
 };
 
