@@ -27,7 +27,11 @@ std::string components_name(const ReadResult& read, const ReadOptions& options) 
 }  // namespace
 
 void require_certifiable(const std::filesystem::path& input, const ReadOptions& options,
-                         const std::filesystem::path& output) {
+                         const std::filesystem::path& output,
+                         const std::filesystem::path& certificate) {
+  if (certificate.extension() != ".json" && certificate.extension() != ".cbor")
+    throw UsageError(certificate.string() +
+                     ": a certificate's name (--certify) must end in .json or .cbor");
   if (output.extension() != ".vtp")
     throw UsageError("--certify: the certificate names vertices and tetrahedra of the surface, "
                      "which only a .vtp keeps; give -o a name in .vtp");

@@ -14,7 +14,8 @@ namespace tensortopo {
 
 /// Throws UsageError for files that a certificate cannot describe.
 void require_certifiable(const std::filesystem::path& input, const ReadOptions& options,
-                         const std::filesystem::path& output);
+                         const std::filesystem::path& output,
+                         const std::filesystem::path& certificate);
 
 /// Writes the certificate of a surface, whole or not at all. Throws IoError.
 /// @param options  with which the field was read

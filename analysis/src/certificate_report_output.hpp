@@ -21,6 +21,8 @@ inline nlohmann::ordered_json certificate_json(const std::optional<CertificateRe
           {"certified", certificate->certified},
           {"refuted", 0},
           {"undecided", std::move(undecided)},
+          {"beyond_checker",
+           {{"tubes", certificate->tubes}, {"critical", certificate->at_critical}}},
           {"path", certificate->path.string()},
           {"bytes", certificate->bytes}};
 }

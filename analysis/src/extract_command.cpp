@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/analysis/extract_command.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -43,10 +45,20 @@ using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vect
 /// Throws UsageError for surfaces that no proof is about.
 void require_proofs(const ExtractCommand& command) {
   if (command.baseline)
-    throw UsageError("--certify: only surfaces of the method `manifold` come with proofs");
+    throw UsageError("--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
   if (std::any_of(command.modes.begin(), command.modes.end(), is_degenerate))
     throw UsageError("--certify: there are certificates of surfaces, not of degenerate curves "
                      "(--mode 1 or -1)");
+}
+
+/// Throws UsageError for options that do nothing for degenerate curves.
+void require_no_surface_options(const ExtractCommand& command) {
+  const char* const option = command.improve                           ? "--improve"
+                             : command.max_error > 0                   ? "--max-error"
+                             : command.drawing == DrawingMethod::graph ? "--method graph"
+                                                                       : nullptr;
+  if (option != nullptr)
+    throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
 }
 
 /// A baseline's surface as if extracted: it leaves nothing out, and counts nothing.
@@ -132,9 +144,11 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   const std::vector<ModeValue> modes = modes_to_extract(command.modes, command.generalized);
   require_surface_extension(command.output,
                             std::any_of(modes.begin(), modes.end(), is_degenerate));
-  if (!(command.sampling.resolution > 0) || !std::isfinite(command.sampling.resolution)) {
-    throw UsageError("--resolution: must be a positive number");
+  if (!(command.sampling.resolution > 0) || command.sampling.resolution > kLargestResolution) {
+    throw UsageError(fmt::format("--resolution: must be a positive number, at most {}",
+                                 kLargestResolution));
   }
+  if (std::all_of(modes.begin(), modes.end(), is_degenerate)) require_no_surface_options(command);
   if (command.baseline && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
     throw UsageError("--method: degenerate curves (--mode 1 or -1) have no other method");
   }
@@ -151,7 +165,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
-    require_certifiable(command.input, command.read, command.output);
+    require_certifiable(command.input, command.read, command.output, command.certificate);
     require_proofs(command);
     require_folder(command.certificate);
   }
@@ -262,6 +276,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     report.certificate =
         write_certificate(command.certificate, command.read, read, surface, certified);
     report.certificate->seconds = seconds_certify + certify_clock.seconds();
+    for (const SurfaceReport& s : report.surfaces) {
+      report.certificate->tubes += s.statistics.sheets_tubes;
+      report.certificate->at_critical += s.statistics.tets_nearby;
+    }
   }
   return report;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -77,9 +78,10 @@ std::string to_text(const ExtractReport& report) {
   }
   for (const SurfaceReport& s : report.surfaces) {
     const SurfaceInvariants& known = s.invariants;
-    fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8} {:>8}\n",
+    fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9} {:>8} {:>8}\n",
                    s.mode.text(), s.vertices, s.triangles, known.components, known.boundary_loops,
-                   known.euler_characteristic, known.area, s.max_abs_residual,
+                   known.euler_characteristic, known.area,
+                   std::isnan(s.max_abs_residual) ? "-" : fmt::format("{:.1e}", s.max_abs_residual),
                    known.manifold ? "yes" : "no", s.statistics.tets_crossed);
   }
   if (!report.curves.empty()) {

@@ -46,7 +46,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
-    require_certifiable(command.input, command.read, command.output);
+    require_certifiable(command.input, command.read, command.output, command.certificate);
     require_folder(command.certificate);
   }
   InvariantReport report;

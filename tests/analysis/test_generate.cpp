@@ -39,8 +39,11 @@ TEST(Generate, GivesTheSameNumbersEverywhere) {
       {"helix", "e8cb2a1659fd900400354bcb1e434229c62a6bdb4b8d0b8fc3f087679903aa4b"}};
   const Folder folder;
   for (const auto& [kind, hash] : hashes) {
-    const Json report =
-        generated({kind, "-o", folder / (kind + ".vtu"), "--field-only", "--tets", "162"});
+    std::vector<std::string> words{kind, "-o", folder / (kind + ".vtu"), "--field-only"};
+    const bool has_mesh = kind != "linear" && kind != "bifurcation" && kind != "planar-extrema" &&
+                          kind != "nongeneric";
+    if (has_mesh) words.insert(words.end(), {"--tets", "162"});
+    const Json report = generated(words);
     EXPECT_EQ(report["files"][0]["sha256"], hash) << kind;
     EXPECT_EQ(field_sha256(read_mesh(folder / (kind + ".vtu")).mesh), hash) << kind;
   }

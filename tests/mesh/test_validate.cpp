@@ -53,7 +53,7 @@ TEST(Validate, NamesAnInvertedTetrahedronAndRepairTurnsIt) {
 
 TEST(Validate, DecidesFlatnessExactly) {
   const double tiny = std::numeric_limits<double>::denorm_min();
-  for (const double scale : {1.0, 1e300, 1e-300, 0x1p-1000}) {
+  for (const double scale : {1.0, 1e99, 1e-99, 0x1p-330}) {
     auto points = corner;
     for (auto& p : points) p = scale * p;
     points[3] = Vector3<double>{scale / 4, scale / 2, 0};
@@ -63,6 +63,22 @@ TEST(Validate, DecidesFlatnessExactly) {
     points[3].z = -tiny;
     EXPECT_EQ(kinds(mesh_of(points, {{0, 1, 2, 3}})), std::vector{Kind::inverted_cell}) << scale;
   }
+}
+
+TEST(Validate, NamesCoordinatesWhoseProductsAreNoDoubles) {
+  const auto scaled = [](double scale) {
+    auto points = corner;
+    for (auto& p : points) p = scale * p;
+    return mesh_of(points, {{0, 1, 2, 3}});
+  };
+  for (const double scale : {1e100, 1e-100, 1.0}) EXPECT_TRUE(validate(scaled(scale)).empty());
+  const auto large = validate(scaled(1e101)), small = validate(scaled(1e-101));
+  ASSERT_FALSE(large.empty());
+  EXPECT_EQ(large[0].kind, Kind::out_of_range);
+  EXPECT_EQ(large[0].text, "point 1 has a coordinate beyond 1e100, too large for products");
+  ASSERT_EQ(small.size(), 1u);
+  EXPECT_EQ(small[0].kind, Kind::out_of_range);
+  EXPECT_EQ(small[0].where, 100);
 }
 
 TEST(Validate, NamesRepeatedVerticesAndIndicesOutOfRange) {

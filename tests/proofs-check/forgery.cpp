@@ -178,6 +178,17 @@ std::vector<Exhibit> invariant_exhibits() {
 
 }  // namespace
 
+TetMesh two_tets_at_an_edge() {
+  TetMesh mesh;
+  mesh.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+  mesh.tensors.resize(6);
+  fill_with_normal_tensors(mesh, 1);
+  mesh.tensors[0] = {1, 0, -1, 0, 0, 0};
+  mesh.tensors[1] = {-1, 1, 0.25, 0.25, 0, 0.125};
+  mesh.tets = {{0, 2, 3, 1}, {0, 4, 5, 1}};
+  return mesh;
+}
+
 const std::vector<Exhibit>& honest_exhibits() {
   static const std::vector<Exhibit> all = [] {
     std::vector<Exhibit> result;
@@ -261,12 +272,12 @@ bool are_nested(const Json& a, const Json& b) {
     const mpz_class one = mpz_class(1) << x[1].get<unsigned>();
     return std::array{mpq_class(i, one), mpq_class(i + 1, one)};
   };
-  if (a[2] != b[2]) return false;
+  if (a.size() != b.size() || !std::equal(a.begin() + 2, a.end(), b.begin() + 2)) return false;
   const auto p = ends(a), q = ends(b);
   return (p[0] <= q[0] && q[1] <= p[1]) || (q[0] <= p[0] && p[1] <= q[1]);
 }
 
-bool is_crossing(const Json& x) { return x.is_array() && x.size() == 3; }
+bool is_crossing(const Json& x) { return x.is_array() && x.size() >= 3; }
 
 }  // namespace
 

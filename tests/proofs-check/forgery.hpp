@@ -30,6 +30,9 @@ struct Exhibit {
 /// @param pieces  as in InvariantOptions
 Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& levels, int pieces = 1);
 
+/// Two tetrahedra that have one edge in common, which modes 0 and 1/4 cross, and magnitudes 29/20.
+TetMesh two_tets_at_an_edge();
+
 /// Small meshes whose levels have several sheets in a tetrahedron, several crossings on an edge,
 /// closed curves on a face, and more than one mode; of other invariants also closed sheets.
 const std::vector<Exhibit>& honest_exhibits();

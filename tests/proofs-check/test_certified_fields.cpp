@@ -181,6 +181,85 @@ TEST(CertifiedFields, StrataWithZeroVerticesAreCertified) {
   }
 }
 
+/// How many vertices further fans around crossings have.
+std::size_t count_copies(const nlohmann::json& level) {
+  std::size_t count = 0;
+  for (const auto& edge : level["edges"])
+    for (std::size_t k = 2; k < edge.size(); ++k) count += edge[k].size() - 3;
+  return count;
+}
+
+/// Each part's fan of triangles has a vertex of its own in the common crossing.
+TEST(CertifiedFields, PartsThatTouchInAnEdgeAreApart) {
+  const TetMesh mesh = two_tets_at_an_edge();
+  Court court("touching");
+  for (const char* level : {"1/4", "0", "magnitude 29/20", "deviator-magnitude 29/20"}) {
+    const Exhibit e = exhibit(mesh, {level});
+    EXPECT_EQ(court.verdict(e), "certified") << level << '\n' << court.report();
+    const auto& claims = e.certificate["levels"][0];
+    EXPECT_GT(count_copies(claims), 0u) << level;
+    EXPECT_GE(claims["components"].size(), 2u) << level;
+  }
+}
+
+/// Levels through vertices, along edges, at saddles: much is left out, and more stays open.
+TEST(CertifiedFields, LevelsInSpecialPositionAreNotRefuted) {
+  TetMesh mesh = cube_mesh(2);
+  Court court("special");
+  std::size_t open = 0;
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    Random random(seed);
+    const auto entry = [&] { return random.integer(-2, 2); };
+    for (auto& t : mesh.tensors)
+      for (double* x : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz}) *x = entry();
+    for (const char* mode : {"0", "1/2"}) {
+      const Exhibit e = exhibit(mesh, {mode});
+      EXPECT_NE(court.verdict(e), "refuted") << seed << ' ' << mode << '\n' << court.report();
+      if (court.report().starts_with("undecided")) ++open;
+    }
+  }
+  EXPECT_GT(open, 0u);
+}
+
+/// An edge that the level touches: it stays open, and so do the cones around it.
+TEST(CertifiedFields, ConesOverWhatStaysOpenAreNotRefuted) {
+  constexpr std::array<std::array<int, 6>, 27> entries{{
+      {1, 0, 0, -1, 1, 0}, {0, 0, 1, -1, 0, -1}, {1, -1, 1, -1, -1, -1}, {0, 0, 1, 0, 1, 0},
+      {0, -1, 1, 1, 0, 0}, {-1, 0, -1, -1, 0, 1}, {1, 0, -1, 0, 0, 1}, {1, -1, 0, 1, 0, 0},
+      {-1, -1, 1, -1, 1, 1}, {0, 0, -1, 1, -1, -1}, {1, 1, 0, -1, -1, 1}, {1, 0, 0, 0, 1, 0},
+      {-1, -1, 1, -1, 0, 0}, {-1, -1, 1, 1, -1, 1}, {0, -1, -1, 0, 0, -1}, {-1, 0, 0, -1, 0, 1},
+      {-1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 0, 0}, {-1, -1, 0, 1, -1, 1}, {0, 0, -1, -1, 0, 0},
+      {1, 1, 1, 0, -1, 0}, {1, 1, 1, -1, 0, 0}, {1, 1, 1, 0, 0, 0}, {1, 1, 0, 0, 1, -1},
+      {1, -1, 0, 1, 0, 0}, {1, 0, 0, 0, 1, 1}, {1, 0, 0, 0, 1, 0}}};
+  TetMesh mesh = cube_mesh(2);
+  for (std::size_t v = 0; v < entries.size(); ++v) {
+    const auto& [xx, yy, zz, xy, yz, xz] = entries[v];
+    mesh.tensors[v] = {1.0 * xx, 1.0 * yy, 1.0 * zz, 1.0 * xy, 1.0 * yz, 1.0 * xz};
+  }
+  Court court("open_cones");
+  EXPECT_EQ(court.verdict(exhibit(mesh, {"0"})), "undecided") << court.report();
+}
+
+/// Two of the six tetrahedra around the cube's diagonal hold a zero deviator: two parts are left.
+TEST(CertifiedFields, LeftOutTetrahedraMayPartWhatIsAroundAnEdge) {
+  TetMesh mesh = cube_mesh(1);
+  Court court("parted_diagonal");
+  std::size_t parted = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    fill_with_normal_tensors(mesh, seed);
+    auto& t = mesh.tensors;
+    for (auto& tensor : t) tensor = rounded(tensor, 8);
+    t[7] = -1.0 * (t[0] + t[1] + t[3]);
+    t[4] = -1.0 * (t[0] + t[7] + t[6]);
+    const Exhibit e = exhibit(mesh, {"0"});
+    const std::string verdict = court.verdict(e);
+    EXPECT_NE(verdict, "refuted") << seed << '\n' << court.report();
+    EXPECT_NE(verdict, "malformed") << seed << '\n' << court.report();
+    parted += count_copies(e.certificate["levels"][0]);
+  }
+  EXPECT_GT(parted, 0u);
+}
+
 TEST(CertifiedFields, CborSaysTheSame) {
   TetMesh mesh = cube_mesh(2);
   fill_with_smooth_tensors(mesh, 3);

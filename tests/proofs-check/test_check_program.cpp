@@ -72,6 +72,30 @@ TEST(CheckProgram, RefusesFilesInOneLine) {
   EXPECT_EQ(run_program({"check", s.input()}).status, 2);
 }
 
+TEST(CheckProgram, SaysInWordsWhatIsNoCertificate) {
+  const Folder folder;
+  const CertifiedSurface s = small_surface(folder);
+  for (const char* text : {"[]", "3", "{}", "hello", ""}) {
+    const std::string file = folder / "c.json";
+    std::ofstream(file) << text;
+    const Outcome run = run_program({"check", s.input(), s.surface(), file});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_TRUE(run.err.starts_with("tensortopo: " + file + ": ")) << run.err;
+    EXPECT_EQ(run.err.find(": : "), std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("json.exception"), std::string::npos) << run.err;
+  }
+}
+
+TEST(CheckProgram, CertifiesSheetsDrawnAsGraphs) {
+  const Folder folder;
+  const std::vector<std::string> files{field("s4_slab"), folder / "s.vtp", folder / "c.json"};
+  const Outcome made = run_program({"extract", files[0], "-o", files[1], "--mode", "0.5", "--method",
+                                    "graph", "--certify", files[2]});
+  EXPECT_EQ(made.status, 0) << made.err;
+  const Outcome checked = run_program({"check", files[0], files[1], files[2]});
+  EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+}
+
 TEST(CheckProgram, CertifiesWhatExtractClaimsOfInvariants) {
   const Folder folder;
   TetMesh mesh = cube_mesh(2);

@@ -3,6 +3,8 @@
 #include "conformance/given_surface.hpp"
 
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkErrorCode.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
@@ -31,9 +33,27 @@ using Place = std::array<double, 3>;
 
 std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
 
+/// Notes that a reader complained.
+class Complaint : public vtkCommand {
+ public:
+  static Complaint* New() { return new Complaint; }
+  void Execute(vtkObject*, unsigned long, void*) override { heard = true; }
+  bool heard = false;
+};
+
 template <class Reader>
 SurfaceMesh read_with(const std::filesystem::path& file, Reader& reader) {
+  vtkNew<Complaint> complaint;
+  reader.AddObserver(vtkCommand::ErrorEvent, complaint);
+  reader.AddObserver(vtkCommand::WarningEvent, complaint);
   reader.SetFileName(file.string().c_str());
+  reader.Update();
+  // Text that is none is a file without points to readers of .obj and .stl.
+  const bool may_be_text = file.extension() == ".obj" || file.extension() == ".stl";
+  if (complaint->heard || reader.GetErrorCode() != vtkErrorCode::NoError ||
+      (may_be_text && reader.GetOutput()->GetNumberOfPoints() == 0))
+    throw IoError(IoError::Kind::invalid, file,
+                  "is no readable " + file.extension().string() + " file of triangles");
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(reader.GetOutputPort());
   triangles->PassLinesOff();

@@ -93,6 +93,21 @@ Generated write_field(const GenerateCommand& command, const FamilyMember& member
   return {field, file, std::move(truth)};
 }
 
+/// Whether members are meshes of as many tetrahedra as are asked for.
+bool has_mesh(FieldKind kind) {
+  switch (kind) {
+    case FieldKind::complex:
+    case FieldKind::rough:
+    case FieldKind::boussinesq:
+    case FieldKind::kelvin:
+    case FieldKind::helix:
+    case FieldKind::block:
+      return true;
+    default:
+      return false;
+  }
+}
+
 FamilyMember all_members(const GenerateCommand& command, const FamilyRequest& first) {
   FamilyMember all;
   std::vector<TetMesh> meshes;
@@ -119,6 +134,9 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
     if (is_degenerate(mode))
       throw UsageError("--mode " + mode.text() +
                        ": certified truth is about mode surfaces, not degenerate curves");
+  if (command.tetrahedra > 0 && !has_mesh(command.kind))
+    throw UsageError("--tets: has no effect on kind " + std::string(name_of(command.kind)) +
+                     ", whose members are given tetrahedra");
   if (command.count < 1) throw UsageError("--count: must be positive");
   FamilyRequest request;
   request.seed = command.seed;

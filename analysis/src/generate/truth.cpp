@@ -153,8 +153,12 @@ FieldTruth read_truth(const std::filesystem::path& file) {
     truth.tetrahedra = json.at("field").at("tetrahedra").get<std::size_t>();
     for (const auto& level : json.at("levels")) truth.levels.push_back(level_of(level));
     return truth;
-  } catch (const nlohmann::json::exception& problem) {
-    throw IoError(IoError::Kind::invalid, file, std::string("no truth file: ") + problem.what());
+  } catch (const nlohmann::json::parse_error& problem) {
+    throw IoError(IoError::Kind::invalid, file,
+                  "no truth file: no JSON at byte " + std::to_string(problem.byte));
+  } catch (const nlohmann::json::exception&) {
+    throw IoError(IoError::Kind::invalid, file,
+                  "no truth file: a key is missing or its value of another kind");
   } catch (const std::invalid_argument& problem) {
     throw IoError(IoError::Kind::invalid, file, std::string("no truth file: ") + problem.what());
   }

@@ -78,7 +78,8 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   CLI::App& app = *program.add_subcommand(
       "analyze", "Topology against the mode of a field; shape and quality of surfaces");
   const auto options = std::make_shared<Options>();
-  app.add_option("INPUT", options->input, "Tetrahedral mesh with tensors, or a surface (.vtp)")
+  reads(common, app.add_option("INPUT", options->input,
+                               "Tetrahedral mesh with tensors, or a surface (.vtp)"))
       ->required();
   app.add_option("--sweep", options->sweep,
                  "Of a mesh: all critical values of the mode from A to B, and the topology and "
@@ -89,21 +90,25 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
          "Extract a surface between each two critical values if this many are enough, else in "
          "the five widest ranges")
       ->type_name("N")
+      ->check(whole_number())
       ->capture_default_str();
   app.add_option("--check", options->check_modes,
                  "With --sweep: extract and certify the surfaces of about N modes between and next "
                  "to critical values, and compare; exit status 1 if one contradicts the sweep")
-      ->type_name("N");
-  app.add_option("--mesh", options->mesh,
+      ->type_name("N")
+      ->check(whole_number());
+  reads(common,
+        app.add_option("--mesh", options->mesh,
                  "Of a surface: the mesh that it was extracted from, for its curvature and "
-                 "umbilics by the field's derivatives")
+                 "umbilics by the field's derivatives"))
       ->type_name("FILE");
   app.add_flag("--recover", options->recover,
                "Of a surface with --mesh: also the curvature of the smooth field, by derivatives "
                "recovered at the mesh's vertices; --ridges then goes by it");
-  app.add_option("--ridges", options->ridges,
+  writes(common,
+         app.add_option("--ridges", options->ridges,
                  "Of a surface with --mesh: write its ridges and valleys, along which a principal "
-                 "curvature is extremal in its direction (.vtp)")
+                 "curvature is extremal in its direction (.vtp)"))
       ->type_name("FILE");
   app.add_option("--ridge-strength", options->ridge_filter.least_strength,
                  "Leave out ridges and valleys whose strength (of the array of this name, the mean "
@@ -114,11 +119,13 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->type_name("L");
   app.add_flag("--smooth", options->smooth,
                "Of a surface: also the curvature that polynomials fitted to its vertices have");
-  app.add_option("--against", options->against,
-                 "Of a surface: sampled distances to another one (.vtp), both ways")
+  reads(common,
+        app.add_option("--against", options->against,
+                 "Of a surface: sampled distances to another one (.vtp), both ways"))
       ->type_name("FILE");
-  app.add_option("-o,--output", options->output,
-                 "The sweep's picture (.png), or the surface with its curvatures (.vtp)")
+  writes(common,
+         app.add_option("-o,--output", options->output,
+                 "The sweep's picture (.png), or the surface with its curvatures (.vtp)"))
       ->type_name("FILE");
   app.add_option("--tensor", options->read.tensor, "Name of the mesh's tensor array")
       ->type_name("NAME");

@@ -45,6 +45,25 @@ std::vector<ModeValue> surface_modes(const Options& options) {
   return modes;
 }
 
+/// The smallest field of examples/data, beside the program's sources or where it is installed.
+std::filesystem::path bundled_field() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  std::filesystem::path smallest;
+  std::uintmax_t least = 0;
+  for (auto folder = program.parent_path(); smallest.empty() && folder != folder.parent_path();
+       folder = folder.parent_path())
+    for (const char* data : {"examples/data", "share/tensortopo/data"})
+      for (const auto& file : std::filesystem::directory_iterator(folder / data, error)) {
+        const auto size = file.file_size(error);
+        if (error || file.path().extension() != ".vtu") continue;
+        if (smallest.empty() || size < least) smallest = file.path(), least = size;
+      }
+  if (smallest.empty())
+    throw UsageError("--input is required: no folder examples/data is beside the program");
+  return smallest;
+}
+
 ExitStatus scaling(const Options& options, const CommonOptions& common) {
   ScalingCommand command;
   command.over = scalings().at(options.scaling);
@@ -64,8 +83,12 @@ ExitStatus bench(const Options& options, const CommonOptions& common) {
   if (!options.scaling.empty()) return scaling(options, common);
   if (!options.chart.empty()) throw UsageError("--chart: only with --scaling");
   BenchCommand command = options.command;
-  if (command.input.empty()) throw UsageError("--input is required");
-  command.modes = modes_to_extract(surface_modes(options), false);
+  command.modes = surface_modes(options);
+  if (command.input.empty()) {
+    command.input = bundled_field();
+    if (command.modes.empty()) command.modes = {ModeValue::parse("1/2")};
+  }
+  command.modes = modes_to_extract(command.modes, false);
   if (!options.only.empty()) command.only = options.only;
   command.curves = !options.curves.empty();
   ProgressBar bar(!common.quiet);
@@ -84,7 +107,10 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       "bench", "Time extraction against VTK's contours of the vertex modes and other methods");
   const auto options = std::make_shared<Options>();
   BenchCommand& command = options->command;
-  app.add_option("--input", command.input, "Tetrahedral mesh with tensors")->type_name("FILE");
+  reads(common, app.add_option("--input", command.input,
+                               "Tetrahedral mesh with tensors (default: the smallest of "
+                               "examples/data, and without --mode then 1/2)"))
+      ->type_name("FILE");
   add_mode_option(app, options->modes)
       ->description("Mode M; surfaces of M and -M are timed; repeatable")
       ->required(false);
@@ -102,7 +128,8 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       }()))
       ->allow_extra_args(false);
   app.add_flag("--all", command.all, "All comparisons, whatever the size of the mesh");
-  app.add_option("--curves", options->curves, "Also time against error, and a chart of it")
+  writes(common, app.add_option("--curves", options->curves,
+                                "Also time against error, and a chart of it"))
       ->type_name("P.png");
   std::vector<std::string> names;
   for (const auto& [name, over] : scalings()) names.push_back(name);
@@ -111,8 +138,9 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       ->check(CLI::IsMember(names));
   app.add_option("--largest", options->largest, "Tetrahedra, of --scaling size")
       ->type_name("N")
+      ->check(whole_number())
       ->capture_default_str();
-  app.add_option("--chart", options->chart, "Of --scaling")->type_name("P.png");
+  writes(common, app.add_option("--chart", options->chart, "Of --scaling"))->type_name("P.png");
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return bench(*options, common); };

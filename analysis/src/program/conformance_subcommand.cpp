@@ -10,6 +10,7 @@
 #include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 
 namespace tensortopo {
@@ -70,7 +71,7 @@ void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action
   app.add_option("--resolution", command.resolution,
                  "Of the certified surface: samples per radian of turning")
       ->type_name("R")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1e-9, kLargestResolution))
       ->capture_default_str();
   app.add_option("--suite", options->suite,
                  "Instead: score VTK's contours over a list of generated fields; prints Markdown")

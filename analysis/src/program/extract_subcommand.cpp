@@ -23,7 +23,20 @@ struct Options {
   std::string components;
   std::string method = "manifold";
   InvariantOption invariant;
+  const CLI::App* app = nullptr;  ///< knows which options were given
 };
+
+/// Options that do nothing here are no usage.
+void require_effect(const Options& options) {
+  const auto refuse = [&](const char* option, bool has_effect, const char* what) {
+    if (!has_effect && options.app->count(option) > 0)
+      throw UsageError(std::string(option) + ": " + what);
+  };
+  const bool is_baseline = options.method != "manifold" && options.method != "graph";
+  refuse("--patch-samples", options.method == "a-patches", "only with --method a-patches");
+  refuse("--flatness", options.method == "hybrid", "only with --method hybrid");
+  refuse("--resolution", !is_baseline, "has no effect on --method marching, a-patches or hybrid");
+}
 
 ExitStatus extract(const Options& options, const CommonOptions& common) {
   static const std::map<std::string, ComponentOrder> orders{{"vtk", ComponentOrder::vtk},
@@ -34,6 +47,7 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
   if (!options.invariant.invariant.empty())
     return extract_invariant(options.invariant, command, common);
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
+  require_effect(options);
   command.modes = parse_modes(options.modes);
   if (options.method == "graph") command.drawing = DrawingMethod::graph;
   if (options.method == "marching") command.baseline = Baseline::marching;
@@ -73,16 +87,20 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       "extract", "Extract mode surfaces and degenerate curves (modes 1 and -1) of a tensor field");
   const auto options = std::make_shared<Options>();
   ExtractCommand& command = options->command;
-  app.add_option("INPUT", command.input, "Tetrahedral mesh with tensors: .vtu, .pvtu, legacy .vtk")
+  options->app = &app;
+  reads(common, app.add_option("INPUT", command.input,
+                               "Tetrahedral mesh with tensors: .vtu, .pvtu, legacy .vtk"))
       ->required();
-  app.add_option("-o,--output", command.output,
-                 "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl; curves: the first three")
+  writes(common,
+         app.add_option("-o,--output", command.output,
+                        "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl; curves: the first three"))
       ->type_name("FILE")
       ->required();
   add_mode_option(app, options->modes)->required(false);
   app.add_flag("--generalized", command.generalized, "With each mode M, also -M");
   app.add_option("--resolution", command.sampling.resolution,
-                 "Samples per radian of turning of the medium eigenvector (curves: dominant)")
+                 "Samples per radian of turning of the medium eigenvector (curves: dominant); at "
+                 "most 1000")
       ->type_name("R")
       ->capture_default_str();
   app.add_option("--max-error", command.max_error,
@@ -105,10 +123,11 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->check(CLI::Range(1e-9, 1.0))
       ->capture_default_str();
   add_invariant_option(app, options->invariant,
-                       {"--mode", "--generalized", "--resolution", "--max-error", "--method",
-                        "--patch-samples", "--flatness"});
-  app.add_option("--certify", command.certificate,
-                 "Also prove the topology and distances; JSON, or CBOR if named .cbor")
+                       {"--mode", "--generalized", "--resolution", "--max-error", "--improve",
+                        "--method", "--patch-samples", "--flatness"});
+  writes(common,
+         app.add_option("--certify", command.certificate,
+                        "Also prove the topology and distances; the certificate (.json or .cbor)"))
       ->type_name("CERT");
   app.add_flag("--strict", command.strict,
                "If a tetrahedron stays unresolved, write nothing and exit with 1");

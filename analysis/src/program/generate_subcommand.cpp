@@ -50,12 +50,14 @@ void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& a
       ->required()
       ->check(CLI::IsMember(kinds))
       ->type_name("KIND");
-  app.add_option("-o,--output", command.output,
-                 "Field to write; beside it FILE.truth.json, FILE.reference.vtp and .json")
+  writes(common,
+         app.add_option("-o,--output", command.output,
+                        "Field to write; beside it FILE.truth.json, FILE.reference.vtp and .json"))
       ->required()
       ->type_name("FILE.vtu");
   app.add_option("--seed", command.seed, "Which fields; the same bytes everywhere")
       ->type_name("S")
+      ->check(whole_number())
       ->capture_default_str();
   app.add_option("--count", command.count, "Members of the family: FILE-0000.vtu and so on")
       ->type_name("N")

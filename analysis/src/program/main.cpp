@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <oneapi/tbb/global_control.h>
+#include <vtkLogger.h>
+#include <vtkNew.h>
+#include <vtkOutputWindow.h>
+
 #include <CLI/CLI.hpp>
 
 #ifdef __GLIBC__
@@ -14,6 +18,7 @@
 #include <optional>
 #include <string>
 
+#include "program/distinct_files.hpp"
 #include "program/subcommands.hpp"
 #include "program/versions.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -45,9 +50,23 @@ void keep_memory() {
 #endif
 }
 
+// What goes wrong is told once, in a line of ours.
+class Silence : public vtkOutputWindow {
+ public:
+  static Silence* New() { return new Silence; }
+  void DisplayText(const char*) override {}
+};
+
+void silence_vtk() {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkOutputWindow::SetInstance(vtkNew<Silence>());
+}
+
 // Runs what the caller chose; every way to fail ends here.
-ExitStatus run(const tensortopo::Action& action, int threads) {
+ExitStatus run(const tensortopo::Action& action, const tensortopo::CommonOptions& common) {
   try {
+    tensortopo::require_distinct_files(common);
+    const int threads = common.threads;
     std::optional<tbb::global_control> control;
     if (threads > 0) {
       control.emplace(tbb::global_control::max_allowed_parallelism,
@@ -69,6 +88,7 @@ ExitStatus run(const tensortopo::Action& action, int threads) {
 
 int main(int argc, char** argv) {
   keep_memory();
+  silence_vtk();
   CLI::App app{"Topology of 3D symmetric tensor fields: mode surfaces of piecewise linear fields",
                "tensortopo"};
   app.set_version_flag("--version", tensortopo::version_text(),
@@ -93,5 +113,5 @@ int main(int argc, char** argv) {
     return static_cast<int>(
         fail(ExitStatus::bad_usage, std::string(error.what()) + " (see --help)"));
   }
-  return static_cast<int>(run(action, common.threads));
+  return static_cast<int>(run(action, common));
 }

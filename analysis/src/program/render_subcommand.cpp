@@ -88,16 +88,19 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand("render", "Draw surfaces to a PNG, without a display");
   const auto options = std::make_shared<Options>();
-  app.add_option("INPUT", options->input,
-                 "Surfaces or ridges (.vtp), or the mesh (.vtu, .pvtu, .vtk)")
+  reads(common,
+        app.add_option("INPUT", options->input,
+                 "Surfaces or ridges (.vtp), or the mesh (.vtu, .pvtu, .vtk)"))
       ->required();
-  app.add_option("-o,--output", options->command.output, "The picture")
+  writes(common, app.add_option("-o,--output", options->command.output, "The picture"))
       ->type_name("FILE.png")
       ->required();
-  app.add_option("--surface", options->command.surfaces, "More surfaces (.vtp); repeatable")
+  reads(common, app.add_option("--surface", options->command.surfaces,
+                               "More surfaces (.vtp); repeatable"))
       ->type_name("FILE")
       ->allow_extra_args(false);
-  app.add_option("--mesh", options->mesh, "The mesh, drawn as an outline")->type_name("FILE");
+  reads(common, app.add_option("--mesh", options->mesh, "The mesh, drawn as an outline"))
+      ->type_name("FILE");
   app.add_option("--size", options->size, "Pixels (default: 1600x1200)")->type_name("WIDTHxHEIGHT");
   app.add_option("--view", options->view,
                  "Where to look from, in degrees: right of the front, above the horizon "

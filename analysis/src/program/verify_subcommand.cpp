@@ -22,6 +22,7 @@ void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& act
       ->capture_default_str();
   app.add_option("--seed", command->seed, "Which fields; the same ones everywhere")
       ->type_name("S")
+      ->check(whole_number())
       ->capture_default_str();
   app.add_option("--scalar", command->scalar,
                  "Numbers to decide with: rational decides everything; interval, real100 and "

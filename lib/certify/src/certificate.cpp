@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -20,12 +21,19 @@ std::string exact(double x) { return fmt::format("{:a}", x); }
 
 Json edges_json(const CertifiedLevel& level, std::size_t first_vertex) {
   Json edges = Json::array();
+  std::multimap<SurfaceMesh::Index, SurfaceMesh::Index> copies;
+  for (const auto& [vertex, copy] : level.topology.copies) copies.emplace(vertex, copy);
   for (std::size_t e = 0; e < level.topology.edges.size(); ++e) {
     const auto& edge = level.topology.edges[e];
     Json item{edge.vertices[0], edge.vertices[1]};
-    for (std::size_t k = 0; k < edge.crossings.size(); ++k)
+    for (std::size_t k = 0; k < edge.crossings.size(); ++k) {
+      const auto vertex = edge.crossings[k].vertex;
       item.push_back({level.brackets[e][k].place, level.brackets[e][k].depth,
-                      first_vertex + as_size(edge.crossings[k].vertex)});
+                      first_vertex + as_size(vertex)});
+      const auto [begin, end] = copies.equal_range(vertex);
+      for (auto copy = begin; copy != end; ++copy)
+        item.back().push_back(first_vertex + as_size(copy->second));
+    }
     edges.push_back(std::move(item));
   }
   return edges;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <map>
-#include <set>
+#include <span>
 #include <utility>
 
 #include "bracket_search.hpp"
@@ -73,21 +73,15 @@ Brackets brackets_of(const TetMesh& mesh, const QuadraticLevel& level, LevelTopo
   return brackets;
 }
 
-/// Tetrahedra, ascending, with a crossing that is another vertex elsewhere: there the tetrahedra with
-/// a zero tensor cut the surface in two, and an edge's crossing has the name of one vertex only.
-std::vector<Index> cut_off(const SurfaceMesh& surface) {
-  std::set<std::pair<std::array<Index, 4>, std::array<double, 3>>> found;
-  std::vector<char> is_copy(surface.points.size(), 0);
-  for (std::size_t v = 0; v < surface.points.size(); ++v) {
-    if (surface.carrier[v] != Carrier::edge) continue;
-    const auto& p = surface.points[v];
-    is_copy[v] = !found.insert({surface.carrier_vertices[v], {p.x, p.y, p.z}}).second;
-  }
-  std::set<Index> tets;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const auto v : surface.triangles[t])
-      if (is_copy[as_size(v)]) tets.insert(surface.tet[t]);
-  return {tets.begin(), tets.end()};
+/// With the same vertex for all fans around a crossing, as claims have it.
+SurfaceMesh with_originals(SurfaceMesh surface,
+                           std::span<const std::array<SurfaceMesh::Index, 2>> copies) {
+  std::map<SurfaceMesh::Index, SurfaceMesh::Index> original;
+  for (const auto& [vertex, copy] : copies) original[copy] = vertex;
+  for (auto& triangle : surface.triangles)
+    for (auto& v : triangle)
+      if (const auto found = original.find(v); found != original.end()) v = found->second;
+  return surface;
 }
 
 }  // namespace
@@ -102,9 +96,11 @@ CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
   result.triangles = surface.triangles.size();
   result.on_level = extraction.statistics.vertices_on_level;
   for (const Index tet : extraction.zero_tensor) result.undecided.push_back({tet, "zero_tensor"});
-  if (!extraction.zero_tensor.empty())
-    for (const Index tet : cut_off(surface)) result.undecided.push_back({tet, "zero_tensor"});
-  result.topology = topology_of(mesh, surface, result.undecided);
+  result.topology =
+      extraction.copies.empty()
+          ? topology_of(mesh, surface, result.undecided)
+          : topology_of(mesh, with_originals(surface, extraction.copies), result.undecided);
+  result.topology.copies = extraction.copies;
   const auto& tets = result.topology.tets;
   std::vector<std::string> reasons(tets.size());
   detail::for_each(reasons.size(), [&](std::size_t i) {

@@ -216,6 +216,8 @@ class ReachSearch {
         room[v] = std::min(room[v], half);
         room[w] = std::min(room[w], half);
       }
+    for (const auto& [vertex, copy] : topology_.copies)
+      room[at(copy)] = room[at(vertex)] = std::min(room[at(vertex)], room[at(copy)]);
     most_.resize(vertices);
     // A vertex in a corner of its carrier can hardly move, or not at all.
     for (std::size_t v = 0; v < vertices; ++v)

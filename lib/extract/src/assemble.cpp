@@ -41,7 +41,7 @@ Extraction Pipeline<Scalar>::assemble() {
     }
 
   // Output ids: used edge vertices, used face vertices (those of faces that got more samples
-  // last), inner vertices.
+  // last), inner vertices, copies of edge vertices.
   const auto rim_count = rim_position_.size();
   std::vector<Index> new_id(rim_count, -1);
   std::size_t triangle_count = 0;
@@ -55,11 +55,12 @@ Extraction Pipeline<Scalar>::assemble() {
   for (auto& id : new_id)
     if (id == 0) id = next++;
   const auto rim_used = next;
+  const CrossingCopies copies = crossing_copies();
   if (options_.keep_topology) result.topology = topology(new_id);
   std::vector<Index> inner_first(tets_.size() + 1, rim_used);
   for (std::size_t t = 0; t < tets_.size(); ++t)
     inner_first[t + 1] = inner_first[t] + static_cast<Index>(tets_[t].drawn.inner.size());
-  auto count = as_size(inner_first.back());
+  auto count = as_size(inner_first.back()) + copies.original.size();
 
   surface.points.resize(count);
   surface.carrier.resize(count);
@@ -92,6 +93,17 @@ Extraction Pipeline<Scalar>::assemble() {
         for (std::size_t k = 0; k < arc.samples.size(); ++k)
           carry(v++, f, complex_.faces[f], Carrier::face);
     }
+  for (std::size_t k = 0; k < copies.original.size(); ++k) {
+    const auto original = new_id[as_size(copies.original[k])];
+    const auto id = inner_first.back() + static_cast<Index>(k);
+    const auto from = as_size(original), to = as_size(id);
+    surface.carrier[to] = surface.carrier[from];
+    surface.carrier_id[to] = surface.carrier_id[from];
+    surface.carrier_vertices[to] = surface.carrier_vertices[from];
+    surface.points[to] = surface.points[from];
+    surface.medium_eigenvector[to] = surface.medium_eigenvector[from];
+    if (options_.keep_topology) result.topology.copies.push_back({original, id});
+  }
   std::vector<char> is_apex(count, 0);
   for (std::size_t v = 0; v < zero_vertex_.size(); ++v) {
     if (zero_vertex_[v] < 0 || new_id[as_size(zero_vertex_[v])] < 0) continue;
@@ -126,16 +138,20 @@ Extraction Pipeline<Scalar>::assemble() {
     ++statistics_.tets_crossed;
     for (const auto& triangle : drawn.triangles) {
       std::array<Index, 3> corners;
-      for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i) {
         corners[i] =
             triangle[i] >= 0 ? new_id[as_size(triangle[i])] : inner_first[t] + (-1 - triangle[i]);
+        if (const auto copy = copies.of.find({t, triangle[i]}); copy != copies.of.end())
+          corners[i] = inner_first.back() + static_cast<Index>(copy->second);
+      }
       surface.triangles.push_back(corners);
       surface.tet.push_back(complex_.tets[t]);
     }
   }
 
   add_cone_points(surface, is_apex);
-  if (options_.keep_topology) result.topology.cones = cone_sheets(surface, is_apex);
+  if (options_.keep_topology)
+    result.topology.cones = cone_sheets(surface, is_apex, result.topology.copies);
   count = surface.points.size();
   surface.normal.assign(count, {0, 0, 0});
   surface.mode.assign(count, level_.value.approx());

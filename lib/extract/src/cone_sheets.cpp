@@ -45,7 +45,10 @@ std::vector<LevelTopology::ConeSheet> sheets_of(Fans fans) {
 }  // namespace
 
 std::vector<LevelTopology::Cone> cone_sheets(const SurfaceMesh& surface,
-                                             const std::vector<char>& is_apex) {
+                                             const std::vector<char>& is_apex,
+                                             std::span<const std::array<Vertex, 2>> copies) {
+  std::map<Vertex, Vertex> original;
+  for (const auto& [vertex, copy] : copies) original[copy] = vertex;
   std::map<LevelTopology::Index, Fans> by_tet;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     auto corners = surface.triangles[i];
@@ -54,6 +57,8 @@ std::vector<LevelTopology::Cone> cone_sheets(const SurfaceMesh& surface,
     if (apexes == 0) continue;
     while (is_apex[as_size(corners[0])] || !is_apex[as_size(corners[2])])
       std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+    for (Vertex& v : corners)
+      if (const auto copy = original.find(v); copy != original.end()) v = copy->second;
     const auto& [from, to, tip] = corners;
     Fans& fans = by_tet[surface.tet[i]];
     if (apexes == 1) {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "nearby_levels.hpp"
@@ -81,6 +83,13 @@ class Pipeline {
   void draw_cone(std::size_t t);
   std::vector<Index> sectors(std::size_t triangles) const;
   void add_cone_points(SurfaceMesh& surface, std::vector<char>& is_apex);
+  /// What fans of triangles around crossings of edges have for vertices, if a crossing has several.
+  struct CrossingCopies {
+    std::vector<Index> original;  ///< of each copy
+    /// Of a vertex in a tetrahedron of another fan than the first: which copy it has.
+    std::map<std::pair<std::size_t, Index>, std::size_t> of;
+  };
+  CrossingCopies crossing_copies() const;
   LevelTopology topology(std::span<const Index> new_id) const;
   Extraction assemble();
 

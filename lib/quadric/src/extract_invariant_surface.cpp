@@ -106,8 +106,8 @@ InvariantExtraction extract_invariant_surface(const TetMesh& mesh, const Invaria
   result.statistics.seconds_tets = seconds_since(start);
   start = std::chrono::steady_clock::now();
   result.surface = assemble_invariant_surface(cells, tets, level.approx());
-  if (!result.zero_tensor.empty()) {
-    separate_fans(result.surface);
+  if (!surface_invariants(result.surface).manifold) {
+    result.copies = separate_fans(result.surface);
     result.surface.component = surface_components(result.surface);
   }
   result.statistics.seconds_stitch = seconds_since(start);

@@ -17,7 +17,7 @@ void append_copy(std::vector<T>& list, std::size_t i) {
 
 }  // namespace
 
-void separate_fans(SurfaceMesh& surface) {
+std::vector<std::array<Index, 2>> separate_fans(SurfaceMesh& surface) {
   std::map<std::array<Index, 2>, std::size_t> triangle_at;  // of directed edges
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
@@ -35,6 +35,7 @@ void separate_fans(SurfaceMesh& surface) {
     }
     std::sort(fan.begin(), fan.end());
   }
+  std::vector<std::array<Index, 2>> copies;
   for (auto& [vertex, around] : fans) {
     std::sort(around.begin(), around.end());
     for (std::size_t f = 1; f < around.size(); ++f) {
@@ -49,8 +50,10 @@ void separate_fans(SurfaceMesh& surface) {
       append_copy(surface.value, i);
       for (const std::size_t t : around[f])
         std::replace(surface.triangles[t].begin(), surface.triangles[t].end(), vertex, copy);
+      copies.push_back({vertex, copy});
     }
   }
+  return copies;
 }
 
 }  // namespace tensortopo

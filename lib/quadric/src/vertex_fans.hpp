@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "tensortopo/mesh/surface_mesh.hpp"
 
 namespace tensortopo {
 
-/// Where a surface is cut in two around a vertex, by tetrahedra left out, gives each fan of
-/// triangles but the first a vertex of its own, after all others.
+/// Where parts of a surface meet in a vertex only, as parts of the mesh do in an edge or as
+/// tetrahedra were left out, gives each fan of triangles but the first a vertex of its own, after all
+/// others.
 /// @pre oriented; each edge has at most two triangles
-void separate_fans(SurfaceMesh& surface);
+/// @return each such vertex: of which it is a copy, and itself; ascending
+std::vector<std::array<SurfaceMesh::Index, 2>> separate_fans(SurfaceMesh& surface);
 
 }  // namespace tensortopo

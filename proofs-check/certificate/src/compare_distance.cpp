@@ -145,14 +145,16 @@ bool Distances::is_clear(const MovedVertices& moved, std::size_t triangle) const
 void Distances::prove_passed_crossings(const MovedVertices& moved) const {
   for (const Json& edge : c_.claims["edges"]) {
     for (std::size_t n = 2; n < edge.size() && edge.size() > 3; ++n) {
-      const std::size_t v = edge[n][2].get<Number>() - c_.vertices.first;
-      if (v >= is_used_.size() || !is_used_[v]) continue;
-      for (const auto way : {MovedVertices::kBehind, MovedVertices::kAhead}) {
-        const auto& w = moved.weights(v, way);
-        const mpq_class at = mpq_class(w[1]) / (mpq_class(w[0]) + mpq_class(w[1]));
-        if ((n > 2 && at < interval_of(edge[n - 1]).end(1)) ||
-            (n + 1 < edge.size() && at > interval_of(edge[n + 1]).end(0)))
-          throw Unproved(vertex(v) + " moves past a crossing");
+      for (std::size_t i = 2; i < edge[n].size(); ++i) {
+        const std::size_t v = edge[n][i].get<Number>() - c_.vertices.first;
+        if (v >= is_used_.size() || !is_used_[v]) continue;
+        for (const auto way : {MovedVertices::kBehind, MovedVertices::kAhead}) {
+          const auto& w = moved.weights(v, way);
+          const mpq_class at = mpq_class(w[1]) / (mpq_class(w[0]) + mpq_class(w[1]));
+          if ((n > 2 && at < interval_of(edge[n - 1]).end(1)) ||
+              (n + 1 < edge.size() && at > interval_of(edge[n + 1]).end(0)))
+            throw Unproved(vertex(v) + " moves past a crossing");
+        }
       }
     }
   }
@@ -184,7 +186,7 @@ void Distances::prove() const {
 }  // namespace
 
 void compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger) {
-  if (placed == nullptr) return ledger.leave_open("distance", "other claims are refuted");
+  if (placed == nullptr) return ledger.leave_open("distance", "it rests on claims that are not certified");
   try {
     const Distances distances(c, *placed);
     distances.require_bounds();

@@ -115,6 +115,18 @@ bool is_at(const LevelCase& c, const Json& vertex, Vertex place) {
 /// each: so one.
 CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
   CrossingVertices result;
+  const auto note = [&](const EdgeTopology& edge, unsigned n, const Json& crossing) {
+    const Number first = crossing[2].get<Number>();
+    for (std::size_t i = 2; i < crossing.size(); ++i) {
+      const Number v = crossing[i].get<Number>();
+      if (v - c.vertices.first >= c.vertices.count) return "a vertex of another level";
+      if (!result.crossing.emplace(v, MeshCrossing{edge.vertices, n}).second)
+        return "a vertex at two crossings";
+      if (i > 2) result.original[v] = first;
+    }
+    result.vertex[{edge.vertices, n}] = first;
+    return "";
+  };
   const auto settle = [&](const EdgeTopology& edge, const Json& claim, const std::string& name) {
     const std::size_t count = claim.size() - 2;
     std::string wrong;
@@ -123,21 +135,24 @@ CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
     for (unsigned n = 0; n < count && wrong.empty(); ++n) {
       const Json& crossing = claim[n + 2];
       const Interval interval = interval_of(crossing);
-      const Number v = crossing[2].get<Number>();
       if (interval.end(0) < free_from) wrong = "intervals that overlap";
       if (above_at(c, edge.vertices, interval.i, interval.k) ==
           above_at(c, edge.vertices, interval.i + 1, interval.k))
         wrong = "both ends of an interval on one side";
-      if (v - c.vertices.first >= c.vertices.count) wrong = "a vertex of another level";
-      if (!result.crossing.emplace(v, MeshCrossing{edge.vertices, n}).second)
-        wrong = "a vertex at two crossings";
-      result.vertex[{edge.vertices, n}] = v;
+      if (const std::string unfit = note(edge, n, crossing); !unfit.empty()) wrong = unfit;
       free_from = interval.end(1);
     }
     ledger.settle(wrong.empty(), name, claim.dump(), wrong);
   };
   compare_list<2>("edge ", c.claims["edges"], c.topology.edges, numbers_of<EdgeTopology>, settle,
                   ledger);
+  // What is claimed of an edge that stays open names its crossings all the same.
+  for (const Json& claim : c.claims["edges"]) {
+    const EdgeTopology* edge = c.topology.edge({claim[0].get<Vertex>(), claim[1].get<Vertex>()});
+    for (unsigned n = 0; edge != nullptr && !edge->is_decided() && n + 2 < claim.size(); ++n)
+      if (*note(*edge, n, claim[n + 2]) != 0)
+        ledger.refute("edge " + claim.dump(), claim.dump(), "no names for its crossings");
+  }
   return result;
 }
 

@@ -33,7 +33,8 @@ struct LevelCase {
 /// Which vertex of the surface is which crossing, as the certificate claims.
 struct CrossingVertices {
   std::map<MeshCrossing, Number> vertex;
-  std::unordered_map<Number, MeshCrossing> crossing;
+  std::unordered_map<Number, MeshCrossing> crossing;   ///< copies too
+  std::unordered_map<Number, Number> original;         ///< of a copy: the crossing's first vertex
 };
 
 CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger);

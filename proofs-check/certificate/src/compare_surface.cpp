@@ -64,7 +64,7 @@ void Pieces::group() {
   };
   for (const TetTopology& tet : c_.topology.tets) add(tet.tet);
   for (const ConeTopology& cone : c_.topology.cones)
-    if (cone.is_crossed()) add(cone.tet);
+    if (cone.is_crossed() || !cone.is_decided()) add(cone.tet);
   for (std::size_t t = 0; t < c_.left_out.size(); ++t)
     if (c_.left_out[t]) add(t);
   for (const auto& [face, tets] : tets_at_)
@@ -196,11 +196,13 @@ void Pieces::compare_folds() const {
     throw Wrong("no sheet at a crossing");
   };
   for (const ConeTopology& cone : c_.topology.cones) {
+    if (!cone.is_decided()) continue;
     for (std::size_t k = 0; cone.tips.size() == 2 && k < cone.sheets.size(); ++k) {
       const std::vector<RimEdge>& own = edges_of({&cone, k});
       Face last{};
       const Fold other = folds.beyond({&cone, k}, last);
       bool same = true;
+      if (other.cone != nullptr && !other.cone->is_decided()) continue;
       if (other.cone != nullptr) {
         const std::vector<RimEdge>& there = edges_of(other);
         same = std::equal(own.begin(), own.end(), there.rbegin(), there.rend(),
@@ -359,8 +361,18 @@ std::optional<PlacedSurface> compare_surface(const LevelCase& c, const CrossingV
                  {"first_vertex", components[i].vertices[0]}};
     ledger.settle(claim == derived, "component " + std::to_string(i), claim.dump(), derived.dump());
   }
+  // Sheets are claimed in terms of a crossing's first vertex, whichever fan has that.
+  std::vector<HalfEdges::Triangle> renamed;
+  if (!vertices.original.empty()) renamed.assign(triangles.begin(), triangles.end());
+  for (auto& triangle : renamed)
+    for (auto& v : triangle)
+      if (const auto copy = vertices.original.find(v); copy != vertices.original.end())
+        v = static_cast<std::uint32_t>(copy->second);
+  const HalfEdges glued(renamed);
   try {
-    Pieces pieces(c, vertices, mesh);
+    if (!renamed.empty() && !glued.has_neighbours_of(mesh))
+      throw Wrong("a crossing's vertices along an edge");
+    Pieces pieces(c, vertices, renamed.empty() ? mesh : glued);
     pieces.compare();
     ledger.certify();
     return std::move(pieces).place();

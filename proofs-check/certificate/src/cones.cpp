@@ -66,6 +66,7 @@ Fold Folds::beyond(const Fold& fold, std::array<Vertex, 3>& last) const {
       if (other != at) neighbour = other;
     if (neighbour == nullptr) return {};
     at = neighbour;
+    if (!at->is_decided()) return {at, 0};
     forwards = at->base[0] == last[2];
     next = forwards ? 0 : at->sheets.size() - 1;
   }

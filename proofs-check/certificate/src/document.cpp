@@ -26,7 +26,8 @@ Json make_shape() {
       "mode": "text", "vertices": ["natural", "natural"], "triangles": ["natural", "natural"],
       "on_level": "natural",
       "undecided": ["*1", ["natural", "text"]],
-      "edges": ["*2", ["natural", "natural", "*0", ["natural or text", "natural", "natural"]]],
+      "edges": ["*2", ["natural", "natural", "*0", ["natural or text", "natural", "natural",
+                                                 "*1", "natural"]]],
       "faces": ["*3", ["natural", "natural", "natural",
                        ["*2", ["natural", "natural"]], ["*1", "natural"]]],
       "tets": ["*1", ["natural", "*0", ["integer", "*0", ["natural", "natural", "*0", "natural"]]]],
@@ -154,12 +155,12 @@ Json read_document(const std::string& file) {
   Builder builder(document);
   try {
     if (!Json::sax_parse(bytes, &builder, format)) throw Malformed(file, builder.problem);
-  } catch (const Json::exception& error) {
-    throw Malformed(file, error.what());
+  } catch (const Json::exception&) {
+    throw Malformed(file, builder.problem);
   }
   static const Json shape = make_shape();
   if (const std::string wrong = misfit(document, shape); !wrong.empty())
-    throw Malformed(file, wrong);
+    throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
   if (document["format"] != "tensortopo certificate" || document["version"] != 1)
     throw Malformed(file, "no certificate of version 1");
   return document;

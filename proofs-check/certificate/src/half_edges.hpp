@@ -43,6 +43,10 @@ class HalfEdges {
   /// Throws Wrong unless they are an oriented manifold with boundary: no two triangles have an
   /// edge in one direction, and around each vertex they form one fan.
   void require_manifold() const;
+  /// Are the same triangles neighbours, across the same edges?
+  bool has_neighbours_of(const HalfEdges& other) const {
+    return across_ == other.across_ && has_double_edge_ == other.has_double_edge_;
+  }
   /// The pieces of some triangles, in the order of their vertices. Throws Wrong if the rim of one
   /// passes a vertex twice.
   /// @param some  ascending

@@ -40,6 +40,7 @@ class Ledger {
     }
   }
   bool has_refuted() const { return report_.refuted > 0; }
+  std::size_t open() const { return report_.undecided; }
   /// Adds to how often each arithmetic decided.
   void count(std::uint64_t by_balls, std::uint64_t by_integers) {
     report_.by_balls += by_balls, report_.by_integers += by_integers;

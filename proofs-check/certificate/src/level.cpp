@@ -23,6 +23,7 @@ class Level::Simplex {
   }
 
   const Form<Ball>& balls() const { return balls_; }
+  bool took_integers() const { return exact_.has_value(); }
   template <class Question>
   bool is_true(const Question& question) {
     Answer answer = question(balls_);
@@ -84,19 +85,20 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
   });
   const auto by = [&]<class Rule>(const Rule& rule) -> Proved<V> {
     Simplex<Rule, V> simplex(*this, rule, corners);
-    if (!is_crossed && simplex.lies(corners[0].above)) return {Proof::empty, {}};
+    if (!is_crossed && simplex.lies(corners[0].above))
+      return {Proof::empty, {}, simplex.took_integers()};
     const auto d = likely_direction(simplex.balls(), std::is_same_v<Rule, InvariantRule>);
     // Entries of both signs, so that in some chart moving along d is moving in parallel.
     if (!d || !(*std::min_element(d->begin(), d->end()) < 0) ||
         !(*std::max_element(d->begin(), d->end()) > 0))
-      return {};
+      return {Proof::open, {}, simplex.took_integers()};
     const bool increases = simplex.is_true([&](const auto& f) {
       return both(rule.is_defined(f), [&] {
         const auto g = increase(f, *d);
         return either(have_sign(g, 1, Zero::fails), [&] { return have_sign(g, -1, Zero::fails); });
       });
     });
-    return increases ? Proved<V>{Proof::monotone, *d} : Proved<V>{};
+    return {increases ? Proof::monotone : Proof::open, *d, simplex.took_integers()};
   };
   return std::visit(by, rule_);
 }

@@ -42,6 +42,7 @@ template <std::size_t V>
 struct Proved {
   Proof proof = Proof::open;
   std::array<int, V> direction{};
+  bool by_integers = false;  ///< doubles left something open, whether integers helped or not
 };
 
 /// The level, and how often each arithmetic decided.

@@ -9,6 +9,9 @@ namespace certificate {
 namespace {
 
 constexpr std::size_t kMaxCells = 40000;
+/// Proofs that doubles do not decide are asked for in parts around a point where the level is
+/// singular, without end; levels that are proved elsewhere take a few dozen.
+constexpr std::size_t kMaxByIntegers = 500;
 
 }  // namespace
 
@@ -66,6 +69,7 @@ Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
 /// A part of a monotone cell that is not proved to be empty stays monotone.
 void Refinement::prove(Cell& cell) {
   const auto with = [&](const auto& proved) {
+    if (proved.by_integers) ++by_integers_;
     if (cell.proof == Proof::open || proved.proof == Proof::empty) note(cell, proved);
   };
   const auto& [a, b, c, d] = cell.points;
@@ -76,7 +80,11 @@ void Refinement::prove(Cell& cell) {
 
 Proof Refinement::known(Id a, Id b) {
   const auto [place, is_new] = proofs_.try_emplace(key(a, b), Proof::open);
-  if (is_new) place->second = level_.prove(corners_at(std::array{a, b})).proof;
+  if (is_new) {
+    const auto proved = level_.prove(corners_at(std::array{a, b}));
+    if (proved.by_integers) ++by_integers_;
+    place->second = proved.proof;
+  }
   return place->second;
 }
 
@@ -186,7 +194,7 @@ bool Refinement::run() {
     // A part of a monotone cell may be empty all the same.
     if (cells_[*c].proof == Proof::open || !is_crossed(cells_[*c])) prove(cells_[*c]);
     if (cells_[*c].proof == Proof::empty || !is_open(cells_[*c])) continue;
-    if (cells_.size() > kMaxCells) return false;
+    if (cells_.size() > kMaxCells || by_integers_ > kMaxByIntegers) return false;
     bisect(edge, waiting);
   }
   return true;

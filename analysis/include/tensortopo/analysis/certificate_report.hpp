@@ -17,6 +17,9 @@ struct CertificateReport {
   std::size_t certified = 0;  ///< claims: crossed edges, faces and tetrahedra, components, distances
   std::map<std::string, std::size_t> undecided;  ///< tetrahedra, over all modes, by reason
   std::size_t undecided_cells = 0;
+  /// Proved by arguments that the checker does not have, which it may leave open: sheets that are
+  /// thin tubes, and tetrahedra taken at a mode next to a critical one.
+  std::size_t tubes = 0, at_critical = 0;
   double seconds = 0;  ///< proofs beyond the extraction's, and writing
 };
 

@@ -15,11 +15,14 @@
 
 namespace tensortopo {
 
+/// Samples per radian; a tetrahedron may take the square of ten times that.
+inline constexpr double kLargestResolution = 1000;
+
 /// From a field in a file to the mode surfaces and degenerate curves in another.
 struct ExtractCommand {
   std::filesystem::path input;
   std::filesystem::path output;  ///< .vtp, .ply, .obj, .off or .stl
-  std::filesystem::path certificate;  ///< JSON, or CBOR if named .cbor; empty for none
+  std::filesystem::path certificate;  ///< .json or .cbor; empty for none
   std::vector<ModeValue> modes;  ///< in this order; 1 and -1 are curves; repetitions count once
   std::optional<Baseline> baseline;  ///< instead of our own method
   BaselineOptions baseline_options;

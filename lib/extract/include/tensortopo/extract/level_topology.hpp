@@ -61,6 +61,9 @@ struct LevelTopology {
   std::vector<Face> faces;  ///< those with curves, in order of their vertices
   std::vector<Tet> tets;    ///< those with sheets and a deviator at each vertex, ascending
   std::vector<Cone> cones;  ///< those with sheets and a vertex without deviator, ascending
+  /// A crossing's vertex, and another at the same place: where parts of the surface meet in a
+  /// crossing only, each but the first has such a copy for itself. All else is in terms of `vertex`.
+  std::vector<std::array<Vertex, 2>> copies;
 };
 
 }  // namespace tensortopo

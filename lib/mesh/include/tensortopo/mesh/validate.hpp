@@ -17,6 +17,7 @@ struct MeshDefect {
     wrong_length,        ///< tensors or cell ids are not one for each point or tetrahedron
     non_finite_point,    ///< a coordinate is infinite or not a number
     non_finite_tensor,   ///< a component is infinite or not a number
+    out_of_range,        ///< a coordinate beyond 1e100, or vertices of one cell within 1e-100
     index_out_of_range,  ///< a tetrahedron names a vertex that does not exist
     repeated_vertex,     ///< a tetrahedron names a vertex twice
     degenerate_cell,     ///< four vertices in one plane, exactly
@@ -33,7 +34,8 @@ struct MeshDefect {
 
 /// The defects of a mesh: empty if it is fit.
 ///
-/// Laws      (1) no defect means: all numbers finite, every tetrahedron has positive volume
+/// Laws      (1) no defect means: all numbers finite, products of three lengths neither too large nor
+///           too small for doubles (coordinates up to 1e100, edges from 1e-100), every tetrahedron has positive volume
 ///           (decided exactly), and every face has at most two tetrahedra, on its two sides;
 ///           (2) the order is by kind of check, then by cell, the same on every run.
 /// Policy    Inverted tetrahedra are defects here; the reader turns them around first. Points that

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string_view>
@@ -35,6 +36,8 @@ struct InvariantExtraction {
   /// Ascending. An anisotropy is undefined for the zero tensor, where its two nappes meet: these
   /// tetrahedra hold that tensor and the level, and are left out.
   std::vector<TetMesh::Index> zero_tensor;
+  /// A crossing's vertex and another at the same place, see `SurfaceMesh`; ascending.
+  std::vector<std::array<SurfaceMesh::Index, 2>> copies;
   InvariantStatistics statistics;
 };
 
@@ -47,8 +50,8 @@ struct InvariantExtraction {
 /// tetrahedron and closed ellipsoids inside it are there, and nothing else.
 ///
 /// Laws      (1) a manifold, oriented: counter-clockwise seen from larger values; its boundary is
-///           on the boundary of the domain or of tetrahedra in `zero_tensor` (where these cut what is
-///           left around a vertex in two, each fan of triangles has one of its own); (2) the level is value + 0: points exactly on
+///           on the boundary of the domain or of tetrahedra in `zero_tensor` (where parts meet in a
+///           vertex only, each fan of triangles has one of its own); (2) the level is value + 0: points exactly on
 ///           the level count as below, so no level at a critical value or constant on a cell is
 ///           left open; (3) tensors and value times a power of two give the same surface (for an
 ///           anisotropy the tensors alone); (4) the result does not depend on the number of

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// What is refused instead of being passed over: files that would be overwritten, files that are
+// none, options without effect, numbers out of range.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+void expect_line(const Outcome& run, int status, const std::string& about) {
+  EXPECT_EQ(run.status, status) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_TRUE(run.err.starts_with("tensortopo: ")) << run.err;
+  EXPECT_NE(run.err.find(about), std::string::npos) << run.err;
+}
+
+TEST(Usage, NothingIsWrittenOverWhatIsReadOrWritten) {
+  const Folder folder;
+  const std::string in = folder / "in.vtu", link = folder / "link.json", s = folder / "s.vtp";
+  std::filesystem::copy_file(field("s4_slab"), in);
+  std::filesystem::create_symlink(in, link);
+  const std::string before = contents(in);
+  for (const std::string& certificate : {in, link, folder / "./in.vtu"})
+    expect_line(run_program({"extract", in, "-o", s, "--mode", "0.5", "--certify", certificate}), 2,
+                "same file");
+  expect_line(run_program({"extract", in, "-o", s, "--mode", "0.5", "--certify", s}), 2, "same file");
+  expect_line(run_program({"analyze", in, "--sweep", "0:0.1:2", "-o", in}), 2, "same file");
+  expect_line(run_program({"render", in, "--mode", "0.5", "-o", in}), 2, "same file");
+  expect_line(run_program({"bench", "--input", in, "--mode", "0.5", "--curves", in}), 2, "same file");
+  EXPECT_EQ(contents(in), before);
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"in.vtu", "link.json"}));
+}
+
+TEST(Usage, ACertificateIsNamedJsonOrCbor) {
+  const Folder folder;
+  for (const std::string level : {"--mode", "--invariant"}) {
+    std::vector<std::string> words{"extract", field("s4_slab"), "-o", folder / "s.vtp",
+                                   "--certify", folder / "c.txt", level};
+    words.push_back(level == "--mode" ? "0.5" : "magnitude");
+    if (level != "--mode") words.insert(words.end(), {"--value", "1"});
+    expect_line(run_program(words), 2, "c.txt");
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(Usage, OptionsWithoutEffectAreRefused) {
+  const std::vector<std::vector<std::string>> cases{
+      {"--improve", "--mode", "1"},
+      {"--improve", "--invariant", "magnitude", "--value", "1"},
+      {"--improve", "--mode", "0.5", "--method", "marching"},
+      {"--method", "--mode", "1", "--method", "graph"},
+      {"--max-error", "--mode", "-1", "--max-error", "0.1"},
+      {"--patch-samples", "--mode", "0.5", "--patch-samples", "3"},
+      {"--flatness", "--mode", "0.5", "--flatness", "0.1"},
+      {"--resolution", "--mode", "0.5", "--method", "marching", "--resolution", "8"},
+      {"--resolution", "--mode", "0.5", "--resolution", "1e9"}};
+  for (auto words : cases) {
+    const Folder folder;
+    const std::string about = words[0];
+    if (about != "--improve") words.erase(words.begin());
+    words.insert(words.begin(), {"extract", field("s4_slab"), "-o", folder / "s.vtp"});
+    expect_line(run_program(words), 2, about);
+    EXPECT_TRUE(folder.files().empty());
+  }
+}
+
+TEST(Usage, SeedsAreWholeNumbers) {
+  const Folder folder;
+  for (const char* seed : {"-3", "18446744073709551616", "1.5", "0x1"}) {
+    expect_line(run_program({"generate", "linear", "-o", folder / "g.vtu", "--seed", seed}), 2,
+                "--seed");
+    expect_line(run_program({"verify", "--fields", "1", "--seed", seed}), 2, "--seed");
+  }
+  expect_line(run_program({"generate", "linear", "-o", folder / "g.vtu", "--tets", "5"}), 2, "--tets");
+  EXPECT_TRUE(folder.files().empty());
+  EXPECT_EQ(run_program({"generate", "linear", "-o", folder / "g.vtu", "--field-only", "--seed",
+                         "18446744073709551615"})
+                .status,
+            0);
+}
+
+TEST(Usage, WhatIsNoSurfaceIsBadInputInOneLine) {
+  const Folder folder;
+  for (const char* extension : {".vtp", ".ply", ".obj", ".stl"}) {
+    const std::string file = folder / (std::string("bad") + extension);
+    std::ofstream(file) << "hello";
+    expect_line(run_program({"conformance", "--surface", file, "--input", field("s4_slab"), "--mode",
+                             "0.5"}),
+                3, file);
+  }
+  const std::string bad = folder / "bad.vtp";
+  expect_line(run_program({"analyze", bad}), 3, bad);
+  expect_line(run_program({"analyze", bad, "--mesh", field("s4_slab")}), 3, bad);
+  expect_line(run_program({"render", bad, "-o", folder / "p.png"}), 3, bad);
+}
+
+TEST(Usage, WhatIsNoTruthIsBadInputInOurWords) {
+  const Folder folder;
+  ASSERT_EQ(run_program({"generate", "linear", "-o", folder / "g.vtu"}).status, 0);
+  for (const char* text : {"", "[]", "{\"format\": 1}", "{"}) {
+    const std::string truth = folder / "t.json";
+    std::ofstream(truth) << text;
+    const Outcome run =
+        run_program({"conformance", "--surface", folder / "g.reference.vtp", "--input",
+                     folder / "g.vtu", "--mode", "0", "--truth", truth});
+    expect_line(run, 3, truth);
+    EXPECT_EQ(run.err.find("json.exception"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Usage, CoordinatesThatOverflowAreBadInputByName) {
+  const Folder folder;
+  ASSERT_EQ(run_program({"generate", "linear", "-o", folder / "g.vtu", "--field-only"}).status, 0);
+  const std::string file = folder / "huge.vtk";
+  std::ofstream(file) << "# vtk DataFile Version 3.0\nhuge\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                         "POINTS 4 double\n0 0 0\n1e300 0 0\n0 1e300 0\n0 0 1e300\n"
+                         "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nPOINT_DATA 4\n"
+                         "TENSORS stress double\n1 0 0 0 0 0 0 0 -1\n\n0 1 0 1 0 0 0 0 0\n\n"
+                         "1 0 0 0 -2 0 0 0 1\n\n-1 0 0 0 2 1 0 1 0\n";
+  expect_line(run_program({"extract", file, "-o", folder / "s.vtp", "--mode", "0"}), 3, "point 1");
+}
+
+TEST(Usage, ABaselineHasNoResidual) {
+  const Folder folder;
+  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
+                                   "0.5", "--method", "marching"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out.find("nan"), std::string::npos) << run.out;
+}
+
+/// Tubes around degenerate curves are proved by what the checker has not.
+TEST(Usage, WhatTheCheckerMayLeaveOpenIsSaid) {
+  const Folder folder;
+  for (const bool thin : {false, true}) {
+    const Outcome run =
+        run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
+                     thin ? "0.999999" : "0.5", "--certify", folder / "c.json", "--json"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    const auto beyond = nlohmann::json::parse(run.out).at("certificate").at("beyond_checker");
+    EXPECT_EQ(beyond.at("tubes") > 0, thin) << beyond;
+    EXPECT_EQ(run.err.find("may leave them open") != std::string::npos, thin) << run.err;
+  }
+}
+
+TEST(Usage, BenchTakesTheBundledField) {
+  const Outcome run = run_program({"bench", "--only", "none", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_NE(json.at("input").dump().find("examples/data/s3_three"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
