@@ -59,12 +59,19 @@ DrawnTet::DrawnTet(const TetWithCurves<Scalar>& tet, const Level<double>& level,
     corner.up = (1 / std::sqrt(dot(g, g))) * g;
   }
   triangles_.reserve(drawn.triangles.size());
-  for (const auto& t : drawn.triangles)
+  around_.resize(ids_.size() + 1);
+  for (const auto& t : drawn.triangles) {
+    for (const Id id : t)
+      around_[place_of(id)].push_back(static_cast<std::uint32_t>(triangles_.size()));
     triangles_.push_back({place_of(t[0]), place_of(t[1]), place_of(t[2])});
+  }
 }
 
+/// Of a vertex that no triangle here has: a place without triangles.
 DrawnTet::Place DrawnTet::place_of(Id id) const {
-  return static_cast<Place>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+  const auto place = std::lower_bound(ids_.begin(), ids_.end(), id);
+  return static_cast<Place>((place != ids_.end() && *place == id ? place : ids_.end()) -
+                            ids_.begin());
 }
 
 double DrawnTet::offset_at(const Vector& x) const {
@@ -86,30 +93,28 @@ double DrawnTet::offset_of(const Triangle& t) const {
 }
 
 double DrawnTet::least_sine_around(Id vertex) const {
-  const Place v = place_of(vertex);
   double sine = 1;
-  for (const auto& t : triangles_)
-    if (has(t, v)) {
-      const auto n = normal(t);
-      sine = std::min(sine, least_sine(corners_[t[0]].position, corners_[t[1]].position,
-                                       corners_[t[2]].position, std::sqrt(dot(n, n))));
-    }
+  for (const auto i : around_[place_of(vertex)]) {
+    const auto& t = triangles_[i];
+    const auto n = normal(t);
+    sine = std::min(sine, least_sine(corners_[t[0]].position, corners_[t[1]].position,
+                                     corners_[t[2]].position, std::sqrt(dot(n, n))));
+  }
   return sine;
 }
 
 double DrawnTet::offset_around(Id vertex) const {
-  const Place v = place_of(vertex);
   double offset = 0;
-  for (const auto& t : triangles_)
-    if (has(t, v)) offset = std::max(offset, offset_of(t));
+  for (const auto i : around_[place_of(vertex)])
+    offset = std::max(offset, offset_of(triangles_[i]));
   return offset;
 }
 
 double DrawnTet::offset_after(Id vertex, Id neighbour) const {
   const Place v = place_of(vertex), u = place_of(neighbour);
   double offset = 0;
-  for (Triangle t : triangles_)
-    if (has(t, v) && !has(t, u)) {
+  for (const auto i : around_[v])
+    if (Triangle t = triangles_[i]; !has(t, u)) {
       *std::find(t.begin(), t.end(), v) = u;
       offset = std::max(offset, offset_of(t));
     }
@@ -119,20 +124,20 @@ double DrawnTet::offset_after(Id vertex, Id neighbour) const {
 /// Contracting the edge between v and u leaves every sheet what it is if no vertex but the third
 /// of their triangle is a neighbour of both, and that triangle is not all there is. No edge that is
 /// new may lie in a face, but for the one that goes on along the curve.
-bool DrawnTet::keeps_sheets(Place v, Place u, std::span<const std::uint32_t> star) const {
+bool DrawnTet::keeps_sheets(Place v, Place u) const {
   std::vector<Place> near_v, near_u;
   const auto add = [](std::vector<Place>& list, const Triangle& t, Place self) {
     for (const Place x : t)
       if (x != self) list.push_back(x);
   };
   std::size_t between = 0;
+  const auto& star = around_[v];
   for (const auto i : star) {
     add(near_v, triangles_[i], v);
     between += has(triangles_[i], u);
   }
   if (between != 1) return false;
-  for (const auto& t : triangles_)
-    if (has(t, u)) add(near_u, t, u);
+  for (const auto i : around_[u]) add(near_u, triangles_[i], u);
   std::sort(near_v.begin(), near_v.end());
   std::sort(near_u.begin(), near_u.end());
   const auto is_rim_of = [](const std::vector<Place>& list, Place x) {
@@ -156,10 +161,8 @@ bool DrawnTet::keeps_sheets(Place v, Place u, std::span<const std::uint32_t> sta
 
 double DrawnTet::least_sine_after(Id vertex, Id neighbour, double least_cosine) const {
   const Place v = place_of(vertex), u = place_of(neighbour);
-  std::vector<std::uint32_t> star;
-  for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-    if (has(triangles_[i], v)) star.push_back(i);
-  if (!star.empty() && !keeps_sheets(v, u, star)) return 0;
+  const auto& star = around_[v];
+  if (!star.empty() && !keeps_sheets(v, u)) return 0;
   double sine = 1;
   for (const auto i : star) {
     Triangle t = triangles_[i];
@@ -177,15 +180,26 @@ double DrawnTet::least_sine_after(Id vertex, Id neighbour, double least_cosine) 
 
 void DrawnTet::move(Id vertex, Id neighbour) {
   const Place v = place_of(vertex), u = place_of(neighbour);
-  std::erase_if(triangles_, [&](const Triangle& t) { return has(t, v) && has(t, u); });
-  for (auto& t : triangles_)
-    if (has(t, v)) *std::find(t.begin(), t.end(), v) = u;
+  for (const auto i : around_[v]) {
+    auto& t = triangles_[i];
+    if (!has(t, u)) {
+      *std::find(t.begin(), t.end(), v) = u;
+      around_[u].push_back(i);
+      continue;
+    }
+    for (const Place corner : t)
+      if (corner != v) std::erase(around_[corner], i);
+    t = {};
+  }
+  around_[v].clear();
+  std::sort(around_[u].begin(), around_[u].end());
 }
 
 std::vector<std::array<DrawnTet::Id, 3>> DrawnTet::triangles() const {
   std::vector<std::array<Id, 3>> result;
   result.reserve(triangles_.size());
-  for (const auto& t : triangles_) result.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
+  for (const auto& t : triangles_)
+    if (t[0] != t[1]) result.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
   return result;
 }
 

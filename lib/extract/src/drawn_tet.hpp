@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "tensortopo/extract/tet_geometry.hpp"
@@ -52,7 +51,7 @@ class DrawnTet {
   };
 
   Place place_of(Id id) const;
-  bool keeps_sheets(Place v, Place u, std::span<const std::uint32_t> star) const;
+  bool keeps_sheets(Place v, Place u) const;
   Vector3<double> normal(const Triangle& t) const;
   double offset_at(const Vector3<double>& x) const;
   double offset_of(const Triangle& t) const;
@@ -63,7 +62,8 @@ class DrawnTet {
   double unit_, length_;
   std::vector<Id> ids_;  ///< ascending
   std::vector<Corner> corners_;
-  std::vector<Triangle> triangles_;
+  std::vector<Triangle> triangles_;  ///< with three times the same corner: taken out
+  std::vector<std::vector<std::uint32_t>> around_;  ///< the triangles of each corner, ascending
 };
 
 }  // namespace tensortopo
