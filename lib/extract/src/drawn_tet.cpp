@@ -53,11 +53,6 @@ DrawnTet::DrawnTet(const TetWithCurves<Scalar>& tet, const Level<double>& level,
         corner.position = unit_ * vertex.position;
         corner.faces = vertex.faces;
       }
-  for (auto& corner : corners_) {
-    const auto at = level_slope(geometry_.tensor(corner.position, tensors_), *level_);
-    const auto g = geometry_.gradient(at.slope, tensors_);
-    corner.up = (1 / std::sqrt(dot(g, g))) * g;
-  }
   triangles_.reserve(drawn.triangles.size());
   around_.resize(ids_.size() + 1);
   for (const auto& t : drawn.triangles) {
@@ -72,6 +67,15 @@ DrawnTet::Place DrawnTet::place_of(Id id) const {
   const auto place = std::lower_bound(ids_.begin(), ids_.end(), id);
   return static_cast<Place>((place != ids_.end() && *place == id ? place : ids_.end()) -
                             ids_.begin());
+}
+
+const Vector& DrawnTet::up(Corner& corner) const {
+  if (corner.up == Vector{}) {
+    const auto at = level_slope(geometry_.tensor(corner.position, tensors_), *level_);
+    const auto g = geometry_.gradient(at.slope, tensors_);
+    corner.up = (1 / std::sqrt(dot(g, g))) * g;
+  }
+  return corner.up;
 }
 
 double DrawnTet::offset_at(const Vector& x) const {
@@ -125,7 +129,8 @@ double DrawnTet::offset_after(Id vertex, Id neighbour) const {
 /// of their triangle is a neighbour of both, and that triangle is not all there is. No edge that is
 /// new may lie in a face, but for the one that goes on along the curve.
 bool DrawnTet::keeps_sheets(Place v, Place u) const {
-  std::vector<Place> near_v, near_u;
+  thread_local std::vector<Place> near_v, near_u;
+  near_v.clear(), near_u.clear();
   const auto add = [](std::vector<Place>& list, const Triangle& t, Place self) {
     for (const Place x : t)
       if (x != self) list.push_back(x);
@@ -159,23 +164,32 @@ bool DrawnTet::keeps_sheets(Place v, Place u) const {
   return true;
 }
 
-double DrawnTet::least_sine_after(Id vertex, Id neighbour, double least_cosine) const {
+double DrawnTet::least_sine_after(Id vertex, Id neighbour, double least, double least_cosine) {
   const Place v = place_of(vertex), u = place_of(neighbour);
-  const auto& star = around_[v];
-  if (!star.empty() && !keeps_sheets(v, u)) return 0;
   double sine = 1;
-  for (const auto i : star) {
-    Triangle t = triangles_[i];
-    if (has(t, u)) continue;
-    *std::find(t.begin(), t.end(), v) = u;
-    const auto n = normal(t);
-    const double length = std::sqrt(dot(n, n));
-    for (const Place corner : t)
-      if (!(dot(n, corners_[corner].up) > least_cosine * length)) return 0;
+  const auto changed = [&](const auto& look) {
+    for (const auto i : around_[v]) {
+      Triangle t = triangles_[i];
+      if (has(t, u)) continue;
+      *std::find(t.begin(), t.end(), v) = u;
+      const auto n = normal(t);
+      if (!look(t, n, std::sqrt(dot(n, n)))) return false;
+    }
+    return true;
+  };
+  // The cheapest question first: most ways are no better.
+  const bool is_better = changed([&](const Triangle& t, const Vector&, double length) {
     sine = std::min(sine, least_sine(corners_[t[0]].position, corners_[t[1]].position,
                                      corners_[t[2]].position, length));
-  }
-  return sine;
+    return sine > least;
+  });
+  if (!is_better || (!around_[v].empty() && !keeps_sheets(v, u))) return 0;
+  const bool faces_up = changed([&](const Triangle& t, const Vector& n, double length) {
+    return std::all_of(t.begin(), t.end(), [&](Place corner) {
+      return dot(n, up(corners_[corner])) > least_cosine * length;
+    });
+  });
+  return faces_up ? sine : 0;
 }
 
 void DrawnTet::move(Id vertex, Id neighbour) {

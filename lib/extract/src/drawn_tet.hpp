@@ -27,8 +27,9 @@ class DrawnTet {
 
   /// The same with the vertex moved to a neighbour on its curve.
   /// @param least_cosine of a triangle's normal and the gradient of the mode at its corners
-  /// @return 0 if sheets would change their topology, touch a face, or turn over
-  double least_sine_after(Id vertex, Id neighbour, double least_cosine) const;
+  /// @return 0 if it is below `least_sine`, or if sheets would change their topology, touch a face,
+  ///         or turn over
+  double least_sine_after(Id vertex, Id neighbour, double least_sine, double least_cosine);
 
   /// How far the level is from the triangles around a vertex, at most, at the middles of their
   /// edges and of themselves, to first order and in longest edges of the tetrahedron.
@@ -46,12 +47,13 @@ class DrawnTet {
   using Triangle = std::array<Place, 3>;
   struct Corner {
     Vector3<double> position;  ///< in a unit of the tetrahedron's size
-    Vector3<double> up;        ///< unit gradient of the mode
+    Vector3<double> up;        ///< unit gradient of the mode; zero while nobody asked
     std::uint8_t faces = 0;    ///< of the tetrahedron, that hold the vertex
   };
 
   Place place_of(Id id) const;
   bool keeps_sheets(Place v, Place u) const;
+  const Vector3<double>& up(Corner& corner) const;
   Vector3<double> normal(const Triangle& t) const;
   double offset_at(const Vector3<double>& x) const;
   double offset_of(const Triangle& t) const;

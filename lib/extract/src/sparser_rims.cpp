@@ -48,11 +48,13 @@ class BothSides {
     return sine;
   }
 
-  /// The sine of the least angle around v if it goes to a neighbour; 0 if it may not.
-  double least_sine_after(DrawnTet::Id v, DrawnTet::Id u) const {
+  /// The sine of the least angle around v if it goes to a neighbour; 0 if it may not, or if that
+  /// is below `least`.
+  double least_sine_after(DrawnTet::Id v, DrawnTet::Id u, double least) const {
     double sine = 1;
-    for (const auto* side : sides_)
-      if (side != nullptr) sine = std::min(sine, side->least_sine_after(v, u, least_cosine_));
+    for (auto* side : sides_)
+      if (side != nullptr && sine > 0)
+        sine = std::min(sine, side->least_sine_after(v, u, least, least_cosine_));
     return sine;
   }
 
@@ -91,11 +93,11 @@ class BothSides {
         std::array<Way, 2> ways;
         for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
           const auto u = chain[(i + (k == 0 ? n - 1 : 1)) % n];
-          ways[k] = {least_sine_after(v, u), u};
+          ways[k] = {least_sine_after(v, u, kWider * sine), u};
         }
         if (ways[0].sine < ways[1].sine) std::swap(ways[0], ways[1]);
         const auto way = std::find_if(ways.begin(), ways.end(), [&](const Way& w) {
-          return w.sine > kWider * sine && stays_close(v, w.to);
+          return w.sine > 0 && stays_close(v, w.to);
         });
         if (way == ways.end()) {
           ++i;
