@@ -13,7 +13,8 @@
 namespace tensortopo {
 
 /// What reports say of a certificate: an object, or null.
-inline nlohmann::ordered_json certificate_json(const std::optional<CertificateReport>& certificate) {
+inline nlohmann::ordered_json certificate_json(
+    const std::optional<CertificateReport>& certificate) {
   if (!certificate) return nullptr;
   auto undecided = nlohmann::ordered_json::object();
   for (const auto& [reason, count] : certificate->undecided) undecided[reason] = count;

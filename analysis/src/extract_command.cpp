@@ -45,7 +45,8 @@ using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vect
 /// Throws UsageError for surfaces that no proof is about.
 void require_proofs(const ExtractCommand& command) {
   if (command.baseline)
-    throw UsageError("--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
+    throw UsageError(
+        "--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
   if (std::any_of(command.modes.begin(), command.modes.end(), is_degenerate))
     throw UsageError("--certify: there are certificates of surfaces, not of degenerate curves "
                      "(--mode 1 or -1)");

@@ -101,7 +101,8 @@ std::string to_text(const ExtractReport& report) {
                    total.zero_deviator_vertices, total.cone_points, total.tets_undefined);
   }
   if (total.tets_nearby > 0) {
-    fmt::format_to(out, "critical mode: {} tetrahedra drawn at one next to it, of the same topology\n",
+    fmt::format_to(out,
+                   "critical mode: {} tetrahedra drawn at one next to it, of the same topology\n",
                    total.tets_nearby);
   }
   if (report.written) {

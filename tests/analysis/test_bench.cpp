@@ -128,7 +128,8 @@ TEST(Bench, ScalingTimesEachPointAndFitsAPower) {
   }
   EXPECT_EQ(x, (std::vector<double>{1, 2, 4, 8, 16}));
   EXPECT_DOUBLE_EQ(json.at("exponent"), power_law_exponent(x, y));
-  EXPECT_EQ(run_program({"bench", "--scaling", "size", "--mode", "0", "--largest", "10"}).status, 2);
+  EXPECT_EQ(run_program({"bench", "--scaling", "size", "--mode", "0", "--largest", "10"}).status,
+            2);
 }
 
 TEST(Bench, ThePowerOfALawIsItsExponent) {

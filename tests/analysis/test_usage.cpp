@@ -31,10 +31,12 @@ TEST(Usage, NothingIsWrittenOverWhatIsReadOrWritten) {
   for (const std::string& certificate : {in, link, folder / "./in.vtu"})
     expect_line(run_program({"extract", in, "-o", s, "--mode", "0.5", "--certify", certificate}), 2,
                 "same file");
-  expect_line(run_program({"extract", in, "-o", s, "--mode", "0.5", "--certify", s}), 2, "same file");
+  expect_line(run_program({"extract", in, "-o", s, "--mode", "0.5", "--certify", s}), 2,
+              "same file");
   expect_line(run_program({"analyze", in, "--sweep", "0:0.1:2", "-o", in}), 2, "same file");
   expect_line(run_program({"render", in, "--mode", "0.5", "-o", in}), 2, "same file");
-  expect_line(run_program({"bench", "--input", in, "--mode", "0.5", "--curves", in}), 2, "same file");
+  expect_line(run_program({"bench", "--input", in, "--mode", "0.5", "--curves", in}), 2,
+              "same file");
   EXPECT_EQ(contents(in), before);
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"in.vtu", "link.json"}));
 }
@@ -79,7 +81,8 @@ TEST(Usage, SeedsAreWholeNumbers) {
                 "--seed");
     expect_line(run_program({"verify", "--fields", "1", "--seed", seed}), 2, "--seed");
   }
-  expect_line(run_program({"generate", "linear", "-o", folder / "g.vtu", "--tets", "5"}), 2, "--tets");
+  expect_line(run_program({"generate", "linear", "-o", folder / "g.vtu", "--tets", "5"}), 2,
+              "--tets");
   EXPECT_TRUE(folder.files().empty());
   EXPECT_EQ(run_program({"generate", "linear", "-o", folder / "g.vtu", "--field-only", "--seed",
                          "18446744073709551615"})
@@ -92,8 +95,8 @@ TEST(Usage, WhatIsNoSurfaceIsBadInputInOneLine) {
   for (const char* extension : {".vtp", ".ply", ".obj", ".stl"}) {
     const std::string file = folder / (std::string("bad") + extension);
     std::ofstream(file) << "hello";
-    expect_line(run_program({"conformance", "--surface", file, "--input", field("s4_slab"), "--mode",
-                             "0.5"}),
+    expect_line(run_program({"conformance", "--surface", file, "--input", field("s4_slab"),
+                             "--mode", "0.5"}),
                 3, file);
   }
   const std::string bad = folder / "bad.vtp";

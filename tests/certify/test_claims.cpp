@@ -91,7 +91,8 @@ TEST_P(Claims, EulerCharacteristicsOfTheSheetsAddUpToThatOfTheSurface) {
 }
 
 /// A face and, of one of its curves, the ends (or the smallest vertex twice).
-using CurveKey = std::pair<std::array<LevelTopology::Index, 3>, std::array<LevelTopology::Vertex, 2>>;
+using CurveKey =
+    std::pair<std::array<LevelTopology::Index, 3>, std::array<LevelTopology::Vertex, 2>>;
 
 TEST_P(Claims, SheetsAreBoundedByTheCurvesOfTheirFaces) {
   for_each_case([](const TetMesh& mesh, const Certified& c) {

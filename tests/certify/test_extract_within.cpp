@@ -14,8 +14,8 @@ namespace {
 
 class Within : public testing::TestWithParam<const char*> {};
 
-// Where a curve turns sharply in a face a sample inside can lie too close to it for any reach to suffice;
-// such a tetrahedron is named, and has to be rare.
+// Where a curve turns sharply in a face a sample inside can lie too close to it for any reach to
+// suffice; such a tetrahedron is named, and has to be rare.
 TEST_P(Within, ReachesTheDistanceWithTheTopologyOfThePlainExtraction) {
   const auto mode = ModeValue::parse(GetParam());
   std::size_t crossed = 0, farther = 0;
@@ -45,8 +45,8 @@ TEST_P(Within, ReachesTheDistanceWithTheTopologyOfThePlainExtraction) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, Within, testing::Values("1/2", "-1/2", "1/10"));
 
-// Denser samples do not help beside the singular line of a neutral surface: this ends all the same, and
-// says where.
+// Denser samples do not help beside the singular line of a neutral surface: this ends all the same,
+// and says where.
 TEST(Within, GivesUpWhereMoreSamplesDoNotHelp) {
   TetMesh mesh = cube_mesh(2);
   fill_with_smooth_tensors(mesh, 20241301, 4, 2);

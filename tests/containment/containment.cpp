@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What the double tier decides is what rationals say. Built with every level of optimisation and, where
-// there is a second compiler, with that too; run with flush-to-zero and another rounding mode set
-// beforehand, as a library built with -ffast-math would leave them.
+// What the double tier decides is what rationals say. Built with every level of optimisation and,
+// where there is a second compiler, with that too; run with flush-to-zero and another rounding mode
+// set beforehand, as a library built with -ffast-math would leave them.
 //
 // Arguments: how many times the usual number of trials (default 1).
 

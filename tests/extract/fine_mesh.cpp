@@ -103,7 +103,8 @@ class FineMesh {
                                         crossing(lone[0], others[2])};
       counter.add_polygon(triangle.data(), 3);
     }
-    for (std::size_t omitted = 0; omitted < 4; ++omitted) add_side(corners, omitted, crossing, counter);
+    for (std::size_t omitted = 0; omitted < 4; ++omitted)
+      add_side(corners, omitted, crossing, counter);
   }
 
   // The side of the polygon in one face, if that lies on the boundary of the cube.

@@ -185,7 +185,8 @@ TEST(Invariance, RenumberingOneTetrahedronKeepsComponentsAndCrossings) {
     const LocalTopology before = topology_in_tet(extract(reference_tet_mesh(tensors), mode));
     TetMesh mesh = reference_tet_mesh(tensors);
     std::array<TetMesh::Index, 4> order{0, 1, 2, 3};
-    for (int turn = trial % 24; turn >= 0; --turn) std::next_permutation(order.begin(), order.end());
+    for (int turn = trial % 24; turn >= 0; --turn)
+      std::next_permutation(order.begin(), order.end());
     const TetMesh old = mesh;
     for (std::size_t i = 0; i < 4; ++i) {
       mesh.points[i] = old.points[static_cast<std::size_t>(order[i])];

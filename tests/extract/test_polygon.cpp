@@ -119,8 +119,8 @@ TEST(CutPolygon, GivesTrianglesWithoutDiagonalsInFacesAndOfLeastLength) {
 TEST(CutPolygon, RefusesWhatLiesInOneFaceOrIsTooLarge) {
   std::vector<PolygonCorner> corners(5);
   for (std::size_t i = 0; i < 5; ++i)
-    corners[i] = {{std::cos(1.2 * static_cast<double>(i)), std::sin(1.2 * static_cast<double>(i)), 0},
-                  1};
+    corners[i] = {
+        {std::cos(1.2 * static_cast<double>(i)), std::sin(1.2 * static_cast<double>(i)), 0}, 1};
   EXPECT_TRUE(cut_polygon(corners).empty());
   corners.resize(3);
   EXPECT_TRUE(cut_polygon(corners).empty());

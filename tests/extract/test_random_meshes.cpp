@@ -34,7 +34,8 @@ TEST_P(RandomMeshes, OfSmoothFieldsHaveTheTopologyThatFineMarchingTetrahedraSee)
   for (int trial = 0; trial < count; ++trial) {
     TetMesh mesh = cube_mesh(3);
     fill_with_smooth_tensors(mesh, seed + static_cast<std::uint64_t>(trial));
-    const auto coarse = fine_components(mesh, 3, mode, 16), fine = fine_components(mesh, 3, mode, 24);
+    const auto coarse = fine_components(mesh, 3, mode, 16),
+               fine = fine_components(mesh, 3, mode, 24);
     const Extraction extraction = extract(mesh, mode);
     if (coarse != fine) continue;
     ++decided;

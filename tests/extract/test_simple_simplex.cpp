@@ -99,7 +99,8 @@ void expect_proofs_to_hold(std::uint64_t seed, int count) {
         EXPECT_EQ(example.simplex.above[i], above > 0) << "trial " << trial;
       for (std::size_t i = 0; i < Vertices; ++i)
         for (std::size_t j = i + 1; j < Vertices; ++j)
-          EXPECT_TRUE(exact_crossings(example.mesh.tensors[i], example.mesh.tensors[j], mode).empty())
+          EXPECT_TRUE(
+              exact_crossings(example.mesh.tensors[i], example.mesh.tensors[j], mode).empty())
               << "trial " << trial;
     }
   }

@@ -196,7 +196,8 @@ TEST(TangentEdge, IsNotCrossedFromBelowAndTwiceFromAbove) {
     int crossings = 0;
     for (std::size_t i = 0; i < surface.points.size(); ++i) {
       const auto& on = surface.carrier_vertices[i];
-      crossings += surface.carrier[i] == Carrier::edge && std::min(on[0], on[1]) == std::min(v, w) &&
+      crossings += surface.carrier[i] == Carrier::edge &&
+                   std::min(on[0], on[1]) == std::min(v, w) &&
                    std::max(on[0], on[1]) == std::max(v, w);
     }
     EXPECT_EQ(crossings, sign > 0 ? 0 : 2);

@@ -97,7 +97,8 @@ TEST(ThinLevel, HasTheTopologyOfEveryLevelWithoutACriticalValueInBetween) {
   EXPECT_GT(compared, trials(60));
 }
 
-// What the critical points of one side and paths beyond the level decide is what a refinement finds.
+// What the critical points of one side and paths beyond the level decide is what a refinement
+// finds.
 TEST(ThinLevel, HasTheSheetsThatItsCriticalPointsCount) {
   const std::uint64_t seed = 20250560;
   SCOPED_TRACE(announce(seed));

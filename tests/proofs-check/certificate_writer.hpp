@@ -23,7 +23,8 @@ struct CertifiedSurface {
   std::string write(const nlohmann::json& document, const std::string& name = "c.json") const;
 };
 
-/// Adds what files hold of a level's surface to those of other levels: points, triangles, tetrahedra.
+/// Adds what files hold of a level's surface to those of other levels: points, triangles,
+/// tetrahedra.
 void append_level(SurfaceMesh& all, const SurfaceMesh& level);
 
 /// Extracts the levels, and reads the claims off the triangles and where their vertices lie: what

@@ -159,8 +159,8 @@ bool has_closed_cone(const Exhibit& e) {
   });
 }
 
-/// In one tetrahedron: a closed sheet, a closed curve on a face, an edge crossed twice, both nappes of
-/// an anisotropy; and levels of two kinds in one file.
+/// In one tetrahedron: a closed sheet, a closed curve on a face, an edge crossed twice, both nappes
+/// of an anisotropy; and levels of two kinds in one file.
 std::vector<Exhibit> invariant_exhibits() {
   std::vector<Exhibit> result;
   result.push_back(exhibit(reference_tet_mesh(kAroundZero), {"magnitude 1/10"}));
@@ -285,7 +285,8 @@ bool may_be_true(const Json& honest, const Json& altered) {
   Json a = honest, b = altered;
   for (std::size_t l = 0; l < a["levels"].size(); ++l) {
     a["levels"][l].erase("distance"), b["levels"][l].erase("distance");
-    if (a["levels"][l]["edges"].empty()) a["levels"][l].erase("value"), b["levels"][l].erase("value");
+    if (a["levels"][l]["edges"].empty())
+      a["levels"][l].erase("value"), b["levels"][l].erase("value");
     Json &edges = a["levels"][l]["edges"], &others = b["levels"][l]["edges"];
     if (edges.size() != others.size()) return false;
     for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -19,7 +19,8 @@ namespace tensortopo::test {
 namespace {
 
 std::filesystem::path folder(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / ("certified_" + name + std::to_string(getpid()));
+  return std::filesystem::path(testing::TempDir()) /
+         ("certified_" + name + std::to_string(getpid()));
 }
 
 certificate::Report check(const CertifiedSurface& s) {

@@ -214,7 +214,8 @@ TEST(CertifiedInvariants, ZeroTensorsAreLeftOutAndNamed) {
   trial.expect("malformed", e, "another reason");
 }
 
-/// Where they cut the surface in two around an edge, what cannot be named is undecided, not refuted.
+/// Where they cut the surface in two around an edge, what cannot be named is undecided, not
+/// refuted.
 TEST(CertifiedInvariants, ManyZeroTensorsAreNamedAndNothingIsRefuted) {
   constexpr std::uint64_t kSeed = 20241203;
   Random random(kSeed);

@@ -89,8 +89,8 @@ TEST(CheckProgram, SaysInWordsWhatIsNoCertificate) {
 TEST(CheckProgram, CertifiesSheetsDrawnAsGraphs) {
   const Folder folder;
   const std::vector<std::string> files{field("s4_slab"), folder / "s.vtp", folder / "c.json"};
-  const Outcome made = run_program({"extract", files[0], "-o", files[1], "--mode", "0.5", "--method",
-                                    "graph", "--certify", files[2]});
+  const Outcome made = run_program({"extract", files[0], "-o", files[1], "--mode", "0.5",
+                                    "--method", "graph", "--certify", files[2]});
   EXPECT_EQ(made.status, 0) << made.err;
   const Outcome checked = run_program({"check", files[0], files[1], files[2]});
   EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
@@ -103,9 +103,9 @@ TEST(CheckProgram, CertifiesWhatExtractClaimsOfInvariants) {
   for (const bool has_zero : {false, true}) {
     if (has_zero) mesh.tensors[13] = {};
     write_mesh(mesh, folder / "m.vtu");
-    const Outcome made = run_program(
-        {"extract", folder / "m.vtu", "-o", folder / "s.vtp", "--invariant", "anisotropy", "--value",
-         "0.9", "--value", "4/5", "--certify", folder / "c.cbor", "--json"});
+    const Outcome made = run_program({"extract", folder / "m.vtu", "-o", folder / "s.vtp",
+                                      "--invariant", "anisotropy", "--value", "0.9", "--value",
+                                      "4/5", "--certify", folder / "c.cbor", "--json"});
     EXPECT_EQ(made.status, has_zero ? 1 : 0) << made.err;
     const Json said = Json::parse(made.out).at("certificate");
     EXPECT_EQ(said.at("status"), has_zero ? "undecided" : "certified");

@@ -27,8 +27,8 @@ NormBounds<Rational, Vertices> exact(const NormBounds<double, Vertices>& bounds)
   return result;
 }
 
-/// Whether all coefficients of `side_form` have the sign that they should, for the field of these exact
-/// forms, exact mode and these bounds.
+/// Whether all coefficients of `side_form` have the sign that they should, for the field of these
+/// exact forms, exact mode and these bounds.
 template <std::size_t Vertices>
 bool truly_on_side(const ModeForms<Rational, Vertices>& forms,
                    const NormBounds<double, Vertices>& bounds, const Rational& mu, bool above) {
@@ -45,8 +45,8 @@ bool truly_on_side(const ModeForms<Rational, Vertices>& forms,
   return true;
 }
 
-/// Whether the coefficients of `side_form`, or where the bounds say nothing of the form of degree six,
-/// show that the level is not met.
+/// Whether the coefficients of `side_form`, or where the bounds say nothing of the form of degree
+/// six, show that the level is not met.
 template <std::size_t Vertices>
 bool truly_empty(const ModeForms<Rational, Vertices>& forms,
                  const NormBounds<double, Vertices>& bounds, const Rational& mu) {

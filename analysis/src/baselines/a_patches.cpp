@@ -152,8 +152,8 @@ class Patches {
     return {apex, foot, is_above(apex), is_above(foot)};
   }
 
-  /// Where the surface leaves the patch between two lines of which one meets it: through the face or
-  /// edge in which apex or foot moves from one side to the other.
+  /// Where the surface leaves the patch between two lines of which one meets it: through the face
+  /// or edge in which apex or foot moves from one side to the other.
   Vector3<double> end(const Line& p, const Line& q) const {
     return p.apex_above != q.apex_above ? root(p.apex, q.apex) : root(p.foot, q.foot);
   }

@@ -85,7 +85,8 @@ bool is_flat(const DirectionCell& cell, double sign, const CellTolerance& tolera
       if (!is_place[k]) continue;
       const auto& [s, t] = kWhere[k];
       const double line = b[0] + s * (b[3] - b[0]) + t * (b[9] - b[0]);
-      if (!(std::abs(b[k] - line) * tolerance.heights[i] <= tolerance.distance * sums[k])) return false;
+      if (!(std::abs(b[k] - line) * tolerance.heights[i] <= tolerance.distance * sums[k]))
+        return false;
     }
   }
   return true;

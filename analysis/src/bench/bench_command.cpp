@@ -37,7 +37,9 @@ std::vector<double> approximations(const std::vector<ModeValue>& modes) {
   return values;
 }
 
-std::string resolution_text(double resolution) { return fmt::format("resolution {:g}", resolution); }
+std::string resolution_text(double resolution) {
+  return fmt::format("resolution {:g}", resolution);
+}
 
 /// Collects contenders, and the ratios to make of their medians.
 class Bench {
@@ -174,9 +176,10 @@ class Bench {
       return triangles_of(baseline_surfaces(method, mesh_, modes, options));
     });
     if (!resolution)
-      return leave_out(ratio, fmt::format("our error does not come down to its {:.3g} at {}: {:.3g} "
-                                          "at resolution {:g}",
-                                          error, chosen.text, ours, kResolutions.back()));
+      return leave_out(ratio,
+                       fmt::format("our error does not come down to its {:.3g} at {}: {:.3g} "
+                                   "at resolution {:g}",
+                                   error, chosen.text, ours, kResolutions.back()));
     const std::string our_name = "extract_for_" + name;
     add(our_name, [this, modes, r = *resolution] {
       return triangles_of(our_surfaces(mesh_, modes, r));

@@ -22,8 +22,8 @@ struct BenchCommand {
   std::filesystem::path input;
   std::vector<ModeValue> modes;  ///< of each, the surfaces of M and -M
   int repeat = 5;                ///< at least 5
-  /// Which of `comparisons` to run beside the plain ones; if not given, "certified" alone, since the
-  /// others take a hundred times as long.
+  /// Which of `comparisons` to run beside the plain ones; if not given, "certified" alone, since
+  /// the others take a hundred times as long.
   std::optional<std::vector<std::string>> only;
   bool all = false;     ///< all of these
   bool curves = false;  ///< time against error as well
@@ -64,16 +64,16 @@ std::size_t threads_in_use();
 /// and if asked for:
 ///   certified                     extraction with everything that a certificate claims
 ///   graph                         extraction, drawn as graphs (`DrawingMethod::graph`)
-///   a_patches                     the baseline at its defaults, or coarser where our error does not
-///                                 come down to its
-///   extract_for_a_patches         ours at the lowest resolution of 1, 2, 4, 8, 16 at which our error
-///                                 is at most its
+///   a_patches                     the baseline at its defaults, or coarser where our error does
+///                                 not come down to its
+///   extract_for_a_patches         ours at the lowest resolution of 1, 2, 4, 8, 16 at which our
+///                                 error is at most its
 ///   hybrid, extract_for_hybrid    the same for neutral surfaces (whatever the modes are)
 ///   vtk_subdivided                vtkContour3DLinearGrid on the mesh subdivided as often as its
 ///                                 error takes to be ours at most
 ///   vtk_subdivided_whole          the same, with the subdivision and the modes of its vertices
-/// No reading, no writing, and (but for the last) no computing of the vertices' modes is timed; each
-/// contender may use all threads. One run of each of the plain ones beforehand is not counted.
+/// No reading, no writing, and (but for the last) no computing of the vertices' modes is timed;
+/// each contender may use all threads. One run of each of the plain ones beforehand is not counted.
 /// Errors are two-sided root mean squares of distances (see LevelDistance). Throws UsageError,
 /// IoError.
 BenchReport run_bench(const BenchCommand& command, const Progress& progress = {});

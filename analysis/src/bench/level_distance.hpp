@@ -32,15 +32,16 @@ struct Spread {
 struct LevelDistance {
   Spread to_level, from_level;
   std::size_t not_projected = 0;  ///< samples whose foot was not found inside
-  /// Two-sided: the larger of the two root mean squares. Infinite if one of the two surfaces is empty
-  /// and the other is not.
+  /// Two-sided: the larger of the two root mean squares. Infinite if one of the two surfaces is
+  /// empty and the other is not.
   double root_mean_square() const;
   double largest() const;
   LevelDistance& operator+=(const LevelDistance& other);
 };
 
 /// @param mesh,surface   the surface's `tet` are tetrahedra of this mesh
-/// @param reference_mesh,reference  a fine extraction of the same level, and its mesh: the same field
+/// @param reference_mesh,reference  a fine extraction of the same level, and its mesh: the same
+///           field
 LevelDistance level_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                              const TetMesh& reference_mesh, const SurfaceMesh& reference,
                              const ModeValue& mode);

@@ -133,8 +133,9 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       ->type_name("P.png");
   std::vector<std::string> names;
   for (const auto& [name, over] : scalings()) names.push_back(name);
-  app.add_option("--scaling", options->scaling,
-                 "Instead: time over the mesh's size (no input), the mode, threads, or number of modes")
+  app.add_option(
+         "--scaling", options->scaling,
+         "Instead: time over the mesh's size (no input), the mode, threads, or number of modes")
       ->check(CLI::IsMember(names));
   app.add_option("--largest", options->largest, "Tetrahedra, of --scaling size")
       ->type_name("N")

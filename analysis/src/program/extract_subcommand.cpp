@@ -92,8 +92,9 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                                "Tetrahedral mesh with tensors: .vtu, .pvtu, legacy .vtk"))
       ->required();
   writes(common,
-         app.add_option("-o,--output", command.output,
-                        "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl; curves: the first three"))
+         app.add_option(
+             "-o,--output", command.output,
+             "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl; curves: the first three"))
       ->type_name("FILE")
       ->required();
   add_mode_option(app, options->modes)->required(false);

@@ -21,10 +21,11 @@ inline void print(std::string_view text) {
 /// Also what the checker may leave open, though it is proved.
 inline bool say_undecided(const std::optional<CertificateReport>& certificate, bool quiet) {
   if (certificate && !quiet && certificate->tubes + certificate->at_critical > 0)
-    std::cerr << "tensortopo: " << certificate->path.string() << ": " << certificate->tubes
-              << " thin tubes and " << certificate->at_critical
-              << " tetrahedra at a critical mode were proved by arguments that the checker does not "
-                 "have: tensortopo check may leave them open\n";
+    std::cerr
+        << "tensortopo: " << certificate->path.string() << ": " << certificate->tubes
+        << " thin tubes and " << certificate->at_critical
+        << " tetrahedra at a critical mode were proved by arguments that the checker does not "
+           "have: tensortopo check may leave them open\n";
   if (!certificate || certificate->undecided_cells == 0) return false;
   if (!quiet)
     std::cerr << "tensortopo: " << certificate->path.string() << ": "

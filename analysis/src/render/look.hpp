@@ -49,8 +49,9 @@ inline Look nested(const Colour& base, std::size_t inside, std::size_t count) {
   return {mix(base, kWhite, 0.45 * rank), std::max(0.22, 0.6 - 0.4 * rank)};
 }
 
-/// Teal for positive modes, gold for negative ones, chartreuse for mode 0; where there are several of a sign, the one
-/// furthest from zero, which the others enclose, is solid and the others are glass.
+/// Teal for positive modes, gold for negative ones, chartreuse for mode 0; where there are several
+/// of a sign, the one furthest from zero, which the others enclose, is solid and the others are
+/// glass.
 inline Look look_of(std::optional<double> mode, const std::vector<std::optional<double>>& all) {
   if (!mode || *mode == 0) return {mode ? kChartreuse : kGrey, 1};
   if (*mode == 1) return {kGreen, 1};

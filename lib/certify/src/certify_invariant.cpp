@@ -21,7 +21,8 @@ using Index = TetMesh::Index;
 
 std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
 
-/// Sides of points of an edge, in double with an error bound, in rationals where that leaves it open.
+/// Sides of points of an edge, in double with an error bound, in rationals where that leaves it
+/// open.
 class EdgeForm {
  public:
   EdgeForm(const TetMesh& mesh, const QuadraticLevel& level, const std::array<Index, 2>& ends)
@@ -32,7 +33,8 @@ class EdgeForm {
     const double s = 1 - t;
     const double size = s * form_.size(0) + t * form_.size(1);
     const double value = value_at(s, t, [&](std::size_t i, std::size_t j) { return form_[i][j]; });
-    if (size > QuadricForm::kSmallestSize && std::abs(value) > 2 * QuadricForm::kError * size * size)
+    if (size > QuadricForm::kSmallestSize &&
+        std::abs(value) > 2 * QuadricForm::kError * size * size)
       return value > 0;
     return value_at(Rational(s), Rational(t), [&](std::size_t i, std::size_t j) {
              return form_.exact(i, j);

@@ -60,8 +60,8 @@ double distance_to_segment(const Vector3<double>& x, const Vector3<double>& p,
   return std::sqrt(dot(e, e));
 }
 
-/// Whether a polygon winds once around its mean, at more than twice its reaches from it. So far away
-/// rounding does not change the winding number.
+/// Whether a polygon winds once around its mean, at more than twice its reaches from it. So far
+/// away rounding does not change the winding number.
 bool winds_once(const SurfaceMesh& surface, const std::vector<Vertex>& polygon,
                 std::span<const int> reach) {
   const auto at = [&](std::size_t k) { return surface.points[as_size(polygon[k])]; };

@@ -12,8 +12,8 @@ namespace tensortopo {
 /// Tetrahedra with a sheet whose rim consists of closed curves in faces, each of which the
 /// triangles' rim is not proved to cover.
 ///
-/// Such a rim has no crossing to hold on to. But if the polygon of the triangles winds once around a
-/// point of the face from which it stays farther than its reaches, then so does whatever of the
+/// Such a rim has no crossing to hold on to. But if the polygon of the triangles winds once around
+/// a point of the face from which it stays farther than its reaches, then so does whatever of the
 /// level the segments over it hold, which is therefore the whole of a closed curve: the map from
 /// the triangles' rim to the level's has degree one, as `prove_distance` needs.
 ///

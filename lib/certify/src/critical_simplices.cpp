@@ -53,7 +53,8 @@ bool is_clearly_regular(const SquareMatrix<double, Order>& a) {
   return false;
 }
 
-/// Whether A b = 0 for b > 0, or in an edge b >= 0 but 0; and not all of it is below or on the level.
+/// Whether A b = 0 for b > 0, or in an edge b >= 0 but 0; and not all of it is below or on the
+/// level.
 template <std::size_t Order>
 bool is_critical(const QuadricForm& form, const std::array<std::size_t, Order>& corners) {
   SquareMatrix<double, Order> a;
@@ -73,7 +74,9 @@ bool is_critical(const QuadricForm& form, const std::array<std::size_t, Order>& 
     }
   if (is_below || determinant_of<Rational, Order>(e) != 0) return false;
   const auto kernel = last_cofactors<Rational, Order>(e);
-  const auto has = [&](const auto& test) { return std::any_of(kernel.begin(), kernel.end(), test); };
+  const auto has = [&](const auto& test) {
+    return std::any_of(kernel.begin(), kernel.end(), test);
+  };
   const bool any_positive = has([](const Rational& x) { return x > 0; });
   const bool any_negative = has([](const Rational& x) { return x < 0; });
   // In an edge a zero entry is where the level touches it at its end: (q, 0; 0, 0).

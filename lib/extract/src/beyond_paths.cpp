@@ -69,8 +69,8 @@ class Paths {
 
   static double sum(const Weights& w) { return std::accumulate(w.begin(), w.end(), 0.0); }
 
-  /// The point of the degenerate curve next to a place, about, or of the tetrahedron next to that: where
-  /// the two other eigenvalues are the same, two linear equations if their plane is given.
+  /// The point of the degenerate curve next to a place, about, or of the tetrahedron next to that:
+  /// where the two other eigenvalues are the same, two linear equations if their plane is given.
   Place center(Weights w) const {
     for (int step = 0; step < kNewtonSteps; ++step) {
       const double total = sum(w);

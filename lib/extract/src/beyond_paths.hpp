@@ -9,8 +9,8 @@
 namespace tensortopo::detail {
 
 /// Which boundary loops of a thin level border one and the same part of the tetrahedron beyond the
-/// level, as far as paths between them show it: chains of straight segments along the degenerate curve,
-/// each of them proved not to meet the level.
+/// level, as far as paths between them show it: chains of straight segments along the degenerate
+/// curve, each of them proved not to meet the level.
 ///
 /// @return for each loop a number; two loops with the same number certainly border the same part
 template <class Scalar>

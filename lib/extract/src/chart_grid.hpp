@@ -10,9 +10,10 @@
 
 namespace tensortopo {
 
-/// Calls `visit(vector, point, spacing)` for the vectors of a grid over the real domain that is about even
-/// in the chart, and therefore on the surface, next to the boundary included. `point()` is the image,
-/// `spacing()` the distance, in the chart, to the nearest neighbours in the grid: few vectors need them.
+/// Calls `visit(vector, point, spacing)` for the vectors of a grid over the real domain that is
+/// about even in the chart, and therefore on the surface, next to the boundary included. `point()`
+/// is the image, `spacing()` the distance, in the chart, to the nearest neighbours in the grid: few
+/// vectors need them.
 /// @param is_wanted whether a quadrant of the chart is
 /// @param turn about how far the eigenvectors turn from a sample to the next, in radians
 template <class Wanted, class Visit>

@@ -134,7 +134,8 @@ ChartTriangulation::Place place_of(const Triangulation& triangulation,
   std::array<double, 3> weights;
   double total = 0;
   for (int i = 0; i < 3; ++i) {
-    const auto &a = holder->vertex(holder->cw(i))->point(), &b = holder->vertex(holder->ccw(i))->point();
+    const auto &a = holder->vertex(holder->cw(i))->point(),
+               &b = holder->vertex(holder->ccw(i))->point();
     if (triangulation.is_constrained({holder, i}) &&
         CGAL::scalar_product(a - centre, b - centre) < 0)
       return centroid;

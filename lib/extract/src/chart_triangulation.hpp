@@ -36,7 +36,8 @@ struct ChartTriangulation {
   };
 
   /// Triangulates the regions, and inserts points until no triangle need be finer or the rounds are
-  /// over: circumcentres, or where these are close to a segment or outside, the middles of triangles.
+  /// over: circumcentres, or where these are close to a segment or outside, the middles of
+  /// triangles.
   ///
   /// @param cut  what a triangle needs
   /// @param add  called for a place where to insert a point; false if there can be none

@@ -14,8 +14,8 @@ namespace tensortopo {
 ///
 /// @param is_apex  of each vertex: the mode is undefined there, see `separate_fans`
 /// @param copies  `LevelTopology::copies`; sheets are named by the originals
-std::vector<LevelTopology::Cone> cone_sheets(const SurfaceMesh& surface,
-                                             const std::vector<char>& is_apex,
-                                             std::span<const std::array<SurfaceMesh::Index, 2>> copies);
+std::vector<LevelTopology::Cone> cone_sheets(
+    const SurfaceMesh& surface, const std::vector<char>& is_apex,
+    std::span<const std::array<SurfaceMesh::Index, 2>> copies);
 
 }  // namespace tensortopo

@@ -32,9 +32,9 @@ SheetTopology sheet_of(std::vector<int> loops, int euler_characteristic) {
   return sheet;
 }
 
-/// What boundary loops bound if the Euler characteristic of all sheets together leaves no choice. Every
-/// sheet has a loop: there are at most as many, and only discs have an Euler characteristic of
-/// one for each.
+/// What boundary loops bound if the Euler characteristic of all sheets together leaves no choice.
+/// Every sheet has a loop: there are at most as many, and only discs have an Euler characteristic
+/// of one for each.
 std::optional<std::vector<SheetTopology>> sheets_of(std::size_t loops, const LevelCount& count) {
   const int n = static_cast<int>(loops), chi = count.level();
   std::vector<SheetTopology> sheets;
@@ -47,10 +47,10 @@ std::optional<std::vector<SheetTopology>> sheets_of(std::size_t loops, const Lev
   return sheets.empty() ? std::nullopt : std::optional(std::move(sheets));
 }
 
-/// The sheets if each loop bounds a disc beyond the level on the boundary, and paths join these. The
-/// part beyond the level has as many pieces as joined discs, or fewer, and no voids; if its Euler
-/// characteristic is that number it has no handles either, so its pieces are balls, and what is left
-/// of the surface of each without its discs is one sheet.
+/// The sheets if each loop bounds a disc beyond the level on the boundary, and paths join these.
+/// The part beyond the level has as many pieces as joined discs, or fewer, and no voids; if its
+/// Euler characteristic is that number it has no handles either, so its pieces are balls, and what
+/// is left of the surface of each without its discs is one sheet.
 ///
 /// @param nearer what is counted on the other side of the level, all of it
 template <class Scalar>

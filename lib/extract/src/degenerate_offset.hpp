@@ -11,9 +11,9 @@ namespace tensortopo::detail {
 /// @param sign of the mode
 Vector3<double> simple_eigenvector(const Deviator<double>& t, int sign);
 
-/// What a tensor, brought to norm one, has more than the degenerate tensor next to it. It is in the plane
-/// of the two eigenvectors whose eigenvalues are nearly the same, and its norm is half their difference times
-/// the root of two.
+/// What a tensor, brought to norm one, has more than the degenerate tensor next to it. It is in the
+/// plane of the two eigenvectors whose eigenvalues are nearly the same, and its norm is half their
+/// difference times the root of two.
 Deviator<double> degenerate_offset(const Deviator<double>& t, int sign);
 
 }  // namespace tensortopo::detail

@@ -75,7 +75,8 @@ std::optional<SymmetricTensor<double>> DominantChart::tensor(const Place& place)
   const auto times_n = [&, b1 = b1, b2 = b2, b3 = b3](const Vector3<double>& v) {
     return Vector3<double>{b1 * v.x, b2 * v.y, b3 * v.z};
   };
-  // Newton's method for the elevation at which the tensor is orthogonal to N, from the cone or plane.
+  // Newton's method for the elevation at which the tensor is orthogonal to N, from the cone or
+  // plane.
   double elevation = start, last = 1;
   for (int step = 0; step < 20; ++step) {
     const auto [e, up, along] = frame_at(place.around, elevation);

@@ -9,13 +9,13 @@
 
 namespace tensortopo {
 
-/// A plane chart of a mode surface by the turning of its frames: how far its dominant eigenvector is
-/// around the cone of degenerate directions, and how far the medium one is turned about it.
+/// A plane chart of a mode surface by the turning of its frames: how far its dominant eigenvector
+/// is around the cone of degenerate directions, and how far the medium one is turned about it.
 ///
 /// The dominant eigenvectors e of degenerate tensors lie on the cone e N e = 0 of the
 /// characteristic tensor N, once around its axis for the whole degenerate curve; around each of
-/// them the medium eigenvector turns by half a turn. Both angles stay apart on the tube of a level next
-/// to mode 1 or -1 however thin it is, and along the singular lines of planes of symmetry,
+/// them the medium eigenvector turns by half a turn. Both angles stay apart on the tube of a level
+/// next to mode 1 or -1 however thin it is, and along the singular lines of planes of symmetry,
 /// where the medium eigenvector alone does not tell the place. (The surface as a torus: Theorem 5.)
 /// If N is neutral, or next to it, the cone is a pair of planes, and a tube follows one of them
 /// across the other.
@@ -50,8 +50,8 @@ class DominantChart {
   void cut_at(double around) { cut_ = around; }
 
   /// Places from least to most around the axis will be shown. If there is a turn that no sheet has,
-  /// it is cut there as well, and the angles are coordinates; else they are polar, the radius growing
-  /// so much that chords of one ring do not meet those of another.
+  /// it is cut there as well, and the angles are coordinates; else they are polar, the radius
+  /// growing so much that chords of one ring do not meet those of another.
   void lay_out(double least, double most, const std::optional<double>& turn_cut);
 
   Point point(const Place& place) const;
@@ -61,8 +61,8 @@ class DominantChart {
   double length_of(double turn, const Point& at) const;
 
  private:
-  /// A unit vector at these angles around the axis and above the plane across it, and the directions
-  /// in which they grow; along the characteristic eigenvectors.
+  /// A unit vector at these angles around the axis and above the plane across it, and the
+  /// directions in which they grow; along the characteristic eigenvectors.
   struct Frame {
     Vector3<double> e, up, along;
   };

@@ -41,8 +41,8 @@ void release_large_leaves(TetPlan<Scalar>& plan) {
 }  // namespace
 
 /// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
-/// then the chart of the dominant eigenvector, then the leaves of the proof, then these with fans for
-/// discs.
+/// then the chart of the dominant eigenvector, then the leaves of the proof, then these with fans
+/// for discs.
 template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];

@@ -33,13 +33,13 @@ DrawnTet::DrawnTet(const TetWithCurves<Scalar>& tet, const Level<double>& level,
     : tensors_(rounded(tet.simplex.tensors)),
       level_(&level),
       geometry_(times(unit_of(tet.points), tet.points), tet.simplex.exponents),
-      unit_(unit_of(tet.points)),
       length_(geometry_.longest_edge()) {
   for (const auto& t : drawn.triangles) ids_.insert(ids_.end(), t.begin(), t.end());
   std::sort(ids_.begin(), ids_.end());
   ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
   corners_.resize(ids_.size());
-  const auto points = times(unit_, tet.points);
+  const double unit = unit_of(tet.points);
+  const auto points = times(unit, tet.points);
   for (std::size_t i = 0; i < ids_.size() && ids_[i] < 0; ++i)
     corners_[i].position =
         position_at(drawn.inner[static_cast<std::size_t>(-1 - ids_[i])].weights,
@@ -50,7 +50,7 @@ DrawnTet::DrawnTet(const TetWithCurves<Scalar>& tet, const Level<double>& level,
         const auto place = std::lower_bound(ids_.begin(), ids_.end(), vertex.id);
         if (place == ids_.end() || *place != vertex.id) continue;
         auto& corner = corners_[static_cast<std::size_t>(place - ids_.begin())];
-        corner.position = unit_ * vertex.position;
+        corner.position = unit * vertex.position;
         corner.faces = vertex.faces;
       }
   triangles_.reserve(drawn.triangles.size());

@@ -61,7 +61,7 @@ class DrawnTet {
   std::array<Deviator<double>, 4> tensors_;
   const Level<double>* level_;
   TetGeometry geometry_;
-  double unit_, length_;
+  double length_;
   std::vector<Id> ids_;  ///< ascending
   std::vector<Corner> corners_;
   std::vector<Triangle> triangles_;  ///< with three times the same corner: taken out

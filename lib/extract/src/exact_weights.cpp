@@ -36,7 +36,8 @@ std::optional<ExactWeights<Vertices>> ExactWeights<Vertices>::combination(int a,
     for (const auto& [factor, w] : {std::pair{a, &u}, std::pair{b, &v}}) {
       const auto term = static_cast<std::uint64_t>(w->digits_[i]) * static_cast<unsigned>(factor);
       const int shift = w->exponent_ - sum.exponent_;
-      if (term != 0 && static_cast<int>(std::bit_width(term)) + shift > kBitsOnTheWay) return std::nullopt;
+      if (term != 0 && static_cast<int>(std::bit_width(term)) + shift > kBitsOnTheWay)
+        return std::nullopt;
       if (term != 0) sum.digits_[i] += static_cast<std::int64_t>(term << shift);
     }
     all |= static_cast<std::uint64_t>(sum.digits_[i]);

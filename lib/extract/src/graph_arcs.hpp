@@ -11,10 +11,10 @@
 
 namespace tensortopo {
 
-/// The curves of a face that needs no refinement: proved as a whole to hold nothing, or a graph across
-/// a direction. The crossings of its edges then say which are joined: a line of that direction that
-/// moves across the face meets the graph while it enters below the level and leaves above it, and
-/// it never enters above and leaves below.
+/// The curves of a face that needs no refinement: proved as a whole to hold nothing, or a graph
+/// across a direction. The crossings of its edges then say which are joined: a line of that
+/// direction that moves across the face meets the graph while it enters below the level and leaves
+/// above it, and it never enters above and leaves below.
 ///
 /// @param arcs  receives them, without samples
 /// @return false if there is no such proof, or the crossings can be joined in several ways

@@ -12,13 +12,15 @@
 namespace tensortopo {
 
 /// Why no proof could close on a tetrahedron: a deviator that vanishes inside, the level constant
-/// in it, on a face or on an edge of it, or its value that of the one saddle inside or of a critical
-/// point of an edge or of the plane of a face, each decided in rationals; `budget_exhausted` if none of these. Asked only where a proof has failed.
+/// in it, on a face or on an edge of it, or its value that of the one saddle inside or of a
+/// critical point of an edge or of the plane of a face, each decided in rationals;
+/// `budget_exhausted` if none of these. Asked only where a proof has failed.
 /// @param tensors  at those vertices, two to four, that have a deviator
 UnresolvedReason level_stratum(std::span<const SymmetricTensor<double>> tensors,
                                const ModeValue& mode);
 
-/// Whether the mode is mu everywhere in the simplex of these tensors, none of them without deviator.
+/// Whether the mode is mu everywhere in the simplex of these tensors, none of them without
+/// deviator.
 bool is_level_constant(std::span<const SymmetricTensor<double>> tensors, const ModeValue& mode);
 
 /// Whether mu is the mode of a saddle in the tetrahedron, decided in rationals. Requires four

@@ -16,8 +16,8 @@ constexpr double kEnough = 0x1p-20;  // of a guess
 /// A hull that comes so close to the origin holds it, for our purposes.
 constexpr double kNothing = 0x1p-9;  // of a guess
 
-/// The place of the least number, the first of several; 0 if there is none. Lanes side by side, which
-/// a compiler keeps in registers.
+/// The place of the least number, the first of several; 0 if there is none. Lanes side by side,
+/// which a compiler keeps in registers.
 template <std::size_t Count>
 std::size_t least_of(const std::array<double, Count>& x) {
   constexpr std::size_t lanes = 4;

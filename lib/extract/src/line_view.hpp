@@ -12,10 +12,10 @@ namespace tensortopo {
 
 /// A tetrahedron seen along the lines of a direction (see `SimplexProof::direction`).
 ///
-/// With weights w in the scaled vertex tensors the lines are w + k d. Let phi be a linear form that is
-/// positive on the tetrahedron and vanishes at d. The weights phi_i w_i, made to have sum one, are
-/// barycentric coordinates of another place in the tetrahedron; this map is projective, and the lines
-/// become parallel to the sum of phi_i d_i p_i.
+/// With weights w in the scaled vertex tensors the lines are w + k d. Let phi be a linear form that
+/// is positive on the tetrahedron and vanishes at d. The weights phi_i w_i, made to have sum one,
+/// are barycentric coordinates of another place in the tetrahedron; this map is projective, and the
+/// lines become parallel to the sum of phi_i d_i p_i.
 template <class Scalar>
 class LineView {
  public:

@@ -25,7 +25,8 @@ namespace tensortopo {
 ///   chart a point beside a small oval is beside that of the boundary to which it is close in
 ///   space. E is stretched to R + (E_side - R) sqrt((E^4 - c^2) / (E_side^4 - c^2)), with an R that
 ///   is not small even if the oval is: next to mode 0 its points are all of a line in space. Where
-///   ovals are not small nothing is turned, R is the oval's E, and the root is that of E^2 - c. Then stereographic projection from a singularity, which no region holds.
+///   ovals are not small nothing is turned, R is the oval's E, and the root is that of E^2 - c.
+///   Then stereographic projection from a singularity, which no region holds.
 class ManifoldChart {
  public:
   using Point = std::array<double, 2>;
@@ -40,8 +41,8 @@ class ManifoldChart {
   Point at_boundary(const BoundaryPosition<double>& at) const;
 
   /// A line of a grid over one of the quadrants of the signs of cos theta and cos eta (above the
-  /// bifurcation value: over the annulus, for quadrant 0 only): from the boundary, at this part of the
-  /// way around it, across (above the bifurcation value: to the boundary again).
+  /// bifurcation value: over the annulus, for quadrant 0 only): from the boundary, at this part of
+  /// the way around it, across (above the bifurcation value: to the boundary again).
   struct Ray {
     int quadrant;
     double angle, cosine, sine;

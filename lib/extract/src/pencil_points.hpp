@@ -16,8 +16,8 @@ struct PencilPoint {
   ExactDirection direction;
 };
 
-/// All degenerate tensors strictly between two independent ones; at most three. Nothing if 150 digits
-/// do not tell their kinds.
+/// All degenerate tensors strictly between two independent ones; at most three. Nothing if 150
+/// digits do not tell their kinds.
 ///
 /// T is degenerate exactly if the deviator of T^2 is a multiple of T. The ten minors of these two
 /// are cubics along the segment, so that the points sought are the zeros of their greatest common

@@ -84,8 +84,8 @@ Extraction Pipeline<Scalar>::run() {
   return result;
 }
 
-/// Where the level runs through a vertex, samples of its edges fall together there, and a sheet that
-/// is a cylinder around the vertex by the rule mu + 0 cannot be told from a cone. Around such
+/// Where the level runs through a vertex, samples of its edges fall together there, and a sheet
+/// that is a cylinder around the vertex by the rule mu + 0 cannot be told from a cone. Around such
 /// vertices a level next to mu is drawn instead, which keeps off them.
 template <class Scalar>
 bool Pipeline<Scalar>::move_from_vertices() {

@@ -18,7 +18,8 @@ std::vector<RimVertex> loop_vertices(std::span<const RimPiece> loop,
   rim.reserve(size);
   for (const auto& piece : loop) {
     const auto& arc =
-        vertices[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)].vertices;
+        vertices[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)]
+            .vertices;
     // A closed arc gives all of its vertices, an open one leaves its last to the next piece.
     const bool closed = loop.size() == 1;
     const std::size_t n = arc.size(), count = closed ? n : n - 1;

@@ -288,7 +288,8 @@ std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
   auto plan = plan_at_once(tet, level);
   if (!plan || is_complete(*plan)) return plan;
   if (isotopic != nullptr)
-    if (auto sheets = detail::sheets_of_isotopic_level(tet, level, plan->loops, *isotopic, effort)) {
+    if (auto sheets =
+            detail::sheets_of_isotopic_level(tet, level, plan->loops, *isotopic, effort)) {
       plan->sheets = std::move(*sheets);
       plan->refined = true;
       return plan;

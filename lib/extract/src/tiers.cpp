@@ -62,7 +62,8 @@ std::array<Deviator<Long>, Part> tensors_in(
 template <std::size_t Vertices, std::size_t Part>
 double largest_sum(const std::array<std::array<double, Vertices>, Part>& weights) {
   double largest = 0;
-  for (const auto& w : weights) largest = std::max(largest, std::accumulate(w.begin(), w.end(), 0.0));
+  for (const auto& w : weights)
+    largest = std::max(largest, std::accumulate(w.begin(), w.end(), 0.0));
   return largest;
 }
 

@@ -63,8 +63,8 @@ class Count {
 std::optional<LevelCount> count_level(const Tensors& t, const ModeValue& mode, int side) {
   Count count(mode, side);
   for (std::size_t i = 0; i < 4; ++i)
-    if (!count.add(critical_vertex(t[i], std::array{t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4]}),
-                   0))
+    if (!count.add(
+            critical_vertex(t[i], std::array{t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4]}), 0))
       return std::nullopt;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {

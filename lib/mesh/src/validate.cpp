@@ -115,7 +115,8 @@ class Validator {
             "point " + std::to_string(i) + " has a coordinate that is not finite");
       else if (largest(mesh_.points[i]) > kLargest)
         add(Kind::out_of_range, where,
-            "point " + std::to_string(i) + " has a coordinate beyond 1e100, too large for products");
+            "point " + std::to_string(i) +
+                " has a coordinate beyond 1e100, too large for products");
       if (!is_finite(mesh_.tensors[i]))
         add(Kind::non_finite_tensor, where,
             "the tensor at point " + std::to_string(i) + " has a component that is not finite");

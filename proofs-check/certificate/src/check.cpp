@@ -58,7 +58,8 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
   ledger.begin("surface");
   const auto placed = compare_surface(c, vertices, ledger);
   ledger.begin("distances");
-  // Where something is refuted or open, the level may have more sheets, and vertices need not be where they are claimed to be.
+  // Where something is refuted or open, the level may have more sheets, and vertices need not be
+  // where they are claimed to be.
   const bool is_sound = placed && !ledger.has_refuted() && ledger.open() == left_open;
   if (!claims["distance"].is_null()) compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   ledger.count(level.decided_by_balls(), level.decided_exactly());

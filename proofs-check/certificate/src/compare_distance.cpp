@@ -186,7 +186,8 @@ void Distances::prove() const {
 }  // namespace
 
 void compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger) {
-  if (placed == nullptr) return ledger.leave_open("distance", "it rests on claims that are not certified");
+  if (placed == nullptr)
+    return ledger.leave_open("distance", "it rests on claims that are not certified");
   try {
     const Distances distances(c, *placed);
     distances.require_bounds();

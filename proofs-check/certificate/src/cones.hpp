@@ -26,7 +26,8 @@ class Folds {
   explicit Folds(const LevelCase& c);
 
   /// The sheet at the other end of the stretch of larger modes beside one, to which that is
-  /// joined; or the first tetrahedron that is not decided, there. If the stretch ends before, no cone; then `last` is the face that it came to.
+  /// joined; or the first tetrahedron that is not decided, there. If the stretch ends before, no
+  /// cone; then `last` is the face that it came to.
   Fold beyond(const Fold& fold, std::array<Vertex, 3>& last) const;
 
  private:

@@ -93,7 +93,8 @@ std::string misfit(const Json& value, const Json& shape) {
     return ": of another length";
   for (std::size_t i = 0; i < value.size(); ++i) {
     const bool is_other = fixed + 2 < shape.size() && value[i].contains("invariant");
-    if (const std::string wrong = misfit(value[i], shape[i < fixed ? i : fixed + (is_other ? 2 : 1)]);
+    if (const std::string wrong =
+            misfit(value[i], shape[i < fixed ? i : fixed + (is_other ? 2 : 1)]);
         !wrong.empty())
       return "/" + std::to_string(i) + wrong;
     if (i <= fixed) continue;

@@ -38,8 +38,8 @@ Polynomial<N, V, 1> increase(const QuadraticForm<N, V>& f, const std::array<int,
 }
 
 /// With M three times the deviator, P = tr(M^2) and t the trace, |T| > v where P + 3 t^2 > 9 v^2,
-/// |D| > v where P > 9 v^2, and |D| > v |T| where (1 - v^2) P > 3 v^2 t^2. For v = m/n the first two
-/// are of (n M, n t, 3 m), the last one of (M, t, 0).
+/// |D| > v where P > 9 v^2, and |D| > v |T| where (1 - v^2) P > 3 v^2 t^2. For v = m/n the first
+/// two are of (n M, n t, 3 m), the last one of (M, t, 0).
 class InvariantRule {
  public:
   /// @pre 0 < value, and < 1 for an anisotropy
@@ -64,8 +64,10 @@ class InvariantRule {
                  N(factor(2)) * m[7] * k[7]);
       });
     };
-    if constexpr (std::is_same_v<N, mpz_class>) return {with([&](std::size_t i) { return exact_[i]; })};
-    else if constexpr (std::is_same_v<N, Ball>) return {with([&](std::size_t i) { return balls_[i]; })};
+    if constexpr (std::is_same_v<N, mpz_class>)
+      return {with([&](std::size_t i) { return exact_[i]; })};
+    else if constexpr (std::is_same_v<N, Ball>)
+      return {with([&](std::size_t i) { return balls_[i]; })};
     else return {with([&](std::size_t i) { return balls_[i].value; })};
   }
   /// Is all of the simplex on this side? Points exactly on the level are below.

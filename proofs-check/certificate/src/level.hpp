@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-// What signs of coefficients prove about the level, of a mode or of another invariant, on a simplex.
+// What signs of coefficients prove about the level, of a mode or of another invariant, on a
+// simplex.
 #pragma once
 
 #include <atomic>

@@ -79,7 +79,8 @@ void MovedVertices::move(std::size_t vertex, double reach) {
   Small slope(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     Tensor<double> change;
-    for (std::size_t k = 0; k < m.size(); ++k) change[k] = t[static_cast<std::size_t>(i) + 1][k] - t[0][k];
+    for (std::size_t k = 0; k < m.size(); ++k)
+      change[k] = t[static_cast<std::size_t>(i) + 1][k] - t[0][k];
     slope(i) = c_.level.slope(m, change);
   }
   const Small gradient = solver.solve(slope);

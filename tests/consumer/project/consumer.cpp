@@ -4,7 +4,8 @@
 
 #include "tensortopo/extract/extract_mode_surface.hpp"
 
-/// One tetrahedron whose vertices have modes of about 1, 0, -1 and 1: the surface of mode 1/2 crosses it.
+/// One tetrahedron whose vertices have modes of about 1, 0, -1 and 1: the surface of mode 1/2
+/// crosses it.
 int main() {
   tensortopo::TetMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

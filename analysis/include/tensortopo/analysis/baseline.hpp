@@ -29,8 +29,8 @@ enum class Baseline {
 struct BaselineOptions {
   int halvings = 12;  ///< of a tetrahedron, at most; what is left then is marched
   int samples = 2;    ///< of a patch, along each side
-  /// Of method `hybrid`: largest distance of its triangles from the surface, in units of the longest
-  /// edge of the tetrahedron.
+  /// Of method `hybrid`: largest distance of its triangles from the surface, in units of the
+  /// longest edge of the tetrahedron.
   double flatness = 1.0 / 32;
 };
 

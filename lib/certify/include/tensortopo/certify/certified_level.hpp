@@ -13,8 +13,8 @@
 
 namespace tensortopo {
 
-/// A dyadic interval [place / 2^depth, (place + 1) / 2^depth] of barycentric coordinates on an edge,
-/// from its first vertex to its second.
+/// A dyadic interval [place / 2^depth, (place + 1) / 2^depth] of barycentric coordinates on an
+/// edge, from its first vertex to its second.
 struct DyadicBracket {
   std::uint64_t place = 0;
   int depth = 0;
@@ -32,8 +32,8 @@ struct ComponentClaim {
 /// How far the triangles are from the level, both ways.
 struct DistanceClaim {
   /// For each vertex of the surface the length (4 + n mod 4) 2^floor(n/4) by which it, moved along
-  /// the gradient of the mode, or other invariant, in the edge, face or tetrahedron that holds it, comes to the other
-  /// side of the level, and with it the triangles around. See `reach_length`.
+  /// the gradient of the mode, or other invariant, in the edge, face or tetrahedron that holds it,
+  /// comes to the other side of the level, and with it the triangles around. See `reach_length`.
   std::vector<int> reach;
   double bound = 0;  ///< a bound on both distances where `reach` proves one
   /// Tetrahedra (positions in the mesh) where it does not: there the distances are below
@@ -48,8 +48,8 @@ struct UndecidedCell {
   std::string reason;
 };
 
-/// Everything that a certificate claims about the surface of one level: see proofs-check's description of
-/// the file for what each claim means.
+/// Everything that a certificate claims about the surface of one level: see proofs-check's
+/// description of the file for what each claim means.
 struct CertifiedLevel {
   std::variant<ModeValue, InvariantLevel> value;
   std::size_t vertices = 0, triangles = 0;  ///< of the surface
@@ -78,9 +78,9 @@ CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& e
 
 /// The claims that the extraction of an invariant's surface supports: its triangles' topology in
 /// each tetrahedron is proved, so they are read off these. Undecided besides the tetrahedra with a
-/// zero tensor are those in which the level has a critical point, exactly (`critical_value_on_edge`,
-/// `_on_face`, `_in_cell`): there the surface is that of all levels just above, which no checker
-/// that looks at this one can tell.
+/// zero tensor are those in which the level has a critical point, exactly
+/// (`critical_value_on_edge`, `_on_face`, `_in_cell`): there the surface is that of all levels just
+/// above, which no checker that looks at this one can tell.
 CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
                        const InvariantExtraction& extraction);
 

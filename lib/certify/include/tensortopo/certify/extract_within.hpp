@@ -15,14 +15,14 @@ struct ExtractionWithin {
   std::vector<TetMesh::Index> farther;
 };
 
-/// The mode surface with proved distance bounds, both ways, of at most `largest_distance`: where the
-/// bound is larger, the tetrahedron and its faces are sampled twice as densely, and all is extracted
-/// again. Topology is that of the plain extraction.
+/// The mode surface with proved distance bounds, both ways, of at most `largest_distance`: where
+/// the bound is larger, the tetrahedron and its faces are sampled twice as densely, and all is
+/// extracted again. Topology is that of the plain extraction.
 ///
 /// @param largest_distance  in the mesh's units, > 0
 /// @param options  `density` is where sampling begins; `keep_topology` is not looked at
-/// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`: where the
-/// singular line of a neutral surface passes through, triangles beside it stay long.
+/// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`: where
+/// the singular line of a neutral surface passes through, triangles beside it stay long.
 ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
                                 double largest_distance, const ExtractOptions& options = {});
 

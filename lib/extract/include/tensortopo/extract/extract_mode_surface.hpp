@@ -95,9 +95,10 @@ struct Extraction {
 /// each carries the edge, face or tetrahedron that it lies in.
 /// Tetrahedra for which no proof closes are listed, and the rest is extracted.
 ///
-/// Where mu is a critical value of the mode in a tetrahedron, a face or an edge, a level next to mu is drawn for mu + 0, off by 2^-40 of the distance from mu to +-1 or less: it
-/// is proved that there is no critical value in between. Points on either side of a saddle are then
-/// about 2^-20 of the tetrahedron apart.
+/// Where mu is a critical value of the mode in a tetrahedron, a face or an edge, a level next to mu
+/// is drawn for mu + 0, off by 2^-40 of the distance from mu to +-1 or less: it is proved that
+/// there is no critical value in between. Points on either side of a saddle are then about 2^-20 of
+/// the tetrahedron apart.
 ///
 /// At a vertex z of the mesh without deviator the mode is undefined, and in a tetrahedron around
 /// it constant on each ray from z: the level there is the cone with apex z over the level on the
@@ -114,7 +115,8 @@ template <class Scalar>
 Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
                                 const ExtractOptions& options = {});
 
-/// The same surface, for several modes of one mesh: what does not depend on the mode is computed once.
+/// The same surface, for several modes of one mesh: what does not depend on the mode is computed
+/// once.
 template <class Scalar>
 Extraction extract_mode_surface(const PreparedField<Scalar>& field, const ModeValue& mu,
                                 const ExtractOptions& options = {});

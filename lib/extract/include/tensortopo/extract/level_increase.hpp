@@ -24,8 +24,8 @@ struct NormBounds {
 /// Bounds from the angles between vertex tensors: P = l^2 - sum of 2 x_i x_j n_i n_j (1 - cos_ij),
 /// and the sum of x_i x_j n_i n_j over pairs is at most (1 - 1/Vertices) l^2 / 2.
 ///
-/// They hold for the exact field. Room is left for its rounding (see `rounding_unit`) and for those here: a
-/// norm is wrong by at most 16 of these units, a cosine by at most 30.
+/// They hold for the exact field. Room is left for its rounding (see `rounding_unit`) and for those
+/// here: a norm is wrong by at most 16 of these units, a cosine by at most 30.
 template <class Scalar, std::size_t Vertices>
 NormBounds<Scalar, Vertices> norm_bounds(const ModeForms<Scalar, Vertices>& forms,
                                          double total = 1) {
@@ -57,7 +57,8 @@ NormBounds<Scalar, Vertices> norm_bounds(const ModeForms<Scalar, Vertices>& form
   return bounds;
 }
 
-/// Quadratic forms below and above l sqrt(P): the chord (P + lower l^2) / (1 + lower) and the tangent
+/// Quadratic forms below and above l sqrt(P): the chord (P + lower l^2) / (1 + lower) and the
+/// tangent
 /// (P + l^2) / 2 of the square root, both times l^2.
 template <class Scalar, std::size_t Vertices>
 struct RootBounds {
@@ -74,9 +75,9 @@ struct RootBounds {
   }
 };
 
-/// A form of degree four that shows, if it is positive, that the mode is larger than mu (`above`), if
-/// it is negative, that it is smaller: l (6 Q - sqrt(18) mu P sqrt(P)) with the bound of l sqrt(P) that
-/// proves the less.
+/// A form of degree four that shows, if it is positive, that the mode is larger than mu (`above`),
+/// if it is negative, that it is smaller: l (6 Q - sqrt(18) mu P sqrt(P)) with the bound of l
+/// sqrt(P) that proves the less.
 template <class Scalar, std::size_t Vertices>
 BarycentricPolynomial<Scalar, Vertices, 4> side_form(const ModeForms<Scalar, Vertices>& forms,
                                                      const RootBounds<Scalar, Vertices>& root,
@@ -97,11 +98,12 @@ BarycentricPolynomial<Scalar, Vertices, 4> side_form(const ModeForms<Scalar, Ver
 /// of a direction, if all of them are positive then the mode increases along d at every point
 /// of the level.
 ///
-/// With R = 6 Q the mode is R / (sqrt(18) P^(3/2)), so on the level of mu it increases along d where
+/// With R = 6 Q the mode is R / (sqrt(18) P^(3/2)), so on the level of mu it increases along d
+/// where
 ///   2 d(R) - 3 sqrt(18) mu sqrt(P) d(P) > 0.
 /// That is affine in sqrt(P). So it is enough that both cubics 2 l d(R) - 3 sqrt(18) mu q d(P) are
-/// positive, with q one and the other of the `RootBounds`. (The form of degree four without mu, 2 P d(R) - 3 R d(P), says the same of all
-/// levels at once, and is positive much more rarely.)
+/// positive, with q one and the other of the `RootBounds`. (The form of degree four without mu, 2 P
+/// d(R) - 3 R d(P), says the same of all levels at once, and is positive much more rarely.)
 template <class Scalar, std::size_t Vertices>
 struct LevelIncrease {
   using Cubic = BarycentricPolynomial<Scalar, Vertices, 3>;

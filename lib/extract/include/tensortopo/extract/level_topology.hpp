@@ -47,10 +47,10 @@ struct LevelTopology {
     Index tet = -1;  ///< position in the mesh
     std::vector<Sheet> sheets;
   };
-  /// A sheet of a tetrahedron with vertices without deviator, a disc, in the order of its triangles'
-  /// boundary. With one such vertex it is the cone over an arc of the opposite face, {from, to, tip},
-  /// or over a closed curve of it, {smallest vertex, tip}; with two the join of them with a crossing
-  /// of the opposite edge, {crossing, tip, halfway, other tip}.
+  /// A sheet of a tetrahedron with vertices without deviator, a disc, in the order of its
+  /// triangles' boundary. With one such vertex it is the cone over an arc of the opposite face,
+  /// {from, to, tip}, or over a closed curve of it, {smallest vertex, tip}; with two the join of
+  /// them with a crossing of the opposite edge, {crossing, tip, halfway, other tip}.
   using ConeSheet = std::vector<Vertex>;
   struct Cone {
     Index tet = -1;
@@ -62,7 +62,8 @@ struct LevelTopology {
   std::vector<Tet> tets;    ///< those with sheets and a deviator at each vertex, ascending
   std::vector<Cone> cones;  ///< those with sheets and a vertex without deviator, ascending
   /// A crossing's vertex, and another at the same place: where parts of the surface meet in a
-  /// crossing only, each but the first has such a copy for itself. All else is in terms of `vertex`.
+  /// crossing only, each but the first has such a copy for itself. All else is in terms of
+  /// `vertex`.
   std::vector<std::array<Vertex, 2>> copies;
 };
 

@@ -16,8 +16,8 @@ namespace tensortopo {
 /// proof is made in.
 ///
 /// @param steps  how long to search
-/// @param of_sum_zero  search only there (off the level almost everything grows towards the middle of the
-///               simplex or away from it, which proves nothing)
+/// @param of_sum_zero  search only there (off the level almost everything grows towards the middle
+///               of the simplex or away from it, which proves nothing)
 /// @return zeros if there seems to be none
 template <std::size_t Vertices>
 std::array<double, Vertices> likely_direction(const LevelIncrease<double, Vertices>& increase,

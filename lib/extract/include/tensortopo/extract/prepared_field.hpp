@@ -24,8 +24,8 @@ struct PreparedField {
   std::vector<double> norms;              ///< sqrt(P) of these
   std::vector<double> lode_angles;        ///< of these; 0 without deviator
 
-  /// Of each tetrahedron the Lode angles between which all of it certainly lies; empty for one mode,
-  /// for which it is quicker to compare angles between tensors where they matter.
+  /// Of each tetrahedron the Lode angles between which all of it certainly lies; empty for one
+  /// mode, for which it is quicker to compare angles between tensors where they matter.
   std::vector<std::array<float, 2>> lode_ranges;
 };
 

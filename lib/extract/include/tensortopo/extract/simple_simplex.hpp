@@ -20,8 +20,8 @@ namespace tensortopo {
 /// What signs of coefficients prove about one level of the mode on one simplex.
 ///
 /// - *Empty*: the level does not meet it.
-/// - *Monotone*: the mode increases along a direction wherever the level is, so the level is a graph
-///   across it: no closed piece, and at most one point on each line of that direction.
+/// - *Monotone*: the mode increases along a direction wherever the level is, so the level is a
+///   graph across it: no closed piece, and at most one point on each line of that direction.
 /// A simplex that is monotone, whose edges hold at most one root each and whose faces are
 /// monotone (in a direction of their own) or empty, holds the level as marching tetrahedra draw
 /// it: a disc that separates the vertices above from those below, or nothing.
@@ -76,11 +76,11 @@ Verdict changes_at_most_once(const Polynomial& p, const Scalar& bound) {
 /// Bounds on the rounding error of Bernstein coefficients, in units of `rounding_unit`, for a
 /// largest vertex norm N = sqrt(P) of one. Evaluated in absolute values,
 /// - a polar form P(S, T) stays below 3 N^2: its diagonal part below three times that of P;
-/// - a polar adjugate of S, T stays below 2 |S| |T| in Frobenius norm (each of its nine entries sums
-///   four products, each product occurs in one entry only), so one of 6 Q stays below
+/// - a polar adjugate of S, T stays below 2 |S| |T| in Frobenius norm (each of its nine entries
+///   sums four products, each product occurs in one entry only), so one of 6 Q stays below
 ///   2 (sqrt(3) N)^3 < 10.4 N^3;
-/// - of the cubics of `LevelIncrease` along d, |d_i| <= 1: 2 * 3 * (4 * 10.4) + 9 sqrt(2) * 3 * (2 *
-///   4 * 3) = 1166 N^4;
+/// - of the cubics of `LevelIncrease` along d, |d_i| <= 1: 2 * 3 * (4 * 10.4) + 9 sqrt(2) * 3 * (2
+///   * 4 * 3) = 1166 N^4;
 /// - of `side_form`: 10.4 + 3 sqrt(2) * 3 * 3 = 49 N^4;
 /// - of the form of degree 6: 10.4^2 + 18 * 3^3 = 595 N^6.
 /// A result passes through at most 20 roundings for 6 Q and 50 for the forms made of it.
@@ -89,8 +89,8 @@ inline constexpr double kIncreaseBound = 50 * 1166;
 inline constexpr double kSideBound = 50 * 49;
 inline constexpr double kGeneralizedBound = 50 * 595;
 
-/// Positive if the level is proved not to meet the simplex, unknown if rounding hides it. `root`: from
-/// these bounds, if they are there already.
+/// Positive if the level is proved not to meet the simplex, unknown if rounding hides it. `root`:
+/// from these bounds, if they are there already.
 template <class Scalar, std::size_t Vertices>
 Verdict is_empty(const ModeForms<Scalar, Vertices>& forms,
                  const NormBounds<Scalar, Vertices>& bounds, const Level<Scalar>& level,
@@ -234,8 +234,8 @@ SimplexProof<Scalar, Vertices> prove_simplex(
   return proof;
 }
 
-/// Whether signs of coefficients alone prove that the level does not meet the simplex; `total` as in
-/// `rounding_unit`.
+/// Whether signs of coefficients alone prove that the level does not meet the simplex; `total` as
+/// in `rounding_unit`.
 template <class Scalar, std::size_t Vertices>
 bool is_proved_empty(const std::array<Deviator<Scalar>, Vertices>& tensors,
                      const Level<Scalar>& level, double total = 1) {
@@ -247,8 +247,8 @@ bool is_proved_empty(const std::array<Deviator<Scalar>, Vertices>& tensors,
 }
 
 /// Positive if it is proved that an edge holds at most one point of the level: the mode is monotone
-/// along it, or the degree-six form changes sign at most once (Descartes). Unknown if rounding hides
-/// it.
+/// along it, or the degree-six form changes sign at most once (Descartes). Unknown if rounding
+/// hides it.
 template <class Scalar>
 Verdict has_at_most_one_crossing(const std::array<Deviator<Scalar>, 2>& tensors,
                                  const Level<Scalar>& level, double total = 1) {

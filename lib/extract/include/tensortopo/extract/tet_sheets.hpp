@@ -166,8 +166,8 @@ bool mesh_as_fan(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
 /// Triangles for a sheet straight from the leaf mesh; its rim samples must be on the arcs.
 template <class Scalar>
 bool mesh_from_leaves(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
-                      std::span<const RimRequest<Scalar>> requests, const TetWithCurves<Scalar>& tet,
-                      const FaceArcVertices& vertices, const Level<Scalar>& level,
-                      TetTriangles<Scalar>& out);
+                      std::span<const RimRequest<Scalar>> requests,
+                      const TetWithCurves<Scalar>& tet, const FaceArcVertices& vertices,
+                      const Level<Scalar>& level, TetTriangles<Scalar>& out);
 
 }  // namespace tensortopo

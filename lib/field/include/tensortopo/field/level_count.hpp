@@ -23,20 +23,20 @@ struct LevelCount {
   int level() const { return 2 * inside - boundary; }
 };
 
-/// Counts the critical points of the mode in a tetrahedron, its faces, edges and vertices, on one side
-/// of a level.
+/// Counts the critical points of the mode in a tetrahedron, its faces, edges and vertices, on one
+/// side of a level.
 ///
-/// By stratified Morse theory the part M of a tetrahedron where the mode is larger changes as the level
-/// falls past a critical point only if the mode falls from there into all cells around: by a cell
-/// of as many dimensions as there are directions along the stratum in which the mode grows. The same
-/// holds for F, the part of M on the boundary, where at a vertex or an edge from which the mode grows in all
-/// directions a cell of one dimension more closes a hole. M is bounded by F and the level, glued along
-/// closed curves, so the level has the Euler characteristic 2 chi(M) - chi(F), and no more handles
-/// than M has cells of dimension one. Tubes around degenerate curves are balls that meet two
-/// faces: they add nothing to the former.
+/// By stratified Morse theory the part M of a tetrahedron where the mode is larger changes as the
+/// level falls past a critical point only if the mode falls from there into all cells around: by a
+/// cell of as many dimensions as there are directions along the stratum in which the mode grows.
+/// The same holds for F, the part of M on the boundary, where at a vertex or an edge from which the
+/// mode grows in all directions a cell of one dimension more closes a hole. M is bounded by F and
+/// the level, glued along closed curves, so the level has the Euler characteristic 2 chi(M) -
+/// chi(F), and no more handles than M has cells of dimension one. Tubes around degenerate curves
+/// are balls that meet two faces: they add nothing to the former.
 ///
-/// Critical points are enclosed in intervals of doubles, and what may be one must be certain to be, or
-/// to be on the other side, or not to count.
+/// Critical points are enclosed in intervals of doubles, and what may be one must be certain to be,
+/// or to be on the other side, or not to count.
 ///
 /// @param side  1 to count larger modes, -1 smaller ones
 /// @pre the curve of mode `side` meets the tetrahedron in arcs from inside a face to inside a face,

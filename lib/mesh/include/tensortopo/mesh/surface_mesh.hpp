@@ -17,9 +17,10 @@ enum class Carrier : std::uint8_t { edge, face, tet, vertex };
 /// Vertices are one for each point: two tetrahedra that meet use the same vertex.
 ///
 /// Where triangles would form several fans each has a vertex of its own: at crossings of an edge in
-/// which parts of the mesh touch, or which left-out tetrahedra part; where the mode is undefined, at
-/// vertices of the mesh without deviator and between two of them. At the latter both eigenvectors
-/// and the residual are zero, and the normal is the mean of the gradients along the fan (or zero).
+/// which parts of the mesh touch, or which left-out tetrahedra part; where the mode is undefined,
+/// at vertices of the mesh without deviator and between two of them. At the latter both
+/// eigenvectors and the residual are zero, and the normal is the mean of the gradients along the
+/// fan (or zero).
 struct SurfaceMesh {
   using Index = std::int32_t;
 

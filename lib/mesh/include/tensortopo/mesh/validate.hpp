@@ -34,8 +34,9 @@ struct MeshDefect {
 
 /// The defects of a mesh: empty if it is fit.
 ///
-/// Laws      (1) no defect means: all numbers finite, products of three lengths neither too large nor
-///           too small for doubles (coordinates up to 1e100, edges from 1e-100), every tetrahedron has positive volume
+/// Laws      (1) no defect means: all numbers finite, products of three lengths neither too large
+///           nor too small for doubles (coordinates up to 1e100, edges from 1e-100), every
+///           tetrahedron has positive volume
 ///           (decided exactly), and every face has at most two tetrahedra, on its two sides;
 ///           (2) the order is by kind of check, then by cell, the same on every run.
 /// Policy    Inverted tetrahedra are defects here; the reader turns them around first. Points that

@@ -51,11 +51,11 @@ struct InvariantExtraction {
 ///
 /// Laws      (1) a manifold, oriented: counter-clockwise seen from larger values; its boundary is
 ///           on the boundary of the domain or of tetrahedra in `zero_tensor` (where parts meet in a
-///           vertex only, each fan of triangles has one of its own); (2) the level is value + 0: points exactly on
-///           the level count as below, so no level at a critical value or constant on a cell is
-///           left open; (3) tensors and value times a power of two give the same surface (for an
-///           anisotropy the tensors alone); (4) the result does not depend on the number of
-///           threads.
+///           vertex only, each fan of triangles has one of its own); (2) the level is value + 0:
+///           points exactly on the level count as below, so no level at a critical value or
+///           constant on a cell is left open; (3) tensors and value times a power of two give the
+///           same surface (for an anisotropy the tensors alone); (4) the result does not depend on
+///           the number of threads.
 /// Around a point of the mesh on the level, vertices keep 2^-40 of a segment off it. `mode` and the
 /// eigenvectors are left empty; `value` is filled.
 /// @pre the mesh is valid (see `validate`); pieces in [1, 256] (throws std::invalid_argument)
