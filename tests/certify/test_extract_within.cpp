@@ -19,7 +19,8 @@ class Within : public testing::TestWithParam<const char*> {};
 TEST_P(Within, ReachesTheDistanceWithTheTopologyOfThePlainExtraction) {
   const auto mode = ModeValue::parse(GetParam());
   std::size_t crossed = 0, farther = 0;
-  for (std::uint64_t seed = 20241301; seed < 20241303; ++seed) {
+  const std::uint64_t fields = GetParam() == std::string("1/10") ? 4 : 2;  // quick, and slow
+  for (std::uint64_t seed = 20241301; seed < 20241301 + fields; ++seed) {
     SCOPED_TRACE(seed);
     TetMesh mesh = cube_mesh(1);
     fill_with_normal_tensors(mesh, seed);

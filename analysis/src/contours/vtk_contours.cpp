@@ -17,6 +17,8 @@
 #include <vtkStaticCellLocator.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "tensortopo/mesh/surface_invariants.hpp"
@@ -64,6 +66,34 @@ double slope_along(const Vector3<double>& direction, const TetMesh& mesh, vtkDat
   const Vector3<double> gradient = rise(1) * cross(at(2), at(3)) + rise(2) * cross(at(3), at(1)) +
                                    rise(3) * cross(at(1), at(2));
   return dot(direction, gradient);
+}
+
+/// The tetrahedron that holds a point, or lacks least of it.
+Index tet_around(const Vector3<double>& x, const TetMesh& mesh, vtkStaticCellLocator& locator) {
+  double bounds[6]{x.x, x.x, x.y, x.y, x.z, x.z};
+  vtkNew<vtkIdList> near;
+  locator.FindCellsWithinBounds(bounds, near);
+  if (near->GetNumberOfIds() == 0) {
+    double at[3]{x.x, x.y, x.z}, closest[3], squared;
+    vtkIdType cell = 0;
+    int part;
+    locator.FindClosestPoint(at, closest, cell, part, squared);
+    return static_cast<Index>(cell);
+  }
+  Index best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (vtkIdType i = 0; i < near->GetNumberOfIds(); ++i) {
+    const auto t = static_cast<Index>(near->GetId(i));
+    const auto& v = mesh.tets[as_size(t)];
+    const auto p = [&](std::size_t k) { return mesh.points[as_size(v[k % 4])]; };
+    double least = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto normal = cross(p(k + 2) - p(k + 1), p(k + 3) - p(k + 1));
+      least = std::min(least, dot(normal, x - p(k + 1)) / dot(normal, p(k) - p(k + 1)));
+    }
+    if (least > most) most = least, best = t;
+  }
+  return best;
 }
 
 vtkSmartPointer<vtkPolyData> contour(vtkUnstructuredGrid* grid, double value, VtkFilter filter) {
@@ -152,12 +182,7 @@ SurfaceMesh vtk_contour(const TetMesh& mesh, const ModeValue& mode, VtkFilter fi
   for (auto& t : surface.triangles) {
     const auto &p = surface.points[as_size(t[0])], &q = surface.points[as_size(t[1])],
                &r = surface.points[as_size(t[2])];
-    const Vector3<double> middle = (1.0 / 3) * (p + q + r);
-    double x[3]{middle.x, middle.y, middle.z}, closest[3], squared;
-    int part;
-    vtkIdType cell = locator->FindCell(x);
-    if (cell < 0) locator->FindClosestPoint(x, closest, cell, part, squared);
-    const auto tet = static_cast<Index>(cell);
+    const Index tet = tet_around((1.0 / 3) * (p + q + r), mesh, *locator);
     surface.tet.push_back(tet);
     if (slope_along(cross(q - p, r - p), mesh, *grid->GetPointData()->GetScalars(), tet) < 0)
       std::swap(t[1], t[2]);
