@@ -22,6 +22,7 @@
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/write_surface.hpp"
+#include "tensortopo/mesh/subdivide.hpp"
 
 namespace tensortopo {
 namespace {
@@ -44,7 +45,7 @@ using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vect
 
 /// Throws UsageError for surfaces that no proof is about.
 void require_proofs(const ExtractCommand& command) {
-  if (command.baseline)
+  if (command.other)
     throw UsageError(
         "--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
   if (std::any_of(command.modes.begin(), command.modes.end(), is_degenerate))
@@ -62,17 +63,36 @@ void require_no_surface_options(const ExtractCommand& command) {
     throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
 }
 
-/// A baseline's surface as if extracted: it leaves nothing out, and counts nothing.
-Extraction extract_baseline(const TetMesh& mesh, const ModeValue& mode,
-                            const ExtractCommand& command) {
-  Extraction extraction;
-  extraction.surface =
-      baseline_surface(*command.baseline, mesh, mode, command.baseline_options);
-  const auto& tet = extraction.surface.tet;  // ascending
-  for (std::size_t i = 0; i < tet.size(); ++i)
-    extraction.statistics.tets_crossed += i == 0 || tet[i] != tet[i - 1];
-  return extraction;
-}
+constexpr std::size_t kMostTetrahedra = 100'000'000;
+
+/// Another method's surface as if extracted: it leaves nothing out, and counts nothing.
+class OtherMethod {
+ public:
+  explicit OtherMethod(const ExtractCommand& command) : command_(command) {}
+
+  Extraction operator()(const TetMesh& mesh, const ModeValue& mode) {
+    if (!fine_ && command_.subdivisions > 0) {
+      if (mesh.tets.size() > kMostTetrahedra >> (3 * command_.subdivisions))
+        throw UsageError(fmt::format("--subdivide: more than {} tetrahedra", kMostTetrahedra));
+      fine_ = subdivide(mesh);
+      for (int i = 1; i < command_.subdivisions; ++i) fine_ = subdivide(*fine_);
+    }
+    Extraction extraction;
+    extraction.surface = command_.other(fine_ ? *fine_ : mesh, mode);
+    // The parts of a tetrahedron follow each other.
+    auto& tets = extraction.surface.tet;
+    for (auto& t : tets) t >>= 3 * command_.subdivisions;
+    auto crossed = tets;
+    std::sort(crossed.begin(), crossed.end());
+    const auto end = std::unique(crossed.begin(), crossed.end());
+    extraction.statistics.tets_crossed = static_cast<std::size_t>(end - crossed.begin());
+    return extraction;
+  }
+
+ private:
+  const ExtractCommand& command_;
+  std::optional<TetMesh> fine_;
+};
 
 SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction) {
   SurfaceReport report;
@@ -81,7 +101,7 @@ SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction
   report.triangles = extraction.surface.triangles.size();
   report.invariants = surface_invariants(extraction.surface);
   report.invariants.component.clear();
-  // A baseline does not know.
+  // Another method does not know.
   if (extraction.surface.residual.empty() && report.vertices > 0)
     report.max_abs_residual = std::numeric_limits<double>::quiet_NaN();
   for (const double r : extraction.surface.residual) {
@@ -150,17 +170,17 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
                                  kLargestResolution));
   }
   if (std::all_of(modes.begin(), modes.end(), is_degenerate)) require_no_surface_options(command);
-  if (command.baseline && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
+  if (command.other && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
     throw UsageError("--method: degenerate curves (--mode 1 or -1) have no other method");
   }
-  if (command.baseline == Baseline::hybrid &&
+  if (command.only_neutral &&
       std::any_of(modes.begin(), modes.end(), [](const auto& mode) { return mode.sign() != 0; })) {
     throw UsageError("--method hybrid: extracts neutral surfaces (--mode 0) only");
   }
-  if (command.baseline && command.max_error > 0) {
+  if (command.other && command.max_error > 0) {
     throw UsageError("--max-error: only surfaces of the method `manifold` come with proofs");
   }
-  if (command.improve && (command.baseline || command.max_error > 0)) {
+  if (command.improve && (command.other || command.max_error > 0)) {
     throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
   }
   require_folder(command.output);
@@ -191,6 +211,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   UnresolvedModes unresolved;
   std::vector<CertifiedLevel> certified;
   double seconds_certify = 0;
+  OtherMethod other(command);
   // What the modes have in common.
   std::optional<PreparedField<double>> prepared;
   const auto surfaces = std::count_if(modes.begin(), modes.end(),
@@ -223,8 +244,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     Extraction extraction;
     std::optional<CertifiedLevel> level;
     std::size_t tets_farther = 0;
-    if (command.baseline) {
-      extraction = extract_baseline(read.mesh, modes[i], command);
+    if (command.other) {
+      extraction = other(read.mesh, modes[i]);
     } else if (command.max_error > 0) {
       auto within = extract_within(read.mesh, modes[i], command.max_error, options);
       extraction = std::move(within.extraction);

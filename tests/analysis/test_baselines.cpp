@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tensortopo/analysis/baseline.hpp"
+#include "contours/vtk_contours.hpp"
 #include "extract/extract_case.hpp"
+#include "tensortopo/analysis/baseline.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/tensor/mode.hpp"
@@ -67,6 +68,36 @@ TEST_P(Baselines, MarchingIsAManifoldThatSeparatesTheVerticesByTheirModes) {
       if (std::abs(height) > 1e-9 * size) {
         EXPECT_EQ(height > 0, mode > mu) << i;
       }
+    }
+  }
+}
+
+// Both filters and ours contour the same linear function; they cut quadrangles in two as they like.
+TEST_P(Baselines, VtkFiltersCoverInEachTetrahedronWhatMarchingDoes) {
+  for (const TetMesh& mesh : {smooth(3, kSeed), subdivide(smooth(2, kSeed + 5))}) {
+    const auto mode = ModeValue::parse(GetParam());
+    const auto by_tet = [&](const SurfaceMesh& surface) {
+      std::vector<Vector3<double>> area(mesh.tets.size());
+      for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+        const auto corner = [&](std::size_t k) {
+          return surface.points[as_size(surface.triangles[i][k])];
+        };
+        auto& sum = area[as_size(surface.tet[i])];
+        sum = sum + cross(corner(1) - corner(0), corner(2) - corner(0));
+      }
+      return area;
+    };
+    const auto expected = by_tet(baseline_surface(Baseline::marching, mesh, mode));
+    for (const auto filter : {VtkFilter::contour_grid, VtkFilter::contour_3d_linear_grid}) {
+      const auto surface = vtk_contour(mesh, mode, filter);
+      ASSERT_GT(surface.triangles.size(), 0u);
+      EXPECT_TRUE(surface_invariants(surface).consistently_oriented);
+      const auto found = by_tet(surface);
+      for (std::size_t t = 0; t < found.size(); ++t) {
+        const auto difference = found[t] - expected[t];
+        EXPECT_LT(dot(difference, difference), 1e-10 * dot(expected[t], expected[t]) + 1e-14) << t;
+      }
+      EXPECT_EQ(vtk_triangles(mesh, mode, filter).points.size(), surface.points.size());
     }
   }
 }

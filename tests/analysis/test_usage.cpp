@@ -63,6 +63,9 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
       {"--patch-samples", "--mode", "0.5", "--patch-samples", "3"},
       {"--flatness", "--mode", "0.5", "--flatness", "0.1"},
       {"--resolution", "--mode", "0.5", "--method", "marching", "--resolution", "8"},
+      {"--resolution", "--mode", "0.5", "--method", "vtk-contour-grid", "--resolution", "8"},
+      {"--subdivide", "--mode", "0.5", "--subdivide", "1"},
+      {"--certify", "--mode", "0.5", "--method", "vtk-contour-grid", "--certify", "c.json"},
       {"--resolution", "--mode", "0.5", "--resolution", "1e9"}};
   for (auto words : cases) {
     const Folder folder;
@@ -132,11 +135,35 @@ TEST(Usage, CoordinatesThatOverflowAreBadInputByName) {
 }
 
 TEST(Usage, ABaselineHasNoResidual) {
+  for (const char* method : {"marching", "vtk-contour-grid", "vtk-contour-3d-linear-grid"}) {
+    const Folder folder;
+    const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
+                                     "0.5", "--method", method});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out.find("nan"), std::string::npos) << run.out;
+  }
+}
+
+// Four triangles of a subdivided mesh for one of the mesh, about, in the mesh's own tetrahedra.
+TEST(Usage, SubdividingMakesMoreTrianglesOfABaseline) {
   const Folder folder;
-  const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
-                                   "0.5", "--method", "marching"});
-  EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(run.out.find("nan"), std::string::npos) << run.out;
+  std::vector<double> triangles, area;
+  for (const char* times : {"0", "1", "2"}) {
+    const Outcome run =
+        run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode", "0.5",
+                     "--method", "vtk-contour-grid", "--subdivide", times, "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto surface = nlohmann::json::parse(run.out).at("surfaces").at(0);
+    triangles.push_back(surface.at("triangles").get<double>());
+    area.push_back(surface.at("area").get<double>());
+  }
+  EXPECT_GT(triangles[1], 3 * triangles[0]);
+  EXPECT_GT(triangles[2], 3 * triangles[1]);
+  EXPECT_LT(std::abs(area[2] - area[1]), std::abs(area[1] - area[0]));
+  EXPECT_EQ(run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode", "0.5",
+                         "--method", "marching", "--subdivide", "6"})
+                .status,
+            2);
 }
 
 /// Tubes around degenerate curves are proved by what the checker has not.

@@ -17,7 +17,7 @@ Json without_seconds(Json json) {
 }
 
 TEST(Verify, ReportsEveryStatementAsJson) {
-  const Outcome run = run_program({"verify", "--fields", "30", "--seed", "3", "--json"});
+  const Outcome run = run_program({"verify", "--fields", "12", "--seed", "3", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const Json json = Json::parse(run.out);
@@ -54,7 +54,7 @@ TEST(Verify, TriesTheStatementsAskedFor) {
 
 TEST(Verify, GivesTheSameAgainForASeed) {
   const auto once = [] {
-    const Outcome run = run_program({"verify", "--fields", "10", "--seed", "8", "--json"});
+    const Outcome run = run_program({"verify", "--fields", "5", "--seed", "8", "--json"});
     return without_seconds(Json::parse(run.out));
   };
   EXPECT_EQ(once(), once());

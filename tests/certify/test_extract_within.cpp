@@ -61,6 +61,19 @@ TEST(Within, GivesUpWhereMoreSamplesDoNotHelp) {
   EXPECT_LT(within.farther.size(), 5u);
 }
 
+// No distance is so small that this would not end, with a surface of a size that can be used.
+TEST(Within, GivesUpWhereThereWouldBeTooManyTriangles) {
+  Random random(20261122);
+  const TetMesh mesh = reference_tet_mesh(random.tet_tensors());
+  const auto plain = extract_mode_surface<double>(mesh, ModeValue::parse("1/10"));
+  ASSERT_GT(plain.surface.triangles.size(), 0u);
+  const auto within = extract_within(mesh, ModeValue::parse("1/10"), 1e-12);
+  EXPECT_EQ(within.farther.size(), 1u);
+  EXPECT_GT(within.extraction.surface.triangles.size(), 5000u);
+  EXPECT_LT(within.extraction.surface.triangles.size(), 50000u);
+  EXPECT_EQ(summary(within.extraction.surface), summary(plain.surface));
+}
+
 // Only where it is needed.
 TEST(Within, SamplesMoreDenselyOnlyWhereTheSurfaceIsFarFromTheLevel) {
   TetMesh mesh = cube_mesh(1);

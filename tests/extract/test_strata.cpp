@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(All, Strata, testing::ValuesIn(all_strata()),
                          [](const auto& tested) { return name_of(tested.param); });
 
 TEST(NearStrata, TetrahedraAreSoundAndTheSameAtFiftyDigits) {
-  expect_sound_near_strata(trials(400), 20, 20241208);
+  expect_sound_near_strata(trials(200), 20, 20241208);
 }
 
 }  // namespace

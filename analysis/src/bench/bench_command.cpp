@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "bench/methods.hpp"
-#include "bench/vtk_contours.hpp"
+#include "contours/vtk_contours.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/extract/face_curves.hpp"
 #include "tensortopo/io/read_mesh.hpp"

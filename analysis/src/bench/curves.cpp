@@ -9,7 +9,7 @@
 
 #include "bench/bench_command.hpp"
 #include "bench/methods.hpp"
-#include "bench/vtk_contours.hpp"
+#include "contours/vtk_contours.hpp"
 #include "render/line_chart.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 

@@ -10,7 +10,7 @@
 #include "bench/bench_command.hpp"
 #include "bench/methods.hpp"
 #include "bench/timing.hpp"
-#include "bench/vtk_contours.hpp"
+#include "contours/vtk_contours.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/extract/face_curves.hpp"
 #include "tensortopo/families/field_family.hpp"

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "conformance/linear_contour.hpp"
+#include "contours/vtk_contours.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
@@ -59,7 +59,7 @@ void score_member(const FamilyMember& member, const SuiteEntry& entry, int numbe
                                 score_surface(member.mesh, standard, merge_points(surface))});
     };
     for (std::size_t k = 0; k < meshes.size(); ++k)
-      add(report.methods[k], linear_contour(meshes[k], mode));
+      add(report.methods[k], vtk_triangles(meshes[k], mode, VtkFilter::contour_grid));
     add(report.methods.back(), extract_mode_surface<double>(member.mesh, mode).surface);
   }
 }

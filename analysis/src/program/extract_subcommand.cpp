@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "contours/vtk_contours.hpp"
 #include "program/invariant_option.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
+#include "tensortopo/analysis/baseline.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 
@@ -22,6 +24,7 @@ struct Options {
   std::vector<std::string> modes;
   std::string components;
   std::string method = "manifold";
+  BaselineOptions baseline;
   InvariantOption invariant;
   const CLI::App* app = nullptr;  ///< knows which options were given
 };
@@ -35,7 +38,27 @@ void require_effect(const Options& options) {
   const bool is_baseline = options.method != "manifold" && options.method != "graph";
   refuse("--patch-samples", options.method == "a-patches", "only with --method a-patches");
   refuse("--flatness", options.method == "hybrid", "only with --method hybrid");
-  refuse("--resolution", !is_baseline, "has no effect on --method marching, a-patches or hybrid");
+  refuse("--resolution", !is_baseline, "has an effect on --method manifold and graph only");
+  refuse("--subdivide", is_baseline, "has no effect on --method manifold or graph");
+}
+
+/// Nothing for our own methods.
+Method other_method(const Options& options) {
+  static const std::map<std::string, Baseline> baselines{{"marching", Baseline::marching},
+                                                         {"a-patches", Baseline::a_patches},
+                                                         {"hybrid", Baseline::hybrid}};
+  static const std::map<std::string, VtkFilter> filters{
+      {"vtk-contour-grid", VtkFilter::contour_grid},
+      {"vtk-contour-3d-linear-grid", VtkFilter::contour_3d_linear_grid}};
+  if (const auto found = baselines.find(options.method); found != baselines.end())
+    return [method = found->second, how = options.baseline](const auto& mesh, const auto& mode) {
+      return baseline_surface(method, mesh, mode, how);
+    };
+  if (const auto found = filters.find(options.method); found != filters.end())
+    return [filter = found->second](const auto& mesh, const auto& mode) {
+      return vtk_contour(mesh, mode, filter);
+    };
+  return nullptr;
 }
 
 ExitStatus extract(const Options& options, const CommonOptions& common) {
@@ -50,9 +73,8 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
   require_effect(options);
   command.modes = parse_modes(options.modes);
   if (options.method == "graph") command.drawing = DrawingMethod::graph;
-  if (options.method == "marching") command.baseline = Baseline::marching;
-  if (options.method == "a-patches") command.baseline = Baseline::a_patches;
-  if (options.method == "hybrid") command.baseline = Baseline::hybrid;
+  command.other = other_method(options);
+  command.only_neutral = options.method == "hybrid";
 
   ProgressBar bar(!common.quiet);
   const ExtractReport report = run_extract(command, bar.callback());
@@ -113,19 +135,24 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_flag("--all-samples", command.all_samples,
                "Keep samples of face curves that make needles and that the level can do without");
   app.add_option("--method", options->method, "How to extract")
-      ->check(CLI::IsMember({"manifold", "graph", "marching", "a-patches", "hybrid"}))
+      ->check(CLI::IsMember({"manifold", "graph", "marching", "a-patches", "hybrid",
+                             "vtk-contour-grid", "vtk-contour-3d-linear-grid"}))
       ->capture_default_str();
-  app.add_option("--patch-samples", command.baseline_options.samples,
+  app.add_option("--patch-samples", options->baseline.samples,
                  "Samples along each side of a patch (method a-patches)")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--flatness", command.baseline_options.flatness,
+  app.add_option("--flatness", options->baseline.flatness,
                  "Largest distance from the surface, in edges of the tetrahedron (method hybrid)")
       ->check(CLI::Range(1e-9, 1.0))
       ->capture_default_str();
+  app.add_option("--subdivide", command.subdivisions,
+                 "Cut each tetrahedron in eight beforehand, so many times (methods that only compare)")
+      ->check(CLI::Range(0, 6))
+      ->capture_default_str();
   add_invariant_option(app, options->invariant,
                        {"--mode", "--generalized", "--resolution", "--max-error", "--improve",
-                        "--method", "--patch-samples", "--flatness"});
+                        "--method", "--patch-samples", "--flatness", "--subdivide"});
   writes(common,
          app.add_option("--certify", command.certificate,
                         "Also prove the topology and distances; the certificate (.json or .cbor)"))

@@ -15,6 +15,8 @@ namespace {
 /// A tetrahedron is given up after so many doublings in a row without much effect.
 constexpr int kPatience = 2;
 constexpr double kEffect = 0.8;
+/// Or when it has so many triangles: one more doubling would take as long as all the others did.
+constexpr int kMostTriangles = 5000;
 
 std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
 
@@ -49,6 +51,8 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
     result.level = certify(mesh, mode, result.extraction);
     ++result.rounds;
     const auto bounds = distance_bounds(mesh, result.extraction.surface, result.level);
+    std::vector<int> triangles(mesh.tets.size(), 0);
+    for (const auto t : result.extraction.surface.tet) ++triangles[as_size(t)];
     result.farther.clear();
     is_denser = false;
     for (std::size_t t = 0; t < bounds.size(); ++t) {
@@ -56,7 +60,7 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
       result.farther.push_back(static_cast<TetMesh::Index>(t));
       without_effect[t] = bounds[t] < kEffect * best[t] ? 0 : without_effect[t] + 1;
       best[t] = std::min(best[t], bounds[t]);
-      if (without_effect[t] > kPatience) continue;
+      if (without_effect[t] > kPatience || triangles[t] > kMostTriangles) continue;
       current.density[t] *= 2;
       is_denser = true;
     }

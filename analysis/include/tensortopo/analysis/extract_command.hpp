@@ -3,11 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "tensortopo/analysis/baseline.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
@@ -18,14 +18,18 @@ namespace tensortopo {
 /// Samples per radian; a tetrahedron may take the square of ten times that.
 inline constexpr double kLargestResolution = 1000;
 
+/// Another way to a surface: with `points`, `triangles` and `tet`, as `baseline_surface` has them.
+using Method = std::function<SurfaceMesh(const TetMesh&, const ModeValue&)>;
+
 /// From a field in a file to the mode surfaces and degenerate curves in another.
 struct ExtractCommand {
   std::filesystem::path input;
   std::filesystem::path output;  ///< .vtp, .ply, .obj, .off or .stl
   std::filesystem::path certificate;  ///< .json or .cbor; empty for none
   std::vector<ModeValue> modes;  ///< in this order; 1 and -1 are curves; repetitions count once
-  std::optional<Baseline> baseline;  ///< instead of our own method
-  BaselineOptions baseline_options;
+  Method other;          ///< instead of our own method
+  int subdivisions = 0;  ///< of the mesh, in eight each time, for `other` alone
+  bool only_neutral = false;  ///< `other` extracts mode 0 alone
   bool generalized = false;      ///< after each mode its opposite
   bool strict = false;           ///< write nothing if a tetrahedron stays unresolved
   ReadOptions read;
