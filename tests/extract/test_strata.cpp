@@ -8,7 +8,9 @@
 #include <set>
 #include <sstream>
 
+#include "curve_checks.hpp"
 #include "strata_laws.hpp"
+#include "support/brute_force.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -187,6 +189,90 @@ TEST_P(Strata, LeaveTheRestOfAMeshSound) {
       EXPECT_EQ(line.rfind("vertex link", 0), 0u) << line;
     EXPECT_EQ(is_manifold, found.empty());
   });
+}
+
+TEST_P(Strata, HaveTheTopologyThatBruteForceSees) {
+  for_each_case(20241212, 1, [&](const TetTensors& tensors, const std::string& mode) {
+    const Extraction extraction = extract(reference_tet_mesh(tensors), mode);
+    const auto& known = extraction.statistics;
+    // No lattice resolves a level at its critical value, through a vertex, or as near to mode 1;
+    // vertices without deviator have tests of their own.
+    if (!extraction.unresolved.empty() || known.vertices_on_level > 0) return;
+    if (known.tets_nearby > 0 || known.zero_deviator_vertices > 0) return;
+    const double level = ModeValue::parse(mode).approx();
+    if (std::abs(level) > 0.99) return;
+    const auto expected =
+        brute_force_topology(corners_of(tensors), level, {.ladder = {{48, 64}, {96, 128}}});
+    if (expected) {
+      EXPECT_EQ(topology_in_tet(extraction), *expected);
+    }
+  });
+}
+
+// The number of closed curves in faces that the extraction proves.
+std::size_t loops_in_faces(const TetMesh& mesh, const std::string& mode) {
+  ExtractOptions options;
+  options.keep_topology = true;
+  const auto extraction = extract_mode_surface<double>(mesh, ModeValue::parse(mode), options);
+  EXPECT_EQ(unresolved_text(extraction), "");
+  EXPECT_EQ(flaws(extraction, mesh), "");
+  std::size_t loops = 0;
+  for (const auto& face : extraction.topology.faces) loops += face.loops.size();
+  return loops;
+}
+
+// By the rule mu + 0 there is a small loop around a minimum already, around a maximum none anymore.
+TEST(FaceExtremum, HasALoopAroundAMinimumAndNoneAroundAMaximum) {
+  Random random(20241213);
+  for (int trial = 0; trial < trials(4); ++trial) {
+    const TetMesh low = reference_tet_mesh(stratum_tensors(Stratum::face_minimum, random));
+    const TetMesh high = reference_tet_mesh(stratum_tensors(Stratum::face_maximum, random));
+    EXPECT_EQ(loops_in_faces(low, "-143/343"), loops_in_faces(low, "-0.41690963") + 1);
+    EXPECT_EQ(loops_in_faces(low, "-143/343"), loops_in_faces(low, "-0.41690961"));
+    EXPECT_EQ(loops_in_faces(high, "143/343") + 1, loops_in_faces(high, "0.41690961"));
+    EXPECT_EQ(loops_in_faces(high, "143/343"), loops_in_faces(high, "0.41690963"));
+  }
+}
+
+// Of mode 1 or -1 all along: crossed by no surface, however near, and run along by one curve.
+TEST(DegenerateEdge, IsCrossedByNoSurfaceAndRunAlongByOneCurve) {
+  Random random(20241214);
+  for (int trial = 0; trial < trials(3); ++trial) {
+    TetMesh mesh = cube_mesh(1);
+    for (auto& t : mesh.tensors) t = rounded(8.0 * random.tensor(), 0);
+    const std::array<Index, 2> edge{mesh.tets[0][0], mesh.tets[0][1]};
+    const double sign = trial % 2 == 0 ? 1 : -1;
+    const auto q = random.quaternion();
+    for (const Index v : edge)
+      mesh.tensors[static_cast<std::size_t>(v)] =
+          turned((sign * random.integer(1, 3)) * SymmetricTensor<double>{2, -1, -1, 0, 0, 0}, q);
+    for (const char* mode : {"0", "-1/2", "9/10", "-999/1000", "999/1000", "999999/1000000"}) {
+      SCOPED_TRACE("trial " + std::to_string(trial) + " at " + mode);
+      const Extraction extraction = extract(mesh, mode);
+      EXPECT_EQ(unresolved_text(extraction), "");
+      EXPECT_EQ(flaws(extraction, mesh), "");
+      for (std::size_t i = 0; i < extraction.surface.points.size(); ++i) {
+        const auto& on = extraction.surface.carrier_vertices[i];
+        EXPECT_FALSE(extraction.surface.carrier[i] == Carrier::edge &&
+                     std::minmax(on[0], on[1]) == std::minmax(edge[0], edge[1]));
+      }
+    }
+    for (const Degeneracy kind : {Degeneracy::linear, Degeneracy::planar}) {
+      const auto found = extract_degenerate_curves(mesh, kind);
+      const double mode = kind == Degeneracy::linear ? 1 : -1;
+      EXPECT_TRUE(found.unresolved.empty());
+      EXPECT_EQ(flaws(found, mesh, mode, CurveEnds::free), "");
+      int along = 0;
+      for (const auto& line : found.curves.lines) {
+        const auto end = [&](Index v) {
+          const auto& on = found.curves.carrier_vertices[static_cast<std::size_t>(v)];
+          return on[1] < 0 ? on[0] : -1;
+        };
+        along += std::minmax(end(line.front()), end(line.back())) == std::minmax(edge[0], edge[1]);
+      }
+      EXPECT_EQ(along, mode == sign ? 1 : 0);
+    }
+  }
 }
 
 // The mode on one edge has the largest value 4/5 inside it, or for opposite tensors the least.
