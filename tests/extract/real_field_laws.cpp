@@ -112,8 +112,10 @@ void expect_curves_of_symmetric_block_near_those_of_general_fields(Degeneracy ki
   const TetMesh& mesh = symmetric_block().mesh;
   TetMesh near = mesh;
   for (auto& t : near.tensors) t = t + std::ldexp(1.0, -40) * random.tensor();
-  const auto exact = extract_degenerate_curves(mesh, kind);
-  const auto nearby = extract_degenerate_curves(near, kind);
+  ExtractOptions options;
+  options.sampling.resolution = 40;
+  const auto exact = extract_degenerate_curves(mesh, kind, options);
+  const auto nearby = extract_degenerate_curves(near, kind, options);
   EXPECT_TRUE(nearby.unresolved.empty());
   const CurveMesh& general = nearby.curves;
   std::map<Index, double> farthest, length;
@@ -130,7 +132,7 @@ void expect_curves_of_symmetric_block_near_those_of_general_fields(Degeneracy ki
   std::cout << farthest.size() << " components\n";
   EXPECT_GT(farthest.size(), 10u);
   for (const auto& [component, far] : farthest)
-    EXPECT_TRUE(far < 0.2 || length[component] < 0.2)  // of a hundred
+    EXPECT_TRUE(far < 0.05 || length[component] < 0.05)  // of a hundred
         << "away by " << far << ", length " << length[component];
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "degenerate_point_laws.hpp"
+#include "extract_case.hpp"
 #include "real_field_laws.hpp"
 
 namespace tensortopo::test {
@@ -37,6 +39,16 @@ TEST_P(LongFaces, ArePassedThroughAsOftenAsExactCountsSay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields, LongFaces, testing::Values("s1", "s2", "s3", "s4"));
+
+class LongDegeneratePoints : public testing::TestWithParam<const char*> {};
+
+TEST_P(LongDegeneratePoints, HaveALoopOfTheSurfaceAroundEach) {
+  expect_a_loop_around_each_degenerate_point(GetParam(), trials(400), 20250701);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, LongDegeneratePoints,
+                         testing::Values("999/1000", "-999/1000", "999999/1000000",
+                                         "-999999/1000000"));
 
 }  // namespace
 }  // namespace tensortopo::test
