@@ -234,6 +234,46 @@ TEST(FaceExtremum, HasALoopAroundAMinimumAndNoneAroundAMaximum) {
   }
 }
 
+// On a face of plane strain the mode depends on r alone: it is -1 at r = 0, 0 at 1, 1 at 3, and
+// 0.597 at 8, where the circle touches a side. So all curves are closed up to there: one of each
+// level below 0.597, two of each above.
+TEST(PlaneStrainFace, HasConcentricLoops) {
+  Random random(20241215);
+  for (int trial = 0; trial < trials(1); ++trial) {
+    TetTensors tensors;
+    const double corners[3][2] = {{-16, -8}, {16, -8}, {0, 16}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [x, y] = corners[i];
+      tensors[i] = {1 + x, 1 - x, -2, y, 0, 0};
+    }
+    tensors[3] = rounded(8.0 * random.tensor(), 0);
+    const auto q = random.quaternion();
+    for (auto& t : tensors) t = turned(t, q);
+    const TetMesh mesh = reference_tet_mesh(tensors);
+    ExtractOptions options;
+    options.keep_topology = true;
+    for (const auto& [mode, loops] : {std::pair{"-999999/1000000", 1u},
+                                      {"-1/2", 1u},
+                                      {"0", 1u},
+                                      {"6/10", 2u},
+                                      {"9/10", 2u},
+                                      {"999/1000", 2u},
+                                      {"999999/1000000", 2u}}) {
+      SCOPED_TRACE(std::string(mode) + '\n' + exact_text(tensors));
+      const auto extraction = extract_mode_surface<double>(mesh, ModeValue::parse(mode), options);
+      EXPECT_EQ(unresolved_text(extraction), "");
+      EXPECT_EQ(flaws(extraction, mesh), "");
+      const auto& faces = extraction.topology.faces;
+      const auto face = std::find_if(faces.begin(), faces.end(), [](const auto& f) {
+        return f.vertices == std::array<Index, 3>{0, 1, 2};
+      });
+      ASSERT_NE(face, faces.end());
+      EXPECT_EQ(face->loops.size(), loops);
+      EXPECT_TRUE(face->arcs.empty());
+    }
+  }
+}
+
 // Of mode 1 or -1 all along: crossed by no surface, however near, and run along by one curve.
 TEST(DegenerateEdge, IsCrossedByNoSurfaceAndRunAlongByOneCurve) {
   Random random(20241214);
