@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 
 #include "extract_case.hpp"
@@ -38,7 +39,9 @@ void expect_agreement_with_brute_force(const std::string& mode, int count, std::
   std::cout << "mode " << mode << ": brute force decided " << decided << " of " << count << ", "
             << misled << " of them only on its finest lattices\n";
   EXPECT_LE(50 * misled, count + 50);
-  EXPECT_GT(10 * decided, 8 * count);
+  // Next to modes -1 and 1 tubes are often thinner than the finest lattice.
+  const bool is_thin = std::abs(level) > 0.998;
+  EXPECT_GT(10 * decided, (is_thin ? 5 : 8) * count);
 }
 
 void expect_agreement_with_fifty_digits(const std::string& mode, int count, std::uint64_t seed) {

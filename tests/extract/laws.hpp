@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
 namespace tensortopo::test {
+
+/// Levels next to 0, and next to -1 and 1.
+inline constexpr std::array<const char*, 6> kNearLevels{
+    "1/1000", "-1/1000", "999/1000", "-999/1000", "999999/1000000", "-999999/1000000"};
 
 /// Laws that the everyday tests try on few random fields and the long ones on many.
 

@@ -3,6 +3,7 @@
 #include "strata_laws.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <numeric>
@@ -45,8 +46,31 @@ std::vector<std::string> modes_for(Stratum stratum) {
   std::vector<std::string> modes{"1/2", "-9/10"};
   const std::string special = special_mode(stratum);
   if (special != "0") modes.insert(modes.begin(), "0");
+  if (stratum == Stratum::degenerate_edge)
+    for (const char* near : {"1/1000", "-999/1000", "999999/1000000"}) modes.push_back(near);
   if (!special.empty()) modes.insert(modes.begin(), special);
   return modes;
+}
+
+AffineMap random_affine_map(Random& random) {
+  AffineMap map;
+  double determinant = 0;
+  while (determinant == 0) {
+    for (auto& row : map.rows) {
+      const double scale = std::ldexp(1.0, random.integer(-3, 3));
+      for (double* entry : {&row.x, &row.y, &row.z}) *entry = scale * random.integer(-5, 5);
+    }
+    determinant = dot(map.rows[0], cross(map.rows[1], map.rows[2]));
+  }
+  if (determinant < 0) map.rows[0] = -1.0 * map.rows[0];
+  for (double* entry : {&map.offset.x, &map.offset.y, &map.offset.z})
+    *entry = random.integer(-1000, 1000);
+  return map;
+}
+
+std::ostream& operator<<(std::ostream& out, const AffineMap& map) {
+  for (const auto& row : map.rows) out << row.x << ' ' << row.y << ' ' << row.z << "; ";
+  return out << "offset " << map.offset.x << ' ' << map.offset.y << ' ' << map.offset.z;
 }
 
 void expect_sound_near_strata(int count, int compared, std::uint64_t seed) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,19 @@ std::ostream& operator<<(std::ostream& out, const Outcome& o);
 
 /// The levels at which the strata are extracted: the special one first, if there is one.
 std::vector<std::string> modes_for(Stratum stratum);
+
+/// x -> A x + b with A of positive determinant.
+struct AffineMap {
+  std::array<Vector3<double>, 3> rows;
+  Vector3<double> offset;
+
+  Vector3<double> operator()(const Vector3<double>& p) const {
+    return Vector3<double>{dot(rows[0], p), dot(rows[1], p), dot(rows[2], p)} + offset;
+  }
+};
+/// With entries of few bits: what it makes of points with few bits is exact.
+AffineMap random_affine_map(Random& random);
+std::ostream& operator<<(std::ostream& out, const AffineMap& map);
 
 /// Extracts from `count` tetrahedra, half of them of general tensors, half of tensors in a stratum,
 /// exact or off by between a rounding and a thousandth, and expects surfaces without flaws; from

@@ -22,6 +22,13 @@ TEST_P(RandomTetrahedra, HaveTheTopologyThatBruteForceSees) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, RandomTetrahedra, testing::ValuesIn(kLevels));
 
+TEST(RandomTetrahedraNextToModesZeroAndOne, HaveTheTopologyThatBruteForceSees) {
+  expect_agreement_with_brute_force("1/1000", trials(15), 20240002);
+  expect_agreement_with_brute_force("-1/1000", trials(15), 20240003);
+  expect_agreement_with_brute_force("999/1000", trials(10), 20240004);
+  expect_agreement_with_brute_force("-999/1000", trials(10), 20240005);
+}
+
 // Small integers meet every special position: vertices on the level, zero deviators, deficient
 // ranks, constant modes.
 RC_GTEST_PROP(SmallIntegerTetrahedra, AgreeWithBruteForceOrNameWhatIsSpecial, ()) {

@@ -18,5 +18,10 @@ TEST_P(TetrahedraInTwoPrecisions, HaveTheSameTopology) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, TetrahedraInTwoPrecisions, testing::ValuesIn(kLevels));
 
+TEST(TetrahedraNextToModeZero, HaveTheSameTopologyInTwoPrecisions) {
+  expect_agreement_with_fifty_digits("1/1000", trials(10), 20240102);
+  expect_agreement_with_fifty_digits("-1/1000", trials(10), 20240103);
+}
+
 }  // namespace
 }  // namespace tensortopo::test

@@ -10,6 +10,7 @@
 #include "bundled_fields.hpp"
 #include "curve_checks.hpp"
 #include "extract_case.hpp"
+#include "real_field_laws.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::test {
@@ -55,6 +56,10 @@ TEST_P(CurvesOfRealFields, RunInsideTheTubesOfTheNearestModes) {
       EXPECT_TRUE(least >= 0.9989 || crossed.contains(t)) << "tetrahedron " << t;
     }
   }
+}
+
+TEST(FacesOfRealFields, ArePassedThroughAsOftenAsExactCountsSay) {
+  for (const char* name : {"s1", "s2", "s3", "s4"}) expect_exact_counts_on_faces(name, 40);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, CurvesOfRealFields, testing::Values(1, -1),

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <set>
 
+#include "degenerate_point_laws.hpp"
 #include "exact_degenerate_points.hpp"
 #include "extract_case.hpp"
 #include "support/generators.hpp"
@@ -155,6 +156,11 @@ TEST(DegeneratePoints, OfWitnessPlanesAreAsManyAsTheExactCount) {
     agrees(witness.corners(), complaint);
     EXPECT_EQ(complaint, "") << witness.name;
   }
+}
+
+TEST(DegeneratePoints, HaveALoopOfTheSurfaceAroundEach) {
+  for (const char* mode : {"999/1000", "-999/1000", "999999/1000000", "-999999/1000000"})
+    expect_a_loop_around_each_degenerate_point(mode, trials(8), 20250121);
 }
 
 SymmetricTensor<double> along(double x, double y, double z) {

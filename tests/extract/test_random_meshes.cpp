@@ -46,6 +46,13 @@ TEST_P(RandomMeshes, OfSmoothFieldsHaveTheTopologyThatFineMarchingTetrahedraSee)
 
 INSTANTIATE_TEST_SUITE_P(Levels, RandomMeshes, testing::ValuesIn(kLevels));
 
+TEST(RandomMeshesNextToModeZero, GiveFlawlessSurfaces) {
+  for (const char* mode : {"1/1000", "-1/1000"}) {
+    expect_flawless_surfaces(mode, trials(2), 2, false, 20240804);
+    expect_flawless_surfaces(mode, trials(2), 3, true, 20240804);
+  }
+}
+
 TEST(Extraction, OfSeveralModesGivesTheSurfacesOfEach) {
   for (const bool smooth : {false, true}) {
     TetMesh mesh = cube_mesh(3);

@@ -32,8 +32,9 @@ TEST_P(ThinLevels, OfSmoothFieldsAreFlawless) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, ThinLevels,
-                         testing::Values("999/1000", "-9999/10000", "999999/1000000",
-                                         "999999999/1000000000", "-999999999/1000000000"));
+                         testing::Values("999/1000", "-999/1000", "-9999/10000", "999999/1000000",
+                                         "-999999/1000000", "999999999/1000000000",
+                                         "-999999999/1000000000"));
 
 TEST(ThinLevel, HasTheTopologyThatBruteForceSees) {
   expect_agreement_with_brute_force("997/1000", trials(60), 20250530);

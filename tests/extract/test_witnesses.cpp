@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "extract_case.hpp"
+#include "strata_laws.hpp"
 #include "support/brute_force.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -45,6 +48,53 @@ TEST(FieldWitness, TurnsIntoItsMirrorImageWhenTensorsAndModeAreNegated) {
           extract(single_tet_mesh(tet.points, tensors), mode_of(tet.mode).opposite().text()));
       EXPECT_EQ(seen.components, tet.components);
       EXPECT_EQ(seen.crossings(), tet.edge_crossings);
+    }
+}
+
+// Whether entries are integers so short that turning them is exact.
+bool is_short(const SymmetricTensor<double>& t) {
+  for (const double entry : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
+    if (std::abs(entry) > 0x1p36 || entry != std::round(entry)) return false;
+  return true;
+}
+
+/// The same linear field in another frame and other units: tensors turned and scaled by a power of
+/// two, each, and points moved by an affine map.
+TetMesh in_another_frame(TetMesh mesh, Random& random) {
+  const auto q = random.quaternion();
+  const int exponent = random.integer(-300, 300);
+  for (auto& t : mesh.tensors) {
+    EXPECT_TRUE(is_short(t)) << exact_text(t);
+    t = std::ldexp(1.0, exponent + random.integer(-2, 2)) * turned(t, q);
+  }
+  const AffineMap map = random_affine_map(random);
+  for (auto& p : mesh.points) p = map(p);
+  return mesh;
+}
+
+TEST(FieldWitness, HasTheTopologyStatedInOtherFramesAndUnits) {
+  Random random(20240110);
+  for (const auto& witness : field_witnesses())
+    for (const auto& tet : witness.cases) {
+      SCOPED_TRACE(witness.name + " at " + mode_of(tet.mode).text());
+      const TetMesh mesh =
+          in_another_frame(single_tet_mesh(tet.points, witness.field.at(tet.points)), random);
+      const Extraction extraction = extract(mesh, mode_of(tet.mode).text());
+      EXPECT_EQ(unresolved_text(extraction), "");
+      const LocalTopology seen = topology_in_tet(extraction);
+      EXPECT_EQ(seen.components, tet.components);
+      EXPECT_EQ(seen.crossings(), tet.edge_crossings);
+    }
+}
+
+TEST(StratumWitness, IsTheSameInOtherFramesAndUnits) {
+  Random random(20240111);
+  for (const auto& witness : stratum_witnesses())
+    for (const char* mode : {"0", "1/10", "-1/2", "-143/343", "9/10", "-99/100"}) {
+      SCOPED_TRACE(witness.name + " at " + mode);
+      const TetMesh mesh = single_tet_mesh(witness.points, witness.tensors);
+      EXPECT_EQ(outcome(extract(in_another_frame(mesh, random), mode)),
+                outcome(extract(mesh, mode)));
     }
 }
 
@@ -93,7 +143,7 @@ TEST(FieldWitness, LevelsCloseToCriticalAreDecided) {
   const auto& witness = field_witness("saddle_origin_rational");
   const auto& points = witness.cases[0].points;
   const TetMesh mesh = single_tet_mesh(points, witness.field.at(points));
-  const Extraction above = extract(mesh, "-4169095/10000000"),   // critical: -0.41690962...
+  const Extraction above = extract(mesh, "-4169095/10000000"),  // critical: -0.41690962...
       below = extract(mesh, "-4169105/10000000");
   EXPECT_EQ(unresolved_text(above), "");
   EXPECT_EQ(unresolved_text(below), "");

@@ -117,6 +117,22 @@ TEST(Families, ThatAreNotGenericAreSo) {
       if (all[i] == Speciality::vertex_on_level) {
         EXPECT_GT(extraction.statistics.vertices_on_level, 0u);
       }
+      if (all[i] == Speciality::antiplane_shear || all[i] == Speciality::rank_two) {
+        EXPECT_EQ(strata.rank, 2) << name << ", seed " << seed;
+      }
+      if (all[i] == Speciality::rank_one) {
+        EXPECT_EQ(strata.rank, 1) << "seed " << seed;
+      }
+      if (all[i] == Speciality::rank_zero) {
+        EXPECT_EQ(strata.rank, 0) << "seed " << seed;
+      }
+      if (name.rfind("rank_", 0) == 0) {
+        EXPECT_TRUE(extraction.unresolved.empty()) << name << ", seed " << seed;
+      }
+      if (all[i] == Speciality::antiplane_shear) {
+        ASSERT_EQ(extraction.unresolved.size(), 1u) << "seed " << seed;
+        EXPECT_EQ(extraction.unresolved[0].reason, UnresolvedReason::level_constant_in_cell);
+      }
       if (reasons.contains(name)) {
         ASSERT_EQ(extraction.unresolved.size(), 1u) << name << ", seed " << seed;
         EXPECT_EQ(name_of(extraction.unresolved[0].reason), name) << "seed " << seed;

@@ -107,9 +107,10 @@ class SpecialValues : public testing::TestWithParam<Stratum> {
 TEST_P(SpecialValues, AreTold) {
   const std::string special = special_mode(GetParam());
   const ModeValue mu = ModeValue::parse(special);
-  const ModeValue above = ModeValue::parse(special == "0"     ? "1/10000000000"
-                                           : special == "4/5" ? "0.8000000001"
-                                                              : "-0.4169096209");
+  const ModeValue above = ModeValue::parse(special == "0"         ? "1/10000000000"
+                                           : special == "4/5"     ? "0.8000000001"
+                                           : special == "143/343" ? "0.4169096210"
+                                                                  : "-0.4169096209");
   ASSERT_GT(above.approx(), mu.approx());
   for (std::uint64_t seed = 1; seed < 12; ++seed) {
     Random random(seed);
@@ -120,7 +121,8 @@ TEST_P(SpecialValues, AreTold) {
     if (GetParam() == Stratum::tangent_edge) {
       EXPECT_TRUE(on_some_edge(tensors, mu)) << seed;
     }
-    if (GetParam() == Stratum::face_saddle) {
+    if (GetParam() == Stratum::face_saddle || GetParam() == Stratum::face_minimum ||
+        GetParam() == Stratum::face_maximum) {
       EXPECT_TRUE(on_some_plane(tensors, mu)) << seed;
     }
     EXPECT_FALSE(on_some_edge(tensors, above)) << seed;
@@ -130,6 +132,7 @@ TEST_P(SpecialValues, AreTold) {
 
 INSTANTIATE_TEST_SUITE_P(Strata, SpecialValues,
                          testing::Values(Stratum::tangent_edge, Stratum::face_saddle,
+                                         Stratum::face_minimum, Stratum::face_maximum,
                                          Stratum::tet_saddle, Stratum::vertex_on_level),
                          [](const auto& tested) { return name_of(tested.param); });
 

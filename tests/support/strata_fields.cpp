@@ -13,6 +13,7 @@ using Tensor = SymmetricTensor<double>;
 
 constexpr Tensor xy{0, 0, 0, 1, 0, 0}, yz{0, 0, 0, 0, 1, 0}, xz{0, 0, 0, 0, 0, 1};
 constexpr Tensor on_level{11, 2, -13, 0, 0, 0};  // of mode -143/343
+constexpr Tensor uniaxial{2, -1, -1, 0, 0, 0};   // of mode 1
 
 Tensor small(Random& random) {
   const auto entry = [&] { return static_cast<double>(random.integer(-5, 5)); };
@@ -44,6 +45,20 @@ TetTensors combinations(const std::array<Tensor, 4>& basis, Random& random) {
     corner = corner + 8.0 * basis[static_cast<std::size_t>(random.integer(0, 3))];
   }
   return t;
+}
+
+// The mode at T is critical along a tensor A if A is orthogonal to T^2 - k T with the k that makes
+// this orthogonal to T, for T = on_level k = -143/49: so it is along xy and xz. There it grows to
+// second order, as its eigenvalues do: by a positive multiple of -(t + k) for the eigenvalue t that
+// A leaves alone, and both -13 and 2 are less than -k.
+void around_extremum(TetTensors& t, Random& random) {
+  constexpr std::array<std::array<int, 6>, 3> triangles{
+      {{3, 0, -1, 2, -2, -3}, {5, -1, -2, 4, -4, -3}, {1, 4, -4, 0, 2, -3}}};
+  const auto& p = triangles[static_cast<std::size_t>(random.integer(0, 2))];
+  const int size = random.integer(1, 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    t[i] = on_level + static_cast<double>(size * p[2 * i]) * xy +
+           static_cast<double>(size * p[2 * i + 1]) * xz;
 }
 
 TetTensors upright(Stratum stratum, Random& random) {
@@ -121,6 +136,27 @@ TetTensors upright(Stratum stratum, Random& random) {
     case Stratum::constant_cell:
       for (auto& corner : t) corner = weight(random, 1, 3) * on_level;
       return t;
+    case Stratum::symmetric_face:
+      for (std::size_t i = 0; i < 3; ++i) t[i].xz = t[i].yz = 0;
+      return t;
+    case Stratum::plane_strain_face:
+      // Of mode -1 at the origin of (x, y), and of mode 1 on the circle of radius 3 around it.
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double x = random.integer(-6, 6), y = random.integer(-6, 6);
+        t[i] = {1 + x, 1 - x, -2, y, 0, 0};
+      }
+      return t;
+    case Stratum::face_minimum:
+    case Stratum::face_maximum:
+      around_extremum(t, random);
+      if (stratum == Stratum::face_maximum)
+        for (auto& corner : t) corner = -1.0 * corner;
+      return t;
+    case Stratum::degenerate_edge: {
+      const double sign = random.integer(0, 1) == 0 ? 1 : -1;
+      for (std::size_t i = 0; i < 2; ++i) t[i] = sign * weight(random, 1, 3) * uniaxial;
+      return t;
+    }
   }
   return t;
 }
@@ -130,7 +166,7 @@ TetTensors upright(Stratum stratum, Random& random) {
 const std::vector<Stratum>& all_strata() {
   static const std::vector<Stratum> all = [] {
     std::vector<Stratum> list;
-    for (int i = 0; i <= static_cast<int>(Stratum::constant_cell); ++i)
+    for (int i = 0; i <= static_cast<int>(Stratum::degenerate_edge); ++i)
       list.push_back(static_cast<Stratum>(i));
     return list;
   }();
@@ -161,7 +197,12 @@ std::string name_of(Stratum stratum) {
       {Stratum::tet_saddle, "tet_saddle"},
       {Stratum::constant_edge, "constant_edge"},
       {Stratum::constant_face, "constant_face"},
-      {Stratum::constant_cell, "constant_cell"}};
+      {Stratum::constant_cell, "constant_cell"},
+      {Stratum::symmetric_face, "symmetric_face"},
+      {Stratum::plane_strain_face, "plane_strain_face"},
+      {Stratum::face_minimum, "face_minimum"},
+      {Stratum::face_maximum, "face_maximum"},
+      {Stratum::degenerate_edge, "degenerate_edge"}};
   return names.at(stratum);
 }
 
@@ -172,7 +213,10 @@ std::string special_mode(Stratum stratum) {
     case Stratum::constant_edge:
     case Stratum::constant_face:
     case Stratum::constant_cell:
+    case Stratum::face_minimum:
       return "-143/343";
+    case Stratum::face_maximum:
+      return "143/343";
     case Stratum::tangent_edge:
       return "4/5";
     case Stratum::face_saddle:

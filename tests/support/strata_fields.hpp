@@ -35,6 +35,11 @@ enum class Stratum {
   constant_edge,
   constant_face,
   constant_cell,
+  symmetric_face,     ///< all tensors of a face have an eigenvector in common: a plane of symmetry
+  plane_strain_face,  ///< and the same eigenvalue for it: extrema of the face fill a circle
+  face_minimum,       ///< the level is the value of a minimum inside a face
+  face_maximum,       ///< the level is the value of a maximum inside a face
+  degenerate_edge,    ///< all tensors of an edge are degenerate, with one dominant eigenvector
 };
 
 const std::vector<Stratum>& all_strata();

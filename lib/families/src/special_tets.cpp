@@ -17,7 +17,7 @@ using Tensors = std::array<Tensor, 4>;
 constexpr Tensor kXy{0, 0, 0, 1, 0, 0}, kYz{0, 0, 0, 0, 1, 0}, kXz{0, 0, 0, 0, 0, 1};
 constexpr Tensor kOnLevel{11, 2, -13, 0, 0, 0};  // of mode -143/343
 
-constexpr std::array<std::pair<Speciality, std::string_view>, 16> kNames{
+constexpr std::array<std::pair<Speciality, std::string_view>, 20> kNames{
     {{Speciality::zero_deviator_vertex, "zero_deviator_vertex"},
      {Speciality::two_zero_vertices, "two_zero_vertices"},
      {Speciality::zero_deviator_on_edge, "zero_deviator_on_edge"},
@@ -33,7 +33,11 @@ constexpr std::array<std::pair<Speciality, std::string_view>, 16> kNames{
      {Speciality::level_constant_on_face, "level_constant_on_face"},
      {Speciality::level_constant_in_cell, "level_constant_in_cell"},
      {Speciality::critical_value_on_face, "critical_value_on_face"},
-     {Speciality::critical_value_in_cell, "critical_value_in_cell"}}};
+     {Speciality::critical_value_in_cell, "critical_value_in_cell"},
+     {Speciality::antiplane_shear, "antiplane_shear"},
+     {Speciality::rank_two, "rank_two"},
+     {Speciality::rank_one, "rank_one"},
+     {Speciality::rank_zero, "rank_zero"}}};
 
 Tensor small(RandomSource& random) {
   const auto entry = [&] { return static_cast<double>(random.integer(-5, 5)); };
@@ -112,6 +116,21 @@ Tensors tensors_of(Speciality speciality, RandomSource& random) {
         t[i] = Tensor{11, -13, 2, 0, 0, 0} + p[i][0] * kXy + p[i][1] * kXz + p[i][2] * kYz;
       break;
     }
+    case Speciality::antiplane_shear:
+      t[0] = w[0] * kXz, t[1] = w[1] * kYz;
+      t[2] = w[2] * kXz + kYz, t[3] = kYz - w[3] * kXz;
+      break;
+    case Speciality::rank_two:
+      // All in one half of the plane of combinations, so that no deviator vanishes.
+      t[2] = w[0] * t[0] + w[1] * t[1];
+      t[3] = w[2] * t[0] - w[3] * t[1];
+      break;
+    case Speciality::rank_one:
+      for (std::size_t i = 1; i < 4; ++i) t[i] = w[i] * t[0];
+      break;
+    case Speciality::rank_zero:
+      for (std::size_t i = 0; i < 4; ++i) t[i] = {w[i], w[i], w[i], 0, 0, 0};
+      break;
   }
   return t;
 }
@@ -143,6 +162,7 @@ std::optional<ModeValue> special_level(Speciality speciality) {
       return ModeValue::parse("4/5");
     case Speciality::degenerate_characteristic:
     case Speciality::critical_value_on_face:
+    case Speciality::antiplane_shear:
       return ModeValue();
     default:
       return std::nullopt;

@@ -30,6 +30,10 @@ enum class Speciality {
   level_constant_in_cell,
   critical_value_on_face,  ///< the level is the value of a saddle in a face
   critical_value_in_cell,  ///< the level is the value of the saddle inside
+  antiplane_shear,         ///< neutral everywhere
+  rank_two,                ///< all deviators are combinations of two
+  rank_one,                ///< all deviators are multiples of one
+  rank_zero,               ///< no deviator anywhere
 };
 
 const std::vector<Speciality>& all_specialities();
