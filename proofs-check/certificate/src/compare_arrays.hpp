@@ -7,8 +7,8 @@
 
 namespace certificate {
 
-/// Are the arrays of the surface those whose hashes the certificate has, and no others? Left open if
-/// it has none.
+/// Are the arrays of the surface those whose hashes the certificate has, and no others? Left open
+/// if it has none.
 void compare_hashes(const Json& surface_claims, const Triangles& surface, Ledger& ledger);
 
 /// Are the mode or value at each vertex, and the component of each triangle, what they are? As far
