@@ -42,6 +42,7 @@ struct References {
 struct Sheet {
   FamilyMember all;
   std::vector<TetMesh::Index> ends;
+  std::vector<std::string> notes;  // as in FieldTruth
 
   int member_of(TetMesh::Index vertex) const {
     return static_cast<int>(std::upper_bound(ends.begin(), ends.end(), vertex) - ends.begin());
@@ -91,6 +92,7 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
   const TetMesh& mesh = member.mesh;
   truth.kind = name_of(command.kind);
   truth.note = member.note;
+  truth.notes = sheet.notes;
   truth.seed = command.seed;
   truth.field_sha256 = field_sha256(mesh);
   truth.points = mesh.points.size();
@@ -141,7 +143,10 @@ Sheet all_members(const GenerateCommand& command, const FamilyRequest& first) {
     const TetMesh::Index first_vertex = sheet.ends.empty() ? 0 : sheet.ends.back();
     sheet.ends.push_back(first_vertex + static_cast<TetMesh::Index>(member.mesh.points.size()));
     meshes.push_back(std::move(member.mesh));
+    sheet.notes.push_back(std::move(member.note));
   }
+  if (std::equal(sheet.notes.begin() + 1, sheet.notes.end(), sheet.notes.begin()))
+    sheet.notes.clear();
   all.note = fmt::format("{} members side by side", command.count);
   all.mesh = side_by_side(meshes);
   return sheet;
@@ -181,7 +186,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
     if (command.count > 1)
       field.replace_filename(fmt::format("{}-{:04}.vtu", command.output.stem().string(), i));
     report.files.push_back(
-        write_field(command, {family_member(command.kind, request), {}}, field, truth));
+        write_field(command, {family_member(command.kind, request), {}, {}}, field, truth));
   }
   return report;
 }

@@ -124,6 +124,7 @@ std::string to_json(const FieldTruth& truth) {
   json["version"] = kVersion;
   json["kind"] = truth.kind;
   json["note"] = truth.note;
+  if (!truth.notes.empty()) json["notes"] = truth.notes;
   json["seed"] = truth.seed;
   json["member"] = truth.member;
   json["members"] = truth.members;
@@ -150,6 +151,7 @@ FieldTruth read_truth(const std::filesystem::path& file) {
     FieldTruth truth;
     truth.kind = json.at("kind").get<std::string>();
     truth.note = json.at("note").get<std::string>();
+    truth.notes = json.value("notes", std::vector<std::string>{});
     truth.seed = json.at("seed").get<std::uint64_t>();
     truth.member = json.at("member").get<int>();
     truth.members = json.at("members").get<int>();

@@ -65,6 +65,7 @@ struct LevelTruth {
 /// A field, and the truth about some of its mode surfaces.
 struct FieldTruth {
   std::string kind, note;
+  std::vector<std::string> notes;  ///< of the members side by side, if they differ; else none
   std::uint64_t seed = 0;
   int member = 0, members = 1;
   std::string field_sha256;
