@@ -36,8 +36,6 @@ TriangleSearch::TriangleSearch(const SurfaceMesh& surface) : locator_(std::make_
   }
   locator_->data->SetPoints(points);
   locator_->data->SetPolys(cells);
-  // Few triangles in a bucket: looking at a triangle costs much more than at a bucket.
-  locator_->locator->SetNumberOfCellsPerNode(2);
   locator_->locator->SetDataSet(locator_->data);
   locator_->locator->BuildLocator();
 }
