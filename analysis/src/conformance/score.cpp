@@ -75,21 +75,31 @@ struct Votes {
   }
 };
 
-// The vertices of the triangles, and the middles of their edges: each once.
-std::vector<Vector3<double>> corners_and_middles(const SurfaceMesh& surface) {
-  std::vector<std::array<Index, 2>> edges;
-  for (const auto& t : surface.triangles)
+// The vertices of the triangles and the middles of their edges, each once, without those that are
+// not farther than `known` since the nearest triangle's distance is known at the centroid beside.
+std::vector<Vector3<double>> farther_samples(const SurfaceMesh& surface,
+                                             const std::vector<TriangleSearch::Nearest>& at_centre,
+                                             double known) {
+  std::vector<std::array<Index, 2>> edges;  // of a vertex and itself, too
+  const auto sample = [&](const std::array<Index, 2>& edge) {
+    return 0.5 * (surface.points[as_size(edge[0])] + surface.points[as_size(edge[1])]);
+  };
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const auto& t = surface.triangles[i];
+    const auto c = centroid(corners(surface, i));
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-      edges.push_back({a, b});
-      edges.push_back({a, a}), edges.push_back({b, b});
+      for (const std::array<Index, 2>& edge : {std::array{a, b}, std::array{t[k], t[k]}}) {
+        const auto d = sample(edge) - c;
+        if (at_centre[i].distance + std::sqrt(dot(d, d)) > known) edges.push_back(edge);
+      }
     }
+  }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   std::vector<Vector3<double>> samples;
   samples.reserve(edges.size());
-  for (const auto& [a, b] : edges)
-    samples.push_back(0.5 * (surface.points[as_size(a)] + surface.points[as_size(b)]));
+  for (const auto& edge : edges) samples.push_back(sample(edge));
   return samples;
 }
 
@@ -116,7 +126,9 @@ Votes vote(const SurfaceMesh& from, const SurfaceInvariants& of_from, const Tria
     tbb::parallel_for(std::size_t{0}, at_centre.size(), [&](std::size_t i) {
       at_centre[i] = search->nearest(centroid(corners(from, i)));
     });
-    largest = std::max(largest, largest_distance(corners_and_middles(from), *search));
+    for (const auto& nearest : at_centre) largest = std::max(largest, nearest.distance);
+    largest =
+        std::max(largest, largest_distance(farther_samples(from, at_centre, largest), *search));
   } else if (!from.triangles.empty()) {
     largest = std::numeric_limits<double>::infinity();
   }
@@ -126,7 +138,6 @@ Votes vote(const SurfaceMesh& from, const SurfaceInvariants& of_from, const Tria
     const double weight = area(corners(from, i)) + std::numeric_limits<double>::min();
     votes.total[as_size(component)] += weight;
     if (search == nullptr) continue;
-    largest = std::max(largest, at_centre[i].distance);
     if (at_centre[i].distance <= reach(i, at_centre[i].triangle))
       votes.of[as_size(component)][of_to.component[as_size(at_centre[i].triangle)]] += weight;
   }
