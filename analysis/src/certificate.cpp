@@ -52,6 +52,8 @@ CertificateReport write_certificate(const std::filesystem::path& file, const Rea
   subject.vertices = surface.points.size();
   subject.triangles = surface.triangles.size();
   subject.surface_sha256 = surface_sha256(surface, read.mesh);
+  for (const ArrayHash& array : array_hashes(surface))
+    subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
   const auto encoding = file.extension() == ".cbor" ? CertificateEncoding::cbor
                                                     : CertificateEncoding::json;
   const std::string bytes = certificate_bytes(subject, levels, read.mesh, encoding);

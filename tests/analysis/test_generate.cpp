@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -155,6 +158,78 @@ TEST(Generate, RefusesWhatItCannotDo) {
   EXPECT_EQ(run_program({"generate", "linear", "-o", folder / "a.vtu", "--mode", "1"}).status, 2);
   EXPECT_EQ(run_program({"generate", "linear", "-o", folder / "none/a.vtu"}).status, 4);
   EXPECT_TRUE(folder.files().empty());
+}
+
+// Side by side members are what they are alone.
+TEST(Generate, SaysOfEachComponentWhoseItIs) {
+  const Folder folder;
+  const std::vector<std::string> same{"--seed", "1", "--no-reference", "--mode", "1/2"};
+  const auto made = [&](const std::string& kind, const std::string& file, std::string count,
+                        bool together) {
+    std::vector<std::string> words{kind, "-o", folder / (file + ".vtu"), "--count", count};
+    words.insert(words.end(), same.begin(), same.end());
+    if (together) words.push_back("--together");
+    return generated(words)["files"];
+  };
+  using Components = std::vector<std::array<int, 2>>;
+  const auto shape = [](const Json& c) {
+    return std::array<int, 2>{c["euler_characteristic"], c["boundary_loops"]};
+  };
+  for (const std::string kind : {"nongeneric", "complex"}) {
+    const std::string sheet = kind + "-sheet";
+    const std::string count = kind == "complex" ? "3" : "16";
+    made(kind, sheet, count, true);
+    const Json all = Json::parse(contents(folder / (sheet + ".truth.json")));
+    std::map<int, Components> of_member;
+    for (const Json& c : all["levels"][0]["components"]) {
+      const int member = c.at("member");
+      of_member[member].push_back(shape(c));
+    }
+    const Json files = made(kind, kind, count, false);
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const Json alone = Json::parse(contents(files[i]["truth"].get<std::string>()));
+      Components components;
+      for (const Json& c : alone["levels"][0]["components"]) {
+        EXPECT_FALSE(c.contains("member"));
+        components.push_back(shape(c));
+      }
+      EXPECT_EQ(of_member[static_cast<int>(i)], components) << kind << i;
+      notes.push_back(alone["note"]);
+    }
+    const bool differ = notes.front() != notes.back();
+    EXPECT_EQ(all.value("notes", std::vector<std::string>{}),
+              differ ? notes : std::vector<std::string>{});
+    // A surface can be scored against that file.
+    run_program({"extract", folder / (sheet + ".vtu"), "-o", folder / "s.vtp", "--mode", "1/2"});
+    const Outcome scored = run_program({"conformance", "--surface", folder / "s.vtp", "--input",
+                                        folder / (sheet + ".vtu"), "--mode", "1/2", "--truth",
+                                        folder / (sheet + ".truth.json")});
+    EXPECT_EQ(scored.status, 0) << scored.out << scored.err;
+  }
+}
+
+// The tables in the suite's pages are those of its truth files, and every picture is there.
+TEST(BundledSuite, PagesSayWhatTheTruthFilesSay) {
+  const std::filesystem::path suite(TENSORTOPO_SUITE);
+  const Folder folder;
+  const std::string command = "TENSORTOPO_SUITE_PAGES='" + (folder / "") + "' bash '" +
+                              (suite / "make").string() + "' pages";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::vector<std::string> pages = folder.files();
+  EXPECT_EQ(pages.size(), 9u);
+  for (const std::string& page : pages) {
+    const std::string text = contents(folder / page);
+    EXPECT_EQ(text, contents(suite / page)) << "examples/suite/make pages writes it anew";
+    std::size_t pictures = 0;
+    for (std::size_t at = text.find("](pictures/"); at != std::string::npos;
+         at = text.find("](pictures/", at + 1), ++pictures) {
+      const std::string name = text.substr(at + 2, text.find(')', at) - at - 2);
+      EXPECT_TRUE(std::filesystem::is_regular_file(suite / name)) << name;
+    }
+    const std::string truth = std::filesystem::path(page).stem().string() + ".truth.json";
+    EXPECT_EQ(pictures, Json::parse(contents(suite / truth))["levels"].size()) << page;
+  }
 }
 
 // The fields in examples/suite are what suite.json lists, and their truths hold.

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <type_traits>
 
 #include "certificate_writer.hpp"
 #include "support/random_fields.hpp"
@@ -81,8 +83,13 @@ std::string Exhibit::surface_text() const {
   std::ostringstream out = text_stream("PolyData");
   out << "<Piece NumberOfPoints=\"" << surface.points.size()
       << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
-      << surface.triangles.size() << "\"><CellData>";
+      << surface.triangles.size() << "\"><PointData>";
+  for (const FileArray& a : arrays)
+    if (a.of == "points") write_array(out, a.type, a.name, a.width, a.numbers);
+  out << "</PointData><CellData>";
   write_array(out, "Int64", "tet", 1, surface.tet);
+  for (const FileArray& a : arrays)
+    if (a.of == "triangles") write_array(out, a.type, a.name, a.width, a.numbers);
   out << "</CellData>";
   write_points(out, surface.points);
   out << "<Polys>";
@@ -91,9 +98,62 @@ std::string Exhibit::surface_text() const {
   return out.str();
 }
 
+namespace {
+
+std::vector<FileArray> file_arrays(const SurfaceMesh& s) {
+  std::vector<FileArray> result;
+  const auto add = [&](const std::string& of, const std::string& type, const std::string& name,
+                       const auto& values) {
+    if (values.empty()) return;
+    if constexpr (std::is_same_v<decltype(values.front()), const Vector3<double>&>) {
+      result.push_back({of, type, name, 3, {}});
+      for (const auto& v : values)
+        result.back().numbers.insert(result.back().numbers.end(), {v.x, v.y, v.z});
+    } else {
+      result.push_back({of, type, name, 1, {values.begin(), values.end()}});
+    }
+  };
+  add("points", "Float64", "mode", s.mode);
+  add("points", "Float64", "value", s.value);
+  add("points", "Float64", "medium_eigenvector", s.medium_eigenvector);
+  add("points", "Float64", "dominant_eigenvector", s.dominant_eigenvector);
+  add("points", "Float64", "normal", s.normal);
+  add("points", "Float64", "residual", s.residual);
+  add("triangles", "Int32", "component", s.component);
+  return result;
+}
+
+Json hashes_json(const SurfaceMesh& surface) {
+  Json result = Json::array();
+  for (const ArrayHash& a : array_hashes(surface))
+    result.push_back({a.of, a.name, a.components, a.sha256});
+  return result;
+}
+
+/// What `append_level` leaves out.
+void append_arrays(SurfaceMesh& all, const SurfaceMesh& level) {
+  Index next = 0;
+  for (const Index c : all.component) next = std::max(next, c + 1);
+  for (const Index c : level.component) all.component.push_back(next + c);
+  const auto append = [](auto& list, const auto& more) {
+    list.insert(list.end(), more.begin(), more.end());
+  };
+  append(all.mode, level.mode);
+  append(all.value, level.value);
+  append(all.medium_eigenvector, level.medium_eigenvector);
+  append(all.dominant_eigenvector, level.dominant_eigenvector);
+  append(all.normal, level.normal);
+  append(all.residual, level.residual);
+}
+
+}  // namespace
+
 void Exhibit::rehash() {
   certificate["input"]["sha256"] = field_sha256(mesh);
   certificate["surface"]["sha256"] = surface_sha256(surface, mesh);
+  if (!certificate["surface"].contains("arrays")) return;
+  arrays = file_arrays(surface);
+  certificate["surface"]["arrays"] = hashes_json(surface);
 }
 
 namespace {
@@ -105,6 +165,7 @@ CertifiedLevel certified_mode(const TetMesh& mesh, const std::string& mode, Surf
   options.sampling.resolution = 1;  // few triangles
   Extraction e = extract_mode_surface<double>(mesh, mu, options);
   append_level(all, e.surface);
+  append_arrays(all, e.surface);
   return certify(mesh, mu, e);
 }
 
@@ -114,6 +175,7 @@ CertifiedLevel certified_invariant(const TetMesh& mesh, const InvariantLevel& le
   options.pieces = pieces;
   const InvariantExtraction e = extract_invariant_surface(mesh, level, options);
   append_level(all, e.surface);
+  append_arrays(all, e.surface);
   return certify(mesh, level, e);
 }
 
@@ -147,6 +209,13 @@ Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& texts, int pieces)
   result.certificate =
       Json::parse(certificate_bytes(subject, levels, mesh, CertificateEncoding::json));
   result.mesh = std::move(mesh);
+  return result;
+}
+
+Exhibit exhibit_with_arrays(TetMesh mesh, const std::vector<std::string>& levels) {
+  Exhibit result = exhibit(std::move(mesh), levels);
+  result.certificate["surface"]["arrays"] = Json::array();
+  result.rehash();
   return result;
 }
 

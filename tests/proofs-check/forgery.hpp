@@ -14,13 +14,23 @@
 
 namespace tensortopo::test {
 
+/// An array of a surface's file.
+struct FileArray {
+  std::string of;  ///< "points" or "triangles"
+  std::string type, name;
+  int width = 1;
+  std::vector<double> numbers;
+};
+
 /// A field, the triangles of some levels and the certificate of the program itself, to be altered.
 struct Exhibit {
   TetMesh mesh;
   SurfaceMesh surface;
+  std::vector<FileArray> arrays;  ///< besides the geometry and `tet`
   nlohmann::json certificate;
 
-  /// The certificate gets the hashes that fit the altered numbers.
+  /// The certificate gets the hashes that fit the altered numbers. If it has some of arrays, the file
+  /// gets those of the surface.
   void rehash();
   std::string field_text() const;    ///< a .vtu
   std::string surface_text() const;  ///< a .vtp
@@ -29,6 +39,9 @@ struct Exhibit {
 /// @param levels  modes "-1/2", or invariants with values "magnitude 3/2"
 /// @param pieces  as in InvariantOptions
 Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& levels, int pieces = 1);
+/// The same with the arrays that `write_surface` writes. The levels must be all of modes or all of
+/// invariants.
+Exhibit exhibit_with_arrays(TetMesh mesh, const std::vector<std::string>& levels);
 
 /// Two tetrahedra that have one edge in common, which modes 0 and 1/4 cross, and magnitudes 29/20.
 TetMesh two_tets_at_an_edge();

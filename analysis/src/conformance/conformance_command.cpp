@@ -20,7 +20,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool agree(const LevelTruth& file, const LevelTruth& now) {
+bool agree(LevelTruth file, const LevelTruth& now) {
+  // Which member of a sheet a component is in is not seen in the field.
+  for (auto& component : file.components) component.member = -1;
+  std::sort(file.components.begin(), file.components.end());
   const auto same_cells = [](const auto& a, const auto& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& s, const auto& t) {
       return s.tet == t.tet && s.reason == t.reason;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "conformance/score.hpp"
 
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -71,30 +75,71 @@ struct Votes {
   }
 };
 
-// Samples each triangle of `from`; the largest distance goes to `largest`.
+// The vertices of the triangles and the middles of their edges, each once, without those that are
+// not farther than `known` since the nearest triangle's distance is known at the centroid beside.
+std::vector<Vector3<double>> farther_samples(const SurfaceMesh& surface,
+                                             const std::vector<TriangleSearch::Nearest>& at_centre,
+                                             double known) {
+  std::vector<std::array<Index, 2>> edges;  // of a vertex and itself, too
+  const auto sample = [&](const std::array<Index, 2>& edge) {
+    return 0.5 * (surface.points[as_size(edge[0])] + surface.points[as_size(edge[1])]);
+  };
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const auto& t = surface.triangles[i];
+    const auto c = centroid(corners(surface, i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
+      for (const std::array<Index, 2>& edge : {std::array{a, b}, std::array{t[k], t[k]}}) {
+        const auto d = sample(edge) - c;
+        if (at_centre[i].distance + std::sqrt(dot(d, d)) > known) edges.push_back(edge);
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<Vector3<double>> samples;
+  samples.reserve(edges.size());
+  for (const auto& edge : edges) samples.push_back(sample(edge));
+  return samples;
+}
+
+double largest_distance(const std::vector<Vector3<double>>& samples, const TriangleSearch& search) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, samples.size(), 256), 0.0,
+      [&](const auto& range, double largest) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          largest = std::max(largest, search.nearest(samples[i]).distance);
+        return largest;
+      },
+      [](double a, double b) { return std::max(a, b); });
+}
+
+// Samples `from` at vertices and the middles of edges and triangles; the largest distance goes to
+// `largest`.
 template <class Reach>
 Votes vote(const SurfaceMesh& from, const SurfaceInvariants& of_from, const TriangleSearch* search,
            const SurfaceInvariants& of_to, const Reach& reach, double& largest) {
   Votes votes{std::vector<double>(of_from.parts.size()),
               std::vector<std::map<Index, double>>(of_from.parts.size())};
+  std::vector<TriangleSearch::Nearest> at_centre(from.triangles.size());
+  if (search != nullptr) {
+    tbb::parallel_for(std::size_t{0}, at_centre.size(), [&](std::size_t i) {
+      at_centre[i] = search->nearest(centroid(corners(from, i)));
+    });
+    for (const auto& nearest : at_centre) largest = std::max(largest, nearest.distance);
+    largest =
+        std::max(largest, largest_distance(farther_samples(from, at_centre, largest), *search));
+  } else if (!from.triangles.empty()) {
+    largest = std::numeric_limits<double>::infinity();
+  }
   for (std::size_t i = 0; i < from.triangles.size(); ++i) {
-    const auto t = corners(from, i);
     const Index component = of_from.component[i];
     // Triangles without area have a say, too.
-    const double weight = area(t) + std::numeric_limits<double>::min();
+    const double weight = area(corners(from, i)) + std::numeric_limits<double>::min();
     votes.total[as_size(component)] += weight;
-    if (search == nullptr) {
-      largest = std::numeric_limits<double>::infinity();
-      continue;
-    }
-    const auto at_centre = search->nearest(centroid(t));
-    largest = std::max(largest, at_centre.distance);
-    for (std::size_t k = 0; k < 3; ++k) {
-      largest = std::max(largest, search->nearest(t[k]).distance);
-      largest = std::max(largest, search->nearest(0.5 * (t[k] + t[(k + 1) % 3])).distance);
-    }
-    if (at_centre.distance <= reach(i, at_centre.triangle))
-      votes.of[as_size(component)][of_to.component[as_size(at_centre.triangle)]] += weight;
+    if (search == nullptr) continue;
+    if (at_centre[i].distance <= reach(i, at_centre[i].triangle))
+      votes.of[as_size(component)][of_to.component[as_size(at_centre[i].triangle)]] += weight;
   }
   return votes;
 }

@@ -10,6 +10,8 @@
 #include <vtkPolyData.h>
 #include <vtkStaticCellLocator.h>
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +20,8 @@ namespace tensortopo {
 struct TriangleSearch::Locator {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkStaticCellLocator> locator;
-  vtkNew<vtkGenericCell> cell;
+  // VTK's search writes into the cell that it is given: each thread has its own.
+  tbb::enumerable_thread_specific<vtkNew<vtkGenericCell>> cells;
   vtkNew<vtkIdList> found;
 };
 
@@ -44,7 +47,7 @@ TriangleSearch::Nearest TriangleSearch::nearest(const Vector3<double>& p) const 
   double closest[3], squared = 0;
   vtkIdType cell = -1;
   int sub = 0;
-  locator_->locator->FindClosestPoint(x, closest, locator_->cell, cell, sub, squared);
+  locator_->locator->FindClosestPoint(x, closest, locator_->cells.local(), cell, sub, squared);
   return {static_cast<SurfaceMesh::Index>(cell), std::sqrt(squared)};
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -37,15 +38,33 @@ struct References {
   nlohmann::ordered_json points;
 };
 
-LevelTruth truth_of(const TetMesh& mesh, const ModeValue& mode, const GenerateCommand& command,
+// A field, and where the vertices of each of its members end if it has several.
+struct Sheet {
+  FamilyMember all;
+  std::vector<TetMesh::Index> ends;
+  std::vector<std::string> notes;  // as in FieldTruth
+
+  int member_of(TetMesh::Index vertex) const {
+    return static_cast<int>(std::upper_bound(ends.begin(), ends.end(), vertex) - ends.begin());
+  }
+};
+
+LevelTruth truth_of(const Sheet& sheet, const ModeValue& mode, const GenerateCommand& command,
                     const Path& field, References& references) {
+  const TetMesh& mesh = sheet.all.mesh;
   ExtractOptions options;
   options.keep_topology = true;
   options.sampling.resolution = command.resolution;
   Extraction extraction = extract_mode_surface<double>(mesh, mode, options);
   const CertifiedLevel certified = certify(mesh, mode, extraction);
   const bool detailed = mesh.tets.size() <= kLargeMesh;
-  LevelTruth truth = level_truth(certified, detailed);
+  std::function<int(const ComponentClaim&)> member_of;
+  if (!sheet.ends.empty())
+    member_of = [&](const ComponentClaim& c) {
+      const auto vertex = static_cast<std::size_t>(c.first_vertex);
+      return sheet.member_of(extraction.surface.carrier_vertices[vertex][0]);
+    };
+  LevelTruth truth = level_truth(certified, detailed, member_of);
   if (command.no_reference || (!detailed && !command.always_reference)) return truth;
 
   const ReferencePoints points = reference_points(mesh, extraction.surface, mode);
@@ -67,11 +86,13 @@ LevelTruth truth_of(const TetMesh& mesh, const ModeValue& mode, const GenerateCo
   return truth;
 }
 
-Generated write_field(const GenerateCommand& command, const FamilyMember& member, const Path& field,
+Generated write_field(const GenerateCommand& command, const Sheet& sheet, const Path& field,
                       FieldTruth truth) {
+  const FamilyMember& member = sheet.all;
   const TetMesh& mesh = member.mesh;
   truth.kind = name_of(command.kind);
   truth.note = member.note;
+  truth.notes = sheet.notes;
   truth.seed = command.seed;
   truth.field_sha256 = field_sha256(mesh);
   truth.points = mesh.points.size();
@@ -83,7 +104,7 @@ Generated write_field(const GenerateCommand& command, const FamilyMember& member
   references.points = nlohmann::ordered_json::array();
   const auto& modes = command.modes.empty() ? member.modes : command.modes;
   for (const ModeValue& mode : modes)
-    truth.levels.push_back(truth_of(mesh, mode, command, field, references));
+    truth.levels.push_back(truth_of(sheet, mode, command, field, references));
   if (!references.points.empty()) {
     write_surface(references.surface, mesh, with_suffix(field, ".reference.vtp"));
     write_text(with_suffix(field, ".reference.json"), references.points.dump(0) + '\n');
@@ -108,8 +129,9 @@ bool has_mesh(FieldKind kind) {
   }
 }
 
-FamilyMember all_members(const GenerateCommand& command, const FamilyRequest& first) {
-  FamilyMember all;
+Sheet all_members(const GenerateCommand& command, const FamilyRequest& first) {
+  Sheet sheet;
+  FamilyMember& all = sheet.all;
   std::vector<TetMesh> meshes;
   for (int i = 0; i < command.count; ++i) {
     FamilyRequest request = first;
@@ -118,11 +140,16 @@ FamilyMember all_members(const GenerateCommand& command, const FamilyRequest& fi
     for (const ModeValue& mode : member.modes)
       if (std::find(all.modes.begin(), all.modes.end(), mode) == all.modes.end())
         all.modes.push_back(mode);
+    const TetMesh::Index first_vertex = sheet.ends.empty() ? 0 : sheet.ends.back();
+    sheet.ends.push_back(first_vertex + static_cast<TetMesh::Index>(member.mesh.points.size()));
     meshes.push_back(std::move(member.mesh));
+    sheet.notes.push_back(std::move(member.note));
   }
+  if (std::equal(sheet.notes.begin() + 1, sheet.notes.end(), sheet.notes.begin()))
+    sheet.notes.clear();
   all.note = fmt::format("{} members side by side", command.count);
   all.mesh = side_by_side(meshes);
-  return all;
+  return sheet;
 }
 
 }  // namespace
@@ -159,7 +186,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
     if (command.count > 1)
       field.replace_filename(fmt::format("{}-{:04}.vtu", command.output.stem().string(), i));
     report.files.push_back(
-        write_field(command, family_member(command.kind, request), field, truth));
+        write_field(command, {family_member(command.kind, request), {}, {}}, field, truth));
   }
   return report;
 }

@@ -23,11 +23,13 @@ Json json_of(const LevelTruth& level) {
   Json json;
   json["mode"] = level.mode.text();
   json["components"] = Json::array();
-  for (const auto& c : level.components)
+  for (const auto& c : level.components) {
     json["components"].push_back({{"euler_characteristic", c.euler_characteristic},
                                   {"boundary_loops", c.boundary_loops},
                                   {"orientable", c.orientable},
                                   {"closed", c.closed()}});
+    if (c.member >= 0) json["components"].back()["member"] = c.member;
+  }
   if (level.detailed) {
     json["edges"] = Json::array();
     for (const auto& e : level.edges)
@@ -62,7 +64,8 @@ LevelTruth level_of(const Json& json) {
   for (const auto& c : json.at("components"))
     level.components.push_back({c.at("euler_characteristic").get<std::int64_t>(),
                                 c.at("boundary_loops").get<std::size_t>(),
-                                c.at("orientable").get<bool>()});
+                                c.at("orientable").get<bool>(),
+                                c.value("member", -1)});
   std::sort(level.components.begin(), level.components.end());
   level.detailed = json.contains("edges");
   if (level.detailed) {
@@ -83,13 +86,15 @@ LevelTruth level_of(const Json& json) {
 
 }  // namespace
 
-LevelTruth level_truth(const CertifiedLevel& level, bool detailed) {
+LevelTruth level_truth(const CertifiedLevel& level, bool detailed,
+                       const std::function<int(const ComponentClaim&)>& member_of) {
   LevelTruth truth;
   truth.mode = std::get<ModeValue>(level.value);
   truth.detailed = detailed;
   truth.undecided = level.undecided;
   for (const auto& c : level.components)
-    truth.components.push_back({c.euler_characteristic, c.boundary_loops, c.orientable});
+    truth.components.push_back(
+        {c.euler_characteristic, c.boundary_loops, c.orientable, member_of ? member_of(c) : -1});
   std::sort(truth.components.begin(), truth.components.end());
   if (!detailed) return truth;
   for (const auto& e : level.topology.edges)
@@ -119,6 +124,7 @@ std::string to_json(const FieldTruth& truth) {
   json["version"] = kVersion;
   json["kind"] = truth.kind;
   json["note"] = truth.note;
+  if (!truth.notes.empty()) json["notes"] = truth.notes;
   json["seed"] = truth.seed;
   json["member"] = truth.member;
   json["members"] = truth.members;
@@ -145,6 +151,7 @@ FieldTruth read_truth(const std::filesystem::path& file) {
     FieldTruth truth;
     truth.kind = json.at("kind").get<std::string>();
     truth.note = json.at("note").get<std::string>();
+    truth.notes = json.value("notes", std::vector<std::string>{});
     truth.seed = json.at("seed").get<std::uint64_t>();
     truth.member = json.at("member").get<int>();
     truth.members = json.at("members").get<int>();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct LevelTruth {
     std::int64_t euler_characteristic = 0;
     std::size_t boundary_loops = 0;
     bool orientable = true;
+    int member = -1;  ///< of a field of several members side by side: which; else -1
     bool closed() const { return boundary_loops == 0; }
     auto operator<=>(const Component&) const = default;
   };
@@ -63,6 +65,7 @@ struct LevelTruth {
 /// A field, and the truth about some of its mode surfaces.
 struct FieldTruth {
   std::string kind, note;
+  std::vector<std::string> notes;  ///< of the members side by side, if they differ; else none
   std::uint64_t seed = 0;
   int member = 0, members = 1;
   std::string field_sha256;
@@ -71,8 +74,10 @@ struct FieldTruth {
 };
 
 /// The facts among the claims.
+/// @param member_of  the member of the field in which a component lies, if there are several
 /// @pre the level is a mode's
-LevelTruth level_truth(const CertifiedLevel& level, bool detailed);
+LevelTruth level_truth(const CertifiedLevel& level, bool detailed,
+                       const std::function<int(const ComponentClaim&)>& member_of = {});
 
 /// JSON; equal truths give equal bytes. Ends with a newline.
 std::string to_json(const FieldTruth& truth);

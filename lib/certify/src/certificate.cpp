@@ -144,6 +144,9 @@ std::string certificate_bytes(const CertificateSubject& subject,
   json["surface"] = {{"vertices", subject.vertices},
                      {"triangles", subject.triangles},
                      {"sha256", subject.surface_sha256}};
+  if (!subject.arrays.empty()) json["surface"]["arrays"] = Json::array();
+  for (const auto& array : subject.arrays)
+    json["surface"]["arrays"].push_back({array.of, array.name, array.components, array.sha256});
   json["levels"] = Json::array();
   std::size_t vertices = 0, triangles = 0;
   for (const auto& level : levels) {

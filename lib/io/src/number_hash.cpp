@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "sha256.hpp"
 
@@ -39,6 +40,19 @@ class NumberHash {
   std::string buffer_;
 };
 
+template <class Values>
+void add_array(std::vector<ArrayHash>& list, const char* of, const char* name,
+               std::size_t components, const Values& values) {
+  if (values.empty()) return;  // nor is it written
+  NumberHash hash;
+  for (const auto& x : values)
+    if constexpr (std::is_integral_v<typename Values::value_type>)
+      hash.add(static_cast<double>(x));
+    else
+      hash.add(x);
+  list.push_back({of, name, components, hash.hex()});
+}
+
 }  // namespace
 
 std::string field_sha256(const TetMesh& mesh) {
@@ -64,6 +78,18 @@ std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh) {
     for (const auto v : triangle) hash.add_id(v);
   for (const auto t : surface.tet) hash.add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
   return hash.hex();
+}
+
+std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface) {
+  std::vector<ArrayHash> list;
+  add_array(list, "points", "dominant_eigenvector", 3, surface.dominant_eigenvector);
+  add_array(list, "points", "medium_eigenvector", 3, surface.medium_eigenvector);
+  add_array(list, "points", "mode", 1, surface.mode);
+  add_array(list, "points", "normal", 3, surface.normal);
+  add_array(list, "points", "residual", 1, surface.residual);
+  add_array(list, "points", "value", 1, surface.value);
+  add_array(list, "triangles", "component", 1, surface.component);
+  return list;
 }
 
 }  // namespace tensortopo

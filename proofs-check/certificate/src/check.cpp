@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <optional>
 
+#include "compare_arrays.hpp"
 #include "compare_distance.hpp"
 
 namespace certificate {
@@ -95,9 +96,13 @@ Report check(const std::string& input_file, const std::string& surface_file,
   compare("triangles", surface_claims["triangles"], surface.triangles.size());
   compare("surface's sha256", surface_claims["sha256"], surface.sha256());
   const Json& levels = certificate["levels"];
-  ledger.settle(are_in_order(levels, "vertices", surface.points.size()) &&
-                    are_in_order(levels, "triangles", surface.triangles.size()),
-                "levels", "all of the surface, one after the other", "they are not");
+  const bool are_levels_of_surface = are_in_order(levels, "vertices", surface.points.size()) &&
+                                     are_in_order(levels, "triangles", surface.triangles.size());
+  ledger.settle(are_levels_of_surface, "levels", "all of the surface, one after the other",
+                "they are not");
+  ledger.begin("arrays");
+  compare_hashes(surface_claims, surface, ledger);
+  if (are_levels_of_surface) compare_arrays(levels, surface, ledger);
   if (report.refuted > 0) return report;  // of another field or surface nothing need be derived
 
   std::optional<Field> field;  // levels mostly are about the same tensors

@@ -21,7 +21,8 @@ Json make_shape() {
     "format": "text", "version": "natural",
     "input": {"tensor": "text", "components": "text", "points": "natural",
               "tetrahedra": "natural", "sha256": "text"},
-    "surface": {"vertices": "natural", "triangles": "natural", "sha256": "text"},
+    "surface": {"vertices": "natural", "triangles": "natural", "sha256": "text",
+                "arrays or none": ["*2", ["text", "text", "natural", "text"]]},
     "levels": ["*0", {
       "mode": "text", "vertices": ["natural", "natural"], "triangles": ["natural", "natural"],
       "on_level": "natural",
@@ -72,16 +73,20 @@ std::string misfit(const Json& value, const Json& shape) {
   }
   if (shape.is_object()) {
     if (!value.is_object()) return ": no object";
-    if (value.size() != shape.size()) return ": other keys";
+    std::size_t missing = 0;  // as they may
     for (const auto& [name, inner] : shape.items()) {
       const std::string key = name.substr(0, name.find(' '));
       const auto found = value.find(key);
+      if (found == value.end() && name.ends_with(" or none")) {
+        ++missing;
+        continue;
+      }
       if (found == value.end()) return ": no key '" + key + "'";
-      if (key != name && found->is_null()) continue;
+      if (name.ends_with(" or null") && found->is_null()) continue;
       if (const std::string wrong = misfit(*found, inner); !wrong.empty())
         return "/" + key + wrong;
     }
-    return {};
+    return value.size() + missing == shape.size() ? "" : ": other keys";
   }
   if (!value.is_array()) return ": no array";
   const auto is_star = [](const Json& s) {

@@ -67,6 +67,7 @@ class Digest {
   Digest& add(const std::vector<std::uint64_t>& items) {
     return add(items.data(), 8 * items.size());
   }
+  Digest& add(const std::vector<double>& items) { return add(items.data(), 8 * items.size()); }
   std::string hex() const {
     std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
     SHA256(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size(), digest.data());
@@ -100,6 +101,8 @@ std::string Triangles::sha256() const {
   return Digest().add(points.size()).add(points).add(triangles.size()).add(triangles).add(cells)
       .hex();
 }
+
+std::string Array::sha256() const { return Digest().add(numbers).hex(); }
 
 Input read_input(const std::string& name, const std::string& tensor,
                  const std::string& components) {
@@ -142,6 +145,25 @@ Input read_input(const std::string& name, const std::string& tensor,
   return input;
 }
 
+namespace {
+
+/// Adds the arrays of a section, but the tetrahedra, by name.
+void add_arrays(const XmlFile& file, const char* section, const char* of, std::size_t count,
+                std::vector<Array>& arrays) {
+  const std::size_t first = arrays.size();
+  for (const auto& [name, components] : file.arrays(section)) {
+    if (of == std::string("triangles") && name == "tet") continue;
+    Array array{of, name, components, file.numbers(section, name, components)};
+    if (components > 1000 || array.numbers.size() != components * count)
+      file.fail("array '" + name + "' has not as many numbers as declared");
+    arrays.push_back(std::move(array));
+  }
+  std::sort(arrays.begin() + static_cast<std::ptrdiff_t>(first), arrays.end(),
+            [](const Array& a, const Array& b) { return a.name < b.name; });
+}
+
+}  // namespace
+
 Triangles read_triangles(const std::string& name) {
   const XmlFile file(name, "PolyData");
   for (const char* other : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"})
@@ -149,7 +171,9 @@ Triangles read_triangles(const std::string& name) {
   Triangles result;
   result.points = read_points(file);
   const std::size_t cells = file.count("NumberOfPolys");
-  if (cells == 0) return result;  // then arrays may be missing
+  add_arrays(file, "PointData", "points", result.points.size(), result.arrays);
+  add_arrays(file, "CellData", "triangles", cells, result.arrays);
+  if (cells == 0) return result;  // then there may be no array of tetrahedra
   result.cells = file.naturals("CellData", "tet");
   if (result.cells.size() != cells) file.fail("not the triangles that it declares");
   read_cells<3>(

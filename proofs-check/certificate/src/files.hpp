@@ -24,11 +24,22 @@ struct Input {
   std::string sha256() const;
 };
 
+/// Numbers of each point or triangle of the output.
+struct Array {
+  std::string of;  ///< "points" or "triangles"
+  std::string name;
+  std::size_t components = 1;
+  std::vector<double> numbers;  ///< all of one point or triangle, then those of the next
+
+  std::string sha256() const;
+};
+
 /// The output: triangles, and the cell of the input that holds each.
 struct Triangles {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint64_t> cells;
+  std::vector<Array> arrays;  ///< all others, ascending by `of` and `name`
 
   std::string sha256() const;
 };
@@ -37,7 +48,7 @@ struct Triangles {
 /// Every number is finite and every index in range. Throws Malformed.
 Input read_input(const std::string& file, const std::string& tensor,
                  const std::string& components);
-/// The same of a .vtp with a cell array `tet`.
+/// The same of a .vtp with a cell array `tet`, and any others.
 Triangles read_triangles(const std::string& file);
 
 }  // namespace certificate

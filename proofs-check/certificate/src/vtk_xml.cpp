@@ -153,6 +153,18 @@ std::vector<double> XmlFile::read(pugi::xml_node array) const {
   return result;
 }
 
+std::vector<std::pair<std::string, std::size_t>> XmlFile::arrays(const char* section) const {
+  std::vector<std::pair<std::string, std::size_t>> result;
+  for (const pugi::xml_node child : piece_.child(section).children()) {
+    if (child.type() != pugi::node_element) continue;
+    const std::string name = child.attribute("Name").value();
+    if (child.name() != std::string_view("DataArray") || name.empty() || name.size() > 1000)
+      fail(std::string(section) + " has what is no named array of numbers");
+    result.emplace_back(name, child.attribute("NumberOfComponents").as_ullong(1));
+  }
+  return result;
+}
+
 std::vector<double> XmlFile::numbers(const char* section, const std::string& name,
                                      std::size_t components) const {
   pugi::xml_node array;

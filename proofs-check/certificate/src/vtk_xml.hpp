@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace certificate {
@@ -18,6 +19,8 @@ class XmlFile {
 
   /// A count that the piece declares.
   std::size_t count(const char* attribute) const;
+  /// Name and components of each array in a section of the piece; each has a name, and is of numbers.
+  std::vector<std::pair<std::string, std::size_t>> arrays(const char* section) const;
   /// The finite numbers of the array of that name in a section of the piece, or of its only one.
   std::vector<double> numbers(const char* section, const std::string& name,
                               std::size_t components = 1) const;

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "tensortopo/certify/certified_level.hpp"
 
@@ -17,6 +18,15 @@ struct CertificateSubject {
   std::string field_sha256;
   std::size_t vertices = 0, triangles = 0;  ///< of the surface
   std::string surface_sha256;
+
+  /// A further array of the surface's file.
+  struct Array {
+    std::string of;  ///< "points" or "triangles"
+    std::string name;
+    std::size_t components = 1;
+    std::string sha256;
+  };
+  std::vector<Array> arrays;  ///< ascending by `of` and `name`
 };
 
 enum class CertificateEncoding { json, cbor };

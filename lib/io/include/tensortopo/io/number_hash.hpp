@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
@@ -17,5 +19,16 @@ std::string field_sha256(const TetMesh& mesh);
 /// The same of a surface: the number of vertices, their coordinates, the number of triangles, the
 /// vertices of each, and of each the id in the input of the tetrahedron that holds it.
 std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh);
+
+/// An array that `write_surface` puts beside the geometry, with the SHA-256 of its numbers.
+struct ArrayHash {
+  std::string of;  ///< "points" or "triangles"
+  std::string name;
+  std::size_t components = 1;
+  std::string sha256;  ///< of its numbers in their order, each as a double, little-endian
+};
+
+/// All arrays of a surface in a .vtp without curves but `tet`, by `of` and `name`.
+std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface);
 
 }  // namespace tensortopo

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare_arrays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "union_find.hpp"
+
+namespace certificate {
+namespace {
+
+using Name = std::pair<std::string, std::string>;
+
+std::string text_of(const Name& name) { return "array '" + name.second + "' of the " + name.first; }
+
+const Array* find(const Triangles& surface, const char* of, const char* name) {
+  for (const Array& array : surface.arrays)
+    if (array.of == of && array.name == name && array.components == 1) return &array;
+  return nullptr;
+}
+
+/// Is no double nearer?
+bool is_nearest(double x, const mpq_class& exact) {
+  const auto distance = [&](double y) { return mpq_class(abs(mpq_class(y) - exact)); };
+  const double up = std::nextafter(x, INFINITY), down = std::nextafter(x, -INFINITY);
+  return std::isfinite(up) && std::isfinite(down) && distance(x) <= distance(up) &&
+         distance(x) <= distance(down);
+}
+
+/// The array has the level's number at each of its vertices.
+/// @param exact  nothing if the level has another kind of number
+void compare_numbers(const Array& array, const Json& range, const std::optional<mpq_class>& exact,
+                     Ledger& ledger) {
+  const Number first = range[0], end = first + range[1].get<Number>();
+  std::optional<double> known;  // mostly all are the same
+  for (Number v = first; v < end; ++v) {
+    const double x = array.numbers[v];
+    if (known == x) continue;
+    if (!exact || !is_nearest(x, *exact))
+      return ledger.refute(array.name + " at vertex " + std::to_string(v), Json(x).dump(),
+                           exact ? exact->get_str() : "none");
+    known = x;
+  }
+  ledger.certify();
+}
+
+/// Components are numbered in the order of their first triangles, those of a level after those of
+/// the levels before.
+void compare_components(const Array& array, const Json& levels, const Triangles& surface,
+                        Ledger& ledger) {
+  std::size_t next = 0;
+  for (const Json& level : levels) {
+    const Number first = level["triangles"][0], end = first + level["triangles"][1].get<Number>();
+    UnionFind joined;
+    for (Number t = first; t < end; ++t)
+      for (const std::uint32_t v : surface.triangles[t]) joined.join(surface.triangles[t][0], v);
+    std::map<std::size_t, std::size_t> number;
+    for (Number t = first; t < end; ++t) {
+      const std::size_t component = joined.find(surface.triangles[t][0]);
+      const auto [it, is_new] = number.try_emplace(component, next);
+      next += is_new ? 1 : 0;
+      if (array.numbers[t] != static_cast<double>(it->second))
+        return ledger.refute("component of triangle " + std::to_string(t),
+                             Json(array.numbers[t]).dump(), std::to_string(it->second));
+    }
+  }
+  ledger.certify();
+}
+
+}  // namespace
+
+void compare_hashes(const Json& surface_claims, const Triangles& surface, Ledger& ledger) {
+  const auto claims = surface_claims.find("arrays");
+  if (claims == surface_claims.end()) {
+    if (!surface.arrays.empty())
+      ledger.leave_open(text_of({surface.arrays[0].of, surface.arrays[0].name}) +
+                            (surface.arrays.size() > 1 ? " and others" : ""),
+                        "arrays are not bound by this certificate");
+    return;
+  }
+  std::map<Name, std::array<std::string, 2>> found;  // as claimed, as there
+  for (const Json& claim : *claims)
+    found[{claim[0], claim[1]}][0] = claim[2].dump() + " components, " + claim[3].dump();
+  for (const Array& array : surface.arrays)
+    found[{array.of, array.name}][1] =
+        std::to_string(array.components) + " components, " + Json(array.sha256()).dump();
+  for (auto& [name, texts] : found) {
+    for (std::string& text : texts)
+      if (text.empty()) text = "none";
+    ledger.settle(texts[0] == texts[1], text_of(name), texts[0], texts[1]);
+  }
+}
+
+void compare_arrays(const Json& levels, const Triangles& surface, Ledger& ledger) {
+  const Array* const modes = find(surface, "points", "mode");
+  const Array* const values = find(surface, "points", "value");
+  for (const Json& level : levels) {
+    std::optional<mpq_class> mode, value;
+    if (level.contains("mode")) {
+      mode = mode_of(level["mode"]);
+    } else {
+      value = value_of(level["value"], invariant_of(level["invariant"]));
+    }
+    if (modes != nullptr) compare_numbers(*modes, level["vertices"], mode, ledger);
+    if (values != nullptr) compare_numbers(*values, level["vertices"], value, ledger);
+  }
+  if (const Array* components = find(surface, "triangles", "component"))
+    compare_components(*components, levels, surface, ledger);
+}
+
+}  // namespace certificate

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Arrays of the surface's file besides its geometry: no number of them can be altered unseen.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "forgery_trial.hpp"
+#include "support/random_fields.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+/// Of two modes, and of an invariant with two values.
+const std::vector<Exhibit>& honest() {
+  static const std::vector<Exhibit> all = [] {
+    TetMesh mesh = cube_mesh(1);
+    fill_with_normal_tensors(mesh, 5);
+    return std::vector<Exhibit>{exhibit_with_arrays(mesh, {"1/4", "-9/10"}),
+                                exhibit_with_arrays(mesh, {"anisotropy 4/5", "anisotropy 9/10"})};
+  }();
+  return all;
+}
+
+/// Calls back with each exhibit and the position of each of its arrays.
+template <class Forge>
+void for_arrays(const Forge& forge) {
+  for (const Exhibit& e : honest())
+    for (std::size_t i = 0; i < e.arrays.size(); ++i) forge(e, i);
+}
+
+TEST(ForgedArrays, HonestOnesAreCertified) {
+  Court court("arrays");
+  std::size_t count = 0;
+  for (const Exhibit& e : honest()) {
+    EXPECT_EQ(court.verdict(e), "certified") << court.report();
+    EXPECT_NE(court.report().find("arrays: "), std::string::npos);
+    count += e.arrays.size();
+  }
+  // mode, two eigenvectors, normal, residual, component; value, normal, residual, component.
+  EXPECT_EQ(count, 10u);
+}
+
+TEST(ForgedArrays, OneNumber) {
+  Court court("array_number");
+  for_arrays([&](const Exhibit& e, std::size_t i) {
+    const std::size_t size = e.arrays[i].numbers.size();
+    for (const std::size_t k : {std::size_t{0}, size / 2, size - 1}) {
+      Exhibit forged = e;
+      double& x = forged.arrays[i].numbers[k];
+      x = e.arrays[i].type == "Int32" ? x + 1 : std::nextafter(x, 2);
+      EXPECT_EQ(court.verdict(forged), "refuted") << e.arrays[i].name;
+      EXPECT_NE(court.report().find("array '" + e.arrays[i].name + "' of the " + e.arrays[i].of),
+                std::string::npos)
+          << court.report();
+    }
+  });
+}
+
+TEST(ForgedArrays, RemovedAddedRenamedReordered) {
+  Trial trial("array_names");
+  for_arrays([&](const Exhibit& e, std::size_t i) {
+    const std::string& name = e.arrays[i].name;
+    Exhibit forged = e;
+    forged.arrays.erase(forged.arrays.begin() + static_cast<std::ptrdiff_t>(i));
+    trial.expect("refuted", forged, name + " removed");
+    forged = e;
+    forged.arrays.push_back(e.arrays[i]);
+    forged.arrays.back().name += "2";
+    trial.expect("refuted", forged, name + " added");
+    forged.arrays.back().name = name;
+    trial.expect("malformed", forged, name + " twice");
+    forged = e;
+    forged.arrays[i].name[0] = 'M';
+    trial.expect("refuted", forged, name + " renamed");
+    forged = e;
+    forged.arrays[i].numbers.pop_back();
+    trial.expect("malformed", forged, name + " without its last number");
+    forged = e;
+    forged.arrays[i].numbers[0] = std::numeric_limits<double>::infinity();
+    trial.expect("malformed", forged, name + " not finite");
+  });
+  Exhibit forged = honest()[0];
+  std::swap(forged.arrays[1].name, forged.arrays[2].name);
+  trial.expect("refuted", forged, "eigenvectors exchanged");
+  forged = honest()[0];
+  std::swap(forged.arrays[1], forged.arrays[2]);
+  trial.expect("certified", forged, "the file has them in another order");
+}
+
+TEST(ForgedArrays, TheCertificatesHashes) {
+  Trial trial("array_hashes");
+  for (const Exhibit& e : honest()) {
+    const Json& hashes = e.certificate["surface"]["arrays"];
+    for (std::size_t i = 0; i < hashes.size(); ++i) {
+      const auto forge = [&](const std::string& verdict, const char* what, const auto& alter) {
+        Exhibit forged = e;
+        alter(forged.certificate["surface"]["arrays"]);
+        trial.expect(verdict, forged, what);
+      };
+      forge("refuted", "without one", [&](Json& list) { list.erase(i); });
+      forge("malformed", "twice", [&](Json& list) { list.insert(list.begin(), list[i]); });
+      forge("refuted", "hash", [&](Json& list) { list[i][3] = std::string(64, '0'); });
+      forge("refuted", "components", [&](Json& list) { list[i][2] = 4; });
+      forge("refuted", "name",
+            [&](Json& list) { list[i][1] = list[i][1].get<std::string>() + "0"; });
+      forge("malformed", "no text", [&](Json& list) { list[i][1] = 1; });
+    }
+  }
+}
+
+/// A certificate of before says nothing of arrays, and is no proof of any.
+TEST(ForgedArrays, WithoutHashesTheyAreOpen) {
+  Court court("array_open");
+  for (Exhibit e : honest()) {
+    e.certificate["surface"].erase("arrays");
+    EXPECT_EQ(court.verdict(e), "undecided");
+    EXPECT_NE(court.report().find("not bound"), std::string::npos) << court.report();
+    EXPECT_NE(court.report().find(" 0 refuted, 1 undecided"), std::string::npos);
+    e.arrays.clear();
+    EXPECT_EQ(court.verdict(e), "certified") << court.report();
+  }
+}
+
+/// Hashes that fit do not help: what they are of is derived, and the place is said.
+TEST(ForgedArrays, ModesValuesAndComponentsAreDerived) {
+  Court court("array_claims");
+  const auto expect_refuted = [&](Exhibit& forged, const std::string& place) {
+    forged.rehash();
+    EXPECT_EQ(court.verdict(forged), "refuted");
+    EXPECT_NE(court.report().find("refuted: " + place + ": "), std::string::npos) << place << '\n'
+                                                                                  << court.report();
+  };
+  for (const Exhibit& e : honest()) {
+    Exhibit forged = e;
+    auto& numbers = e.surface.mode.empty() ? forged.surface.value : forged.surface.mode;
+    const std::string name = e.surface.mode.empty() ? "value" : "mode";
+    const std::size_t v = numbers.size() - 3;
+    numbers[v] = std::nextafter(numbers[v], -2);
+    expect_refuted(forged, name + " at vertex " + std::to_string(v));
+    for (const std::size_t t : {std::size_t{0}, forged.surface.triangles.size() - 1}) {
+      forged = e;
+      forged.surface.component[t] += 1;
+      expect_refuted(forged, "component of triangle " + std::to_string(t));
+    }
+    forged = e;  // all of them in one
+    std::fill(forged.surface.component.begin(), forged.surface.component.end(), 0);
+    forged.rehash();
+    EXPECT_EQ(court.verdict(forged), "refuted");
+  }
+  // An array of modes beside levels of another invariant.
+  Exhibit forged = honest()[1];
+  forged.surface.mode = forged.surface.value;
+  expect_refuted(forged, "mode at vertex 0");
+}
+
+/// Of the others the hashes say only that they are what was written.
+TEST(ForgedArrays, OthersAreBoundButNotProved) {
+  Court court("array_bound");
+  Exhibit e = honest()[0];
+  e.surface.normal[0] = {0, 0, 1};
+  e.rehash();
+  EXPECT_EQ(court.verdict(e), "certified") << court.report();
+}
+
+}  // namespace
+}  // namespace tensortopo::test
