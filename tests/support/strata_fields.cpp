@@ -136,15 +136,24 @@ TetTensors upright(Stratum stratum, Random& random) {
     case Stratum::constant_cell:
       for (auto& corner : t) corner = weight(random, 1, 3) * on_level;
       return t;
-    case Stratum::symmetric_face:
-      for (std::size_t i = 0; i < 3; ++i) t[i].xz = t[i].yz = 0;
+    case Stratum::symmetric_face: {
+      // Eigenvalues zz of one sign, so that no deviator vanishes on the face.
+      const double sign = random.integer(0, 1) == 0 ? 1 : -1;
+      for (std::size_t i = 0; i < 3; ++i) {
+        t[i].xz = t[i].yz = 0;
+        if (t[i].zz == 0) ++t[i].zz, --t[i].xx;
+        if (sign * t[i].zz < 0) t[i] = -1.0 * t[i];
+      }
+      if (t[3].xz == 0) t[3].xz = 1;  // not a symmetric cell
       return t;
+    }
     case Stratum::plane_strain_face:
       // Of mode -1 at the origin of (x, y), and of mode 1 on the circle of radius 3 around it.
       for (std::size_t i = 0; i < 3; ++i) {
         const double x = random.integer(-6, 6), y = random.integer(-6, 6);
         t[i] = {1 + x, 1 - x, -2, y, 0, 0};
       }
+      if (t[3].xz == 0) t[3].xz = 1;
       return t;
     case Stratum::face_minimum:
     case Stratum::face_maximum:
