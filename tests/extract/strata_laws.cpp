@@ -110,10 +110,11 @@ void expect_sound_near_strata(int count, int compared, std::uint64_t seed) {
     if (trial % 2 == 0) {
       EXPECT_EQ(seen.reason, "");
     }
-    if (trial / 2 % compared != 0) continue;
+    // Where nothing was found there is nothing to compare, at a price of seconds.
+    if (trial / 2 % compared != 0 || !seen.reason.empty()) continue;
     const Outcome precise = outcome(extract<Real50>(mesh, mode));
     ++asked_twice;
-    if (seen.reason.empty() && precise.reason.empty()) {
+    if (precise.reason.empty()) {
       ASSERT_EQ(seen, precise);
     }
   }
