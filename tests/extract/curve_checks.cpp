@@ -267,4 +267,21 @@ double distance(const Vector3<double>& x, const CurveMesh& curves) {
   return std::sqrt(least);
 }
 
+std::map<std::int64_t, Away> away_from(const CurveMesh& other, const CurveMesh& curves,
+                                       std::size_t each) {
+  std::map<std::int64_t, Away> result;
+  for (std::size_t l = 0; l < curves.lines.size(); ++l) {
+    Away& away = result[curves.component[l]];
+    for (std::size_t i = 0; i < curves.lines[l].size(); ++i) {
+      const auto point = [&](std::size_t k) {
+        return curves.points[static_cast<std::size_t>(curves.lines[l][k])];
+      };
+      if (i % each == 0) away.distance = std::max(away.distance, distance(point(i), other));
+      const auto step = point(i) - point(i > 0 ? i - 1 : 0);
+      away.length += std::sqrt(dot(step, step));
+    }
+  }
+  return result;
+}
+
 }  // namespace tensortopo::test

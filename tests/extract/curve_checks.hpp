@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
@@ -30,5 +32,15 @@ std::string flaws(const CurveExtraction& extraction, const TetMesh& mesh, double
 
 /// From a place to the nearest one on the curves; infinite if there are none.
 double distance(const Vector3<double>& x, const CurveMesh& curves);
+
+/// Of a component of curves: how far its vertices are from other curves, at most, and its length.
+struct Away {
+  double distance = 0, length = 0;
+};
+
+/// Of each component, by its number.
+/// @param each  only every so many vertices of a line are looked at
+std::map<std::int64_t, Away> away_from(const CurveMesh& other, const CurveMesh& curves,
+                                       std::size_t each = 1);
 
 }  // namespace tensortopo::test

@@ -117,23 +117,12 @@ void expect_curves_of_symmetric_block_near_those_of_general_fields(Degeneracy ki
   const auto exact = extract_degenerate_curves(mesh, kind, options);
   const auto nearby = extract_degenerate_curves(near, kind, options);
   EXPECT_TRUE(nearby.unresolved.empty());
-  const CurveMesh& general = nearby.curves;
-  std::map<Index, double> farthest, length;
-  for (std::size_t l = 0; l < general.lines.size(); ++l)
-    for (std::size_t i = 0; i < general.lines[l].size(); ++i) {
-      const auto point = [&](std::size_t k) {
-        return general.points[static_cast<std::size_t>(general.lines[l][k])];
-      };
-      double& far = farthest[general.component[l]];
-      if (i % 5 == 0) far = std::max(far, distance(point(i), exact.curves));
-      const auto step = point(i) - point(i > 0 ? i - 1 : 0);
-      length[general.component[l]] += std::sqrt(dot(step, step));
-    }
-  std::cout << farthest.size() << " components\n";
-  EXPECT_GT(farthest.size(), 10u);
-  for (const auto& [component, far] : farthest)
-    EXPECT_TRUE(far < 0.05 || length[component] < 0.05)  // of a hundred
-        << "away by " << far << ", length " << length[component];
+  const auto components = away_from(exact.curves, nearby.curves, 5);
+  std::cout << components.size() << " components\n";
+  EXPECT_GT(components.size(), 10u);
+  for (const auto& [component, away] : components)
+    EXPECT_TRUE(away.distance < 0.05 || away.length < 0.05)  // of a hundred
+        << "away by " << away.distance << ", length " << away.length;
 }
 
 void expect_exact_counts_on_faces(const std::string& name, std::size_t most) {

@@ -99,21 +99,9 @@ TEST(SpecialCurves, AreWhereTheCurvesOfNearbyGeneralFieldsRun) {
       if (trial % 5 != 4) {
         EXPECT_EQ(flaws(nearby, near, mode_of(kind)), "") << "trial " << trial;
       }
-      const CurveMesh& general = nearby.curves;
-      std::map<Index, double> farthest, length;
-      for (std::size_t l = 0; l < general.lines.size(); ++l)
-        for (std::size_t i = 0; i < general.lines[l].size(); ++i) {
-          const auto point = [&](std::size_t k) {
-            return general.points[static_cast<std::size_t>(general.lines[l][k])];
-          };
-          double& far = farthest[general.component[l]];
-          far = std::max(far, distance(point(i), exact.curves));
-          const auto step = point(i) - point(i > 0 ? i - 1 : 0);
-          length[general.component[l]] += std::sqrt(dot(step, step));
-        }
-      for (const auto& [component, far] : farthest) {
-        EXPECT_TRUE(far < 0.02 || length[component] < 0.02)
-            << "trial " << trial << ", mode " << mode_of(kind) << ", away by " << far;
+      for (const auto& [component, away] : away_from(exact.curves, nearby.curves)) {
+        EXPECT_TRUE(away.distance < 0.02 || away.length < 0.02)
+            << "trial " << trial << ", mode " << mode_of(kind) << ", away by " << away.distance;
         ++compared;
       }
     }

@@ -18,9 +18,11 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
+#include "tensortopo/extract/tet_geometry.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
@@ -56,16 +58,21 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of(const TetMesh& mesh) {
   return grid;
 }
 
-/// Six times the volume times the slope along `direction` of the modes at the vertices.
-double slope_along(const Vector3<double>& direction, const TetMesh& mesh, vtkDataArray& modes,
+TetGeometry geometry(const TetMesh& mesh, Index tet) {
+  std::array<Vector3<double>, 4> points;
+  for (std::size_t i = 0; i < 4; ++i) points[i] = mesh.points[as_size(mesh.tets[as_size(tet)][i])];
+  return {points, {}};
+}
+
+/// Slope along a direction of the function that is linear between the values at the vertices.
+double slope_along(const Vector3<double>& direction, const TetMesh& mesh, vtkDataArray& values,
                    Index tet) {
-  const auto& v = mesh.tets[as_size(tet)];
-  const auto& p = mesh.points[as_size(v[0])];
-  const auto at = [&](std::size_t i) { return mesh.points[as_size(v[i])] - p; };
-  const auto rise = [&](std::size_t i) { return modes.GetTuple1(v[i]) - modes.GetTuple1(v[0]); };
-  const Vector3<double> gradient = rise(1) * cross(at(2), at(3)) + rise(2) * cross(at(3), at(1)) +
-                                   rise(3) * cross(at(1), at(2));
-  return dot(direction, gradient);
+  const auto space = geometry(mesh, tet);
+  double slope = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    slope +=
+        values.GetTuple1(mesh.tets[as_size(tet)][i]) * dot(direction, space.weight_gradient(i));
+  return slope;
 }
 
 /// The tetrahedron that holds a point, or lacks least of it.
@@ -84,34 +91,34 @@ Index tet_around(const Vector3<double>& x, const TetMesh& mesh, vtkStaticCellLoc
   double most = -std::numeric_limits<double>::infinity();
   for (vtkIdType i = 0; i < near->GetNumberOfIds(); ++i) {
     const auto t = static_cast<Index>(near->GetId(i));
-    const auto& v = mesh.tets[as_size(t)];
-    const auto p = [&](std::size_t k) { return mesh.points[as_size(v[k % 4])]; };
-    double least = 1;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto normal = cross(p(k + 2) - p(k + 1), p(k + 3) - p(k + 1));
-      least = std::min(least, dot(normal, x - p(k + 1)) / dot(normal, p(k) - p(k + 1)));
-    }
+    const auto space = geometry(mesh, t);
+    const double least = std::min(
+        {space.weight(0, x), space.weight(1, x), space.weight(2, x), space.weight(3, x)});
     if (least > most) most = least, best = t;
   }
   return best;
 }
 
-vtkSmartPointer<vtkPolyData> contour(vtkUnstructuredGrid* grid, double value, VtkFilter filter) {
+/// @param in_order  by one thread, as several change the order of what
+///                  vtkContour3DLinearGrid makes
+vtkSmartPointer<vtkPolyData> contour(vtkUnstructuredGrid* grid, std::span<const double> values,
+                                     VtkFilter filter, bool in_order) {
+  const auto run = [&](auto& contour) -> vtkSmartPointer<vtkPolyData> {
+    contour.SetInputData(grid);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      contour.SetValue(static_cast<int>(i), values[i]);
+    contour.Update();
+    return vtkPolyData::SafeDownCast(contour.GetOutputDataObject(0));
+  };
   if (filter == VtkFilter::contour_grid) {
     vtkNew<vtkContourGrid> contour;
-    contour->SetInputData(grid);
     contour->ComputeNormalsOff();
-    contour->SetValue(0, value);
-    contour->Update();
-    return contour->GetOutput();
+    return run(*contour);
   }
   vtkNew<vtkContour3DLinearGrid> contour;
-  contour->SetInputData(grid);
   contour->MergePointsOn();
-  contour->SetSequentialProcessing(true);  // threads change the order
-  contour->SetValue(0, value);
-  contour->Update();
-  return vtkPolyData::SafeDownCast(contour->GetOutputDataObject(0));
+  contour->SetSequentialProcessing(in_order);
+  return run(*contour);
 }
 
 /// `points` and `triangles`.
@@ -132,6 +139,15 @@ SurfaceMesh triangles_of(vtkPolyData& data) {
   return surface;
 }
 
+vtkSmartPointer<vtkPolyData> contour_in_order(vtkUnstructuredGrid* grid, const ModeValue& mode,
+                                              VtkFilter filter) {
+  return contour(grid, std::array{mode.approx()}, filter, true);
+}
+
+std::size_t count(vtkUnstructuredGrid* grid, std::span<const double> values, VtkFilter filter) {
+  return static_cast<std::size_t>(contour(grid, values, filter, false)->GetNumberOfPolys());
+}
+
 }  // namespace
 
 struct VtkContours::Grid {
@@ -146,35 +162,20 @@ VtkContours::VtkContours(const TetMesh& mesh, int threads)
 VtkContours::~VtkContours() = default;
 
 std::size_t VtkContours::contour_grid(std::span<const double> values) {
-  vtkNew<vtkContourGrid> contour;
-  contour->SetInputData(grid_->grid);
-  contour->ComputeNormalsOff();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    contour->SetValue(static_cast<int>(i), values[i]);
-  }
-  contour->Update();
-  return static_cast<std::size_t>(contour->GetOutput()->GetNumberOfPolys());
+  return count(grid_->grid, values, VtkFilter::contour_grid);
 }
 
 std::size_t VtkContours::contour_3d_linear_grid(std::span<const double> values) {
-  vtkNew<vtkContour3DLinearGrid> contour;
-  contour->SetInputData(grid_->grid);
-  contour->MergePointsOn();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    contour->SetValue(static_cast<int>(i), values[i]);
-  }
-  contour->Update();
-  return static_cast<std::size_t>(
-      vtkPolyData::SafeDownCast(contour->GetOutputDataObject(0))->GetNumberOfPolys());
+  return count(grid_->grid, values, VtkFilter::contour_3d_linear_grid);
 }
 
 SurfaceMesh vtk_triangles(const TetMesh& mesh, const ModeValue& mode, VtkFilter filter) {
-  return triangles_of(*contour(grid_of(mesh), mode.approx(), filter));
+  return triangles_of(*contour_in_order(grid_of(mesh), mode, filter));
 }
 
 SurfaceMesh vtk_contour(const TetMesh& mesh, const ModeValue& mode, VtkFilter filter) {
   const auto grid = grid_of(mesh);
-  SurfaceMesh surface = triangles_of(*contour(grid, mode.approx(), filter));
+  SurfaceMesh surface = triangles_of(*contour_in_order(grid, mode, filter));
   // The filters do not say of which tetrahedron a triangle is.
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(grid);
