@@ -15,8 +15,6 @@
 namespace tensortopo::test {
 namespace {
 
-std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 /// The deviator of the piecewise linear field, in one of its tetrahedra.
 Deviator<double> tensor_in(const TetMesh& mesh, std::size_t t, const Vector3<double>& x) {
   const auto& v = mesh.tets[t];

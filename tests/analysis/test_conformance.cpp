@@ -20,8 +20,6 @@ namespace {
 using Json = nlohmann::json;
 using Index = SurfaceMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 // A small field with three components of mode 1/2, and a right surface to spoil.
 class Conformance : public testing::Test {
  protected:

@@ -21,8 +21,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Directed edges with one triangle in a tetrahedron, with the tetrahedron.
 std::set<std::array<Index, 3>> rims_of(const SurfaceMesh& surface) {
   std::set<std::array<Index, 3>> rims;
@@ -56,7 +54,7 @@ std::map<Index, Topology> sheets_of(const SurfaceMesh& surface) {
         corners[k] = static_cast<Index>(old - part.carrier_id.begin());
       } else {
         part.carrier_id.push_back(v);
-        part.points.push_back(surface.points[at(v)]);
+        part.points.push_back(surface.points[as_size(v)]);
       }
     }
     part.triangles.push_back(corners);
@@ -69,8 +67,8 @@ std::map<Index, Topology> sheets_of(const SurfaceMesh& surface) {
 double mean_angle(const SurfaceMesh& surface) {
   double sum = 0;
   for (const auto& t : surface.triangles)
-    sum += quality_of({surface.points[at(t[0])], surface.points[at(t[1])],
-                       surface.points[at(t[2])]})[0];
+    sum += quality_of({surface.points[as_size(t[0])], surface.points[as_size(t[1])],
+                       surface.points[as_size(t[2])]})[0];
   return sum / static_cast<double>(surface.triangles.size());
 }
 

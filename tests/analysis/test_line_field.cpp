@@ -17,8 +17,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // The unit square at some height, cut in 2 n^2 triangles along diagonals of either kind.
 SurfaceMesh square(int n, bool other_diagonal = false, double fold = 0) {
   SurfaceMesh sheet;
@@ -48,7 +46,7 @@ SurfacePlace place_in(const SurfaceMesh& sheet, double x, double y) {
     const auto& t = sheet.triangles[i];
     bool inside = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto &p = sheet.points[at(t[k])], &q = sheet.points[at(t[(k + 1) % 3])];
+      const auto &p = sheet.points[as_size(t[k])], &q = sheet.points[as_size(t[(k + 1) % 3])];
       inside = inside && (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x) >= 0;
     }
     if (inside) return {static_cast<Index>(i), {x, y, 0.37}};
@@ -165,8 +163,8 @@ RC_GTEST_PROP(FineSurface, CoversTheSurfaceAndConforms, ()) {
   double area = 0;
   std::map<std::pair<Index, Index>, int> edges;
   for (const auto& t : fine.triangles) {
-    const auto &p = fine.vertices[at(t[0])].point, &q = fine.vertices[at(t[1])].point,
-               &r = fine.vertices[at(t[2])].point;
+    const auto &p = fine.vertices[as_size(t[0])].point, &q = fine.vertices[as_size(t[1])].point,
+               &r = fine.vertices[as_size(t[2])].point;
     const Vector3<double> normal = cross(q - p, r - p);
     RC_ASSERT(normal.z > 0);
     area += std::sqrt(dot(normal, normal)) / 2;
@@ -178,15 +176,16 @@ RC_GTEST_PROP(FineSurface, CoversTheSurfaceAndConforms, ()) {
   RC_ASSERT(std::abs(area - [&] {
               double sum = 0;
               for (const auto& t : sheet.triangles) {
-                const auto &p = sheet.points[at(t[0])], &q = sheet.points[at(t[1])],
-                           &r = sheet.points[at(t[2])];
+                const auto &p = sheet.points[as_size(t[0])], &q = sheet.points[as_size(t[1])],
+                           &r = sheet.points[as_size(t[2])];
                 const Vector3<double> normal = cross(q - p, r - p);
                 sum += std::sqrt(dot(normal, normal)) / 2;
               }
               return sum;
             }()) < 1e-9);
   for (const auto& [edge, count] : edges) {
-    const auto &p = fine.vertices[at(edge.first)].point, &q = fine.vertices[at(edge.second)].point;
+    const auto &p = fine.vertices[as_size(edge.first)].point,
+               &q = fine.vertices[as_size(edge.second)].point;
     RC_ASSERT(dot(p - q, p - q) <= longest * longest);
     const auto on_rim = [](double a, double b) { return a == b && (a == 0 || a == 1); };
     RC_ASSERT(count == (on_rim(p.x, q.x) || on_rim(p.y, q.y) ? 1 : 2));
@@ -194,8 +193,8 @@ RC_GTEST_PROP(FineSurface, CoversTheSurfaceAndConforms, ()) {
   for (std::size_t i = 0; i < fine.vertices.size(); ++i) {
     Vector3<double> sum{};
     for (std::size_t k = 0; k < 3; ++k)
-      sum +=
-          fine.weights[i][k] * sheet.points[at(sheet.triangles[at(fine.vertices[i].triangle)][k])];
+      sum += fine.weights[i][k] *
+             sheet.points[as_size(sheet.triangles[as_size(fine.vertices[i].triangle)][k])];
     const Vector3<double> off = sum - fine.vertices[i].point;
     RC_ASSERT(dot(off, off) < 1e-20);
   }

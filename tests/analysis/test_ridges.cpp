@@ -169,7 +169,6 @@ struct Ellipsoid {
 constexpr std::array<double, 3> kAxes{3, 2, 1};
 
 Ellipsoid ellipsoid(int n) {
-  const auto unit = [](const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; };
   const Vector3<double> a = unit({0.9, 0.31, -0.17}),
                         b = unit(cross(a, Vector3<double>{0.2, -0.3, 0.9})), c = cross(a, b);
   Ellipsoid result;

@@ -30,8 +30,6 @@ Drawn drawn() {
   return result;
 }
 
-Vector3<double> unit(const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
 Vector3<double> direction(Random& random) {
   return unit({random.normal(), random.normal(), random.normal()});
 }

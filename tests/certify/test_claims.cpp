@@ -14,8 +14,6 @@
 namespace tensortopo::test {
 namespace {
 
-std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 class Claims : public testing::TestWithParam<const char*> {
  protected:
   static constexpr std::uint64_t kSeed = 20241101;

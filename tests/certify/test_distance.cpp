@@ -13,8 +13,6 @@
 namespace tensortopo::test {
 namespace {
 
-double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
-
 double distance_to_segment(const Vector3<double>& x, const Vector3<double>& p,
                            const Vector3<double>& q) {
   const auto d = q - p;

@@ -19,8 +19,6 @@ namespace {
 using Index = TetMesh::Index;
 using Face = std::array<Index, 3>;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 struct PreciseTensor {
   double residual = 0;   ///< sqrt(1 - mode^2)
   double rounding = 0;   ///< what one unit in the last place of each coordinate explains

@@ -18,8 +18,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 using FaceKey = std::array<Index, 3>;
 
 // The tetrahedra of each face, leaving out those that are unresolved.
@@ -45,7 +43,7 @@ std::map<FaceKey, std::vector<Index>> tets_of_faces(const Extraction& extraction
 std::vector<Index> common_carrier(const SurfaceMesh& surface, Index u, Index v) {
   std::set<Index> all;
   for (const Index w : {u, v})
-    for (const Index k : surface.carrier_vertices[at(w)])
+    for (const Index k : surface.carrier_vertices[as_size(w)])
       if (k >= 0) all.insert(k);
   return {all.begin(), all.end()};
 }
@@ -59,7 +57,7 @@ void check_carriers(const Extraction& extraction, const TetMesh& mesh, std::ostr
   }
   std::vector<std::vector<Index>> tets_at(surface.points.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const Index v : surface.triangles[t]) tets_at[at(v)].push_back(surface.tet[t]);
+    for (const Index v : surface.triangles[t]) tets_at[as_size(v)].push_back(surface.tet[t]);
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
     const auto& key = surface.carrier_vertices[v];
     const auto count = static_cast<std::size_t>(
@@ -75,15 +73,15 @@ void check_carriers(const Extraction& extraction, const TetMesh& mesh, std::ostr
       out << "the carrier of vertex " << v << " is not in ascending order\n";
     for (const Index t : tets_at[v])
       for (const Index k : key)
-        if (k >= 0 && std::find(mesh.tets[at(t)].begin(), mesh.tets[at(t)].end(), k) ==
-                          mesh.tets[at(t)].end())
+        if (k >= 0 && std::find(mesh.tets[as_size(t)].begin(), mesh.tets[as_size(t)].end(), k) ==
+                          mesh.tets[as_size(t)].end())
           out << "vertex " << v << " of a triangle in tetrahedron " << t
               << " is carried by another\n";
   }
 }
 
 bool is_zero(const TetMesh& mesh, Index v) {
-  const auto& t = mesh.tensors[at(v)];
+  const auto& t = mesh.tensors[as_size(v)];
   return t.xx == t.yy && t.yy == t.zz && t.xy == 0 && t.yz == 0 && t.xz == 0;
 }
 
@@ -113,8 +111,8 @@ void check_faces(const Extraction& extraction, const TetMesh& mesh,
   for (auto& [edge, tets] : tets_of_edge) {
     const auto carrier = common_carrier(surface, edge.first, edge.second);
     std::sort(tets.begin(), tets.end());
-    if (carrier.size() < 3 && has_no_mode(surface, mesh, at(edge.first)) &&
-        has_no_mode(surface, mesh, at(edge.second))) {
+    if (carrier.size() < 3 && has_no_mode(surface, mesh, as_size(edge.first)) &&
+        has_no_mode(surface, mesh, as_size(edge.second))) {
       continue;  // between two vertices without deviator, where any number of sheets may meet
     } else if (carrier.size() < 3) {
       out << "edge " << edge.first << "-" << edge.second << " runs along an edge of the mesh\n";

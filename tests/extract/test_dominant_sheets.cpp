@@ -28,8 +28,6 @@ double off(const Vector3<double>& u, const Vector3<double>& v) {
   return std::sqrt(dot(w, w)) / std::sqrt(dot(u, u) * dot(v, v));
 }
 
-Vector3<double> unit(const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
 Vector3<double> unit_vector(Random& random) {
   const auto part = [&] { return 2 * random.uniform() - 1; };
   return unit({part(), part(), part() + 1e-9});

@@ -19,8 +19,6 @@ using Id = std::int32_t;
 using Triangles = std::vector<std::array<Id, 3>>;
 using Edges = std::set<std::pair<Id, Id>>;
 
-std::size_t at(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 /// What is drawn in a mesh of one tetrahedron, as a drawing has it.
 struct Drawn {
   TetWithCurves<double> tet;
@@ -32,7 +30,7 @@ struct Drawn {
   Drawn(const TetMesh& mesh, const ScaledField<double>& field, const SurfaceMesh& surface) {
     const auto& corners = mesh.tets[0];
     tet.simplex = field.simplex<4>(corners, std::vector<char>(mesh.points.size(), 0));
-    for (std::size_t i = 0; i < 4; ++i) tet.points[i] = mesh.points[at(corners[i])];
+    for (std::size_t i = 0; i < 4; ++i) tet.points[i] = mesh.points[as_size(corners[i])];
     const TetGeometry geometry(tet.points, tet.simplex.exponents);
     std::vector<Id> id(surface.points.size());
     for (std::size_t v = 0; v < id.size(); ++v) {
@@ -57,7 +55,7 @@ struct Drawn {
       points[id[v]] = x;
     }
     for (const auto& t : surface.triangles)
-      triangles.triangles.push_back({id[at(t[0])], id[at(t[1])], id[at(t[2])]});
+      triangles.triangles.push_back({id[as_size(t[0])], id[as_size(t[1])], id[as_size(t[2])]});
   }
 
   /// The sum over all triangles of a quadratic form in the offsets of their edges' middles.

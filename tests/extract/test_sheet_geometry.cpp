@@ -19,8 +19,6 @@ Vector twice_area(const Vector& a, const Vector& b, const Vector& c) {
   return cross(b - a, c - a);
 }
 
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
-
 double area(const SurfaceMesh& surface) {
   double sum = 0;
   for (const auto& t : surface.triangles) {

@@ -17,8 +17,6 @@ namespace {
 
 using Place = std::array<double, 3>;
 
-std::size_t at(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 Place place(const Vector3<double>& p) { return {p.x, p.y, p.z}; }
 
 struct Two {
@@ -50,8 +48,8 @@ struct Quality {
     const auto level = make_level<double>(ModeValue::parse(mode));
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const auto& t = surface.triangles[i];
-      const auto &p = surface.points[at(t[0])], &q = surface.points[at(t[1])],
-                 &r = surface.points[at(t[2])];
+      const auto &p = surface.points[as_size(t[0])], &q = surface.points[as_size(t[1])],
+                 &r = surface.points[as_size(t[2])];
       const auto n = cross(q - p, r - p);
       const double twice_area = std::sqrt(dot(n, n));
       const double sine = least_sine(p, q, r, twice_area);

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -55,14 +56,17 @@ std::vector<double> known_gaps(const Field& field, int sign) {
         const auto t = at(x);
         return has_sign(t, sign) ? gap_of(t) : 2 - gap_of(t);
       };
-      for (int k = 1; k < n; ++k) {
+      std::array<double, n + 1> samples;
+      for (int k = 0; k <= n; ++k) samples[static_cast<std::size_t>(k)] = signed_gap(double(k) / n);
+      for (std::size_t k = 1; k < n; ++k) {
+        if (samples[k - 1] < samples[k] || samples[k + 1] < samples[k]) continue;
         double low = double(k - 1) / n, high = double(k + 1) / n;
-        if (signed_gap(low) < signed_gap(double(k) / n) ||
-            signed_gap(high) < signed_gap(double(k) / n))
-          continue;
         for (int step = 0; step < 60; ++step) {  // a least gap in between
           const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-          (signed_gap(a) < signed_gap(b) ? high : low) = signed_gap(a) < signed_gap(b) ? b : a;
+          if (signed_gap(a) < signed_gap(b))
+            high = b;
+          else
+            low = a;
         }
         gaps.push_back(signed_gap((low + high) / 2));
       }

@@ -22,8 +22,6 @@ namespace {
 using Json = nlohmann::json;
 using Index = std::int32_t;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 class Bytes {
  public:
   void add(std::uint64_t word) { bytes_.append(reinterpret_cast<const char*>(&word), 8); }
@@ -55,9 +53,9 @@ class Reader {
     std::map<std::array<Index, 2>, std::vector<std::pair<double, Index>>> found;
     for (Index v = 0; v < static_cast<Index>(s_.points.size()); ++v) {
       if (!is_crossing(v)) continue;
-      const auto& c = s_.carrier_vertices[at(v)];
-      const auto a = mesh_.points[at(c[0])], b = mesh_.points[at(c[1])];
-      const auto d = b - a, p = s_.points[at(v)] - a;
+      const auto& c = s_.carrier_vertices[as_size(v)];
+      const auto a = mesh_.points[as_size(c[0])], b = mesh_.points[as_size(c[1])];
+      const auto d = b - a, p = s_.points[as_size(v)] - a;
       found[{c[0], c[1]}].push_back({dot(p, d) / dot(d, d), v});
     }
     Json result = Json::array();
@@ -66,8 +64,8 @@ class Reader {
       Json& entry = result.emplace_back(Json::array({edge[0], edge[1]}));
       constexpr int kPlaces = 36;
       constexpr std::int64_t kAll = std::int64_t{1} << kPlaces;
-      const std::array<ExactDeviator, 2> ends{mesh_.tensors[at(edge[0])],
-                                              mesh_.tensors[at(edge[1])]};
+      const std::array<ExactDeviator, 2> ends{mesh_.tensors[as_size(edge[0])],
+                                              mesh_.tensors[as_size(edge[1])]};
       const LevelQuestion question(ends, mode_);
       const auto above = [&](std::int64_t i) {
         return question.is_above(std::array{kAll - i, i});
@@ -110,10 +108,10 @@ class Reader {
  private:
   using Face = std::array<Index, 3>;
 
-  bool is_crossing(Index v) const { return s_.carrier[at(v)] == Carrier::edge; }
+  bool is_crossing(Index v) const { return s_.carrier[as_size(v)] == Carrier::edge; }
   std::set<Index> carrier(Index v) const {
     std::set<Index> result;
-    for (const Index c : s_.carrier_vertices[at(v)])
+    for (const Index c : s_.carrier_vertices[as_size(v)])
       if (c >= 0) result.insert(c);
     return result;
   }
@@ -153,7 +151,7 @@ std::pair<long, Json> Reader::loop_of(std::map<Index, Index>& rim, Index tet) {
     Face f{};
     std::copy(face.begin(), face.end(), f.begin());
     Index opposite = -1;
-    for (const Index v : mesh_.tets[at(tet)])
+    for (const Index v : mesh_.tets[as_size(tet)])
       if (!face.contains(v)) opposite = v;
     const Index to = loop[end % loop.size()] + first_, from = loop[i] + first_;
     if (crossings.empty()) {
@@ -171,7 +169,7 @@ std::pair<long, Json> Reader::loop_of(std::map<Index, Index>& rim, Index tet) {
 void Reader::read(Json& faces, Json& tets) {
   std::map<std::int64_t, std::pair<Index, std::vector<std::size_t>>> by_cell;
   for (std::size_t t = 0; t < s_.triangles.size(); ++t) {
-    auto& [tet, all] = by_cell[mesh_.cell_ids[at(s_.tet[t])]];
+    auto& [tet, all] = by_cell[mesh_.cell_ids[as_size(s_.tet[t])]];
     tet = s_.tet[t];
     all.push_back(t);
   }

@@ -13,8 +13,6 @@ namespace tensortopo::test {
 
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 // Corners of the face opposite corner i, in order.
 std::array<TetMesh::Index, 3> face_opposite(const std::array<TetMesh::Index, 4>& tet,
                                             std::size_t i) {
@@ -55,12 +53,12 @@ BoundaryOracle::BoundaryOracle(const SurfaceMesh& surface, const TetMesh& mesh,
 bool BoundaryOracle::operator()(SurfaceMesh::Index u, SurfaceMesh::Index v,
                                 TetMesh::Index tet) const {
   if (options_.on_domain_boundary) return options_.on_domain_boundary(u, v);
-  const PreciseMode first = precise_mode(mesh_, tet, surface_.points[at(u)], 0),
-                    second = precise_mode(mesh_, tet, surface_.points[at(v)], 0);
+  const PreciseMode first = precise_mode(mesh_, tet, surface_.points[as_size(u)], 0),
+                    second = precise_mode(mesh_, tet, surface_.points[as_size(v)], 0);
   for (std::size_t i = 0; i < 4; ++i) {
     const double slack = roundings * first.barycentric_rounding[i] + negligible;
     if (std::abs(first.barycentric[i]) <= slack && std::abs(second.barycentric[i]) <= slack &&
-        boundary_faces_.contains(face_opposite(mesh_.tets[at(tet)], i))) {
+        boundary_faces_.contains(face_opposite(mesh_.tets[as_size(tet)], i))) {
       return true;
     }
   }
@@ -71,7 +69,7 @@ bool has_no_mode(const SurfaceMesh& surface, const TetMesh& mesh, std::size_t ve
   if (surface.carrier_vertices.size() != surface.points.size()) return false;
   for (const auto k : surface.carrier_vertices[vertex]) {
     if (k < 0) continue;
-    const auto& t = mesh.tensors[at(k)];
+    const auto& t = mesh.tensors[as_size(k)];
     if (t.xx != t.yy || t.yy != t.zz || t.xy != 0 || t.yz != 0 || t.xz != 0) return false;
   }
   return surface.carrier_vertices[vertex][0] >= 0;
@@ -106,11 +104,11 @@ void check_normals(const SurfaceMesh& surface, const SurfaceCheckOptions& option
                    Complaints& complaints, SurfaceReport& report) {
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& corners = surface.triangles[t];
-    const Vector3<double>& origin = surface.points[at(corners[0])];
-    const Vector3<double> normal =
-        cross(surface.points[at(corners[1])] - origin, surface.points[at(corners[2])] - origin);
+    const Vector3<double>& origin = surface.points[as_size(corners[0])];
+    const Vector3<double> normal = cross(surface.points[as_size(corners[1])] - origin,
+                                         surface.points[as_size(corners[2])] - origin);
     for (const auto v : corners) {
-      if (dot(normal, surface.normal[at(v)]) > 0) continue;
+      if (dot(normal, surface.normal[as_size(v)]) > 0) continue;
       ++report.opposed_normals;
       if (options.opposed_normals_are_violations) {
         complaints.add("opposed normal", "triangle ", t, " is turned against the normal of vertex ",
@@ -126,14 +124,15 @@ void check_modes(const SurfaceMesh& surface, const TetMesh& mesh,
   std::vector<std::pair<SurfaceMesh::Index, TetMesh::Index>> places;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     for (const auto v : surface.triangles[t])
-      if (!has_no_mode(surface, mesh, at(v))) places.emplace_back(v, surface.tet[t]);
+      if (!has_no_mode(surface, mesh, as_size(v))) places.emplace_back(v, surface.tet[t]);
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
 
   ResidualReport& residuals = report.residuals;
   for (const auto& [v, tet] : places) {
-    const PreciseMode precise = precise_mode(mesh, tet, surface.points[at(v)], surface.mode[at(v)]);
+    const PreciseMode precise =
+        precise_mode(mesh, tet, surface.points[as_size(v)], surface.mode[as_size(v)]);
     const double residual = std::abs(precise.residual);
     ++residuals.evaluated;
     if (!(residual <= residuals.largest)) residuals.largest = residual;
@@ -147,9 +146,9 @@ void check_modes(const SurfaceMesh& surface, const TetMesh& mesh,
       } else {
         complaints.add("residual", "vertex ", v, " in tetrahedron ", tet, " has residual ",
                        precise.residual, ", of which rounding its coordinates explains ",
-                       precise.rounding, "; it lies at ", exact_text(surface.points[at(v)].x), ' ',
-                       exact_text(surface.points[at(v)].y), ' ',
-                       exact_text(surface.points[at(v)].z));
+                       precise.rounding, "; it lies at ", exact_text(surface.points[as_size(v)].x),
+                       ' ', exact_text(surface.points[as_size(v)].y), ' ',
+                       exact_text(surface.points[as_size(v)].z));
       }
     }
     for (std::size_t i = 0; i < 4; ++i) {

@@ -18,8 +18,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // One side of one triangle, as it runs around the triangle.
 struct Side {
   Index from, to;
@@ -75,12 +73,12 @@ bool check_arrays(const SurfaceMesh& surface, const TetMesh& mesh, Complaints& c
   std::vector<char> used(vertices, 0);
   for (std::size_t t = 0; t < triangles; ++t) {
     std::array<Index, 3> corners = surface.triangles[t];
-    if (surface.tet[t] < 0 || at(surface.tet[t]) >= mesh.tets.size()) {
+    if (surface.tet[t] < 0 || as_size(surface.tet[t]) >= mesh.tets.size()) {
       complaints.add("index", "triangle ", t, " names tetrahedron ", surface.tet[t]);
       usable = false;
     }
     std::sort(corners.begin(), corners.end());
-    if (corners[0] < 0 || at(corners[2]) >= vertices) {
+    if (corners[0] < 0 || as_size(corners[2]) >= vertices) {
       complaints.add("index", "triangle ", t, " names a vertex that does not exist");
       usable = false;
       continue;
@@ -92,7 +90,7 @@ bool check_arrays(const SurfaceMesh& surface, const TetMesh& mesh, Complaints& c
     if (!seen.insert(corners).second) {
       complaints.add("repeated triangle", "triangle ", t, " has the vertices of an earlier one");
     }
-    for (const Index v : corners) used[at(v)] = 1;
+    for (const Index v : corners) used[as_size(v)] = 1;
   }
   for (std::size_t v = 0; v < vertices; ++v) {
     if (used[v] == 0) complaints.add("unused vertex", "vertex ", v, " has no triangle");
@@ -126,7 +124,7 @@ void check_links(const SurfaceMesh& surface, Complaints& complaints) {
   std::vector<std::vector<std::pair<Index, Index>>> links(surface.points.size());
   for (const auto& t : surface.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      links[at(t[i])].emplace_back(t[(i + 1) % 3], t[(i + 2) % 3]);
+      links[as_size(t[i])].emplace_back(t[(i + 1) % 3], t[(i + 2) % 3]);
     }
   }
   for (std::size_t v = 0; v < links.size(); ++v) {

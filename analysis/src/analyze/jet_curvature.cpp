@@ -18,13 +18,12 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Jet = CGAL::Monge_via_jet_fitting<Kernel>;
 using Index = SurfaceMesh::Index;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 std::vector<std::vector<Index>> neighbours_of(const SurfaceMesh& surface) {
   std::vector<std::vector<Index>> neighbours(surface.points.size());
   for (const auto& t : surface.triangles)
     for (std::size_t i = 0; i < 3; ++i)
-      for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3}) neighbours[at(t[i])].push_back(t[j]);
+      for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3})
+        neighbours[as_size(t[i])].push_back(t[j]);
   for (auto& list : neighbours) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -40,7 +39,7 @@ std::vector<Index> gather(const std::vector<std::vector<Index>>& neighbours, Ind
   for (std::size_t begin = 0; found.size() < enough && begin < found.size();) {
     const std::size_t end = found.size();
     for (std::size_t i = begin; i < end; ++i)
-      for (const Index n : neighbours[at(found[i])])
+      for (const Index n : neighbours[as_size(found[i])])
         if (seen.insert(n).second) found.push_back(n);
     begin = end;
   }
@@ -62,7 +61,7 @@ std::vector<std::optional<LevelCurvature<double>>> jet_curvature(const SurfaceMe
     if (around.size() < coefficients || !(dot(n, n) > 0)) return;
     std::vector<Kernel::Point_3> points;
     for (const Index i : around) {
-      const auto& p = surface.points[at(i)];
+      const auto& p = surface.points[as_size(i)];
       points.emplace_back(p.x, p.y, p.z);
     }
     Jet jet;

@@ -11,12 +11,6 @@
 namespace tensortopo {
 namespace {
 
-template <class Scalar>
-Scalar length(const Vector3<Scalar>& v) {
-  using std::sqrt;
-  return sqrt(dot(v, v));
-}
-
 /// a a^t.
 template <class Scalar>
 SymmetricTensor<Scalar> dyad(const Vector3<Scalar>& a) {

@@ -20,8 +20,6 @@ namespace {
 using Index = TetMesh::Index;
 using Tensor = SymmetricTensor<double>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 Verdict sign_of_rise(bool rises) { return rises ? Verdict::positive : Verdict::negative; }
 
 /// The edges opposite an edge in the tetrahedra around it, and the like for vertices.
@@ -84,7 +82,7 @@ class Collecting {
 
   std::vector<Tensor> tensors_of(const std::vector<Index>& vertices) const {
     std::vector<Tensor> tensors;
-    for (const Index v : vertices) tensors.push_back(mesh_.tensors[at(v)]);
+    for (const Index v : vertices) tensors.push_back(mesh_.tensors[as_size(v)]);
     return tensors;
   }
 
@@ -108,7 +106,7 @@ class Collecting {
         point.vertices.fill(-1);
         std::copy(simplex.begin(), simplex.end(), point.vertices.begin());
         for (std::size_t i = 0; i < simplex.size(); ++i)
-          point.point += found.weights[i] * mesh_.points[at(simplex[i])];
+          point.point += found.weights[i] * mesh_.points[as_size(simplex[i])];
         kept[block].push_back(point);
       };
       for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
@@ -127,10 +125,10 @@ class Collecting {
   void vertices() {
     const Around<3> around(mesh_.points.size(), [&](const auto& tell) {
       for (const auto& t : mesh_.tets) {
-        tell(at(t[0]), std::array{t[1], t[2], t[3]});
-        tell(at(t[1]), std::array{t[0], t[2], t[3]});
-        tell(at(t[2]), std::array{t[0], t[1], t[3]});
-        tell(at(t[3]), std::array{t[0], t[1], t[2]});
+        tell(as_size(t[0]), std::array{t[1], t[2], t[3]});
+        tell(as_size(t[1]), std::array{t[0], t[2], t[3]});
+        tell(as_size(t[2]), std::array{t[0], t[1], t[3]});
+        tell(as_size(t[3]), std::array{t[0], t[1], t[2]});
       }
     });
     for_each(mesh_.points.size(), 0, [&](std::size_t v, const auto& keep) {
@@ -155,15 +153,16 @@ class Collecting {
         for (std::size_t e = 0; e < 6; ++e) {
           const auto& opposite = kTetEdges[5 - e];
           const auto& tet = mesh_.tets[t];
-          tell(at(complex_.tet_edges[t][e]),
-               std::array{tet[at(opposite[0])], tet[at(opposite[1])]});
+          tell(as_size(complex_.tet_edges[t][e]),
+               std::array{tet[as_size(opposite[0])], tet[as_size(opposite[1])]});
         }
     });
     for_each(complex_.edges.size(), 1, [&](std::size_t e, const auto& keep) {
       const auto& ends = complex_.edges[e];
       const auto ring = vertices_of(around.of(e));
       for (const auto& point : critical_points_on_edge(
-               {mesh_.tensors[at(ends[0])], mesh_.tensors[at(ends[1])]}, tensors_of(ring))) {
+               {mesh_.tensors[as_size(ends[0])], mesh_.tensors[as_size(ends[1])]},
+               tensors_of(ring))) {
         SignedLink link{point.towards, {}};
         const int n = static_cast<int>(ring.size());
         const Verdict along = point.is_certain ? sign_of_rise(point.index == 0) : Verdict::unknown;
@@ -184,13 +183,13 @@ class Collecting {
       std::vector<Index> apices;
       for (const Index t : complex_.face_tets[f]) {
         if (t < 0) continue;
-        for (const Index v : mesh_.tets[at(complex_.tets[at(t)])])
+        for (const Index v : mesh_.tets[as_size(complex_.tets[as_size(t)])])
           if (std::find(corners.begin(), corners.end(), v) == corners.end()) apices.push_back(v);
       }
-      for (const auto& point :
-           critical_points_on_face({mesh_.tensors[at(corners[0])], mesh_.tensors[at(corners[1])],
-                                    mesh_.tensors[at(corners[2])]},
-                                   tensors_of(apices))) {
+      for (const auto& point : critical_points_on_face(
+               {mesh_.tensors[as_size(corners[0])], mesh_.tensors[as_size(corners[1])],
+                mesh_.tensors[as_size(corners[2])]},
+               tensors_of(apices))) {
         SignedLink link{point.towards, {}};
         // Around an extremum one sign, around a saddle four times the other.
         const int n = static_cast<int>(apices.size());
@@ -209,8 +208,8 @@ class Collecting {
     for_each(mesh_.tets.size(), 3, [&](std::size_t t, const auto& keep) {
       const auto& v = mesh_.tets[t];
       for (const auto& point :
-           critical_points_in_tet({mesh_.tensors[at(v[0])], mesh_.tensors[at(v[1])],
-                                   mesh_.tensors[at(v[2])], mesh_.tensors[at(v[3])]})) {
+           critical_points_in_tet({mesh_.tensors[as_size(v[0])], mesh_.tensors[as_size(v[1])],
+                                   mesh_.tensors[as_size(v[2])], mesh_.tensors[as_size(v[3])]})) {
         // An octahedron, two opposite vertices for each direction.
         SignedLink link;
         for (int i = 0; i < 6; ++i)

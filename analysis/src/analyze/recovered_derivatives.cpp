@@ -21,15 +21,13 @@ using Index = TetMesh::Index;
 constexpr Eigen::Index kCoefficients = 9;
 constexpr std::size_t kLeastAround = 12;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// The vertices that share a tetrahedron with each vertex.
 std::vector<std::vector<Index>> neighbours(const TetMesh& mesh) {
   std::vector<std::vector<Index>> result(mesh.points.size());
   for (const auto& tet : mesh.tets)
     for (const Index v : tet)
       for (const Index w : tet)
-        if (v != w) result[at(v)].push_back(w);
+        if (v != w) result[as_size(v)].push_back(w);
   for (auto& list : result) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -40,10 +38,11 @@ std::vector<std::vector<Index>> neighbours(const TetMesh& mesh) {
 /// Those around a vertex; at the boundary, where these are few, also those around them.
 std::vector<Index> patch(const std::vector<std::vector<Index>>& around, Index vertex,
                          std::size_t rings) {
-  std::vector<Index> all = around[at(vertex)];
+  std::vector<Index> all = around[as_size(vertex)];
   for (std::size_t ring = 1; ring < rings; ++ring) {
     const std::vector<Index> inner = all;
-    for (const Index v : inner) all.insert(all.end(), around[at(v)].begin(), around[at(v)].end());
+    for (const Index v : inner)
+      all.insert(all.end(), around[as_size(v)].begin(), around[as_size(v)].end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
   }
@@ -56,22 +55,22 @@ std::vector<Index> patch(const std::vector<std::vector<Index>>& around, Index ve
 std::optional<RecoveredDerivatives::Jet> RecoveredDerivatives::fitted(
     const TetMesh& mesh, Index vertex, const std::vector<Index>& around) {
   if (around.size() < kLeastAround) return std::nullopt;
-  const Vector3<double>& origin = mesh.points[at(vertex)];
+  const Vector3<double>& origin = mesh.points[as_size(vertex)];
   double size = 0;
   for (const Index v : around) {
-    const Vector3<double> d = mesh.points[at(v)] - origin;
-    size = std::max(size, std::sqrt(dot(d, d)));
+    const Vector3<double> d = mesh.points[as_size(v)] - origin;
+    size = std::max(size, length(d));
   }
   const auto rows = static_cast<Eigen::Index>(around.size());
   Eigen::Matrix<double, Eigen::Dynamic, kCoefficients> powers(rows, kCoefficients);
   Eigen::Matrix<double, Eigen::Dynamic, 5> values(rows, 5);
-  const Deviator<double> here = deviator(mesh.tensors[at(vertex)]);
+  const Deviator<double> here = deviator(mesh.tensors[as_size(vertex)]);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const Index v = around[static_cast<std::size_t>(i)];
-    const Vector3<double> d = (1 / size) * (mesh.points[at(v)] - origin);
+    const Vector3<double> d = (1 / size) * (mesh.points[as_size(v)] - origin);
     powers.row(i) << d.x, d.y, d.z, d.x * d.x / 2, d.y * d.y / 2, d.z * d.z / 2, d.x * d.y,
         d.y * d.z, d.x * d.z;
-    const Deviator<double> t = deviator(mesh.tensors[at(v)]) - here;
+    const Deviator<double> t = deviator(mesh.tensors[as_size(v)]) - here;
     values.row(i) << t.a, t.b, t.xy, t.yz, t.xz;
   }
   const auto solver = powers.colPivHouseholderQr();
@@ -93,13 +92,13 @@ RecoveredDerivatives::RecoveredDerivatives(const TetMesh& mesh, const std::vecto
   const auto around = neighbours(mesh);
   std::vector<Index> wanted;
   for (const Index tet : tets)
-    wanted.insert(wanted.end(), mesh.tets[at(tet)].begin(), mesh.tets[at(tet)].end());
+    wanted.insert(wanted.end(), mesh.tets[as_size(tet)].begin(), mesh.tets[as_size(tet)].end());
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
     const Index v = wanted[i];
-    for (std::size_t rings = 1; rings <= 2 && !jets_[at(v)]; ++rings)
-      jets_[at(v)] = fitted(mesh, v, patch(around, v, rings));
+    for (std::size_t rings = 1; rings <= 2 && !jets_[as_size(v)]; ++rings)
+      jets_[as_size(v)] = fitted(mesh, v, patch(around, v, rings));
   });
 }
 
@@ -109,11 +108,11 @@ std::optional<LevelCurvature<double>> RecoveredDerivatives::curvature(
   std::array<SymmetricTensor<double>, 4> tensors;
   std::array<const Jet*, 4> jets;
   for (std::size_t k = 0; k < 4; ++k) {
-    const Index v = mesh_.tets[at(tet)][k];
-    corners[k] = mesh_.points[at(v)];
-    tensors[k] = mesh_.tensors[at(v)];
-    if (!jets_[at(v)]) return std::nullopt;
-    jets[k] = &*jets_[at(v)];
+    const Index v = mesh_.tets[as_size(tet)][k];
+    corners[k] = mesh_.points[as_size(v)];
+    tensors[k] = mesh_.tensors[as_size(v)];
+    if (!jets_[as_size(v)]) return std::nullopt;
+    jets[k] = &*jets_[as_size(v)];
   }
   const auto weights = barycentric_coordinates(corners, point);
   if (!weights) return std::nullopt;

@@ -16,10 +16,6 @@ namespace {
 using Index = SurfaceMesh::Index;
 using Corner = std::optional<LevelExtremality<double>>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
-
 double sign(double x) { return x < 0 ? -1 : 1; }
 
 /// What keeps a triangle from having a segment; `crossed` also if it could have one and has none.
@@ -42,7 +38,8 @@ std::optional<Vector3<double>> gradient_of(const SurfaceMesh& surface,
                                            const std::array<Index, 3>& t,
                                            const std::array<double, 3>& value) {
   const auto& p = surface.points;
-  const Vector3<double> e1 = p[at(t[1])] - p[at(t[0])], e2 = p[at(t[2])] - p[at(t[0])];
+  const Vector3<double> e1 = p[as_size(t[1])] - p[as_size(t[0])],
+                        e2 = p[as_size(t[2])] - p[as_size(t[0])];
   const Vector3<double> normal = cross(e1, e2);
   if (!(dot(normal, normal) > 0)) return std::nullopt;
   return (1 / dot(normal, normal)) *
@@ -143,12 +140,12 @@ class Tracer {
     if (!(strength > 0)) return;
     const Index a = point_on(triangle, kind, (alone + 1) % 3, c),
                 b = point_on(triangle, kind, (alone + 2) % 3, c);
-    nodes_[at(a)].next.push_back(b);
-    nodes_[at(b)].next.push_back(a);
+    nodes_[as_size(a)].next.push_back(b);
+    nodes_[as_size(b)].next.push_back(a);
     for (const Index v : {a, b}) {
       // The mean of the triangles on both sides.
-      Node& node = nodes_[at(v)];
-      double& mean = lines_.strength[at(v)];
+      Node& node = nodes_[as_size(v)];
+      double& mean = lines_.strength[as_size(v)];
       ++node.segments;
       mean += (strength - mean) / static_cast<double>(node.segments);
     }
@@ -167,7 +164,8 @@ class Tracer {
     const double w = u + v > 0 ? u / (u + v) : 0.5;
     const auto mix = [w](double a, double b) { return (1 - w) * a + w * b; };
     nodes_.push_back({place, triangle, {}});
-    lines_.points.push_back((1 - w) * surface_.points[at(t[i])] + w * surface_.points[at(t[j])]);
+    lines_.points.push_back((1 - w) * surface_.points[as_size(t[i])] +
+                            w * surface_.points[as_size(t[j])]);
     const auto &a = c[i]->curvature.principal, &b = c[j]->curvature.principal;
     lines_.curvature.push_back(mix(a[kind], b[kind]));
     lines_.other_curvature.push_back(mix(a[1 - kind], b[1 - kind]));
@@ -182,7 +180,7 @@ class Tracer {
       const auto other = std::next(place);
       if (other == index_.end()) break;
       if (other->first.kind != kind || other->first.edge != place->first.edge) continue;
-      Node &a = nodes_[at(place->second)], &b = nodes_[at(other->second)];
+      Node &a = nodes_[as_size(place->second)], &b = nodes_[as_size(other->second)];
       if (a.next.size() != 1 || b.next.size() != 1) continue;
       a.next.push_back(other->second);
       b.next.push_back(place->second);
@@ -204,19 +202,19 @@ class Tracer {
   void join() {
     std::vector<bool> taken(nodes_.size());
     const auto walk = [&](Index start) {
-      RidgeLines::Line line{RidgeKind{nodes_[at(start)].place.kind}, {start}};
-      taken[at(start)] = true;
+      RidgeLines::Line line{RidgeKind{nodes_[as_size(start)].place.kind}, {start}};
+      taken[as_size(start)] = true;
       for (bool more = true; more;) {
         more = false;
-        for (const Index next : nodes_[at(line.points.back())].next) {
-          if (taken[at(next)]) continue;
+        for (const Index next : nodes_[as_size(line.points.back())].next) {
+          if (taken[as_size(next)]) continue;
           line.points.push_back(next);
-          taken[at(next)] = more = true;
+          taken[as_size(next)] = more = true;
           break;
         }
       }
-      const auto& last = nodes_[at(line.points.back())].next;
-      if (line.points.size() > 2 && nodes_[at(start)].next.size() > 1 &&
+      const auto& last = nodes_[as_size(line.points.back())].next;
+      if (line.points.size() > 2 && nodes_[as_size(start)].next.size() > 1 &&
           std::find(last.begin(), last.end(), start) != last.end())
         line.points.push_back(start);
       finish(std::move(line));
@@ -229,7 +227,7 @@ class Tracer {
   void finish(RidgeLines::Line line) {
     if (line.points.size() < 2) return;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
-      const std::size_t a = at(line.points[i - 1]), b = at(line.points[i]);
+      const std::size_t a = as_size(line.points[i - 1]), b = as_size(line.points[i]);
       const double step = length(lines_.points[b] - lines_.points[a]);
       line.length += step;
       line.strength += step * (lines_.strength[a] + lines_.strength[b]) / 2;
@@ -243,7 +241,8 @@ class Tracer {
     }
     line.strength = line.length > 0 ? line.strength / line.length : line.strongest;
     if (!line.is_closed())
-      line.ends = {end_of(nodes_[at(line.points.front())]), end_of(nodes_[at(line.points.back())])};
+      line.ends = {end_of(nodes_[as_size(line.points.front())]),
+                   end_of(nodes_[as_size(line.points.back())])};
     lines_.sums[static_cast<std::size_t>(line.kind)].add(line);
     lines_.lines.push_back(std::move(line));
   }
@@ -292,13 +291,13 @@ RidgeLines filtered(const RidgeLines& ridges, const RidgeFilter& filter) {
       continue;
     }
     for (Index& v : line.points) {
-      Index& known = place[at(v)];
+      Index& known = place[as_size(v)];
       if (known < 0) {
         known = static_cast<Index>(kept.points.size());
-        kept.points.push_back(ridges.points[at(v)]);
-        kept.curvature.push_back(ridges.curvature[at(v)]);
-        kept.other_curvature.push_back(ridges.other_curvature[at(v)]);
-        kept.strength.push_back(ridges.strength[at(v)]);
+        kept.points.push_back(ridges.points[as_size(v)]);
+        kept.curvature.push_back(ridges.curvature[as_size(v)]);
+        kept.other_curvature.push_back(ridges.other_curvature[as_size(v)]);
+        kept.strength.push_back(ridges.strength[as_size(v)]);
       }
       v = known;
     }
@@ -320,27 +319,28 @@ RidgeLines ridges_of(const SurfaceMesh& surface,
   };
   std::vector<Sum> sums(surface.points.size());
   for (const auto& t : surface.triangles) {
-    if (!std::all_of(t.begin(), t.end(), [&](Index v) { return vertices[at(v)].has_value(); }))
+    if (!std::all_of(t.begin(), t.end(), [&](Index v) { return vertices[as_size(v)].has_value(); }))
       continue;
     const auto& p = surface.points;
-    const double area = length(cross(p[at(t[1])] - p[at(t[0])], p[at(t[2])] - p[at(t[0])]));
+    const double area =
+        length(cross(p[as_size(t[1])] - p[as_size(t[0])], p[as_size(t[2])] - p[as_size(t[0])]));
     for (const std::size_t kind : {0u, 1u}) {
       std::array<double, 3> value;
-      for (std::size_t k = 0; k < 3; ++k) value[k] = vertices[at(t[k])]->principal[kind];
+      for (std::size_t k = 0; k < 3; ++k) value[k] = vertices[as_size(t[k])]->principal[kind];
       const auto gradient = gradient_of(surface, t, value);
       if (!gradient) continue;
       for (const Index v : t) {
-        sums[at(v)].gradient[kind] += area * *gradient;
-        sums[at(v)].area += area / 2;
-        sums[at(v)].steepest = std::max(sums[at(v)].steepest, length(*gradient));
+        sums[as_size(v)].gradient[kind] += area * *gradient;
+        sums[as_size(v)].area += area / 2;
+        sums[as_size(v)].steepest = std::max(sums[as_size(v)].steepest, length(*gradient));
       }
     }
   }
   std::vector<Corner> corners;
   for (const auto& t : surface.triangles)
     for (const Index v : t) {
-      const auto& curvature = vertices[at(v)];
-      const Sum& sum = sums[at(v)];
+      const auto& curvature = vertices[as_size(v)];
+      const Sum& sum = sums[as_size(v)];
       corners.emplace_back();
       if (!curvature || !(sum.area > 0)) continue;
       corners.back() = {*curvature, {}, sum.steepest};

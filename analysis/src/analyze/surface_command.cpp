@@ -17,8 +17,6 @@ namespace {
 
 using Curvatures = std::vector<std::optional<LevelCurvature<double>>>;
 
-std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
-
 Quantiles quantiles_of(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
@@ -51,12 +49,12 @@ CurvatureReport report_of(const SurfaceMesh& surface, const Curvatures& curvatur
   report.mean = quantiles_of(values[2]);
   report.gauss = quantiles_of(values[3]);
   for (const auto& t : surface.triangles) {
-    const auto &p = surface.points[at(t[0])], &q = surface.points[at(t[1])],
-               &r = surface.points[at(t[2])];
+    const auto &p = surface.points[as_size(t[0])], &q = surface.points[as_size(t[1])],
+               &r = surface.points[as_size(t[2])];
     const Vector3<double> normal = cross(q - p, r - p);
     for (const auto v : t)
-      if (curvatures[at(v)])
-        report.total_gauss += std::sqrt(dot(normal, normal)) / 6 * curvatures[at(v)]->gauss();
+      if (curvatures[as_size(v)])
+        report.total_gauss += length(normal) / 6 * curvatures[as_size(v)]->gauss();
   }
   return report;
 }
@@ -65,9 +63,10 @@ CurvatureReport report_of(const SurfaceMesh& surface, const Curvatures& curvatur
 std::vector<Vector3<double>> normals_of(const SurfaceMesh& surface) {
   std::vector<Vector3<double>> normals(surface.points.size());
   for (const auto& t : surface.triangles) {
-    const Vector3<double> normal = cross(surface.points[at(t[1])] - surface.points[at(t[0])],
-                                         surface.points[at(t[2])] - surface.points[at(t[0])]);
-    for (const auto v : t) normals[at(v)] += normal;
+    const Vector3<double> normal =
+        cross(surface.points[as_size(t[1])] - surface.points[as_size(t[0])],
+              surface.points[as_size(t[2])] - surface.points[as_size(t[0])]);
+    for (const auto v : t) normals[as_size(v)] += normal;
   }
   return normals;
 }
@@ -131,7 +130,8 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
   const auto of_parts = [&](const std::vector<double>& of_vertices) {
     std::vector<double> numbers(of_vertices.empty() ? 0 : analysis.invariants.parts.size());
     for (std::size_t i = 0; i < surface.triangles.size() && !numbers.empty(); ++i)
-      numbers[at(analysis.invariants.component[i])] = of_vertices[at(surface.triangles[i][0])];
+      numbers[as_size(analysis.invariants.component[i])] =
+          of_vertices[as_size(surface.triangles[i][0])];
     return numbers;
   };
   analysis.part_modes = of_parts(surface.mode);

@@ -16,14 +16,10 @@ namespace {
 
 using Curvature = LevelCurvature<double>;
 
-std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
-
-double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
-
 Vector3<double> twice_area(const SurfaceMesh& surface, std::size_t triangle) {
   const auto& t = surface.triangles[triangle];
   const auto& p = surface.points;
-  return cross(p[at(t[1])] - p[at(t[0])], p[at(t[2])] - p[at(t[0])]);
+  return cross(p[as_size(t[1])] - p[as_size(t[0])], p[as_size(t[2])] - p[as_size(t[0])]);
 }
 
 double angle(const Vector3<double>& u, const Vector3<double>& v) {
@@ -59,7 +55,7 @@ std::vector<Umbilic> umbilics_of(const SurfaceMesh& surface,
     umbilic.twice_index = up ? 1 : -1;
     const double sum = w[0] + w[1] + w[2];
     for (std::size_t k = 0; k < 3; ++k) {
-      umbilic.point += (w[k] / sum) * surface.points[at(surface.triangles[i][k])];
+      umbilic.point += (w[k] / sum) * surface.points[as_size(surface.triangles[i][k])];
       umbilic.curvature += w[k] / sum * corners[3 * i + k]->mean();
     }
     umbilics.push_back(umbilic);
@@ -72,7 +68,7 @@ std::vector<std::optional<Curvature>> at_corners(
   std::vector<std::optional<Curvature>> corners;
   corners.reserve(3 * surface.triangles.size());
   for (const auto& t : surface.triangles)
-    for (const auto v : t) corners.push_back(vertices[at(v)]);
+    for (const auto v : t) corners.push_back(vertices[as_size(v)]);
   return corners;
 }
 
@@ -82,7 +78,7 @@ std::vector<std::optional<Curvature>> recovered_curvature(const SurfaceMesh& sur
   std::vector<SurfaceMesh::Index> tet(surface.points.size(), -1);
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     for (const auto v : surface.triangles[i])
-      if (tet[at(v)] < 0) tet[at(v)] = surface.tet[i];
+      if (tet[as_size(v)] < 0) tet[as_size(v)] = surface.tet[i];
   std::vector<std::optional<Curvature>> result(surface.points.size());
   tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t v) {
     if (tet[v] >= 0) result[v] = derivatives.curvature(tet[v], surface.points[v]);
@@ -107,7 +103,7 @@ SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& me
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& corner = corners[3 * i + k];
       if (!corner) continue;
-      Sum& sum = sums[at(surface.triangles[i][k])];
+      Sum& sum = sums[as_size(surface.triangles[i][k])];
       sum.normal += area * corner->normal;
       sum.tensor = sum.tensor + area * corner->tensor;
       sum.weight += area;
@@ -123,7 +119,7 @@ SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& me
         curvature_of((1 / length(sum.normal)) * sum.normal, (1 / sum.weight) * sum.tensor);
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::size_t v = at(surface.triangles[i / 3][i % 3]);
+    const std::size_t v = as_size(surface.triangles[i / 3][i % 3]);
     if (corners[i] && result.vertices[v])
       result.normal_jump[v] =
           std::max(result.normal_jump[v], angle(corners[i]->normal, result.vertices[v]->normal));

@@ -13,8 +13,6 @@
 namespace tensortopo {
 namespace {
 
-std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
-
 vtkNew<vtkPolyData> poly_data(const SurfaceMesh& surface) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -54,8 +52,8 @@ SampledDistance sampled_distance(const SurfaceMesh& from, const SurfaceMesh& to)
   for (const auto& t : from.triangles) {
     Vector3<double> middle{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto &p = from.points[at(t[i])], &q = from.points[at(t[(i + 1) % 3])];
-      is_used[at(t[i])] = 1;
+      const auto &p = from.points[as_size(t[i])], &q = from.points[as_size(t[(i + 1) % 3])];
+      is_used[as_size(t[i])] = 1;
       middle += (1.0 / 3) * p;
       // Of the two triangles at an edge the one that runs upwards; the rim's may run downwards.
       if (t[i] < t[(i + 1) % 3]) look(0.5 * (p + q));

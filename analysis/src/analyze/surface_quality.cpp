@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
-
 void count(Histogram& histogram, double value) {
   const auto bound = std::lower_bound(histogram.bounds.begin(), histogram.bounds.end() - 1, value);
   ++histogram.counts[static_cast<std::size_t>(bound - histogram.bounds.begin())];

@@ -21,8 +21,6 @@ namespace {
 
 using namespace baselines;
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 template <class Body>
 std::vector<std::vector<SoupTriangle>> for_each_tet(const TetMesh& mesh, const Body& body) {
   std::vector<std::vector<SoupTriangle>> by_tet(mesh.tets.size());

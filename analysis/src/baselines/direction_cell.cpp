@@ -15,8 +15,6 @@ constexpr std::array<std::array<double, 2>, 10> kWhere{// of a cubic's coefficie
     {{0, 0}, {1. / 3, 0}, {2. / 3, 0}, {1, 0}, {0, 1. / 3}, {1. / 3, 1. / 3}, {2. / 3, 1. / 3},
      {0, 2. / 3}, {1. / 3, 2. / 3}, {0, 1}}};
 
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
-
 /// The corner at which the side to be cut next begins: the longest one, next to a singularity in
 /// polar coordinates around it. (Similar triangles would never tell directions at it apart.)
 std::size_t side_to_cut(const DirectionCell& cell) {

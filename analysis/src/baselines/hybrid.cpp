@@ -20,7 +20,6 @@ using Vector = Vector3<double>;
 
 constexpr int kDeepest = 60;             // of a triangle of directions: 2^-30 of the sphere's
 constexpr std::size_t kMost = 4000;      // triangles of directions for one tetrahedron
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
 /// One of v and -v.
 bool is_turned(const Vector& v) { return v.x != 0 ? v.x < 0 : v.y != 0 ? v.y < 0 : v.z < 0; }

@@ -16,17 +16,15 @@ namespace {
 
 using Vector = Vector3<double>;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 /// The linear field of a tetrahedron, as a function of the place.
 class LinearField {
  public:
   LinearField(const TetMesh& mesh, SurfaceMesh::Index tet) {
-    const auto& v = mesh.tets[at(tet)];
+    const auto& v = mesh.tets[as_size(tet)];
     std::array<Vector, 4> p;
     for (std::size_t i = 0; i < 4; ++i) {
-      p[i] = mesh.points[at(v[i])];
-      tensors_[i] = deviator(mesh.tensors[at(v[i])]);
+      p[i] = mesh.points[as_size(v[i])];
+      tensors_[i] = deviator(mesh.tensors[as_size(v[i])]);
       scale_ = std::max(scale_, norm_form(tensors_[i]));
     }
     scale_ = scale_ > 0 ? 1 / std::sqrt(scale_) : 1;
@@ -92,12 +90,13 @@ void add(Spread& spread, double distance, double area) {
 
 std::array<Vector, 3> corners_of(const SurfaceMesh& surface, std::size_t i) {
   const auto& t = surface.triangles[i];
-  return {surface.points[at(t[0])], surface.points[at(t[1])], surface.points[at(t[2])]};
+  return {surface.points[as_size(t[0])], surface.points[as_size(t[1])],
+          surface.points[as_size(t[2])]};
 }
 
 double area_of(const std::array<Vector, 3>& c) {
   const Vector n = cross(c[1] - c[0], c[2] - c[0]);
-  return std::sqrt(dot(n, n)) / 2;
+  return length(n) / 2;
 }
 
 std::unique_ptr<TriangleSearch> search_in(const SurfaceMesh& surface) {

@@ -31,8 +31,6 @@ namespace {
 using Index = SurfaceMesh::Index;
 using Place = std::array<double, 3>;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 /// Notes that a reader complained.
 class Complaint : public vtkCommand {
  public:

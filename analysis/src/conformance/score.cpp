@@ -22,8 +22,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 std::array<Vector3<double>, 3> corners(const SurfaceMesh& surface, std::size_t triangle) {
   const auto& t = surface.triangles[triangle];
   return {surface.points[as_size(t[0])], surface.points[as_size(t[1])],
@@ -36,7 +34,7 @@ Vector3<double> centroid(const std::array<Vector3<double>, 3>& t) {
 
 double area(const std::array<Vector3<double>, 3>& t) {
   const auto n = cross(t[1] - t[0], t[2] - t[0]);
-  return std::sqrt(dot(n, n)) / 2;
+  return length(n) / 2;
 }
 
 double longest_edge(const TetMesh& mesh, Index tet) {
@@ -91,7 +89,7 @@ std::vector<Vector3<double>> farther_samples(const SurfaceMesh& surface,
       const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
       for (const std::array<Index, 2>& edge : {std::array{a, b}, std::array{t[k], t[k]}}) {
         const auto d = sample(edge) - c;
-        if (at_centre[i].distance + std::sqrt(dot(d, d)) > known) edges.push_back(edge);
+        if (at_centre[i].distance + length(d) > known) edges.push_back(edge);
       }
     }
   }

@@ -7,6 +7,7 @@
 #include "conformance/score_parts.hpp"
 #include "conformance/triangle_search.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
 
@@ -14,8 +15,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 using Edge = std::array<Index, 2>;
-
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
 
 // The faces of the mesh that have one tetrahedron.
 SurfaceMesh domain_boundary(const TetMesh& mesh) {
@@ -31,16 +30,15 @@ SurfaceMesh domain_boundary(const TetMesh& mesh) {
 
 // Number of connected pieces of a graph, by union of its vertices.
 std::size_t pieces(const std::vector<Edge>& edges) {
-  std::map<Index, Index> parent;
-  const auto root = [&](Index v) {
-    parent.try_emplace(v, v);
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
+  std::map<Index, std::uint32_t> number;
+  UnionFind vertices;
+  const auto number_of = [&](Index v) {
+    const auto [found, added] = number.try_emplace(v, 0);
+    if (added) found->second = vertices.add();
+    return found->second;
   };
-  for (const auto& [a, b] : edges) parent[root(a)] = root(b);
-  std::size_t count = 0;
-  for (const auto& [v, p] : parent) count += v == p;
-  return count;
+  for (const auto& [a, b] : edges) vertices.unite(number_of(a), number_of(b));
+  return vertices.count();
 }
 
 // Pairs of edges that coincide within `eps` without sharing a vertex; of edges long enough to tell.
@@ -99,7 +97,7 @@ void score_connectivity(const TetMesh& mesh, const GivenSurface& given, double t
   double mean = 0;
   for (const auto& tet : mesh.tets) {
     const auto d = mesh.points[as_size(tet[1])] - mesh.points[as_size(tet[0])];
-    mean += std::sqrt(dot(d, d)) / static_cast<double>(mesh.tets.size());
+    mean += length(d) / static_cast<double>(mesh.tets.size());
   }
   const double eps = touch_distance(mesh, given, mean, touch);
   const SurfaceMesh boundary = domain_boundary(mesh);

@@ -15,8 +15,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 // A place on an edge, as a part of its length, and the component there.
 struct Hit {
   double place = 0;
@@ -28,7 +26,7 @@ struct Hit {
 bool meets(const Vector3<double>& p, const Vector3<double>& q, const Vector3<double>& a,
            const Vector3<double>& b, const Vector3<double>& c, double eps, double& place) {
   const auto n = cross(b - a, c - a);
-  const double from = dot(p - a, n), to = dot(q - a, n), size = std::sqrt(dot(n, n)) * eps;
+  const double from = dot(p - a, n), to = dot(q - a, n), size = length(n) * eps;
   if (from - to == 0 || std::min(from, to) > size || std::max(from, to) < -size) return false;
   place = std::clamp(from / (from - to), 0.0, 1.0);
   return distance_to_triangle(p + place * (q - p), a, b, c) <= eps;

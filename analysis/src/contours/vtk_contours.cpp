@@ -31,8 +31,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 vtkSmartPointer<vtkUnstructuredGrid> grid_of(const TetMesh& mesh) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -13,8 +13,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// A side of a triangle, its smaller vertex first.
 struct Side {
   Index low, high, triangle;
@@ -23,9 +21,10 @@ struct Side {
 
 /// Unit; 0 of a flat triangle.
 Vector3<double> normal_of(const SurfaceMesh& surface, Index triangle) {
-  const auto& t = surface.triangles[at(triangle)];
+  const auto& t = surface.triangles[as_size(triangle)];
   const auto& p = surface.points;
-  const Vector3<double> area = cross(p[at(t[1])] - p[at(t[0])], p[at(t[2])] - p[at(t[0])]);
+  const Vector3<double> area =
+      cross(p[as_size(t[1])] - p[as_size(t[0])], p[as_size(t[2])] - p[as_size(t[0])]);
   const double length = std::sqrt(dot(area, area));
   return length > 0 ? (1 / length) * area : Vector3<double>{};
 }
@@ -61,7 +60,7 @@ std::vector<std::array<Index, 2>> feature_edges(const SurfaceMesh& surface, Edge
     const Side& side = sides[i];
     while (next < sides.size() && sides[next].low == side.low && sides[next].high == side.high)
       ++next;
-    if (is_wanted(i, next - i)) places.push_back({at(side.triangle), side.first});
+    if (is_wanted(i, next - i)) places.push_back({as_size(side.triangle), side.first});
   }
   std::sort(places.begin(), places.end());
   std::vector<std::array<Index, 2>> edges;

@@ -11,8 +11,6 @@ namespace {
 
 using Index = FineSurface::Index;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // A triangle with the triangle of the surface that it is a part of.
 struct Part {
   std::array<Index, 3> corners;
@@ -20,9 +18,9 @@ struct Part {
 };
 
 std::array<double, 3> weights_in(const SurfaceMesh& surface, const SurfacePlace& place) {
-  const auto& t = surface.triangles[at(place.triangle)];
-  const Vector3<double>&p = surface.points[at(t[0])], &q = surface.points[at(t[1])],
-        &r = surface.points[at(t[2])];
+  const auto& t = surface.triangles[as_size(place.triangle)];
+  const Vector3<double>&p = surface.points[as_size(t[0])], &q = surface.points[as_size(t[1])],
+        &r = surface.points[as_size(t[2])];
   const Vector3<double> area = cross(q - p, r - p), x = place.point;
   const double square = dot(area, area);
   if (!(square > 0)) return {1, 0, 0};
@@ -38,7 +36,8 @@ class Refinement {
     for (const auto& point : surface.points) places_.push_back({-1, point});
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       parts_.push_back({surface.triangles[i], static_cast<Index>(i)});
-      for (const Index v : surface.triangles[i]) places_[at(v)].triangle = static_cast<Index>(i);
+      for (const Index v : surface.triangles[i])
+        places_[as_size(v)].triangle = static_cast<Index>(i);
     }
     while (places_.size() < most_ && pass()) {
     }
@@ -59,7 +58,7 @@ class Refinement {
   }
 
   Index middle(Index u, Index v, Index parent, std::unordered_map<std::uint64_t, Index>& middles) {
-    const Vector3<double> p = places_[at(u)].point, q = places_[at(v)].point;
+    const Vector3<double> p = places_[as_size(u)].point, q = places_[as_size(v)].point;
     if (!(dot(p - q, p - q) > square_)) return -1;
     const auto low = static_cast<std::uint64_t>(u < v ? u : v),
                high = static_cast<std::uint64_t>(u < v ? v : u);

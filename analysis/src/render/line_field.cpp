@@ -19,15 +19,6 @@ using Index = SurfaceMesh::Index;
 constexpr double kStep = 0.7;
 constexpr int kMostEdges = 64;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
-
-Vector3<double> unit(const Vector3<double>& v) {
-  const double l = length(v);
-  return l > 0 ? (1 / l) * v : Vector3<double>{};
-}
-
 // What lines need to know of a triangle.
 struct Facet {
   Vector3<double> a{}, b{};                   // orthonormal, in its plane
@@ -45,34 +36,35 @@ class Walker {
 
   // The direction at a place, turned to make a sharp angle with `along`; 0 if there is none.
   Vector3<double> direction(const SurfacePlace& place, const Vector3<double>& along) const {
-    const Facet& f = facets_[at(place.triangle)];
-    const auto& corners = surface_.triangles[at(place.triangle)];
-    const Vector3<double> from = place.point - surface_.points[at(corners[0])];
+    const Facet& f = facets_[as_size(place.triangle)];
+    const auto& corners = surface_.triangles[as_size(place.triangle)];
+    const Vector3<double> from = place.point - surface_.points[as_size(corners[0])];
     const double w1 = dot(f.slope[1], from), w2 = dot(f.slope[2], from);
-    const SymmetricTensor<double> t = (1 - w1 - w2) * field_[at(corners[0])] +
-                                      w1 * field_[at(corners[1])] + w2 * field_[at(corners[2])];
+    const SymmetricTensor<double> t = (1 - w1 - w2) * field_[as_size(corners[0])] +
+                                      w1 * field_[as_size(corners[1])] +
+                                      w2 * field_[as_size(corners[2])];
     const Vector3<double> ta = t * f.a;
     const double p = (dot(f.a, ta) - dot(f.b, t * f.b)) / 2, q = dot(f.b, ta);
     const double spread = std::hypot(p, q);
     if (!(spread > 0)) return {};
     // The eigenvector of the larger eigenvalue, from the row in which nothing cancels.
     const Vector3<double> d =
-        unit(p >= 0 ? (spread + p) * f.a + q * f.b : q * f.a + (spread - p) * f.b);
+        unit_or_zero(p >= 0 ? (spread + p) * f.a + q * f.b : q * f.a + (spread - p) * f.b);
     return dot(d, along) < 0 ? -d : d;
   }
 
   // Goes on by a distance along `d`, and turns it where the surface turns; false at the end.
   bool go(SurfacePlace& place, Vector3<double>& d, double distance) const {
     for (int edges = 0; edges < kMostEdges; ++edges) {
-      const Facet& f = facets_[at(place.triangle)];
-      const auto& corners = surface_.triangles[at(place.triangle)];
+      const Facet& f = facets_[as_size(place.triangle)];
+      const auto& corners = surface_.triangles[as_size(place.triangle)];
       double reach = distance;
       std::size_t out = 3;
       for (std::size_t k = 0; k < 3; ++k) {
         const double rate = dot(f.slope[k], d);
         if (!(rate < 0)) continue;
         const double weight =
-            dot(f.slope[k], place.point - surface_.points[at(corners[(k + 1) % 3])]);
+            dot(f.slope[k], place.point - surface_.points[as_size(corners[(k + 1) % 3])]);
         const double to_edge = std::max(0.0, weight / -rate);
         if (to_edge < reach) reach = to_edge, out = k;
       }
@@ -82,14 +74,14 @@ class Walker {
       const Index next = f.beyond[out];
       if (next < 0) return false;
       // Unfold: the part along the edge stays, the part outwards goes inwards there.
-      const Vector3<double> edge = unit(surface_.points[at(corners[(out + 2) % 3])] -
-                                        surface_.points[at(corners[(out + 1) % 3])]);
-      const Vector3<double> outwards = -unit(f.slope[out]);
+      const Vector3<double> edge = unit_or_zero(surface_.points[as_size(corners[(out + 2) % 3])] -
+                                                surface_.points[as_size(corners[(out + 1) % 3])]);
+      const Vector3<double> outwards = -unit_or_zero(f.slope[out]);
       const double along = dot(d, edge), across = dot(d, outwards);
-      const Facet& g = facets_[at(next)];
+      const Facet& g = facets_[as_size(next)];
       std::size_t in = 0;
       while (in < 2 && g.beyond[in] != place.triangle) ++in;
-      d = unit(along * edge + across * unit(g.slope[in]));
+      d = unit_or_zero(along * edge + across * unit_or_zero(g.slope[in]));
       place.triangle = next;
     }
     return false;
@@ -97,11 +89,11 @@ class Walker {
 
  private:
   Facet facet(const std::array<Index, 3>& t) const {
-    const auto &p = surface_.points[at(t[0])], &q = surface_.points[at(t[1])],
-               &r = surface_.points[at(t[2])];
+    const auto &p = surface_.points[as_size(t[0])], &q = surface_.points[as_size(t[1])],
+               &r = surface_.points[as_size(t[2])];
     Facet f;
-    const Vector3<double> area = cross(q - p, r - p), normal = unit(area);
-    f.a = unit(q - p);
+    const Vector3<double> area = cross(q - p, r - p), normal = unit_or_zero(area);
+    f.a = unit_or_zero(q - p);
     f.b = cross(normal, f.a);
     const double twice = length(area);
     if (!(twice > 0)) return f;
@@ -118,8 +110,8 @@ class Walker {
     std::vector<Side> sides;
     for (std::size_t i = 0; i < facets_.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
-        const Index u = surface_.triangles[i][at((k + 1) % 3)],
-                    v = surface_.triangles[i][at((k + 2) % 3)];
+        const Index u = surface_.triangles[i][as_size((k + 1) % 3)],
+                    v = surface_.triangles[i][as_size((k + 2) % 3)];
         sides.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), k});
       }
     }
@@ -129,8 +121,8 @@ class Walker {
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
       const Side &s = sides[i], &t = sides[i + 1];
       if (s.low != t.low || s.high != t.high) continue;
-      facets_[at(s.triangle)].beyond[at(s.corner)] = t.triangle;
-      facets_[at(t.triangle)].beyond[at(t.corner)] = s.triangle;
+      facets_[as_size(s.triangle)].beyond[as_size(s.corner)] = t.triangle;
+      facets_[as_size(t.triangle)].beyond[as_size(t.corner)] = s.triangle;
     }
   }
 

@@ -33,8 +33,6 @@ constexpr double kTexturePixels = 3.4;
 constexpr double kGrainPixels = 3;  // of the window
 constexpr std::size_t kMostVertices = 2500000;
 
-Vector3<double> unit(const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
 // Triangles of the visible half, latitudes around the viewer.
 SurfaceMesh visible_half(const SphereFrame& frame) {
   SurfaceMesh sphere;

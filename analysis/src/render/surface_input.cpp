@@ -21,8 +21,6 @@ namespace {
 
 constexpr double kSlack = 1e-6;  ///< of barycentric coordinates; coordinates are rounded
 
-std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
-
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
   throw IoError(IoError::Kind::invalid, file, what);
 }
@@ -33,10 +31,11 @@ Vector3<double> vector_at(vtkDataArray* array, vtkIdType i) {
 
 /// The least barycentric coordinate of a point.
 double depth_in(const TetMesh& mesh, SurfaceMesh::Index tet, const Vector3<double>& point) {
-  const auto& t = mesh.tets[at(tet)];
-  const auto& first = mesh.points[at(t[0])];
-  const Vector3<double> e1 = mesh.points[at(t[1])] - first, e2 = mesh.points[at(t[2])] - first,
-                        e3 = mesh.points[at(t[3])] - first, x = point - first;
+  const auto& t = mesh.tets[as_size(tet)];
+  const auto& first = mesh.points[as_size(t[0])];
+  const Vector3<double> e1 = mesh.points[as_size(t[1])] - first,
+                        e2 = mesh.points[as_size(t[2])] - first,
+                        e3 = mesh.points[as_size(t[3])] - first, x = point - first;
   const double volume = dot(e1, cross(e2, e3));
   const double a = dot(x, cross(e2, e3)) / volume, b = dot(e1, cross(x, e3)) / volume,
                c = dot(e1, cross(e2, x)) / volume;
@@ -99,7 +98,7 @@ void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const std::filesys
     if (tet == index.end())
       fail(file, fmt::format("is not of this mesh (it has no cell {})", input.cell_ids[i]));
     for (const auto v : surface.triangles[i])
-      if (!(depth_in(mesh, tet->second, surface.points[at(v)]) > -kSlack))
+      if (!(depth_in(mesh, tet->second, surface.points[as_size(v)]) > -kSlack))
         fail(file, fmt::format("is not of this mesh (triangle {} is not in cell {})", i,
                                input.cell_ids[i]));
     surface.tet.push_back(tet->second);

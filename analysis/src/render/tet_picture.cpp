@@ -31,8 +31,6 @@ constexpr double kSphereShare = 0.9;                                      // of 
 constexpr double kGrain = 1.7;                                            // pixels
 constexpr double kPanelWidth = 720, kPanelHeight = 960, kLargest = 4096;  // pixels
 
-std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
-
 // Sizes that all panels share.
 struct Scale {
   int columns = 1, rows = 1;
@@ -100,7 +98,7 @@ Polyline arc(const Vector3<double>& u, const Vector3<double>& v) {
   for (int i = 0; i <= steps; ++i) {
     const double w = static_cast<double>(i) / steps;
     const Vector3<double> p = (1 - w) * u + w * v;
-    line.push_back((1 / std::sqrt(dot(p, p))) * p);
+    line.push_back(unit(p));
   }
   return line;
 }
@@ -193,8 +191,8 @@ void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject&
     if (only_curves) {
       std::vector<Polyline> rims;
       for (const auto& [i, k] : rim(surface))
-        rims.push_back({surface.points[at(surface.triangles[i][k])],
-                        surface.points[at(surface.triangles[i][(k + 1) % 3])]});
+        rims.push_back({surface.points[as_size(surface.triangles[i][k])],
+                        surface.points[as_size(surface.triangles[i][(k + 1) % 3])]});
       add_lines(renderer, segments(rims), mix(sheet_colour(mode), kInk, 0.25), 3 * scale.line);
       continue;
     }

@@ -28,8 +28,6 @@ namespace {
 constexpr double kFirstResolution = 14, kLastResolution = 900;
 constexpr std::size_t kEnoughTriangles = 1500;
 
-std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
-
 TetMesh one_tet(const TetField& field) {
   TetMesh mesh;
   mesh.points.assign(field.corners.begin(), field.corners.end());
@@ -174,9 +172,9 @@ std::vector<std::optional<std::array<Vector3<double>, 3>>> triangles_on_sphere(
     std::size_t leader = 0;
     double most = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      v[k] = surface.medium_eigenvector[at(t[k])];
+      v[k] = surface.medium_eigenvector[as_size(t[k])];
       if (neutral) continue;
-      const auto& d = surface.dominant_eigenvector[at(t[k])];
+      const auto& d = surface.dominant_eigenvector[as_size(t[k])];
       const double sigma = directions.manifold().sigma(v[k], d);
       v[k] = directions.canonical(v[k], d);
       if (std::abs(sigma) > most) most = std::abs(sigma), leader = k;

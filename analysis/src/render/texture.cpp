@@ -24,8 +24,6 @@ constexpr std::size_t kMostVertices = 3000000;
 // Longest edge of the fine triangles, in grains.
 constexpr double kEdge = 1.25;
 
-std::size_t at(SurfaceMesh::Index i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 Texture parse_texture(std::string_view text) {
@@ -107,7 +105,8 @@ vtkSmartPointer<vtkPolyData> textured(vtkPolyData& shape, const Colour& colour, 
     Vector3<double> normal{};
     if (place.triangle >= 0)
       for (std::size_t k = 0; k < 3; ++k)
-        normal += fine.weights[i][k] * surface.normal[at(surface.triangles[at(place.triangle)][k])];
+        normal += fine.weights[i][k] *
+                  surface.normal[as_size(surface.triangles[as_size(place.triangle)][k])];
     normals->InsertNextTuple3(normal.x, normal.y, normal.z);
   }
   vtkNew<vtkCellArray> triangles;

@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 std::string exact(double x) { return fmt::format("{:a}", x); }
 
 Json edges_json(const CertifiedLevel& level, std::size_t first_vertex) {

@@ -19,8 +19,6 @@ namespace {
 
 using Index = TetMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 /// Sides of points of an edge, in double with an error bound, in rationals where that leaves it
 /// open.
 class EdgeForm {

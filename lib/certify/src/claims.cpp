@@ -15,8 +15,6 @@ namespace {
 
 using Index = TetMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 /// Leaves the entries for which `keep` is true.
 template <class T, class Keep>
 void retain(std::vector<T>& list, const Keep& keep) {

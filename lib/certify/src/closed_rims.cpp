@@ -13,8 +13,6 @@ namespace {
 
 using Vertex = SurfaceMesh::Index;
 
-std::size_t as_size(Vertex i) { return static_cast<std::size_t>(i); }
-
 /// A sheet that meets no edge of its tetrahedron, by a vertex on each of its loops.
 struct ClosedSheet {
   TetMesh::Index tet;
@@ -57,7 +55,7 @@ double distance_to_segment(const Vector3<double>& x, const Vector3<double>& p,
   const auto d = q - p;
   const double t = std::clamp(dot(x - p, d) / dot(d, d), 0.0, 1.0);
   const auto e = x - (p + t * d);
-  return std::sqrt(dot(e, e));
+  return length(e);
 }
 
 /// Whether a polygon winds once around its mean, at more than twice its reaches from it. So far

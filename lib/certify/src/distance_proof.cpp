@@ -16,9 +16,7 @@ struct ModeCells {
   const Level<double>& level;
 
   detail::LevelInCell at(TetMesh::Index tet) const { return {mesh, field, level, tet}; }
-  bool is_undefined_at(TetMesh::Index vertex) const {
-    return field.is_zero[detail::at(vertex)] != 0;
-  }
+  bool is_undefined_at(TetMesh::Index vertex) const { return field.is_zero[as_size(vertex)] != 0; }
 };
 
 }  // namespace

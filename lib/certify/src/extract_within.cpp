@@ -18,8 +18,6 @@ constexpr double kEffect = 0.8;
 /// Or when it has so many triangles: one more doubling would take as long as all the others did.
 constexpr int kMostTriangles = 5000;
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 /// For each tetrahedron the bound on its distances, 0 where nothing is claimed or there.
 std::vector<double> distance_bounds(const TetMesh& mesh, const SurfaceMesh& surface,
                                     const CertifiedLevel& level) {

@@ -27,7 +27,7 @@ class QuadricInCell : public detail::CellInSpace {
 
   double distance(const Weights& weights) const {
     const auto g = gradient(weights);
-    return std::abs(polar(weights, weights)) / std::sqrt(dot(g, g));
+    return std::abs(polar(weights, weights)) / length(g);
   }
 
   template <std::size_t Count>
@@ -55,7 +55,7 @@ class QuadricInCell : public detail::CellInSpace {
                                                                   TetMesh::Index tet) {
     std::array<const SymmetricTensor<double>*, 4> result;
     for (std::size_t i = 0; i < 4; ++i)
-      result[i] = &mesh.tensors[detail::at(mesh.tets[detail::at(tet)][i])];
+      result[i] = &mesh.tensors[as_size(mesh.tets[as_size(tet)][i])];
     return result;
   }
   double polar(const Weights& v, const Weights& w) const {

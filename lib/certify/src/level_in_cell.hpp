@@ -14,13 +14,6 @@
 
 namespace tensortopo::detail {
 
-inline std::size_t at(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
-inline Vector3<double> unit(const Vector3<double>& v) {
-  const double length = std::sqrt(dot(v, v));
-  return length > 0 ? (1 / length) * v : Vector3<double>{0, 0, 0};
-}
-
 /// A corner of a triangle: its weights in the tetrahedron, exactly 0 off its carrier, and how they
 /// change along the unit direction in which it may move.
 struct MovingCorner {
@@ -48,7 +41,7 @@ class CellInSpace {
  public:
   /// @param exponents  of scaled tensors, see `ScaledField`
   CellInSpace(const TetMesh& mesh, TetMesh::Index tet, const std::array<int, 4>& exponents)
-      : vertices_(mesh.tets[at(tet)]), geometry_(points(mesh, vertices_), exponents) {}
+      : vertices_(mesh.tets[as_size(tet)]), geometry_(points(mesh, vertices_), exponents) {}
 
   double size() const { return geometry_.longest_edge(); }
 
@@ -57,8 +50,8 @@ class CellInSpace {
   template <class Gradient>
   MovingCorner corner(const SurfaceMesh& surface, SurfaceMesh::Index vertex,
                       const Gradient& gradient_at) const {
-    const auto& carrier = surface.carrier_vertices[at(vertex)];
-    const auto& x = surface.points[at(vertex)];
+    const auto& carrier = surface.carrier_vertices[as_size(vertex)];
+    const auto& x = surface.points[as_size(vertex)];
     MovingCorner corner;
     std::array<bool, 4> carried;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -70,14 +63,14 @@ class CellInSpace {
     std::size_t on_count = 0, off_count = 0;
     for (std::size_t i = 0; i < 4; ++i) (carried[i] ? on[on_count++] : off[off_count++]) = i;
     if (off_count == 1) {
-      const auto normal = unit(geometry_.weight_gradient(off[0]));
+      const auto normal = unit_or_zero(geometry_.weight_gradient(off[0]));
       direction = direction - dot(direction, normal) * normal;
     } else if (off_count == 2) {
-      const auto along = unit(cross(geometry_.weight_gradient(off[0]),
-                                    geometry_.weight_gradient(off[1])));
+      const auto along =
+          unit_or_zero(cross(geometry_.weight_gradient(off[0]), geometry_.weight_gradient(off[1])));
       direction = dot(direction, along) * along;
     }
-    direction = unit(direction);
+    direction = unit_or_zero(direction);
     for (std::size_t k = 0; k < on_count; ++k)
       corner.step[on[k]] = dot(geometry_.weight_gradient(on[k]), direction);
     return corner;
@@ -90,7 +83,7 @@ class CellInSpace {
   static std::array<Vector3<double>, 4> points(const TetMesh& mesh,
                                                const std::array<TetMesh::Index, 4>& vertices) {
     std::array<Vector3<double>, 4> result;
-    for (std::size_t i = 0; i < 4; ++i) result[i] = mesh.points[at(vertices[i])];
+    for (std::size_t i = 0; i < 4; ++i) result[i] = mesh.points[as_size(vertices[i])];
     return result;
   }
 
@@ -140,8 +133,8 @@ class LevelInCell : public CellInSpace {
  public:
   LevelInCell(const TetMesh& mesh, const ScaledField<double>& field, const Level<double>& level,
               TetMesh::Index tet)
-      : CellInSpace(mesh, tet, exponents(field, mesh.tets[at(tet)])), level_(level) {
-    for (std::size_t i = 0; i < 4; ++i) tensors_[i] = field.tensors[at(vertices()[i])];
+      : CellInSpace(mesh, tet, exponents(field, mesh.tets[as_size(tet)])), level_(level) {
+    for (std::size_t i = 0; i < 4; ++i) tensors_[i] = field.tensors[as_size(vertices()[i])];
     // Errors of the weights count as those of exact weights do (see rounding_unit): four terms,
     // each below sqrt(12) times it.
     total_ = 1 + geometry().weight_error() / unit_roundoff<double>();
@@ -158,7 +151,7 @@ class LevelInCell : public CellInSpace {
   double distance(const std::array<double, 4>& weights) const {
     const auto at = level_slope(geometry().tensor(weights, tensors_), level_);
     const auto g = geometry().gradient(at.slope, tensors_);
-    return std::abs(at.value) / std::sqrt(dot(g, g));
+    return std::abs(at.value) / length(g);
   }
 
   /// Whether a triangle, segment or point is proved to lie on one side of the level.
@@ -179,12 +172,12 @@ class LevelInCell : public CellInSpace {
   /// A vertex without deviator must not decide on the scale.
   static std::array<int, 4> exponents(const ScaledField<double>& field,
                                       const std::array<TetMesh::Index, 4>& vertices) {
-    const auto other = *std::find_if(vertices.begin(), vertices.end(), [&](TetMesh::Index v) {
-      return !field.is_zero[at(v)];
-    });
+    const auto other = *std::find_if(vertices.begin(), vertices.end(),
+                                     [&](TetMesh::Index v) { return !field.is_zero[as_size(v)]; });
     std::array<int, 4> result;
     for (std::size_t i = 0; i < 4; ++i)
-      result[i] = field.exponents[at(field.is_zero[at(vertices[i])] ? other : vertices[i])];
+      result[i] =
+          field.exponents[as_size(field.is_zero[as_size(vertices[i])] ? other : vertices[i])];
     return result;
   }
 

@@ -106,7 +106,7 @@ class ReachSearch {
 
   /// Is the level's function undefined there, as between vertices of the mesh without deviator?
   bool is_apex(Index vertex) const {
-    const auto& carrier = surface_.carrier_vertices[at(vertex)];
+    const auto& carrier = surface_.carrier_vertices[as_size(vertex)];
     return std::all_of(carrier.begin(), carrier.end(), [&](Index v) {
       return v < 0 || cells_.is_undefined_at(v);
     });
@@ -141,15 +141,15 @@ class ReachSearch {
   std::array<std::int16_t, 3> reaches(std::size_t triangle) const {
     std::array<std::int16_t, 3> result;
     for (std::size_t c = 0; c < 3; ++c)
-      result[c] = static_cast<std::int16_t>(reach_[at(surface_.triangles[triangle][c])]);
+      result[c] = static_cast<std::int16_t>(reach_[as_size(surface_.triangles[triangle][c])]);
     return result;
   }
 
   /// What is known of a triangle with the reaches as they are.
   const Trial* trial_of(std::size_t triangle) const {
     const auto reach = reaches(triangle);
-    for (auto t = last_trial_[triangle]; t >= 0; t = trials_[at(t)].previous)
-      if (trials_[at(t)].reach == reach) return &trials_[at(t)];
+    for (auto t = last_trial_[triangle]; t >= 0; t = trials_[as_size(t)].previous)
+      if (trials_[as_size(t)].reach == reach) return &trials_[as_size(t)];
     return nullptr;
   }
 
@@ -159,7 +159,7 @@ class ReachSearch {
       std::array<std::array<double, 4>, std::tuple_size_v<std::decay_t<decltype(v)>>> ahead, behind;
       for (std::size_t c = 0; c < v.size(); ++c) {
         const MovingCorner& corner = in.corner(surface_, v[c]);
-        const double by = reach_length(reach_[at(v[c])]);
+        const double by = reach_length(reach_[as_size(v[c])]);
         ahead[c] = corner.moved(by);
         behind[c] = corner.moved(-by);
       }
@@ -205,19 +205,20 @@ class ReachSearch {
     for (const auto i : triangles_)
       with_movable(i, [&](const auto& v) {
         for (std::size_t c = 0; c < v.size(); ++c)
-          room[at(v[c])] = std::min(room[at(v[c])], rooms[i][c]);
+          room[as_size(v[c])] = std::min(room[as_size(v[c])], rooms[i][c]);
       });
     // Nor may it come to the next crossing of its edge.
     for (const auto& edge : topology_.edges)
       for (std::size_t k = 1; k < edge.crossings.size(); ++k) {
-        const auto v = at(edge.crossings[k - 1].vertex), w = at(edge.crossings[k].vertex);
+        const auto v = as_size(edge.crossings[k - 1].vertex), w = as_size(edge.crossings[k].vertex);
         const auto gap = surface_.points[w] - surface_.points[v];
-        const double half = 0.49 * std::sqrt(dot(gap, gap));
+        const double half = 0.49 * length(gap);
         room[v] = std::min(room[v], half);
         room[w] = std::min(room[w], half);
       }
     for (const auto& [vertex, copy] : topology_.copies)
-      room[at(copy)] = room[at(vertex)] = std::min(room[at(vertex)], room[at(copy)]);
+      room[as_size(copy)] = room[as_size(vertex)] =
+          std::min(room[as_size(vertex)], room[as_size(copy)]);
     most_.resize(vertices);
     // A vertex in a corner of its carrier can hardly move, or not at all.
     for (std::size_t v = 0; v < vertices; ++v)
@@ -230,8 +231,8 @@ class ReachSearch {
       if (!given_up[i])
         with_movable(i, [&](const auto& corners) {
           for (const Index v : corners)
-            reach_[at(v)] =
-                std::max(reach_[at(v)], std::min(asked_[i], most_[at(v)]));
+            reach_[as_size(v)] =
+                std::max(reach_[as_size(v)], std::min(asked_[i], most_[as_size(v)]));
         });
   }
 
@@ -263,11 +264,11 @@ class ReachSearch {
         bool can_grow = false;
         with_movable(i, [&](const auto& corners) {
           for (const Index v : corners) {
-            const int limit = std::min(limit_[i], most_[at(v)]);
-            can_grow |= grown[at(v)] != 0;
-            if (grown[at(v)] || reach_[at(v)] >= limit) continue;
-            reach_[at(v)] = std::min(reach_[at(v)] + kStep, limit);
-            grown[at(v)] = 1;
+            const int limit = std::min(limit_[i], most_[as_size(v)]);
+            can_grow |= grown[as_size(v)] != 0;
+            if (grown[as_size(v)] || reach_[as_size(v)] >= limit) continue;
+            reach_[as_size(v)] = std::min(reach_[as_size(v)] + kStep, limit);
+            grown[as_size(v)] = 1;
             any_grown = can_grow = true;
           }
         });
@@ -277,7 +278,7 @@ class ReachSearch {
       trying.clear();
       for (const auto i : triangles_)
         if (!given_up[i] && std::any_of(surface_.triangles[i].begin(), surface_.triangles[i].end(),
-                                        [&](Index v) { return grown[at(v)] != 0; }))
+                                        [&](Index v) { return grown[as_size(v)] != 0; }))
           trying.push_back(i);
     }
     return any_given_up;
@@ -311,17 +312,18 @@ DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
   for (const Index t : claim.coarse)
     claim.coarse_bound = std::max(claim.coarse_bound, kAbove * cells.at(t).size());
   std::vector<char> is_coarse(mesh.tets.size(), 0);
-  for (const Index t : claim.coarse) is_coarse[at(t)] = 1;
+  for (const Index t : claim.coarse) is_coarse[as_size(t)] = 1;
   Index tet = -1;  // triangles of one follow each other
   double size = 0;
   for (const auto i : triangles) {
-    if (is_coarse[at(surface.tet[i])]) continue;
+    if (is_coarse[as_size(surface.tet[i])]) continue;
     if (tet != surface.tet[i]) size = cells.at(tet = surface.tet[i]).size();
     for (const Index v : surface.triangles[i]) {
       // A position is rounded off the edge or face that holds the vertex.
-      const auto& x = surface.points[at(v)];
+      const auto& x = surface.points[as_size(v)];
       const double rounding = 0x1p-48 * (std::abs(x.x) + std::abs(x.y) + std::abs(x.z) + size);
-      claim.bound = std::max(claim.bound, kAbove * (reach_length(claim.reach[at(v)]) + rounding));
+      claim.bound =
+          std::max(claim.bound, kAbove * (reach_length(claim.reach[as_size(v)]) + rounding));
     }
   }
   return claim;

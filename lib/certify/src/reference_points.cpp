@@ -23,8 +23,6 @@ using Integer = boost::multiprecision::mpz_int;
 
 constexpr int kPlaceBits = 120, kStepBits = 108, kDirectionBits = 30, kDigits = 36;
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 // The simplex of a vertex: corners, and tensors scaled by one power of two.
 struct Cell {
   std::vector<Vector3<double>> points;

@@ -19,8 +19,6 @@ using Vertex = SurfaceMesh::Index;
 using Face = std::array<Index, 3>;
 using Loop = std::vector<LevelTopology::RimArc>;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 /// The curves on the faces of a tetrahedron, as its rims have them.
 struct FaceCurves {
   std::vector<std::pair<Face, std::array<Vertex, 2>>> arcs;

@@ -15,17 +15,6 @@
 
 namespace tensortopo {
 
-namespace {
-
-std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-Vector3<double> unit(const Vector3<double>& v) {
-  const double length = std::sqrt(dot(v, v));
-  return length > 0 ? (1 / length) * v : Vector3<double>{0, 0, 0};
-}
-
-}  // namespace
-
 /// Puts the sheets together. Keys became numbers in `number_vertices`; what is left is to number
 /// the vertices inside tetrahedra, drop what nothing uses, and say what is known at each vertex.
 template <class Scalar>
@@ -191,19 +180,19 @@ Extraction Pipeline<Scalar>::assemble() {
       const auto v = as_size(surface.triangles[i][k]);
       if (is_apex[v]) continue;
       const auto at = level_slope(space.tensor(surface.points[v], tensors), level);
-      gradients[i][k] = unit(space.gradient(at.slope, tensors));
+      gradients[i][k] = unit_or_zero(space.gradient(at.slope, tensors));
       sum += gradients[i][k];
     }
     // The gradient's direction is the same along a ray.
     for (std::size_t k = 0; k < 3; ++k)
-      if (is_apex[as_size(surface.triangles[i][k])]) gradients[i][k] = unit(sum);
+      if (is_apex[as_size(surface.triangles[i][k])]) gradients[i][k] = unit_or_zero(sum);
   });
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
       surface.normal[as_size(surface.triangles[i][k])] += gradients[i][k];
 
   parallel_stage(options_, "stitch", count, 1024, [&](std::size_t id) {
-    surface.normal[id] = unit(surface.normal[id]);
+    surface.normal[id] = unit_or_zero(surface.normal[id]);
     if (is_apex[id]) return;
     const auto tet = as_size(first_tet[id]);
     const auto t = geometry(tet).tensor(surface.points[id], narrow_tensors(tet));

@@ -26,8 +26,6 @@ constexpr int kNewtonSteps = 4;
 
 using Weights = std::array<double, 4>;
 
-Vector3<double> unit(const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
 template <class Scalar>
 class Paths {
  public:

@@ -20,7 +20,6 @@ struct DirectionChart {
 
 /// The chart around a direction; its vectors are orthonormal up to rounding.
 inline DirectionChart chart_around(const Vector3<double>& e) {
-  const auto unit = [](const Vector3<double>& x) { return (1 / std::sqrt(dot(x, x))) * x; };
   DirectionChart chart;
   chart.centre = unit(e);
   const double x = std::abs(e.x), y = std::abs(e.y), z = std::abs(e.z);

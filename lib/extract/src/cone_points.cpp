@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include "cone_points.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -14,8 +15,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 using Origins = std::vector<std::array<Index, 2>>;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Cuts the triangles with two vertices without deviator. Those made halfway count as others: there
 /// is no more than one fan at each.
@@ -33,14 +32,14 @@ void cut_at_halfway(SurfaceMesh& surface, std::vector<char>& is_zero, std::span<
       triangles.push_back(corners);
       continue;
     }
-    while (is_zero[at(corners[0])])
+    while (is_zero[as_size(corners[0])])
       std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     const auto [foot, from, to] = corners;
-    if (at(sector[i]) >= halfway.size()) halfway.resize(at(sector[i]) + 1, -1);
-    Index& middle = halfway[at(sector[i])];
+    if (as_size(sector[i]) >= halfway.size()) halfway.resize(as_size(sector[i]) + 1, -1);
+    Index& middle = halfway[as_size(sector[i])];
     if (middle < 0) {
       middle = static_cast<Index>(surface.points.size());
-      const auto &p = surface.points[at(from)], &q = surface.points[at(to)];
+      const auto &p = surface.points[as_size(from)], &q = surface.points[as_size(to)];
       // Half of each: a sum could overflow.
       surface.points.push_back(p + 0.5 * (q - p));
       is_zero.push_back(0);
@@ -70,18 +69,13 @@ std::vector<std::array<Index, 2>> separate_fans(SurfaceMesh& surface, std::vecto
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& corners = surface.triangles[i];
-      if (!is_zero[at(corners[k])]) continue;
+      if (!is_zero[as_size(corners[k])]) continue;
       const auto corner = static_cast<std::uint32_t>(3 * i + k);
       rays.push_back({corners[k], corners[(k + 1) % 3], corner});
       rays.push_back({corners[k], corners[(k + 2) % 3], corner});
     }
   // Fans, as classes of corners.
-  std::vector<std::uint32_t> parent(rays.size() / 2);
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto find = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  UnionFind fans(rays.size() / 2);
   std::vector<std::uint32_t> order(rays.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -90,20 +84,19 @@ std::vector<std::array<Index, 2>> separate_fans(SurfaceMesh& surface, std::vecto
   for (std::size_t i = 1; i < order.size(); ++i) {
     const Ray &a = rays[order[i - 1]], &b = rays[order[i]];
     if (a.apex != b.apex || a.other != b.other) continue;
-    const auto u = find(order[i - 1] / 2), v = find(order[i] / 2);
-    parent[std::max(u, v)] = std::min(u, v);
+    fans.unite(order[i - 1] / 2, order[i] / 2);
   }
   // The first fan at a vertex keeps it.
   std::vector<char> taken(is_zero.size(), 0);
-  std::vector<Index> vertex_of(parent.size(), -1);
-  for (std::uint32_t i = 0; i < parent.size(); ++i) {
+  std::vector<Index> vertex_of(fans.size(), -1);
+  for (std::uint32_t i = 0; i < fans.size(); ++i) {
     const Ray& ray = rays[2 * i];
-    Index& vertex = vertex_of[find(i)];
+    Index& vertex = vertex_of[fans.find(i)];
     if (vertex < 0) {
       vertex = ray.apex;
-      if (std::exchange(taken[at(ray.apex)], char{1})) {
+      if (std::exchange(taken[as_size(ray.apex)], char{1})) {
         vertex = static_cast<Index>(surface.points.size());
-        const auto point = surface.points[at(ray.apex)];
+        const auto point = surface.points[as_size(ray.apex)];
         surface.points.push_back(point);
         is_zero.push_back(1);
         origins.push_back({ray.apex, ray.apex});

@@ -12,8 +12,6 @@ namespace {
 
 using Vertex = LevelTopology::Vertex;
 
-std::size_t as_size(Vertex i) { return static_cast<std::size_t>(i); }
-
 /// What the triangles of one tetrahedron say, each turned so that it ends with an apex.
 struct Fans {
   std::map<Vertex, Vertex> next, tip;            ///< along the rims, and of the triangle there

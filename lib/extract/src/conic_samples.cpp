@@ -21,8 +21,6 @@ const long double kTurn = 2 * std::acos(-1.0L);
 
 Direction wide(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
-Direction unit(const Direction& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
 }  // namespace
 
 ConicSampler::ConicSampler(const FieldForms<long double, 4>& forms, const Vector3<double>& inside,
@@ -59,7 +57,7 @@ CurveSample ConicSampler::sample(const Direction& e) const {
   // nearly crosses itself, e is as good as it gets.
   const auto normal = form_ * e;
   const long double step = dot(e, normal) / (2 * dot(normal, normal));
-  const bool is_small = std::abs(step) * std::sqrt(dot(normal, normal)) < kLargestStep;
+  const bool is_small = std::abs(step) * length(normal) < kLargestStep;
   result.dominant = is_small ? unit(e - step * normal) : e;
   long double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -3,30 +3,19 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <numeric>
 
 #include "extractor_scalars.hpp"
 #include "pipeline.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
-
-namespace {
-
-std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 /// In each tetrahedron around an edge the triangles at a crossing reach from one face to the next,
 /// so fans of triangles are sets of tetrahedra that faces join.
 template <class Scalar>
 typename Pipeline<Scalar>::CrossingCopies Pipeline<Scalar>::crossing_copies() const {
   // Classes of the places that tetrahedra have at their edges.
-  std::vector<std::uint32_t> parent(6 * tets_.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto find = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  UnionFind fans(6 * tets_.size());
   const auto place = [&](std::size_t t, Index edge) {
     const auto& edges = complex_.tet_edges[t];
     return static_cast<std::uint32_t>(
@@ -41,8 +30,7 @@ typename Pipeline<Scalar>::CrossingCopies Pipeline<Scalar>::crossing_copies() co
     if (other < 0 || !is_drawn(as_size(t)) || !is_drawn(as_size(other))) continue;
     for (const Index e : complex_.face_edges[f]) {
       if (crossings(e) == 0) continue;
-      const auto a = find(place(as_size(t), e)), b = find(place(as_size(other), e));
-      parent[std::max(a, b)] = std::min(a, b);
+      fans.unite(place(as_size(t), e), place(as_size(other), e));
     }
   }
   CrossingCopies result;
@@ -54,7 +42,7 @@ typename Pipeline<Scalar>::CrossingCopies Pipeline<Scalar>::crossing_copies() co
     for (std::size_t i = 0; i < 6; ++i) {
       const Index e = complex_.tet_edges[t][i];
       if (crossings(e) == 0) continue;
-      const auto fan = find(static_cast<std::uint32_t>(6 * t + i));
+      const auto fan = fans.find(static_cast<std::uint32_t>(6 * t + i));
       if (first[as_size(e)] == kNone) first[as_size(e)] = fan;
       if (first[as_size(e)] == fan) continue;
       const auto [copy, is_new] = copies.try_emplace(fan, result.original.size());

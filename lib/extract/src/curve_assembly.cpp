@@ -17,8 +17,6 @@ namespace {
 
 using Index = CurveMesh::Index;
 
-std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 std::size_t count_of(const SimplexVertices& vertices) {
   return as_size(std::find(vertices.begin(), vertices.end(), -1) - vertices.begin());
 }

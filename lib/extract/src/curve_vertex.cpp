@@ -16,8 +16,6 @@ using Vector = Vector3<long double>;
 
 Vector wide(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
-Vector unit(const Vector& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
 /// A unit vector across another one.
 Vector across(const Vector& e) {
   const long double x = std::abs(e.x), y = std::abs(e.y), z = std::abs(e.z);

@@ -11,8 +11,6 @@ namespace {
 /// Steps of the power method; the two eigenvalues not sought are next to zero.
 constexpr int kPowerSteps = 6;
 
-Vector3<double> unit(const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
 }  // namespace
 
 Vector3<double> simple_eigenvector(const Deviator<double>& t, int sign) {

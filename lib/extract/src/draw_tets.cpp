@@ -22,8 +22,6 @@ namespace tensortopo {
 
 namespace {
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 constexpr int kAttemptsOnManifold = 3;
 
 template <class Scalar>

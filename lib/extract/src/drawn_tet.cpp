@@ -73,7 +73,7 @@ const Vector& DrawnTet::up(Corner& corner) const {
   if (corner.up == Vector{}) {
     const auto at = level_slope(geometry_.tensor(corner.position, tensors_), *level_);
     const auto g = geometry_.gradient(at.slope, tensors_);
-    corner.up = (1 / std::sqrt(dot(g, g))) * g;
+    corner.up = unit(g);
   }
   return corner.up;
 }
@@ -81,7 +81,7 @@ const Vector& DrawnTet::up(Corner& corner) const {
 double DrawnTet::offset_at(const Vector& x) const {
   const auto at = level_slope(geometry_.tensor(x, tensors_), *level_);
   const auto g = geometry_.gradient(at.slope, tensors_);
-  return std::abs(at.value) / (std::sqrt(dot(g, g)) * length_);
+  return std::abs(at.value) / (length(g) * length_);
 }
 
 Vector DrawnTet::normal(const Triangle& t) const {
@@ -102,7 +102,7 @@ double DrawnTet::least_sine_around(Id vertex) const {
     const auto& t = triangles_[i];
     const auto n = normal(t);
     sine = std::min(sine, least_sine(corners_[t[0]].position, corners_[t[1]].position,
-                                     corners_[t[2]].position, std::sqrt(dot(n, n))));
+                                     corners_[t[2]].position, length(n)));
   }
   return sine;
 }
@@ -173,7 +173,7 @@ double DrawnTet::least_sine_after(Id vertex, Id neighbour, double least, double 
       if (has(t, u)) continue;
       *std::find(t.begin(), t.end(), v) = u;
       const auto n = normal(t);
-      if (!look(t, n, std::sqrt(dot(n, n)))) return false;
+      if (!look(t, n, length(n))) return false;
     }
     return true;
   };

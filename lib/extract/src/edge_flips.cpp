@@ -129,14 +129,14 @@ class Flips {
 
   bool faces_up(const Triangle& t, const Vector3<double>& up) const {
     const auto n = normal(t);
-    return dot(n, up) > kLeastCosine * std::sqrt(dot(n, n));
+    return dot(n, up) > kLeastCosine * length(n);
   }
 
   /// A quadratic offset that vanishes at the corners and has these values at the middles: the mean
   /// of its square is 8/45 of the sum of all their products.
   Shape shape_of(const Triangle& t, const std::array<double, 3>& offsets) const {
     const auto n = normal(t);
-    const double twice_area = std::sqrt(dot(n, n));
+    const double twice_area = length(n);
     const auto& [a, b, c] = offsets;
     return {offsets, twice_area * (a * a + b * b + c * c + a * b + b * c + c * a),
             least_sine(points[t[0]], points[t[1]], points[t[2]], twice_area)};

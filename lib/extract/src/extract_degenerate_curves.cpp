@@ -17,8 +17,6 @@ namespace {
 
 using Index = TetMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 class CurveExtractor {
  public:
   CurveExtractor(const TetMesh& mesh, Degeneracy kind, const ExtractOptions& options)

@@ -50,23 +50,16 @@ bool FaceParts<Scalar>::build(const LevelSimplex<Scalar, 3>& triangle, const Lev
   if (!refinement_.run(face_budget(Effort::great))) return false;
   beyond_is_above_ = level.sign > 0;
   const auto& vertices = refinement_.vertices();
-  parent_.resize(vertices.size());
-  std::iota(parent_.begin(), parent_.end(), 0u);
+  parts_ = UnionFind(vertices.size());
   for (const auto& cell : refinement_.cells()) {
     if (!cell.alive) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto u = cell.vertices[i], v = cell.vertices[(i + 1) % 3];
       if (vertices[u].above == beyond_is_above_ && vertices[v].above == beyond_is_above_)
-        parent_[root(u)] = root(v);
+        parts_.unite(u, v);
     }
   }
   return true;
-}
-
-template <class Scalar>
-std::uint32_t FaceParts<Scalar>::root(std::uint32_t vertex) {
-  while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
-  return vertex;
 }
 
 template <class Scalar>
@@ -80,7 +73,7 @@ std::optional<std::uint32_t> FaceParts<Scalar>::part_of(const Weights& place) {
                            vertices[cell.vertices[(i + 1) % 3]].weights) != Sign::negative;
     if (!inside) continue;
     for (const auto v : cell.vertices)
-      if (vertices[v].above == beyond_is_above_) return root(v);
+      if (vertices[v].above == beyond_is_above_) return parts_.find(v);
     return std::nullopt;
   }
   return std::nullopt;

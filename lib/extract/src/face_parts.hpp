@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tensortopo/extract/refinement.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
 
@@ -28,11 +29,9 @@ class FaceParts {
   std::optional<std::uint32_t> part_of(const Weights& place);
 
  private:
-  std::uint32_t root(std::uint32_t vertex);
-
   Refinement<Scalar, 3> refinement_;
   bool beyond_is_above_ = true;
-  std::vector<std::uint32_t> parent_;
+  UnionFind parts_;  // of vertices
 };
 
 }  // namespace tensortopo

@@ -4,11 +4,11 @@
 
 #include <functional>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
 
@@ -17,11 +17,6 @@ namespace {
 /// Even permutations (i, j, k, l) of the vertices of a tetrahedron, one for each i.
 constexpr std::array<std::array<std::size_t, 4>, 4> kEven{
     {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}}};
-
-std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 template <class Scalar>
 class Builder {
@@ -87,34 +82,33 @@ class Builder {
   }
 
   void find_components() {
-    std::vector<std::uint32_t> parent(mesh_.nodes.size());
-    std::iota(parent.begin(), parent.end(), 0u);
+    UnionFind classes(mesh_.nodes.size());
     std::unordered_map<std::uint64_t, int> edges;  // undirected
     for (const auto& polygon : mesh_.polygons)
       for (int i = 0; i < polygon.size; ++i) {
         const auto p = polygon.nodes[static_cast<std::size_t>(i)];
         const auto q = polygon.nodes[static_cast<std::size_t>((i + 1) % polygon.size)];
         ++edges[std::uint64_t{std::min(p, q)} << 32 | std::max(p, q)];
-        parent[find_root(parent, p)] = find_root(parent, q);
+        classes.unite(p, q);
         const bool on_face = (mesh_.nodes[p].faces & mesh_.nodes[q].faces) != 0;
         if (on_face) next_on_rim_[p] = q;
       }
     std::map<std::uint32_t, int> number;
     for (auto& polygon : mesh_.polygons) {
-      const auto root = find_root(parent, polygon.nodes[0]);
+      const auto root = classes.find(polygon.nodes[0]);
       const auto [found, added] = number.try_emplace(root, static_cast<int>(number.size()));
       if (added) mesh_.components.emplace_back();
       polygon.component = found->second;
       ++mesh_.components[static_cast<std::size_t>(found->second)].euler_characteristic;
     }
     const auto of_node = [&](std::uint32_t n) -> LeafMesh::Component& {
-      return mesh_.components[static_cast<std::size_t>(number.at(find_root(parent, n)))];
+      return mesh_.components[static_cast<std::size_t>(number.at(classes.find(n)))];
     };
     for (std::uint32_t n = 0; n < mesh_.nodes.size(); ++n) ++of_node(n).euler_characteristic;
     for (const auto& [edge, uses] : edges)
       --of_node(static_cast<std::uint32_t>(edge >> 32)).euler_characteristic;
-    component_of_ = [this, number, parent](std::uint32_t n) mutable {
-      return number.at(find_root(parent, n));
+    component_of_ = [number, classes](std::uint32_t n) mutable {
+      return number.at(classes.find(n));
     };
   }
 

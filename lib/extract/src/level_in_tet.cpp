@@ -13,8 +13,6 @@ namespace {
 /// Closer to a side of the tetrahedron or face triangles would be thin.
 constexpr double kLeastWeight = 1e-4;
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 template <class Value>
 std::array<Value, 4> at_corners(const std::vector<Value>& values,
                                 const std::array<TetMesh::Index, 4>& v) {

@@ -15,8 +15,6 @@ namespace {
 
 using Vertex = LevelTopology::Vertex;
 
-std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 /// @param new_id  of each vertex on an edge or face, its number in the surface

@@ -39,12 +39,12 @@ LineView<Scalar>::LineView(const TetWithCurves<Scalar>& tet, const std::array<Sc
     line += (form_[i] * d[i]) * tet.points[i];
   }
   // The coordinates across: the line and two vectors at right angles.
-  line = (1 / std::sqrt(dot(line, line))) * line;
+  line = unit(line);
   const double x = std::abs(line.x), y = std::abs(line.y), z = std::abs(line.z);
   const Vector3<double> other{x <= y && x <= z ? 1.0 : 0.0, y < x && y <= z ? 1.0 : 0.0,
                               z < x && z < y ? 1.0 : 0.0};
   auto first = cross(line, other);
-  first = (1 / std::sqrt(dot(first, first))) * first;
+  first = unit(first);
   const auto second = cross(line, first);
   for (std::size_t i = 0; i < 4; ++i) {
     const auto p = tet.points[i] - tet.points[0];

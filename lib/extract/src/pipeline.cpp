@@ -19,12 +19,6 @@
 
 namespace tensortopo {
 
-namespace {
-
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 std::string_view name_of(UnresolvedReason reason) {
   switch (reason) {
     case UnresolvedReason::zero_deviator_inside:

@@ -14,7 +14,7 @@ constexpr double kForbidden = std::numeric_limits<double>::infinity();
 double diagonal_cost(const PolygonCorner& p, const PolygonCorner& q) {
   if ((p.faces & q.faces) != 0) return kForbidden;
   const auto d = q.position - p.position;
-  return std::sqrt(dot(d, d));
+  return length(d);
 }
 
 }  // namespace

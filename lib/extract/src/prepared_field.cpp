@@ -17,8 +17,6 @@ namespace tensortopo {
 
 namespace {
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 template <class Body>
 void for_each(std::size_t count, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <queue>
 #include <utility>
 
-#include "count_predicate.hpp"
 #include "degenerate_offset.hpp"
 #include "extractor_scalars.hpp"
-#include "tensortopo/extract/exact_side.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 #include "thin_sheets.hpp"
 #include "tiers.hpp"
 
@@ -74,20 +72,29 @@ std::array<RefinementVertex<Scalar, Vertices>, Vertices> corners_of(
   return corners;
 }
 
-}  // namespace
-
+/// Connected pieces of the level in a triangle whose cells are proved: each holds one arc or none,
+/// and arcs meet on the edges that the level crosses.
 template <class Scalar, std::size_t Vertices>
-bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scalar>& tensor,
-              const std::array<double, Vertices>& weights, const Level<Scalar>& level) {
-  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const Verdict verdict = side_of_level(tensor, level, total);
-  count_predicate(verdict == Verdict::unknown ? Tier::exact : Tier::fast);
-  if (verdict != Verdict::unknown) return verdict == Verdict::positive;
-  std::array<SymmetricTensor<double>, Vertices> exact;
-  for (std::size_t i = 0; i < Vertices; ++i) exact[i] = *simplex.exact[i];
-  // The level is mu + 0: a point exactly on mu counts as below.
-  return exact_side_of_level(exact, simplex.exponents, weights, level.value) == Sign::positive;
+std::size_t pieces_of_level(const Refinement<Scalar, Vertices, 3>& triangle) {
+  std::unordered_map<std::uint64_t, std::uint32_t> nodes;
+  UnionFind arcs;
+  for (const auto& cell : triangle.cells()) {
+    if (!cell.alive) continue;
+    std::array<std::uint32_t, 2> ends{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto u = cell.vertices[i], v = cell.vertices[(i + 1) % 3];
+      if (triangle.vertices()[u].above == triangle.vertices()[v].above) continue;
+      const auto [at, added] = nodes.try_emplace(edge_key(u, v), 0);
+      if (added) at->second = arcs.add();
+      ends[count++] = at->second;
+    }
+    if (count > 0) arcs.unite(ends[0], ends[1]);
+  }
+  return arcs.count();
 }
+
+}  // namespace
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 Refinement<Scalar, Vertices, Corners>::Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
@@ -264,33 +271,10 @@ bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
     const bool is_refined = triangle.run(kFaceBudget);
     face_cells_ += triangle.cells().size();
     if (!is_refined) return false;
-    // Each cell holds one piece or none; pieces meet on the edges that the level crosses.
-    std::unordered_map<std::uint64_t, std::uint32_t> nodes;
-    std::vector<std::uint32_t> parent;
-    const auto root = [&](std::uint32_t n) {
-      while (parent[n] != n) n = parent[n] = parent[parent[n]];
-      return n;
-    };
-    for (const auto& cell : triangle.cells()) {
-      if (!cell.alive) continue;
-      std::array<std::uint32_t, 2> ends{};
-      std::size_t count = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto u = cell.vertices[i], v = cell.vertices[(i + 1) % 3];
-        if (triangle.vertices()[u].above == triangle.vertices()[v].above) continue;
-        const auto [at, added] =
-            nodes.try_emplace(edge_key(u, v), static_cast<std::uint32_t>(nodes.size()));
-        if (added) parent.push_back(at->second);
-        ends[count++] = at->second;
-      }
-      if (count == 0) continue;
-      parent[root(ends[0])] = root(ends[1]);
-    }
-    int components = 0;
-    for (std::uint32_t n = 0; n < parent.size(); ++n) components += root(n) == n ? 1 : 0;
+    const auto pieces = pieces_of_level(triangle);
     const bool crossed =
         corners[0].above != corners[1].above || corners[1].above != corners[2].above;
-    return components == (crossed ? 1 : 0);
+    return pieces == (crossed ? 1 : 0);
   }
   return false;
 }
@@ -402,14 +386,10 @@ void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell, std::siz
   add_cell(child);
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                            \
-  template class Refinement<Scalar, 3>;                                           \
-  template class Refinement<Scalar, 4>;                                           \
-  template class Refinement<Scalar, 4, 3>;                                        \
-  template bool is_above(const LevelSimplex<Scalar, 2>&, const Deviator<Scalar>&, \
-                         const std::array<double, 2>&, const Level<Scalar>&);     \
-  template bool is_above(const LevelSimplex<Scalar, 3>&, const Deviator<Scalar>&, \
-                         const std::array<double, 3>&, const Level<Scalar>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)  \
+  template class Refinement<Scalar, 3>; \
+  template class Refinement<Scalar, 4>; \
+  template class Refinement<Scalar, 4, 3>;
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -14,8 +14,6 @@ namespace tensortopo {
 
 namespace {
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 /// From a sample of a curve to one that is asked for next to it, at least, in radians.
 constexpr double kLeastTurn = 0x1p-20;
 

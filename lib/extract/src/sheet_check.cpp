@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include "sheet_check.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -36,8 +36,7 @@ class Vertices {
     for (const auto& t : triangles) ids_.insert(ids_.end(), t.begin(), t.end());
     std::sort(ids_.begin(), ids_.end());
     ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
-    parent_.resize(ids_.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    classes_ = UnionFind(ids_.size());
     faces_.resize(ids_.size(), 0);
     for (const auto& rim : rims)
       for (const auto& v : rim)
@@ -54,15 +53,12 @@ class Vertices {
   /// The faces on which rim vertices lie.
   unsigned faces(std::uint32_t place) const { return faces_[place]; }
 
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t u, std::uint32_t v) { parent_[root(u)] = root(v); }
+  std::uint32_t root(std::uint32_t i) { return classes_.find(i); }
+  void join(std::uint32_t u, std::uint32_t v) { classes_.unite(u, v); }
 
  private:
   std::vector<std::int32_t> ids_;
-  std::vector<std::uint32_t> parent_;
+  UnionFind classes_;
   std::vector<std::uint8_t> faces_;
 };
 

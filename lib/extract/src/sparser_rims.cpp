@@ -18,8 +18,6 @@ namespace tensortopo {
 
 namespace {
 
-std::size_t as_size(TetMesh::Index i) { return static_cast<std::size_t>(i); }
-
 /// A sample is taken out only if a triangle at it is a needle (sine of its least angle), and if the
 /// least angle then is so much larger.
 constexpr double kNeedle = 0.26, kWider = 1.05;
@@ -139,7 +137,7 @@ void Pipeline<Scalar>::thin_rims() {
           };
           const auto p = at(0), q = at(1), r = at(2);
           const auto n = cross(q - p, r - p);
-          return !(least_sine(p, q, r, std::sqrt(dot(n, n))) > kNeedle);
+          return !(least_sine(p, q, r, length(n)) > kNeedle);
         });
   });
   const auto may_change = [&](Index t) {

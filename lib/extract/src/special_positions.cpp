@@ -16,8 +16,6 @@ namespace {
 
 using Index = TetMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 template <std::size_t Count>
 SimplexVertices padded(const std::array<Index, Count>& vertices) {
   SimplexVertices result{-1, -1, -1, -1};

@@ -25,7 +25,7 @@ struct Frame {
 
 Frame frame_next_to(const Vector3<double>& e, const Vector3<double>& near) {
   const auto across = near - dot(near, e) * e;
-  const auto first = (1 / std::sqrt(dot(across, across))) * across;
+  const auto first = unit(across);
   return {first, cross(e, first)};
 }
 

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <utility>
 
 #include "cone_points.hpp"
 #include "extractor_scalars.hpp"
 #include "pipeline.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 #include "zero_inside.hpp"
 
 namespace tensortopo {
 
 namespace {
-
-std::size_t as_size(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// The edge between the two corners that are not among these.
 std::size_t edge_without(unsigned corners) {
@@ -156,15 +154,10 @@ void Pipeline<Scalar>::draw_cone(std::size_t t) {
 template <class Scalar>
 std::vector<TetMesh::Index> Pipeline<Scalar>::sectors(std::size_t triangles) const {
   // Stretches of larger modes, as classes of triangles and of faces between tetrahedra.
-  std::vector<std::size_t> parent(triangles + complex_.faces.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto find = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  UnionFind stretches(triangles + complex_.faces.size());
+  const auto find = [&](std::size_t i) { return stretches.find(static_cast<std::uint32_t>(i)); };
   const auto unite = [&](std::size_t i, std::size_t j) {
-    i = find(i), j = find(j);
-    parent[std::max(i, j)] = std::min(i, j);
+    stretches.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
   };
   std::vector<std::size_t> reaching;
   std::size_t first = 0;
@@ -190,7 +183,7 @@ std::vector<TetMesh::Index> Pipeline<Scalar>::sectors(std::size_t triangles) con
     }
     if (is_above) unite(last, face_at(1));
   }
-  std::vector<Index> label(triangles, -1), of_class(parent.size(), -1);
+  std::vector<Index> label(triangles, -1), of_class(stretches.size(), -1);
   Index next = 0;
   for (const auto i : reaching) {
     auto& known = of_class[find(i)];

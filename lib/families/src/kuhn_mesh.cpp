@@ -21,8 +21,6 @@ using Index = TetMesh::Index;
 constexpr std::array<std::array<int, 3>, 6> kOrders{
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 
-std::size_t as_size(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 TetMesh kuhn_mesh(const std::array<int, 3>& cells,

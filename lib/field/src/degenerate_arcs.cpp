@@ -185,7 +185,7 @@ class Walk {
       const double at = first + (last - first) * k / steps, side = std::floor(at);
       const Vector e = cone_.at(static_cast<int>(side) % 4, Range(2 * (at - side) - 1)).first;
       const Vector3<double> v{middle(e.x), middle(e.y), middle(e.z)};
-      result.push_back((1 / std::sqrt(dot(v, v))) * v);
+      result.push_back(unit(v));
     }
     return result;
   }

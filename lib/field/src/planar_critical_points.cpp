@@ -149,7 +149,7 @@ SphereDerivatives<Scalar> derivatives(const PlaneFrame<Scalar>& frame, const Vec
     axis = {zero, zero, one};
   SphereDerivatives<Scalar> d{};
   d.x = cross(t, axis);
-  d.x = Scalar(one / sqrt(dot(d.x, d.x))) * d.x;
+  d.x = unit(d.x);
   d.y = cross(t, d.x);
   const auto embedded = [&](const Vector3<Scalar>& v) {
     Point5<Scalar> p = minus(Point5<Scalar>{}, Scalar(-v.x), frame.basis[0]);
@@ -165,12 +165,6 @@ SphereDerivatives<Scalar> derivatives(const PlaneFrame<Scalar>& frame, const Vec
   d.hyy = six * inner(tensor, square(ty)) - radial;
   d.hxy = three * inner(tensor, square(tx + ty) - square(tx) - square(ty));
   return d;
-}
-
-template <class Scalar>
-Vector3<Scalar> unit(const Vector3<Scalar>& v) {
-  using std::sqrt;
-  return Scalar(Scalar(1) / sqrt(dot(v, v))) * v;
 }
 
 /// Newton's method for the gradient on the sphere, from a point that is already close.

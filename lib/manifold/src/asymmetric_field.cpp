@@ -38,7 +38,7 @@ std::array<Vector3<Scalar>, 2> plane_basis(const Vector3<Scalar>& v) {
   else if (abs(v.z) < abs(v.x))
     axis = {zero, zero, one};
   Vector3<Scalar> e1 = axis - dot(axis, v) * v;
-  e1 = Scalar(one / sqrt(dot(e1, e1))) * e1;
+  e1 = unit(e1);
   return {e1, cross(v, e1)};
 }
 

@@ -126,7 +126,7 @@ Vector3<Scalar> MediumEigenvectorManifold<Scalar>::dominant_eigenvector(
   // In the plane, with angles counterclockwise about v: N has its major axis across the bisector of
   // the tangents, so at (angle1 + angle2) / 2 + pi / 2; turning N by `turn` turns the axis by half
   // of it.
-  const Vector3<Scalar> e1 = Scalar(Scalar(1) / sqrt(dot(t.first, t.first))) * t.first;
+  const Vector3<Scalar> e1 = unit(t.first);
   const Vector3<Scalar> e2 = cross(v, e1);
   const Scalar angle2 = atan2(dot(t.second, e2), dot(t.second, e1));
   const Scalar angle = (angle2 + turn + pi<Scalar>()) / Scalar(2);

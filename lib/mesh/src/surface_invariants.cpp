@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -13,29 +13,6 @@ namespace tensortopo {
 namespace {
 
 using Index = SurfaceMesh::Index;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-/// Classes of things that may be united; small trees by halving.
-class Classes {
- public:
-  explicit Classes(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The smaller root stays, so that a class is named by its first member.
-  bool unite(std::uint32_t i, std::uint32_t j) {
-    i = find(i), j = find(j);
-    if (i == j) return false;
-    parent_[std::max(i, j)] = std::min(i, j);
-    return true;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// One side of a triangle, filed under the smaller of its ends.
 struct Side {
@@ -51,7 +28,7 @@ double area(const Vector3<double>& p, const Vector3<double>& q, const Vector3<do
 }
 
 /// Unites the vertices of each triangle, and numbers the classes in the order of the triangles.
-std::vector<Index> label_triangles(const SurfaceMesh& surface, Classes& regions,
+std::vector<Index> label_triangles(const SurfaceMesh& surface, UnionFind& regions,
                                    std::vector<Index>& label_of_region) {
   for (const auto& t : surface.triangles)
     for (std::size_t k = 1; k < 3; ++k)
@@ -93,14 +70,14 @@ class Survey {
   Index vertex(std::size_t triangle, std::size_t corner) const {
     return surface_.triangles[triangle][corner];
   }
-  Part& part_of(std::size_t triangle) { return all_.parts[at(all_.component[triangle])]; }
+  Part& part_of(std::size_t triangle) { return all_.parts[as_size(all_.component[triangle])]; }
 
   void check_indices() const {
     if (triangles_ > UINT32_MAX / 3)
       throw std::invalid_argument("surface_invariants: too many triangles");
     for (const auto& t : surface_.triangles)
       for (const Index v : t)
-        if (v < 0 || at(v) >= surface_.points.size())
+        if (v < 0 || as_size(v) >= surface_.points.size())
           throw std::invalid_argument("surface_invariants: a triangle names vertex " +
                                       std::to_string(v) + ", which does not exist");
   }
@@ -109,11 +86,11 @@ class Survey {
     all_.component = label_triangles(surface_, regions_, label_of_region_);
     for (std::size_t i = 0; i < triangles_; ++i) {
       const auto& t = surface_.triangles[i];
-      if (at(all_.component[i]) == all_.parts.size()) all_.parts.emplace_back();
+      if (as_size(all_.component[i]) == all_.parts.size()) all_.parts.emplace_back();
       Part& part = part_of(i);
       ++part.triangles, ++part.euler_characteristic;
-      part.area +=
-          area(surface_.points[at(t[0])], surface_.points[at(t[1])], surface_.points[at(t[2])]);
+      part.area += area(surface_.points[as_size(t[0])], surface_.points[as_size(t[1])],
+                        surface_.points[as_size(t[2])]);
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) part.manifold = false;
     }
   }
@@ -130,11 +107,12 @@ class Survey {
 
   void file_sides() {
     drawer_.assign(surface_.points.size() + 1, 0);
-    for_each_side([&](Index smaller, const Side&) { ++drawer_[at(smaller) + 1]; });
+    for_each_side([&](Index smaller, const Side&) { ++drawer_[as_size(smaller) + 1]; });
     for (std::size_t v = 1; v < drawer_.size(); ++v) drawer_[v] += drawer_[v - 1];
     sides_.resize(drawer_.back());
     std::vector<std::size_t> next(drawer_.begin(), drawer_.end() - 1);
-    for_each_side([&](Index smaller, const Side& side) { sides_[next[at(smaller)]++] = side; });
+    for_each_side(
+        [&](Index smaller, const Side& side) { sides_[next[as_size(smaller)]++] = side; });
   }
 
   void visit_edges() {
@@ -181,22 +159,23 @@ class Survey {
 
   /// Unites the corners at a vertex across each inner edge: a vertex with one fan keeps one class.
   void count_fans() {
-    Classes fans(corners_);
+    UnionFind fans(corners_);
     std::vector<std::uint32_t> fans_at(surface_.points.size(), 0);
     for (const auto& t : surface_.triangles)
-      for (const Index v : t) ++fans_at[at(v)];
+      for (const Index v : t) ++fans_at[as_size(v)];
     for (std::uint32_t h = 0; h < corners_; ++h) {
       const std::uint32_t g = twin_[h];
       if (g == none || g < h) continue;
       for (const std::uint32_t end : {h, next(h)}) {
         const Index v = vertex(end / 3, end % 3);
         const std::uint32_t other = vertex(g / 3, g % 3) == v ? g : next(g);
-        if (fans.unite(end, other)) --fans_at[at(v)];
+        if (fans.unite(end, other)) --fans_at[as_size(v)];
       }
     }
     for (std::size_t v = 0; v < fans_at.size(); ++v) {
       if (fans_at[v] == 0) continue;
-      Part& part = all_.parts[at(label_of_region_[regions_.find(static_cast<std::uint32_t>(v))])];
+      Part& part =
+          all_.parts[as_size(label_of_region_[regions_.find(static_cast<std::uint32_t>(v))])];
       ++all_.vertices, ++part.euler_characteristic;
       if (fans_at[v] > 1) part.manifold = false;
     }
@@ -233,14 +212,15 @@ class Survey {
   }
 
   void count_loops() {
-    Classes ends(surface_.points.size());
+    UnionFind ends(surface_.points.size());
     std::vector<char> seen(surface_.points.size(), 0);
     for (const auto& [p, q] : boundary_) {
       const auto joined = ends.unite(static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(q));
-      Part& part = all_.parts[at(label_of_region_[regions_.find(static_cast<std::uint32_t>(p))])];
+      Part& part =
+          all_.parts[as_size(label_of_region_[regions_.find(static_cast<std::uint32_t>(p))])];
       // Pieces of a graph: vertices less the edges that joined two pieces.
       for (const Index v : {p, q})
-        if (!seen[at(v)]) seen[at(v)] = 1, ++part.boundary_loops;
+        if (!seen[as_size(v)]) seen[as_size(v)] = 1, ++part.boundary_loops;
       if (joined) --part.boundary_loops;
     }
   }
@@ -264,7 +244,7 @@ class Survey {
 
   const SurfaceMesh& surface_;
   std::size_t triangles_, corners_;
-  Classes regions_;  // of vertices
+  UnionFind regions_;  // of vertices
   std::vector<Index> label_of_region_;
   std::vector<std::size_t> drawer_;
   std::vector<Side> sides_;
@@ -279,7 +259,7 @@ class Survey {
 SurfaceInvariants surface_invariants(const SurfaceMesh& surface) { return Survey(surface).run(); }
 
 std::vector<SurfaceMesh::Index> surface_components(const SurfaceMesh& surface) {
-  Classes regions(surface.points.size());
+  UnionFind regions(surface.points.size());
   std::vector<Index> label_of_region;
   return label_triangles(surface, regions, label_of_region);
 }

@@ -17,8 +17,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 
-std::size_t as_size(Index i) { return static_cast<std::size_t>(i); }
-
 /// A vertex in a cell, to be sorted by its key.
 struct Use {
   const CellVertex* vertex;
@@ -39,7 +37,7 @@ std::size_t corners_of(const VertexKey& key) {
 
 double twice_area(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) {
   const auto normal = cross(b - a, c - a);
-  return std::sqrt(dot(normal, normal));
+  return length(normal);
 }
 
 }  // namespace

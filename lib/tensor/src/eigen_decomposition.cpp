@@ -54,12 +54,6 @@ Scalar largest_entry(const SymmetricTensor<Scalar>& t) {
 }
 
 template <class Scalar>
-Vector3<Scalar> unit(const Vector3<Scalar>& v) {
-  using std::sqrt;
-  return Scalar(Scalar(1) / sqrt(dot(v, v))) * v;
-}
-
-template <class Scalar>
 Vector3<Scalar> with_positive_largest_component(const Vector3<Scalar>& v) {
   using std::abs;
   const Scalar* largest = &v.x;

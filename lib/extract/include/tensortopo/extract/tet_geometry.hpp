@@ -81,7 +81,7 @@ class TetGeometry {
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j) {
         const auto e = points_[j] - points_[i];
-        longest = std::max(longest, std::sqrt(dot(e, e)));
+        longest = std::max(longest, length(e));
       }
     return longest;
   }

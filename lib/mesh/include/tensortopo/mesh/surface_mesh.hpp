@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "tensortopo/scalar/scalar_traits.hpp"
 
 namespace tensortopo {
@@ -39,6 +41,27 @@ constexpr Scalar dot(const Vector3<Scalar>& u, const Vector3<Scalar>& v) {
 template <class Scalar>
 constexpr Vector3<Scalar> cross(const Vector3<Scalar>& u, const Vector3<Scalar>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+/// The Euclidean norm, for scalars that have square roots.
+template <class Scalar>
+Scalar length(const Vector3<Scalar>& v) {
+  using std::sqrt;
+  return sqrt(dot(v, v));
+}
+
+/// The vector of length 1 along `v`.
+/// @pre v is not 0
+template <class Scalar>
+Vector3<Scalar> unit(const Vector3<Scalar>& v) {
+  return Scalar(Scalar(1) / length(v)) * v;
+}
+
+/// The vector of length 1 along `v`, or 0 if the length of `v` is 0.
+template <class Scalar>
+Vector3<Scalar> unit_or_zero(const Vector3<Scalar>& v) {
+  const Scalar size = length(v);
+  return size > 0 ? Scalar(Scalar(1) / size) * v : Vector3<Scalar>{};
 }
 
 }  // namespace tensortopo
