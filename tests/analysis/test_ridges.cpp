@@ -169,7 +169,7 @@ struct Ellipsoid {
 constexpr std::array<double, 3> kAxes{3, 2, 1};
 
 Ellipsoid ellipsoid(int n) {
-  const Vector3<double> a = unit({0.9, 0.31, -0.17}),
+  const Vector3<double> a = unit(Vector3<double>{0.9, 0.31, -0.17}),
                         b = unit(cross(a, Vector3<double>{0.2, -0.3, 0.9})), c = cross(a, b);
   Ellipsoid result;
   SurfaceMesh& surface = result.surface;

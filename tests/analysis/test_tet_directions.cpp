@@ -31,7 +31,7 @@ Drawn drawn() {
 }
 
 Vector3<double> direction(Random& random) {
-  return unit({random.normal(), random.normal(), random.normal()});
+  return unit(Vector3<double>{random.normal(), random.normal(), random.normal()});
 }
 
 // Points at infinity and the boundary of the complex domain have finite neighbourhoods in which

@@ -30,7 +30,7 @@ double off(const Vector3<double>& u, const Vector3<double>& v) {
 
 Vector3<double> unit_vector(Random& random) {
   const auto part = [&] { return 2 * random.uniform() - 1; };
-  return unit({part(), part(), part() + 1e-9});
+  return unit(Vector3<double>{part(), part(), part() + 1e-9});
 }
 
 double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * kPi)); }

@@ -10,6 +10,7 @@
 
 #include "minors.hpp"
 #include "tensortopo/scalar/instantiations.hpp"
+#include "tensortopo/scalar/nearest.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
@@ -17,26 +18,6 @@
 
 namespace tensortopo {
 namespace {
-
-Rational to_rational(double x) { return Rational(x); }
-
-template <unsigned Digits>
-Rational to_rational(const Real<Digits>& x) {
-  Rational result;
-  mpfr_get_q(result.backend().data(), x.backend().data());
-  return result;
-}
-
-template <class Scalar>
-Scalar rounded(const Rational& value) {
-  Scalar result;
-  mpfr_set_q(result.backend().data(), value.backend().data(), MPFR_RNDN);
-  return result;
-}
-template <>
-double rounded<double>(const Rational& value) {
-  return static_cast<double>(rounded<Real50>(value));
-}
 
 /// Rows times powers of two that bring the largest entry of each into [1/2, 1).
 template <class Scalar>
@@ -100,8 +81,8 @@ template <class Scalar>
 Deviator<Rational> exact_direction(const detail::Rows4<Scalar>& rows) {
   TetrahedronField<Rational> exact;
   for (std::size_t i = 0; i < 4; ++i)
-    exact.vertex[i] = {to_rational(rows[i][0]), to_rational(rows[i][1]), to_rational(rows[i][2]),
-                       to_rational(rows[i][3]), to_rational(rows[i][4])};
+    exact.vertex[i] = {exactly(rows[i][0]), exactly(rows[i][1]), exactly(rows[i][2]),
+                       exactly(rows[i][3]), exactly(rows[i][4])};
   return characteristic_direction(exact);
 }
 
@@ -112,7 +93,7 @@ std::optional<Deviator<Scalar>> rounded_direction(const Deviator<Rational>& dire
   for (const Rational& x : detail::coordinates(direction))
     largest = std::max(largest, x < 0 ? Rational(-x) : x);
   if (largest == 0) return std::nullopt;
-  const auto part = [&](const Rational& x) { return rounded<Scalar>(Rational(x / largest)); };
+  const auto part = [&](const Rational& x) { return nearest<Scalar>(Rational(x / largest)); };
   return Deviator<Scalar>{part(direction.a), part(direction.b), part(direction.xy),
                           part(direction.yz), part(direction.xz)};
 }

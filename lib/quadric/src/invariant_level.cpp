@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/quadric/invariant_level.hpp"
 
-#include <mpfr.h>
-
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "cell_scale.hpp"
+#include "tensortopo/scalar/nearest.hpp"
 #include "tensortopo/scalar/parse_rational.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
@@ -53,15 +52,6 @@ InvariantLevel InvariantLevel::parse(Invariant invariant, std::string_view text)
   return {invariant, value.str()};
 }
 
-double InvariantLevel::approx() const {
-  const Rational value(text_);
-  // GMP's own conversion truncates.
-  mpfr_t rounded;
-  mpfr_init2(rounded, 53);
-  mpfr_set_q(rounded, value.backend().data(), MPFR_RNDN);
-  const double result = mpfr_get_d(rounded, MPFR_RNDN);
-  mpfr_clear(rounded);
-  return result;
-}
+double InvariantLevel::approx() const { return nearest<double>(Rational(text_)); }
 
 }  // namespace tensortopo

@@ -4,24 +4,12 @@
 
 #include "tensortopo/scalar/constants.hpp"
 #include "tensortopo/scalar/instantiations.hpp"
+#include "tensortopo/scalar/nearest.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
 
 namespace tensortopo {
 namespace {
-
-template <class Scalar>
-Scalar rounded(const Rational& value) {
-  Scalar result;
-  mpfr_set_q(result.backend().data(), value.backend().data(), MPFR_RNDN);
-  return result;
-}
-
-/// 50 digits on the way to a double are enough to round once.
-template <>
-double rounded<double>(const Rational& value) {
-  return static_cast<double>(rounded<Real50>(value));
-}
 
 /// The fields that depend on s and cos^2(theta) only.
 template <class Scalar>
@@ -43,11 +31,11 @@ ModeParameter<Scalar> mode_parameter(const ModeValue& mode) {
   using std::tan;
   const Rational exact = to_scalar<Rational>(mode);
   ModeParameter<Scalar> m;
-  m.mu = rounded<Scalar>(exact);
+  m.mu = nearest<Scalar>(exact);
   m.sign = mode.sign();
   m.abs_mu = m.sign < 0 ? Scalar(-m.mu) : m.mu;
-  m.mu_squared = rounded<Scalar>(Rational(exact * exact));
-  const Scalar cosine = sqrt(rounded<Scalar>(Rational(1 - exact * exact)));
+  m.mu_squared = nearest<Scalar>(Rational(exact * exact));
+  const Scalar cosine = sqrt(nearest<Scalar>(Rational(1 - exact * exact)));
   const Scalar third_angle = atan2(m.abs_mu, cosine) / Scalar(3);
   const Scalar c = cos(third_angle);
   m.cos_theta_squared = cosine / (c * c * c);

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include <mpfr.h>
-
 #include <limits>
 #include <stdexcept>
 
 #include "tensortopo/scalar/instantiations.hpp"
 #include "tensortopo/scalar/interval.hpp"
+#include "tensortopo/scalar/nearest.hpp"
 #include "tensortopo/scalar/parse_rational.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
@@ -26,31 +25,9 @@ Rational rational(const ModeValue& mode) {
   return Rational(mpz_int(mode.numerator()), mpz_int(mode.denominator()));
 }
 
-/// Rounds once, to the precision of the target (GMP's own conversion truncates).
-void round_into(mpfr_t target, const Rational& value) {
-  mpfr_set_q(target, value.backend().data(), MPFR_RNDN);
-}
-
-double nearest_double(const Rational& value) {
-  mpfr_t rounded;
-  mpfr_init2(rounded, std::numeric_limits<double>::digits);
-  round_into(rounded, value);
-  const double result = mpfr_get_d(rounded, MPFR_RNDN);
-  mpfr_clear(rounded);
-  return result;
-}
-
 template <class Scalar>
 struct Conversion {
-  static Scalar from(const Rational& value) {
-    Scalar result;
-    round_into(result.backend().data(), value);
-    return result;
-  }
-};
-template <>
-struct Conversion<double> {
-  static double from(const Rational& value) { return nearest_double(value); }
+  static Scalar from(const Rational& value) { return nearest<Scalar>(value); }
 };
 template <>
 struct Conversion<Rational> {
@@ -59,12 +36,12 @@ struct Conversion<Rational> {
 template <>
 struct Conversion<Interval> {
   static Interval from(const Rational& value) {
-    const double nearest = nearest_double(value);
-    const Rational back(nearest);
-    if (back == value) return Interval(nearest);
+    const double x = nearest<double>(value);
+    const Rational back(x);
+    if (back == value) return Interval(x);
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return back < value ? Interval(nearest, std::nextafter(nearest, infinity))
-                        : Interval(std::nextafter(nearest, -infinity), nearest);
+    return back < value ? Interval(x, std::nextafter(x, infinity))
+                        : Interval(std::nextafter(x, -infinity), x);
   }
 };
 
@@ -96,7 +73,7 @@ int ModeValue::sign() const {
   return numerator_.front() == '-' ? -1 : 1;
 }
 
-double ModeValue::approx() const { return nearest_double(rational(*this)); }
+double ModeValue::approx() const { return nearest<double>(rational(*this)); }
 
 std::string ModeValue::text() const {
   return denominator_ == "1" ? numerator_ : numerator_ + "/" + denominator_;

@@ -42,9 +42,11 @@ class UnionFind {
     return i != j;
   }
 
+  /// The number of classes.
   std::size_t count() const {
     std::size_t classes = 0;
-    for (std::size_t i = 0; i < parent_.size(); ++i) classes += parent_[i] == i ? 1 : 0;
+    for (std::size_t i = 0; i < parent_.size(); ++i)
+      if (parent_[i] == i) ++classes;
     return classes;
   }
 
