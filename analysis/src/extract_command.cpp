@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,6 +57,7 @@ void require_proofs(const ExtractCommand& command) {
 /// Throws UsageError for options that do nothing for degenerate curves.
 void require_no_surface_options(const ExtractCommand& command) {
   const char* const option = command.improve                           ? "--improve"
+                             : command.all_samples                     ? "--all-samples"
                              : command.max_error > 0                   ? "--max-error"
                              : command.drawing == DrawingMethod::graph ? "--method graph"
                                                                        : nullptr;
@@ -129,6 +131,14 @@ CurveReport curve_report(const ModeValue& mode, const CurveExtraction& extractio
 }
 
 }  // namespace
+
+ModeValue parse_mode(std::string_view text) {
+  const ModeValue mode = ModeValue::parse(text);
+  if (std::abs(mode.approx()) == 1 && !is_degenerate(mode))
+    throw std::invalid_argument("mode value \"" + std::string(text) +
+                                "\": no double tells it from 1 or -1");
+  return mode;
+}
 
 bool is_degenerate(const ModeValue& mode) {
   const std::string text = mode.text();

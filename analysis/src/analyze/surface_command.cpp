@@ -10,6 +10,7 @@
 
 #include "analyze/poly_data_output.hpp"
 #include "render/surface_input.hpp"
+#include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 
 namespace tensortopo {
@@ -117,6 +118,8 @@ void require_sense(const SurfaceCommand& command) {
 SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   require_sense(command);
+  for (const auto& file : {command.output, command.ridges})
+    if (!file.empty()) require_folder(file);
   const auto tell = [&](std::string_view stage, double fraction) {
     if (progress) progress(stage, fraction);
   };

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "require_folder.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -165,6 +166,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
     throw UsageError("--tets: has no effect on kind " + std::string(name_of(command.kind)) +
                      ", whose members are given tetrahedra");
   if (command.count < 1) throw UsageError("--count: must be positive");
+  require_folder(command.output);
   FamilyRequest request;
   request.seed = command.seed;
   request.members = command.count;

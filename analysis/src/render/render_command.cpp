@@ -17,6 +17,7 @@
 #include "render/animation.hpp"
 #include "render/display_server.hpp"
 #include "render/render_subject.hpp"
+#include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_text.hpp"
@@ -137,6 +138,7 @@ void parse_view(std::string_view text, View& view) {
 RenderReport run_render(const RenderCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   check(command);
+  require_folder(command.output);
   if (is_film(command.output)) require_ffmpeg(command.output);
   if (progress) progress("reading", 0);
   RenderSubject subject(command);
