@@ -22,6 +22,7 @@
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
+#include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
@@ -299,6 +300,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
 
   if (command.strict && !report.unresolved.empty()) return report;
   tell(progress, "writing", 0);
+  FileGroup files;
   const Clock write_clock;
   report.bytes = write_surface(surface, curves, read.mesh, command.output).bytes;
   report.written = true;
@@ -313,6 +315,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       report.certificate->at_critical += s.statistics.tets_nearby;
     }
   }
+  files.commit();
   return report;
 }
 

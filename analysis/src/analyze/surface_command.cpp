@@ -12,6 +12,7 @@
 #include "render/surface_input.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/file_group.hpp"
 
 namespace tensortopo {
 namespace {
@@ -124,6 +125,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
     if (progress) progress(stage, fraction);
   };
   tell("reading", 0);
+  FileGroup files;
   SurfaceInput input = read_surface(command.surface);
   SurfaceMesh& surface = input.surface;
   SurfaceAnalysis analysis;
@@ -201,6 +203,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
     write_poly_data(*input.file, command.output);
     analysis.output = command.output;
   }
+  files.commit();
   analysis.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return analysis;

@@ -58,8 +58,7 @@ void require_surface_extension(const std::filesystem::path& output, bool curves)
 /// Reads, extracts each mode's surface or curves, and writes all of them to one file.
 ///
 /// Laws      (1) the file depends on the input's bytes and the command only, not on the number of
-///           threads; (2) on failure no file is left, and one that was there is untouched (but if
-///           only the certificate cannot be written, the surface is).
+///           threads; (2) on failure no file is left, and those that were there are untouched.
 /// Throws    UsageError, IoError.
 ExtractReport run_extract(const ExtractCommand& command, const Progress& progress = {});
 
