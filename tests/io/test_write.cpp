@@ -19,7 +19,6 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "field_files.hpp"
-#include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/io/write_text.hpp"
@@ -290,50 +289,6 @@ TEST(Write, ToNowhereFailsAndLeavesNothing) {
     EXPECT_EQ(error.kind(), unwritable);
     EXPECT_EQ(error.file(), temporary("folder.vtp"));
   }
-}
-
-TEST(WriteGroup, FilesAppearTogether) {
-  const auto first = temporary("group_a.json"), second = put("group_b.json", "before");
-  std::filesystem::remove(first);
-  const std::size_t files = files_beside(first);
-  {
-    FileGroup group;
-    write_text(first, "a");
-    write_text(second, "b");
-    EXPECT_FALSE(std::filesystem::exists(first));
-    EXPECT_EQ(slurp(second), "before");
-    group.commit();
-    EXPECT_EQ(slurp(first), "a");
-    EXPECT_EQ(slurp(second), "b");
-  }
-  EXPECT_EQ(files_beside(first), files + 1);
-  write_text(first, "alone");
-  EXPECT_EQ(slurp(first), "alone");
-}
-
-TEST(WriteGroup, WithoutACommitNothingHappened) {
-  const auto first = temporary("group_c.json"), second = put("group_d.json", "before");
-  const std::size_t files = files_beside(second);
-  const auto write_both_and_fail = [&] {
-    const FileGroup group;
-    write_text(first, "a");
-    write_text(second, "b");
-    write_text(temporary("missing") / "c.json", "c");
-  };
-  EXPECT_THROW(write_both_and_fail(), IoError);
-  EXPECT_EQ(slurp(second), "before");
-  EXPECT_EQ(files_beside(second), files);
-}
-
-TEST(WriteGroup, UnfinishedFilesCanBeRemovedByAHandler) {
-  const auto file = put("group_e.json", "before");
-  const std::size_t files = files_beside(file);
-  const FileGroup group;
-  write_text(file, "after");
-  EXPECT_EQ(files_beside(file), files + 1);
-  remove_unfinished_files();
-  EXPECT_EQ(files_beside(file), files);
-  EXPECT_EQ(slurp(file), "before");
 }
 
 /// Lets no file of this process grow beyond some bytes, as a full disk would.

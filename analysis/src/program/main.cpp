@@ -134,6 +134,13 @@ int main(int argc, char** argv) {
     std::cout.flush();
     if (std::cout) return status;
     return static_cast<int>(fail(ExitStatus::cannot_write, "standard output: cannot write"));
+  } catch (const CLI::RequiredError& error) {
+    // Of a first word that is no subcommand the parser says only that there is none.
+    const std::string word = app.get_subcommands().empty() && argc > 1 ? argv[1] : "";
+    const std::string what = word.empty() || word.front() == '-'
+                                 ? std::string(error.what())
+                                 : "there is no subcommand '" + word + "'";
+    return static_cast<int>(fail(ExitStatus::bad_usage, what + " (see --help)"));
   } catch (const CLI::ParseError& error) {
     return static_cast<int>(
         fail(ExitStatus::bad_usage, std::string(error.what()) + " (see --help)"));

@@ -81,7 +81,11 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
     if (!report.notes.empty()) json["notes"] = report.notes;
     print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   } else {
-    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", output, report.width, report.height,
+    const std::string files =
+        report.frames.empty() || is_film(command.output)
+            ? output
+            : report.frames.front().string() + " to " + report.frames.back().filename().string();
+    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", files, report.width, report.height,
                       report.seconds));
   }
   return ExitStatus::done;

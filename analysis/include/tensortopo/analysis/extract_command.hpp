@@ -41,8 +41,8 @@ struct ExtractCommand {
 };
 
 /// The mode that a person wrote, for surfaces and curves in double precision. Throws
-/// std::invalid_argument as ModeValue::parse does, and for a mode that no double tells from 1 or -1,
-/// whose surface would be a tube too thin to have triangles.
+/// std::invalid_argument as ModeValue::parse does, and for a mode that no double tells from 1 or
+/// -1, whose surface would be a tube too thin to have triangles.
 ModeValue parse_mode(std::string_view text);
 
 /// Whether the mode is 1 or -1, exactly: where the field has it there are curves, not surfaces.
