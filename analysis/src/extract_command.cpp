@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
+#include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
@@ -56,6 +58,7 @@ void require_proofs(const ExtractCommand& command) {
 /// Throws UsageError for options that do nothing for degenerate curves.
 void require_no_surface_options(const ExtractCommand& command) {
   const char* const option = command.improve                           ? "--improve"
+                             : command.all_samples                     ? "--all-samples"
                              : command.max_error > 0                   ? "--max-error"
                              : command.drawing == DrawingMethod::graph ? "--method graph"
                                                                        : nullptr;
@@ -129,6 +132,14 @@ CurveReport curve_report(const ModeValue& mode, const CurveExtraction& extractio
 }
 
 }  // namespace
+
+ModeValue parse_mode(std::string_view text) {
+  const ModeValue mode = ModeValue::parse(text);
+  if (std::abs(mode.approx()) == 1 && !is_degenerate(mode))
+    throw std::invalid_argument("mode value \"" + std::string(text) +
+                                "\": no double tells it from 1 or -1");
+  return mode;
+}
 
 bool is_degenerate(const ModeValue& mode) {
   const std::string text = mode.text();
@@ -289,6 +300,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
 
   if (command.strict && !report.unresolved.empty()) return report;
   tell(progress, "writing", 0);
+  FileGroup files;
   const Clock write_clock;
   report.bytes = write_surface(surface, curves, read.mesh, command.output).bytes;
   report.written = true;
@@ -303,6 +315,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       report.certificate->at_critical += s.statistics.tets_nearby;
     }
   }
+  files.commit();
   return report;
 }
 

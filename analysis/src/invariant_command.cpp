@@ -13,6 +13,7 @@
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/write_surface.hpp"
 
 namespace tensortopo {
@@ -94,6 +95,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   report.unresolved.assign(unresolved.begin(), unresolved.end());
   if (command.strict && !report.unresolved.empty()) return report;
   if (progress) progress("writing", 0);
+  FileGroup files;
   start = Clock::now();
   report.bytes = write_surface(surface, read.mesh, command.output).bytes;
   report.written = true;
@@ -104,6 +106,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
         write_certificate(command.certificate, command.read, read, surface, certified);
     report.certificate->seconds = seconds_certify + seconds_since(start);
   }
+  files.commit();
   return report;
 }
 

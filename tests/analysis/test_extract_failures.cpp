@@ -1,8 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -191,6 +196,65 @@ TEST(ExtractFailures, StrictRefusesWhatIsUnresolvedAndWritesNothing) {
   EXPECT_NE(run.err.find("(1 zero_deviator_inside); nothing written"), std::string::npos)
       << run.err;
   EXPECT_EQ(folder.files(), std::vector<std::string>{"zero.vtk"});
+}
+
+TEST(ExtractFailures, WithoutItsCertificateNoSurfaceIsWritten) {
+  for (const std::string level : {"--mode", "--invariant"}) {
+    const Folder folder;
+    std::filesystem::create_symlink("/dev/full", folder / "c.json");
+    std::ofstream(folder / "s.vtp") << "before";
+    std::vector<std::string> words{"--certify", folder / "c.json", level};
+    words.push_back(level == "--mode" ? "0.5" : "anisotropy");
+    if (level != "--mode") words.insert(words.end(), {"--value", "1/2"});
+    const Outcome run = extract(folder, words);
+    EXPECT_EQ(run.status, 4);
+    expect_error_line(run, "c.json");
+    EXPECT_EQ(contents(folder / "s.vtp"), "before");
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"c.json", "s.vtp"}));
+  }
+}
+
+TEST(ExtractFailures, AFieldWithoutItsTruthIsNotWritten) {
+  const Folder folder;
+  std::filesystem::create_symlink("/dev/full", folder / "g.truth.json");
+  const Outcome run = run_program({"generate", "linear", "-o", folder / "g.vtu"});
+  EXPECT_EQ(run.status, 4);
+  expect_error_line(run, "g.truth.json");
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"g.truth.json"});
+}
+
+/// The certificate is a pipe that nobody reads, so the program waits with the surface unfinished.
+TEST(ExtractFailures, AnInterruptedRunLeavesNoFile) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Folder folder;
+    const std::string pipe = folder / "c.json";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      const std::string in = field("s4_slab"), s = folder / "s.vtp";
+      std::signal(signal, SIG_DFL);
+      execl(TENSORTOPO_PROGRAM, TENSORTOPO_PROGRAM, "extract", in.c_str(), "-o", s.c_str(),
+            "--mode", "0.5", "--certify", pipe.c_str(), "--quiet", nullptr);
+      _exit(127);
+    }
+    int state = 0;
+    for (int tries = 0; folder.files().size() == 1 && tries < 3000; ++tries) usleep(10'000);
+    EXPECT_EQ(folder.files().size(), 2u);
+    EXPECT_EQ(waitpid(child, &state, WNOHANG), 0);
+    kill(child, signal);
+    waitpid(child, &state, 0);
+    EXPECT_TRUE(WIFSIGNALED(state) && WTERMSIG(state) == signal);
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"c.json"});
+  }
+}
+
+TEST(ExtractFailures, HelpThatNobodyGetsIsAFailure) {
+  const Folder folder;
+  const std::string words = std::string(TENSORTOPO_PROGRAM) + " --help > /dev/full 2> " +
+                            (folder / "err");
+  const int state = std::system(words.c_str());
+  EXPECT_EQ(WEXITSTATUS(state), 4);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ TEST(Program, VersionNamesTheLibraries) {
 
 TEST(Program, EverySubcommandHasHelp) {
   EXPECT_EQ(run_program({"--help"}).status, 0);
-  for (const char* name : {"extract", "render", "bench"}) {
+  for (const char* name : {"extract", "analyze", "render", "bench", "check", "generate",
+                           "conformance", "verify", "proofs"}) {
     const Outcome run = run_program({name, "--help"});
     EXPECT_EQ(run.status, 0) << name;
     for (const char* option : {"--json", "--quiet", "--threads", "--help"}) {
@@ -27,6 +28,13 @@ TEST(Program, EverySubcommandHasHelp) {
 }
 
 TEST(Program, WithoutWordsIsBadUsage) { EXPECT_EQ(run_program({}).status, 2); }
+
+TEST(Program, AWordThatIsNoSubcommandIsNamed) {
+  const Outcome run = run_program({"extrude", "a.vtu"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("'extrude'"), std::string::npos) << run.err;
+  EXPECT_NE(run_program({"check", "a.vtu"}).err.find("OUTPUT is required"), std::string::npos);
+}
 
 }  // namespace
 }  // namespace tensortopo::test

@@ -107,6 +107,17 @@ TEST(RenderModes, WithoutFfmpegNothingIsDrawn) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"bin"});
 }
 
+TEST(RenderModes, TheReportNamesTheFilesThatAreThere) {
+  const Folder folder;
+  const std::string mesh = folder / "g.vtu";
+  run_program({"generate", "linear", "-o", mesh, "--field-only"});
+  const Outcome run = run_program(
+      {"render", mesh, "--animate", "0.2:0.4:2", "--size", "32x32", "-o", folder / "f.png"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(run.out.starts_with((folder / "f-000.png") + " to f-001.png: ")) << run.out;
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"f-000.png", "f-001.png", "g.vtu"}));
+}
+
 TEST(RenderModes, RefusesWhatContradicts) {
   const Folder folder;
   const std::string mesh = field("s4_slab"), png = folder / "x.png";

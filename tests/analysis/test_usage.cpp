@@ -66,6 +66,9 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
       {"--resolution", "--mode", "0.5", "--method", "vtk-contour-grid", "--resolution", "8"},
       {"--subdivide", "--mode", "0.5", "--subdivide", "1"},
       {"--certify", "--mode", "0.5", "--method", "vtk-contour-grid", "--certify", "c.json"},
+      {"--all-samples", "--mode", "1", "--all-samples"},
+      {"--all-samples", "--mode", "0.5", "--method", "marching", "--all-samples"},
+      {"--all-samples", "--invariant", "magnitude", "--value", "1", "--all-samples"},
       {"--resolution", "--mode", "0.5", "--resolution", "1e9"}};
   for (auto words : cases) {
     const Folder folder;
@@ -75,6 +78,124 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
     expect_line(run_program(words), 2, about);
     EXPECT_TRUE(folder.files().empty());
   }
+}
+
+TEST(Usage, OptionsOfAnotherTaskAreRefused) {
+  const Folder folder;
+  const std::string in = field("s4_slab"), s = folder / "s.vtp", g = folder / "g.vtu";
+  ASSERT_EQ(run_program({"extract", in, "-o", s, "--mode", "0.5", "--method", "marching"}).status,
+            0);
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {"--levels", {"analyze", s, "--levels", "3"}},
+      {"--tensor", {"analyze", s, "--tensor", "a"}},
+      {"--symmetrize", {"render", s, "-o", folder / "p.png", "--symmetrize"}},
+      {"--components", {"verify", "--components", "voigt"}},
+      {"--mode", {"conformance", "--suite", "l.json", "--mode", "0"}},
+      {"--tensor", {"conformance", "--suite", "l.json", "--tensor", "a"}},
+      {"--largest", {"bench", "--input", in, "--mode", "0", "--largest", "10000"}},
+      {"--input", {"bench", "--scaling", "size", "--input", in, "--mode", "0"}},
+      {"--only", {"bench", "--scaling", "mode", "--input", in, "--only", "none"}},
+      {".png", {"bench", "--input", in, "--mode", "0", "--curves", folder / "c.jpg"}},
+      {"--field-only", {"generate", "linear", "-o", g, "--field-only", "--mode", "0"}},
+      {"--no-reference", {"generate", "linear", "-o", g, "--field-only", "--no-reference"}},
+      {"--reference", {"generate", "linear", "-o", g, "--reference", "--no-reference"}}};
+  for (const auto& [about, words] : cases) expect_line(run_program(words), 2, about);
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"s.vtp"});
+}
+
+TEST(Usage, WhatIsNotANumberIsBadUsage) {
+  const Folder folder;
+  const std::string in = field("s4_slab"), s = folder / "s.vtp";
+  for (const char* bad : {"nan", "-nan", "inf", "-1", "x", ""}) {
+    expect_line(run_program({"extract", in, "-o", s, "--mode", "0.5", "--max-error", bad}), 2,
+                "--max-error");
+    expect_line(
+        run_program({"extract", in, "-o", s, "--mode", "0", "--method", "hybrid", "--flatness", bad}),
+        2, "--flatness");
+    for (const std::string option : {"--merge", "--resolution"})
+      expect_line(run_program({"conformance", "--surface", s, "--input", in, "--mode", "0.5", option,
+                               bad}),
+                  2, option);
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
+/// Doubles round them to 1 or -1, where there are curves and no surfaces.
+TEST(Usage, ModesThatDoublesDoNotTellFromOneAreRefused) {
+  const Folder folder;
+  const std::string in = field("s4_slab"), s = folder / "s.vtp", g = folder / "g.vtu";
+  for (const std::string mode : {"0.99999999999999999", "-0.99999999999999999999"}) {
+    expect_line(run_program({"extract", in, "-o", s, "--mode", mode}), 2, mode);
+    expect_line(run_program({"render", in, "-o", folder / "p.png", "--mode", mode}), 2, mode);
+    expect_line(run_program({"render", in, "-o", folder / "p.png", "--animate", "0:" + mode + ":2"}),
+                2, mode);
+    expect_line(run_program({"generate", "linear", "-o", g, "--mode", mode}), 2, mode);
+    expect_line(run_program({"bench", "--input", in, "--mode", mode}), 2, mode);
+    expect_line(run_program({"conformance", "--surface", s, "--input", in, "--mode", mode}), 2,
+                mode);
+    expect_line(run_program({"analyze", in, "--sweep", "0:" + mode + ":2"}), 2, mode);
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
+/// Tensors of another order, or on cells, wherever a mesh is read.
+TEST(Usage, AMeshIsReadInTheSameWordsEverywhere) {
+  const Folder folder;
+  const std::string vtk = folder / "g.vtu", cells = folder / "cells.vtk", s = folder / "s.vtp";
+  std::ofstream(cells) << "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                          "POINTS 5 double\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n"
+                          "CELLS 2 10\n4 0 1 2 3\n4 1 2 3 4\nCELL_TYPES 2\n10\n10\n"
+                          "CELL_DATA 2\nTENSORS stress double\n"
+                          "1 0 0 0 0 0 0 0 -1\n\n0 1 0 1 0.5 0 0 0 0\n\n";
+  const std::string picture = folder / "p.png";
+  const std::vector<std::vector<std::string>> commands{
+      {"extract", cells, "-o", s, "--mode", "0.5"},
+      {"analyze", cells, "--sweep", "0:0.5:2"},
+      {"render", cells, "-o", picture, "--mode", "0.5", "--size", "32x32"},
+      {"bench", "--input", cells, "--mode", "0.5", "--only", "none"},
+      {"verify", "--input", cells, "--theorem", "mode-range", "--fields", "1"},
+      {"conformance", "--surface", s, "--input", cells, "--mode", "0.5"}};
+  for (auto words : commands) {
+    words.insert(words.end(), {"--cell-to-point", "--tensor", "stress", "--components", "vtk",
+                               "--symmetrize", "--tetrahedralize"});
+    EXPECT_EQ(run_program(words).status, 0) << words[0];
+    words[words.size() - 4] = "bad";
+    EXPECT_EQ(run_program(words).status, 2) << words[0];
+  }
+}
+
+TEST(Usage, WhatIsNoSuiteIsBadInputInOurWords) {
+  const Folder folder;
+  for (const char* text : {"", "[]", "{}", "{\"suite\": [{}]}", "{\"suite\": [{\"kind\": \"x\"}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"modes\": [\"2\"]}]}"}) {
+    const std::string list = folder / "l.json";
+    std::ofstream(list) << text;
+    const Outcome run = run_program({"conformance", "--suite", list});
+    expect_line(run, 3, list);
+    EXPECT_EQ(run.err.find("json.exception"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Usage, AFolderIsNoFileToCheck) {
+  const Folder folder;
+  const std::string here = folder / ".";
+  expect_line(run_program({"check", here, here, here}), 3, "cannot be read");
+}
+
+/// Not after minutes of work.
+TEST(Usage, AFolderThatIsNotThereIsFoundOutFirst) {
+  const Folder folder;
+  const std::string gone = folder / "gone/", in = folder / "no.vtu", s = folder / "no.vtp";
+  const std::vector<std::vector<std::string>> commands{
+      {"generate", "linear", "-o", gone + "g.vtu"},
+      {"render", in, "-o", gone + "p.png", "--mode", "0"},
+      {"analyze", in, "--sweep", "0:0.5:2", "-o", gone + "d.png"},
+      {"analyze", s, "--mesh", in, "-o", gone + "c.vtp"},
+      {"analyze", s, "--mesh", in, "--ridges", gone + "r.vtp"},
+      {"bench", "--input", in, "--mode", "0", "--curves", gone + "c.png"},
+      {"bench", "--input", in, "--scaling", "mode", "--chart", gone + "c.png"}};
+  for (const auto& words : commands) expect_line(run_program(words), 4, "no such folder");
+  EXPECT_TRUE(folder.files().empty());
 }
 
 TEST(Usage, SeedsAreWholeNumbers) {

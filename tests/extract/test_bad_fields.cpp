@@ -78,6 +78,24 @@ TEST(BadFields, DifferencesBeyondTheRangeOfDoublesAreFine) {
 }
 
 // Two vertices with deviators of the ratio -1: the deviator vanishes in the middle of the edge.
+// Around such a vertex the level is, to doubles, a cone: its points round to the vertex, where the
+// tensor is tiny beside those around, or to places where the huge one is all.
+TEST(BadFields, AVertexOfAnotherMagnitudeLeavesEveryNumberFinite) {
+  const TetMesh mesh = reference_tet_mesh(Random(20241122).tet_tensors());
+  for (const int exponent : {-1060, -400, 400, 1000}) {
+    TetMesh other = mesh;
+    auto& t = other.tensors[2];
+    for (double* x : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz}) *x = std::ldexp(*x, exponent);
+    for (const char* mode : {"-1/2", "0", "1/4", "9/10"}) {
+      const Extraction extraction = extract(other, mode);
+      for (const double r : extraction.surface.residual) EXPECT_LE(std::abs(r), 2) << exponent;
+      for (const auto* vectors :
+           {&extraction.surface.normal, &extraction.surface.dominant_eigenvector})
+        for (const auto& v : *vectors) EXPECT_NEAR(dot(v, v), 1, 1e-9) << exponent << mode;
+    }
+  }
+}
+
 TEST(BadFields, AZeroInsideAnEdgeIsNamedOrAvoided) {
   Random random(20241004);
   for (int trial = 0; trial < trials(10); ++trial) {

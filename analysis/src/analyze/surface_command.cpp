@@ -10,7 +10,9 @@
 
 #include "analyze/poly_data_output.hpp"
 #include "render/surface_input.hpp"
+#include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/file_group.hpp"
 
 namespace tensortopo {
 namespace {
@@ -116,10 +118,13 @@ void require_sense(const SurfaceCommand& command) {
 SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   require_sense(command);
+  for (const auto& file : {command.output, command.ridges})
+    if (!file.empty()) require_folder(file);
   const auto tell = [&](std::string_view stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
   tell("reading", 0);
+  FileGroup files;
   SurfaceInput input = read_surface(command.surface);
   SurfaceMesh& surface = input.surface;
   SurfaceAnalysis analysis;
@@ -198,6 +203,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
     write_poly_data(*input.file, command.output);
     analysis.output = command.output;
   }
+  files.commit();
   analysis.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return analysis;

@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "analyze/sweep_chart.hpp"
+#include "require_folder.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_text.hpp"
@@ -43,8 +45,8 @@ void parse_sweep(std::string_view text, SweepOptions& options) {
       options.samples > kMost)
     fail("N must be a number of modes, 2 to 100000");
   try {
-    options.from = ModeValue::parse(text.substr(0, one));
-    options.to = ModeValue::parse(text.substr(one + 1, two - one - 1));
+    options.from = parse_mode(text.substr(0, one));
+    options.to = parse_mode(text.substr(one + 1, two - one - 1));
   } catch (const std::invalid_argument& problem) {
     fail(problem.what());
   }
@@ -55,6 +57,7 @@ SweepReport run_sweep(const SweepCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   if (!command.picture.empty() && command.picture.extension() != ".png")
     throw UsageError(command.picture.string() + ": the name must end in .png");
+  if (!command.picture.empty()) require_folder(command.picture);
   if (progress) progress("reading", 0);
   const ReadResult read = read_mesh(command.input, command.read);
   SweepReport report;

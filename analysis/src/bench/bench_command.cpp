@@ -303,7 +303,7 @@ BenchReport run_bench(const BenchCommand& command, const Progress& progress) {
   if (command.repeat < kFewest) throw UsageError("--repeat: must be at least 5");
   if (command.modes.empty()) throw UsageError("no mode given");
   if (progress) progress("reading", 0);
-  const ReadResult read = read_mesh(command.input);
+  const ReadResult read = read_mesh(command.input, command.read);
   BenchReport report = Bench(command, read.mesh, progress).run();
   report.input = command.input;
   report.modes = command.modes;

@@ -13,6 +13,7 @@
 #include "bench/judge.hpp"
 #include "bench/timing.hpp"
 #include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
 
 namespace tensortopo {
@@ -20,6 +21,7 @@ namespace tensortopo {
 /// Timings of ours and of other methods, side by side in one process.
 struct BenchCommand {
   std::filesystem::path input;
+  ReadOptions read;
   std::vector<ModeValue> modes;  ///< of each, the surfaces of M and -M
   int repeat = 5;                ///< at least 5
   /// Which of `comparisons` to run beside the plain ones; if not given, "certified" alone, since

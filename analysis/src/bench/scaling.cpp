@@ -129,7 +129,7 @@ ScalingReport run_scaling(const ScalingCommand& command, const Progress& progres
   if (over_size) {
     over_sizes(command, report, progress);
   } else {
-    const ReadResult read = read_mesh(command.input);
+    const ReadResult read = read_mesh(command.input, command.read);
     report.field = command.input.string();
     if (command.over == ScalingOver::mode) over_mode(read.mesh, command, report, progress);
     if (command.over == ScalingOver::threads) over_threads(read.mesh, command, report, progress);

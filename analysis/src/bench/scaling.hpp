@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
 
 namespace tensortopo {
@@ -22,6 +23,7 @@ enum class ScalingOver {
 struct ScalingCommand {
   ScalingOver over = ScalingOver::size;
   std::filesystem::path input;    ///< but for `size`
+  ReadOptions read;
   std::vector<ModeValue> modes;   ///< of `size` and `threads`; each with its opposite
   std::size_t largest = 1'000'000;  ///< tetrahedra, of `size`
   int repeat = 5;                 ///< at least 5

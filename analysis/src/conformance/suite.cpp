@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "contours/vtk_contours.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
@@ -91,12 +92,17 @@ std::vector<SuiteEntry> read_suite(const std::filesystem::path& file) {
       entry.tetrahedra = item.value("tetrahedra", std::size_t{0});
       if (item.contains("modes"))
         for (const auto& mode : item.at("modes"))
-          entry.modes.push_back(ModeValue::parse(mode.get<std::string>()));
+          entry.modes.push_back(parse_mode(mode.get<std::string>()));
       suite.push_back(std::move(entry));
     }
     return suite;
-  } catch (const nlohmann::json::exception& problem) {
-    throw IoError(IoError::Kind::invalid, file, std::string("no suite: ") + problem.what());
+  } catch (const nlohmann::json::parse_error& problem) {
+    throw IoError(IoError::Kind::invalid, file,
+                  fmt::format("no suite: no JSON (byte {})", problem.byte));
+  } catch (const nlohmann::json::exception&) {
+    throw IoError(IoError::Kind::invalid, file,
+                  "no suite: must be {\"suite\": [{\"kind\" or \"file\": ...}, ...]}, with seed, "
+                  "count, tetrahedra, subdivisions and modes");
   } catch (const std::invalid_argument& problem) {
     throw IoError(IoError::Kind::invalid, file, std::string("no suite: ") + problem.what());
   }

@@ -11,11 +11,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "require_folder.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/reference_points.hpp"
 #include "tensortopo/families/kuhn_mesh.hpp"
+#include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/number_hash.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
@@ -97,8 +99,12 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
   truth.field_sha256 = field_sha256(mesh);
   truth.points = mesh.points.size();
   truth.tetrahedra = mesh.tets.size();
+  FileGroup files;
   write_mesh(mesh, field, "tensor");
-  if (command.field_only) return {field, {}, std::move(truth)};
+  if (command.field_only) {
+    files.commit();
+    return {field, {}, std::move(truth)};
+  }
 
   References references;
   references.points = nlohmann::ordered_json::array();
@@ -111,6 +117,7 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
   }
   const Path file = with_suffix(field, ".truth.json");
   write_text(file, to_json(truth));
+  files.commit();
   return {field, file, std::move(truth)};
 }
 
@@ -165,6 +172,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
     throw UsageError("--tets: has no effect on kind " + std::string(name_of(command.kind)) +
                      ", whose members are given tetrahedra");
   if (command.count < 1) throw UsageError("--count: must be positive");
+  require_folder(command.output);
   FamilyRequest request;
   request.seed = command.seed;
   request.members = command.count;

@@ -6,6 +6,7 @@
 #include "analyze/surface_command.hpp"
 #include "analyze/sweep_command.hpp"
 #include "program/progress_bar.hpp"
+#include "program/read_options.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -20,6 +21,7 @@ struct Options {
   bool smooth = false, recover = false;
   RidgeFilter ridge_filter;
   ReadOptions read;
+  const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
 ExitStatus sweep(const Options& options, const CommonOptions& common) {
@@ -68,7 +70,9 @@ ExitStatus analyze(const Options& options, const CommonOptions& common) {
     throw UsageError(
         "--mesh, --against, --recover, --ridges (with --ridge-strength, --ridge-length) and "
         "--smooth are for surfaces (.vtp)");
-  if (is_surface && options.check_modes > 0) throw UsageError("--check goes with --sweep");
+  if (is_surface) refuse_given(*options.app, {"--check", "--levels"}, "goes with --sweep");
+  if (is_surface && options.mesh.empty())
+    refuse_read_options(*options.app, "is about a mesh (--mesh)");
   return is_surface ? surface(options, common) : sweep(options, common);
 }
 
@@ -78,6 +82,7 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   CLI::App& app = *program.add_subcommand(
       "analyze", "Topology against the mode of a field; shape and quality of surfaces");
   const auto options = std::make_shared<Options>();
+  options->app = &app;
   reads(common, app.add_option("INPUT", options->input,
                                "Tetrahedral mesh with tensors, or a surface (.vtp)"))
       ->required();
@@ -127,8 +132,7 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
          app.add_option("-o,--output", options->output,
                  "The sweep's picture (.png), or the surface with its curvatures (.vtp)"))
       ->type_name("FILE");
-  app.add_option("--tensor", options->read.tensor, "Name of the mesh's tensor array")
-      ->type_name("NAME");
+  add_read_options(app, options->read);
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return analyze(*options, common); };

@@ -10,8 +10,10 @@
 #include "bench/scaling.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
+#include "program/read_options.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
+#include "require_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/write_text.hpp"
@@ -25,6 +27,7 @@ struct Options {
   std::string scaling;
   std::filesystem::path curves, chart;
   std::size_t largest = ScalingCommand().largest;
+  const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
 const std::map<std::string, ScalingOver>& scalings() {
@@ -64,10 +67,27 @@ std::filesystem::path bundled_field() {
   return smallest;
 }
 
+/// Throws UsageError or IoError for a chart that could not be written, before anything is timed.
+void require_picture(const std::filesystem::path& file) {
+  if (file.empty()) return;
+  if (file.extension() != ".png") throw UsageError(file.string() + ": the name must end in .png");
+  require_folder(file);
+}
+
 ExitStatus scaling(const Options& options, const CommonOptions& common) {
   ScalingCommand command;
   command.over = scalings().at(options.scaling);
+  refuse_given(*options.app, {"--only", "--all", "--curves"}, "has no effect on --scaling");
+  if (command.over == ScalingOver::size) {
+    const char* const why = "has no effect on --scaling size, which makes its meshes";
+    refuse_given(*options.app, {"--input"}, why);
+    refuse_read_options(*options.app, why);
+  } else {
+    refuse_given(*options.app, {"--largest"}, "goes with --scaling size");
+  }
+  require_picture(options.chart);
   command.input = options.command.input;
+  command.read = options.command.read;
   command.modes = surface_modes(options);
   command.largest = options.largest;
   command.repeat = options.command.repeat;
@@ -81,7 +101,8 @@ ExitStatus scaling(const Options& options, const CommonOptions& common) {
 
 ExitStatus bench(const Options& options, const CommonOptions& common) {
   if (!options.scaling.empty()) return scaling(options, common);
-  if (!options.chart.empty()) throw UsageError("--chart: only with --scaling");
+  refuse_given(*options.app, {"--chart", "--largest"}, "only with --scaling");
+  require_picture(options.curves);
   BenchCommand command = options.command;
   command.modes = surface_modes(options);
   if (command.input.empty()) {
@@ -106,6 +127,7 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
   CLI::App& app = *program.add_subcommand(
       "bench", "Time extraction against VTK's contours of the vertex modes and other methods");
   const auto options = std::make_shared<Options>();
+  options->app = &app;
   BenchCommand& command = options->command;
   reads(common, app.add_option("--input", command.input,
                                "Tetrahedral mesh with tensors (default: the smallest of "
@@ -141,6 +163,7 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       ->type_name("N")
       ->check(whole_number())
       ->capture_default_str();
+  add_read_options(app, command.read);
   writes(common, app.add_option("--chart", options->chart, "Of --scaling"))->type_name("P.png");
   add_common_options(app, common);
   app.callback([options, &common, &action] {

@@ -5,9 +5,14 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <initializer_list>
+#include <limits>
 #include <string>
 #include <vector>
+
+#include "tensortopo/analysis/usage_error.hpp"
 
 namespace tensortopo {
 
@@ -37,6 +42,32 @@ inline CLI::Validator whole_number() {
                                                               "from 0 to 18446744073709551615";
           },
           "WHOLE"};
+}
+
+/// A finite number in [least, most]; CLI11's own checks let pass what is not a number.
+inline CLI::Validator number_from(double least, double most, const std::string& what) {
+  return {[=](const std::string& text) -> std::string {
+            double value = std::nan("");
+            const bool is_number = CLI::detail::lexical_cast(text, value);
+            return is_number && std::isfinite(value) && value >= least && value <= most
+                       ? ""
+                       : "'" + text + "' is no " + what;
+          },
+          ""};
+}
+inline CLI::Validator positive_number() {
+  return number_from(std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max(),
+                     "positive number");
+}
+inline CLI::Validator number_not_negative() {
+  return number_from(0, std::numeric_limits<double>::max(), "number from 0 on");
+}
+
+/// Throws UsageError if one of these options was given: here they would be ignored.
+inline void refuse_given(const CLI::App& app, std::initializer_list<const char*> options,
+                         const std::string& why) {
+  for (const char* option : options)
+    if (app.count(option) > 0) throw UsageError(std::string(option) + ": " + why);
 }
 
 inline void add_common_options(CLI::App& app, CommonOptions& common) {

@@ -8,6 +8,7 @@
 #include "conformance/suite.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
+#include "program/read_options.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
@@ -20,9 +21,14 @@ struct Options {
   ConformanceCommand command;
   std::vector<std::string> modes;
   std::filesystem::path suite;
+  const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
 ExitStatus suite(const Options& options, const CommonOptions& common) {
+  const char* const why = "has no effect on --suite";
+  refuse_given(*options.app,
+               {"--surface", "--input", "--mode", "--truth", "--merge", "--resolution"}, why);
+  refuse_read_options(*options.app, why);
   const auto entries = read_suite(options.suite);
   ProgressBar bar(!common.quiet);
   const SuiteReport report = run_suite(entries, bar.callback());
@@ -52,6 +58,7 @@ void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action
       "conformance", "Score another program's mode surface against certified truth");
   const auto options = std::make_shared<Options>();
   ConformanceCommand& command = options->command;
+  options->app = &app;
   app.add_option("--surface", command.surface, "Triangles to score: .vtp, .ply, .stl or .obj")
       ->type_name("FILE");
   app.add_option("--input", command.input, "Tetrahedral mesh with tensors that they were made from")
@@ -62,16 +69,15 @@ void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action
   app.add_option("--truth", command.truth,
                  "Truth file of `generate`; must agree with what is certified now")
       ->type_name("FILE");
-  app.add_option("--tensor", command.read.tensor, "Name of the mesh's tensor array")
-      ->type_name("NAME");
+  add_read_options(app, command.read);
   app.add_option("--merge", command.merge,
                  "Merge points in boxes of this size (default: equal ones only)")
       ->type_name("EPS")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_not_negative());
   app.add_option("--resolution", command.resolution,
                  "Of the certified surface: samples per radian of turning")
       ->type_name("R")
-      ->check(CLI::Range(1e-9, kLargestResolution))
+      ->check(number_from(1e-9, kLargestResolution, "number from 1e-9 to 1000"))
       ->capture_default_str();
   app.add_option("--suite", options->suite,
                  "Instead: score VTK's contours over a list of generated fields; prints Markdown")

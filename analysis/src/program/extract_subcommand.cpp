@@ -10,6 +10,7 @@
 #include "program/invariant_option.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
+#include "program/read_options.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "tensortopo/analysis/baseline.hpp"
@@ -22,7 +23,6 @@ namespace {
 struct Options {
   ExtractCommand command;
   std::vector<std::string> modes;
-  std::string components;
   std::string method = "manifold";
   BaselineOptions baseline;
   InvariantOption invariant;
@@ -39,6 +39,7 @@ void require_effect(const Options& options) {
   refuse("--patch-samples", options.method == "a-patches", "only with --method a-patches");
   refuse("--flatness", options.method == "hybrid", "only with --method hybrid");
   refuse("--resolution", !is_baseline, "has an effect on --method manifold and graph only");
+  refuse("--all-samples", !is_baseline, "has an effect on --method manifold and graph only");
   refuse("--subdivide", is_baseline, "has no effect on --method manifold or graph");
 }
 
@@ -62,11 +63,7 @@ Method other_method(const Options& options) {
 }
 
 ExitStatus extract(const Options& options, const CommonOptions& common) {
-  static const std::map<std::string, ComponentOrder> orders{{"vtk", ComponentOrder::vtk},
-                                                            {"voigt", ComponentOrder::voigt},
-                                                            {"abaqus", ComponentOrder::abaqus}};
   ExtractCommand command = options.command;
-  if (!options.components.empty()) command.read.components = orders.at(options.components);
   if (!options.invariant.invariant.empty())
     return extract_invariant(options.invariant, command, common);
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
@@ -129,7 +126,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_option("--max-error", command.max_error,
                  "Sample until the distance between triangles and level is proved to be below this")
       ->type_name("E")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   app.add_flag("--improve", command.improve,
                "Flip edges and move vertices within their tetrahedra and faces for better angles");
   app.add_flag("--all-samples", command.all_samples,
@@ -144,7 +141,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->capture_default_str();
   app.add_option("--flatness", options->baseline.flatness,
                  "Largest distance from the surface, in edges of the tetrahedron (method hybrid)")
-      ->check(CLI::Range(1e-9, 1.0))
+      ->check(number_from(1e-9, 1, "number from 1e-9 to 1"))
       ->capture_default_str();
   app.add_option("--subdivide", command.subdivisions,
                  "Cut each tetrahedron in eight beforehand, so many times (methods that only compare)")
@@ -152,21 +149,14 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->capture_default_str();
   add_invariant_option(app, options->invariant,
                        {"--mode", "--generalized", "--resolution", "--max-error", "--improve",
-                        "--method", "--patch-samples", "--flatness", "--subdivide"});
+                        "--method", "--patch-samples", "--flatness", "--subdivide", "--all-samples"});
   writes(common,
          app.add_option("--certify", command.certificate,
                         "Also prove the topology and distances; the certificate (.json or .cbor)"))
       ->type_name("CERT");
   app.add_flag("--strict", command.strict,
                "If a tetrahedron stays unresolved, write nothing and exit with 1");
-  app.add_option("--tensor", command.read.tensor, "Name of the tensor array")->type_name("NAME");
-  app.add_option("--components", options->components, "Order of six components (default: vtk)")
-      ->check(CLI::IsMember({"vtk", "voigt", "abaqus"}));
-  app.add_flag("--symmetrize", command.read.symmetrize, "Take the symmetric part of 3x3 tensors");
-  app.add_flag("--cell-to-point", command.read.cell_to_point,
-               "Average tensors on cells to the vertices");
-  app.add_flag("--tetrahedralize", command.read.tetrahedralize,
-               "Split other linear 3D cells into tetrahedra");
+  add_read_options(app, command.read);
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return extract(*options, common); };

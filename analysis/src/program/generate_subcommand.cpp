@@ -64,16 +64,21 @@ void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& a
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   app.add_flag("--together", command.together, "All members in one file, scaled and side by side");
-  add_mode_option(app, options->modes)
-      ->required(false)
-      ->description("Mode M of the truth; repeatable (default: those of the kind)");
+  auto* modes = add_mode_option(app, options->modes)
+                    ->required(false)
+                    ->description("Mode M of the truth; repeatable (default: those of the kind)");
   app.add_option("--tets", command.tetrahedra, "At least so many tetrahedra, for kinds with a mesh")
       ->type_name("T")
       ->check(CLI::Range(1, 100000000));
-  app.add_flag("--field-only", command.field_only, "Write the field, no truth");
-  app.add_flag("--reference", command.always_reference,
-               "Reference surfaces also for more than 10000 tetrahedra");
-  app.add_flag("--no-reference", command.no_reference, "No reference surface, only facts");
+  auto* always = app.add_flag("--reference", command.always_reference,
+                              "Reference surfaces also for more than 10000 tetrahedra");
+  auto* never =
+      app.add_flag("--no-reference", command.no_reference, "No reference surface, only facts")
+          ->excludes(always);
+  app.add_flag("--field-only", command.field_only, "Write the field, no truth")
+      ->excludes(modes)
+      ->excludes(always)
+      ->excludes(never);
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return generate(*options, common); };

@@ -12,6 +12,7 @@
 #endif
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -22,6 +23,7 @@
 #include "program/subcommands.hpp"
 #include "program/versions.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/io_error.hpp"
 
 namespace {
@@ -48,6 +50,25 @@ void keep_memory() {
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   mallopt(M_TOP_PAD, 4 << 20);
 #endif
+}
+
+extern "C" void end_by(int signal) {
+  tensortopo::remove_unfinished_files();
+  std::raise(signal);  // it has its old meaning again
+}
+
+// An interruption leaves no unfinished file. Where signals are ignored (nohup) they stay so; a file
+// too large for the shell's limit is a disk that is full.
+void prepare_for_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
+    struct sigaction action {};
+    action.sa_handler = end_by;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
+    sigaction(signal, &action, nullptr);
+  }
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 // What goes wrong is told once, in a line of ours.
@@ -87,6 +108,7 @@ ExitStatus run(const tensortopo::Action& action, const tensortopo::CommonOptions
 }  // namespace
 
 int main(int argc, char** argv) {
+  prepare_for_signals();
   keep_memory();
   silence_vtk();
   CLI::App app{"Topology of 3D symmetric tensor fields: mode surfaces of piecewise linear fields",
@@ -108,7 +130,17 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    const int status = app.exit(help);
+    std::cout.flush();
+    if (std::cout) return status;
+    return static_cast<int>(fail(ExitStatus::cannot_write, "standard output: cannot write"));
+  } catch (const CLI::RequiredError& error) {
+    // Of a first word that is no subcommand the parser says only that there is none.
+    const std::string word = app.get_subcommands().empty() && argc > 1 ? argv[1] : "";
+    const std::string what = word.empty() || word.front() == '-'
+                                 ? std::string(error.what())
+                                 : "there is no subcommand '" + word + "'";
+    return static_cast<int>(fail(ExitStatus::bad_usage, what + " (see --help)"));
   } catch (const CLI::ParseError& error) {
     return static_cast<int>(
         fail(ExitStatus::bad_usage, std::string(error.what()) + " (see --help)"));

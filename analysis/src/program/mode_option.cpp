@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 
 namespace tensortopo {
@@ -21,7 +22,7 @@ std::vector<ModeValue> parse_modes(const std::vector<std::string>& modes) {
   std::vector<ModeValue> values;
   for (const std::string& text : modes) {
     try {
-      values.push_back(ModeValue::parse(text));
+      values.push_back(parse_mode(text));
     } catch (const std::invalid_argument& problem) {
       throw UsageError("--mode " + text + ": " + problem.what());
     }

@@ -11,6 +11,7 @@
 #include "program/invariant_option.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
+#include "program/read_options.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "render/animation.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::string size, view, focus, texture, panels, direction, animation;
   InvariantOption invariant;
   std::vector<std::string> modes;
+  const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
 RenderCommand command_of(const Options& options) {
@@ -38,6 +40,7 @@ RenderCommand command_of(const Options& options) {
   } else {
     command.mesh = options.input;
   }
+  if (!command.mesh) refuse_read_options(*options.app, "is about a mesh (--mesh)");
   if (!options.size.empty()) parse_size(options.size, command.view);
   if (!options.view.empty()) parse_view(options.view, command.view);
   if (!options.focus.empty()) parse_focus(options.focus, command.view);
@@ -57,8 +60,9 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
   const RenderReport report = run_render(command, bar.callback());
   bar.erase();
   const std::string output = command.output.string();
-  for (const std::string& note : report.notes)
-    std::cerr << "tensortopo: " << options.input.string() << ": " << note << '\n';
+  if (!common.quiet)
+    for (const std::string& note : report.notes)
+      std::cerr << "tensortopo: " << options.input.string() << ": " << note << '\n';
   if (common.json) {
     nlohmann::ordered_json json{{"output", {{"path", output}, {"bytes", report.bytes}}},
                                 {"width", report.width},
@@ -77,7 +81,11 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
     if (!report.notes.empty()) json["notes"] = report.notes;
     print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   } else {
-    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", output, report.width, report.height,
+    const std::string files =
+        report.frames.empty() || is_film(command.output)
+            ? output
+            : report.frames.front().string() + " to " + report.frames.back().filename().string();
+    print(fmt::format("{}: {} x {} pixels ({:.1f} s)\n", files, report.width, report.height,
                       report.seconds));
   }
   return ExitStatus::done;
@@ -88,6 +96,7 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand("render", "Draw surfaces to a PNG, without a display");
   const auto options = std::make_shared<Options>();
+  options->app = &app;
   reads(common,
         app.add_option("INPUT", options->input,
                  "Surfaces or ridges (.vtp), or the mesh (.vtu, .pvtu, .vtk)"))
@@ -145,6 +154,7 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
   app.add_option("--direction", options->direction,
                  "With --tet: mark a medium eigenvector and the points that have it")
       ->type_name("X,Y,Z");
+  add_read_options(app, options->command.read);
   add_common_options(app, common);
   app.callback([options, &common, &action] {
     action = [options, &common] { return render(*options, common); };

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "program/progress_bar.hpp"
+#include "program/read_options.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "verify/verify_command.hpp"
@@ -32,11 +33,11 @@ void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& act
       ->capture_default_str();
   app.add_option("--input", command->input, "Try the fields of this mesh's tetrahedra instead")
       ->type_name("MESH");
-  app.add_option("--tensor", command->read.tensor, "Name of the mesh's tensor array")
-      ->type_name("NAME");
+  add_read_options(app, command->read);
   add_common_options(app, common);
-  app.callback([command, &common, &action] {
-    action = [command, &common] {
+  app.callback([command, &app, &common, &action] {
+    action = [command, &app, &common] {
+      if (command->input.empty()) refuse_read_options(app, "is about a mesh (--input)");
       ProgressBar bar(!common.quiet);
       const VerifyReport report = run_verify(*command, bar.callback());
       bar.erase();

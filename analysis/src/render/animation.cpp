@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/scalar/rational.hpp"
@@ -73,8 +74,8 @@ std::vector<ModeValue> parse_animation(std::string_view text) {
     fail(fmt::format("N must be a number of frames, 2 to {}", kMostFrames));
   std::vector<ModeValue> modes;
   try {
-    const auto from = to_scalar<Rational>(ModeValue::parse(text.substr(0, one)));
-    const auto to = to_scalar<Rational>(ModeValue::parse(text.substr(one + 1, two - one - 1)));
+    const auto from = to_scalar<Rational>(parse_mode(text.substr(0, one)));
+    const auto to = to_scalar<Rational>(parse_mode(text.substr(one + 1, two - one - 1)));
     for (std::size_t i = 0; i < frames; ++i) {
       const Rational share =
           Rational(static_cast<long>(i)) / Rational(static_cast<long>(frames - 1));

@@ -17,7 +17,9 @@
 #include "render/animation.hpp"
 #include "render/display_server.hpp"
 #include "render/render_subject.hpp"
+#include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_text.hpp"
 
@@ -137,6 +139,7 @@ void parse_view(std::string_view text, View& view) {
 RenderReport run_render(const RenderCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   check(command);
+  require_folder(command.output);
   if (is_film(command.output)) require_ffmpeg(command.output);
   if (progress) progress("reading", 0);
   RenderSubject subject(command);
@@ -161,6 +164,7 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
     throw IoError(IoError::Kind::unwritable, command.output, problem.what());
   }
   if (progress) progress("writing", 0.9);
+  FileGroup files;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const auto file =
         command.frames.empty() ? command.output : frame_file(command.output, i, pictures.size());
@@ -168,6 +172,7 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
     report.bytes += pictures[i].size();
     if (!command.frames.empty()) report.frames.push_back(file);
   }
+  files.commit();
   if (is_film(command.output)) {
     write_film(command.output, pictures);
     report.bytes += std::filesystem::file_size(command.output);

@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
     throw IoError(IoError::Kind::invalid, file, "is no readable .vtp file");
   }
   if (reader->GetOutput()->GetNumberOfPoints() == 0) {
-    throw IoError(IoError::Kind::invalid, file, "holds no points, so there is nothing to draw");
+    throw IoError(IoError::Kind::invalid, file, "holds no points");
   }
   return reader->GetOutput();
 }

@@ -6,11 +6,11 @@
 #include "cone_points.hpp"
 #include "cone_sheets.hpp"
 #include "extractor_scalars.hpp"
+#include "level_in_tet.hpp"
 #include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "tensortopo/extract/position.hpp"
-#include "tensortopo/extract/tet_geometry.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo {
@@ -179,7 +179,7 @@ Extraction Pipeline<Scalar>::assemble() {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto v = as_size(surface.triangles[i][k]);
       if (is_apex[v]) continue;
-      const auto at = level_slope(space.tensor(surface.points[v], tensors), level);
+      const auto at = level_slope(space.balanced_tensor(surface.points[v], tensors), level);
       gradients[i][k] = unit_or_zero(space.gradient(at.slope, tensors));
       sum += gradients[i][k];
     }
@@ -195,9 +195,8 @@ Extraction Pipeline<Scalar>::assemble() {
     surface.normal[id] = unit_or_zero(surface.normal[id]);
     if (is_apex[id]) return;
     const auto tet = as_size(first_tet[id]);
-    const auto t = geometry(tet).tensor(surface.points[id], narrow_tensors(tet));
-    const double p = norm_form(t);
-    surface.residual[id] = level_function(t, level) / (p * std::sqrt(p));
+    const auto t = geometry(tet).balanced_tensor(surface.points[id], narrow_tensors(tet));
+    surface.residual[id] = mode_difference(t, level);
     surface.dominant_eigenvector[id] = dominant_eigenvector(t, level);
   });
 

@@ -45,9 +45,7 @@ double LevelInTet::distance(const Vector3<double>& x) const {
 }
 
 double LevelInTet::residual(const Vector3<double>& x) const {
-  const auto t = tensor(x);
-  const double p = norm_form(t);
-  return level_function(t, *level_) / (p * std::sqrt(p));
+  return mode_difference(geometry_.balanced_tensor(x, tensors_), *level_);
 }
 
 std::optional<Vector3<double>> LevelInTet::on_level(Vector3<double> x, std::size_t across) const {

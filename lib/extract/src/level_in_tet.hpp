@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "tensortopo/extract/level.hpp"
@@ -10,6 +11,13 @@
 #include "tensortopo/extract/tet_geometry.hpp"
 
 namespace tensortopo {
+
+/// The mode of a tensor less the level's; 0 for the zero tensor, which has no mode (and for the
+/// tips of cones, which sit at one).
+inline double mode_difference(const Deviator<double>& t, const Level<double>& level) {
+  const double p = norm_form(t);
+  return p > 0 ? level_function(t, level) / (p * std::sqrt(p)) : 0;
+}
 
 /// The level of a tetrahedron's linear field as a function of the place, in double: for drawing.
 class LevelInTet {

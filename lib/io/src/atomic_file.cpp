@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <list>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/io_error.hpp"
 
 namespace tensortopo::detail {
@@ -27,6 +29,23 @@ void write_all(int descriptor, std::string_view bytes) {
   }
 }
 
+/// Names of temporary files, for a handler that may interrupt anything: entries are never changed
+/// but for the flag, nor freed.
+struct Noted {
+  std::string path;
+  std::atomic<bool> exists{true};
+  Noted* next = nullptr;
+};
+std::atomic<Noted*> noted{nullptr};
+
+Noted* note(const std::filesystem::path& path) {
+  auto* const entry = new Noted{path.string()};
+  entry->next = noted.load();
+  while (!noted.compare_exchange_weak(entry->next, entry)) {
+  }
+  return entry;
+}
+
 /// A file of a fresh name beside another, removed unless it is kept.
 class Temporary {
  public:
@@ -38,24 +57,29 @@ class Temporary {
       descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor_ < 0 && (errno != EEXIST || tries == 1000)) fail(errno);
     }
+    noted_ = note(path_);
   }
   ~Temporary() {
-    if (descriptor_ >= 0) close(descriptor_);
+    if (descriptor_ >= 0) ::close(descriptor_);
     std::error_code ignored;
     if (!path_.empty()) std::filesystem::remove(path_, ignored);
+    noted_->exists = false;
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
   int descriptor() const { return descriptor_; }
+  void close() {
+    if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+  }
   void become(const std::filesystem::path& file) {
-    if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
     std::filesystem::rename(path_, file);
     path_.clear();
   }
 
  private:
   std::filesystem::path path_;
+  Noted* noted_ = nullptr;
   int descriptor_ = -1;
 };
 
@@ -72,6 +96,27 @@ void write_in_place(const std::filesystem::path& file, std::string_view bytes) {
   if (close(descriptor) != 0) fail(errno);
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::error_code& why) {
+  throw IoError(IoError::Kind::unwritable, file, "cannot be written: " + why.message());
+}
+
+}  // namespace
+
+/// What a group has written, and where it belongs.
+struct UnfinishedFiles {
+  struct File {
+    File(const std::filesystem::path& as_given, const std::filesystem::path& target)
+        : given(as_given), place(target), temporary(target) {}
+    std::filesystem::path given, place;
+    Temporary temporary;
+  };
+  std::list<File> files;
+};
+
+namespace {
+
+thread_local UnfinishedFiles* current_group = nullptr;
+
 }  // namespace
 
 void write_atomically(const std::filesystem::path& file, std::string_view bytes) {
@@ -82,12 +127,42 @@ void write_atomically(const std::filesystem::path& file, std::string_view bytes)
     if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(file, bytes);
     // A link stays one: its target is replaced.
     const fs::path target = fs::exists(status) ? fs::canonical(file) : file;
-    Temporary temporary(target);
+    UnfinishedFiles alone;
+    UnfinishedFiles& group = current_group != nullptr ? *current_group : alone;
+    group.files.emplace_back(file, target);
+    Temporary& temporary = group.files.back().temporary;
     write_all(temporary.descriptor(), bytes);
-    temporary.become(target);
+    temporary.close();
+    if (current_group == nullptr) temporary.become(target);
   } catch (const std::system_error& error) {
-    throw IoError(IoError::Kind::unwritable, file, "cannot be written: " + error.code().message());
+    refuse(file, error.code());
   }
 }
 
 }  // namespace tensortopo::detail
+
+namespace tensortopo {
+
+FileGroup::FileGroup()
+    : files_(std::make_unique<detail::UnfinishedFiles>()),
+      outer_(std::exchange(detail::current_group, files_.get())) {}
+
+FileGroup::~FileGroup() { detail::current_group = outer_; }
+
+void FileGroup::commit() {
+  for (auto& file : files_->files) {
+    try {
+      file.temporary.become(file.place);
+    } catch (const std::system_error& error) {
+      detail::refuse(file.given, error.code());
+    }
+  }
+  files_->files.clear();
+}
+
+void remove_unfinished_files() noexcept {
+  for (auto* entry = detail::noted.load(); entry != nullptr; entry = entry->next)
+    if (entry->exists) unlink(entry->path.c_str());
+}
+
+}  // namespace tensortopo

@@ -148,6 +148,9 @@ const std::string& text_of(const Json& value) {
 
 std::string file_bytes(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
+  // A folder can be opened, but not read: peeking sets a flag where the iterator would throw.
+  if (stream.is_open()) stream.peek();
+  if (stream.bad()) throw Malformed(file, "cannot be read");
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.is_open() || stream.bad()) throw Malformed(file, "cannot be read");
   return bytes;

@@ -45,7 +45,7 @@ XmlFile::XmlFile(const std::string& file, const char* kind)
   if (root.attribute("type").value() != std::string_view(kind) || !data)
     fail(std::string("not of type ") + kind);
   if (root.attribute("byte_order").value() != std::string_view("LittleEndian"))
-    fail("not little-endian");
+    fail("not little-endian; such files are to be converted");
   const std::string compressor = root.attribute("compressor").value();
   zlib_ = !compressor.empty();
   if (zlib_ && compressor != "vtkZLibDataCompressor") fail("unknown compressor");

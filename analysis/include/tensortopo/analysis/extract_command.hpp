@@ -40,6 +40,11 @@ struct ExtractCommand {
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone
 };
 
+/// The mode that a person wrote, for surfaces and curves in double precision. Throws
+/// std::invalid_argument as ModeValue::parse does, and for a mode that no double tells from 1 or
+/// -1, whose surface would be a tube too thin to have triangles.
+ModeValue parse_mode(std::string_view text);
+
 /// Whether the mode is 1 or -1, exactly: where the field has it there are curves, not surfaces.
 bool is_degenerate(const ModeValue& mode);
 
@@ -53,8 +58,7 @@ void require_surface_extension(const std::filesystem::path& output, bool curves)
 /// Reads, extracts each mode's surface or curves, and writes all of them to one file.
 ///
 /// Laws      (1) the file depends on the input's bytes and the command only, not on the number of
-///           threads; (2) on failure no file is left, and one that was there is untouched (but if
-///           only the certificate cannot be written, the surface is).
+///           threads; (2) on failure no file is left, and those that were there are untouched.
 /// Throws    UsageError, IoError.
 ExtractReport run_extract(const ExtractCommand& command, const Progress& progress = {});
 

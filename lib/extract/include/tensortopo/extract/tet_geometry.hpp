@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "tensortopo/mesh/tet_mesh.hpp"
 #include "tensortopo/tensor/deviator.hpp"
@@ -29,7 +30,7 @@ class TetGeometry {
  public:
   /// @param exponents of the scaled tensors, see `ScaledField`
   TetGeometry(const std::array<Vector3<double>, 4>& points, const std::array<int, 4>& exponents)
-      : points_(points) {
+      : points_(points), exponents_(exponents) {
     // Gradient of coordinate i: the inward normal of the face opposite i over six volumes.
     constexpr std::array<std::array<std::size_t, 3>, 4> inward{
         {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
@@ -67,6 +68,30 @@ class TetGeometry {
     return tensor({weight(0, x), weight(1, x), weight(2, x), weight(3, x)}, scaled);
   }
 
+  /// The same, times a power of two that brings its largest coordinate between 1/2 and 2; zero
+  /// stays. Where tensors at the corners differ by hundreds of orders of magnitude, the forms of
+  /// the field in one scale underflow.
+  Deviator<double> balanced_tensor(const Vector3<double>& x,
+                                   const std::array<Deviator<double>, 4>& scaled) const {
+    std::array<double, 4> weights;
+    for (std::size_t i = 0; i < 4; ++i) weights[i] = weight(i, x);
+    // At a corner itself roundoff in the other weights may be more than all that it has.
+    for (std::size_t i = 0; i < 4; ++i)
+      if (x == points_[i]) weights = {}, weights[i] = 1;
+    int largest = std::numeric_limits<int>::min();
+    for (std::size_t i = 0; i < 4; ++i)
+      if (weights[i] != 0) largest = std::max(largest, std::ilogb(weights[i]) - exponents_[i]);
+    Deviator<double> t{};
+    for (std::size_t i = 0; i < 4; ++i)
+      if (weights[i] != 0) t = t + std::ldexp(weights[i], -exponents_[i] - largest) * scaled[i];
+    double size = 0;
+    for (const double c : {t.a, t.b, t.xy, t.yz, t.xz}) size = std::max(size, std::abs(c));
+    if (size == 0) return t;
+    const int shift = -std::ilogb(size);
+    const auto shifted = [&](double c) { return std::ldexp(c, shift); };
+    return {shifted(t.a), shifted(t.b), shifted(t.xy), shifted(t.yz), shifted(t.xz)};
+  }
+
   /// Gradient, in space, of a function with this slope in the tensor.
   Vector3<double> gradient(const SymmetricTensor<double>& slope,
                            const std::array<Deviator<double>, 4>& scaled) const {
@@ -98,6 +123,7 @@ class TetGeometry {
 
  private:
   std::array<Vector3<double>, 4> points_;
+  std::array<int, 4> exponents_;
   std::array<Vector3<double>, 4> gradient_;
   std::array<double, 4> scale_;
   double six_volumes_ = 0;
