@@ -47,12 +47,6 @@ Simplex<Count> drawn_simplex(Random& random, int kind) {
   return result;
 }
 
-std::vector<Instructions> all_instructions() {
-  std::vector<Instructions> all{Instructions::any};
-  if (best_instructions() != Instructions::any) all.push_back(best_instructions());
-  return all;
-}
-
 template <class Numbers>
 bool same_bits(const Numbers& a, const Numbers& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -70,17 +64,15 @@ void expect_proofs_of_one(std::uint64_t seed, int count) {
     const auto level = make_level<double>(mode);
     std::vector<Simplex<Vertices>> simplices(static_cast<std::size_t>(random.integer(1, 9)));
     for (auto& s : simplices) s = drawn_simplex<Vertices>(random, random.integer(0, 1000));
-    for (const auto instructions : all_instructions()) {
-      std::vector<SimplexProof<double, Vertices>> proofs(simplices.size());
-      prove_simplices<Vertices>(simplices, level, proofs, instructions);
-      for (std::size_t i = 0; i < simplices.size(); ++i) {
-        const auto expected = prove_simplex(simplices[i], level);
-        ASSERT_EQ(proofs[i].kind, expected.kind) << "trial " << trial << ", simplex " << i;
-        ASSERT_EQ(proofs[i].hidden_by_rounding, expected.hidden_by_rounding) << "trial " << trial;
-        ASSERT_TRUE(same_bits(proofs[i].direction, expected.direction))
-            << "trial " << trial << ", simplex " << i << " of " << simplices.size();
-        ++(expected.kind == SimplexProof<double, Vertices>::Kind::monotone ? monotone : other);
-      }
+    std::vector<SimplexProof<double, Vertices>> proofs(simplices.size());
+    prove_simplices<Vertices>(simplices, level, proofs);
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      const auto expected = prove_simplex(simplices[i], level);
+      ASSERT_EQ(proofs[i].kind, expected.kind) << "trial " << trial << ", simplex " << i;
+      ASSERT_EQ(proofs[i].hidden_by_rounding, expected.hidden_by_rounding) << "trial " << trial;
+      ASSERT_TRUE(same_bits(proofs[i].direction, expected.direction))
+          << "trial " << trial << ", simplex " << i << " of " << simplices.size();
+      ++(expected.kind == SimplexProof<double, Vertices>::Kind::monotone ? monotone : other);
     }
   }
   std::cout << Vertices << " vertices: " << monotone << " monotone, " << other << " not\n";
@@ -88,15 +80,12 @@ void expect_proofs_of_one(std::uint64_t seed, int count) {
   EXPECT_GT(other, count / 2);
 }
 
-TEST(LaneKernels, ProveTrianglesAsOneByOne) {
-  expect_proofs_of_one<3>(20240411, trials(1500));
-}
-TEST(LaneKernels, ProveTetrahedraAsOneByOne) {
-  expect_proofs_of_one<4>(20240412, trials(1500));
-}
+TEST(LaneKernels, ProveTrianglesAsOneByOne) { expect_proofs_of_one<3>(20240411, trials(1500)); }
+TEST(LaneKernels, ProveTetrahedraAsOneByOne) { expect_proofs_of_one<4>(20240412, trials(1500)); }
 
 // A crossing is that of `edge_crossings`; most edges have one that is found so.
 TEST(LaneKernels, CrossEdgesAsOneByOne) {
+  if (!has_lanes()) GTEST_SKIP() << "no AVX2";
   const std::uint64_t seed = 20240413;
   SCOPED_TRACE(announce(seed));
   Random random(seed);
@@ -114,29 +103,27 @@ TEST(LaneKernels, CrossEdgesAsOneByOne) {
       edges.push_back(ends);
       rising.push_back(second == Verdict::positive);
     }
-    for (const auto instructions : all_instructions()) {
-      std::vector<double> weights(edges.size(), -2);
-      single_crossings(edges, rising, level, weights, instructions);
-      for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (weights[i] == -1) {
-          ++left;
-          continue;
-        }
-        ++found;
-        // The bits of the field are not asked for where double decides.
-        const SymmetricTensor<double> none{};
-        LevelSimplex<double, 2> edge;
-        edge.tensors = edges[i];
-        edge.above = {rising[i] == 0, rising[i] != 0};
-        edge.exact = {&none, &none};
-        const auto expected = edge_crossings(edge, level);
-        ASSERT_TRUE(expected) << "trial " << trial;
-        ASSERT_EQ(expected->size(), 1u) << "trial " << trial;
-        ASSERT_EQ((*expected)[0].rising, rising[i] != 0);
-        ASSERT_TRUE(same_bits(std::array{weights[i]}, std::array{(*expected)[0].weight}))
-            << "trial " << trial << ": " << exact_text(weights[i]) << " instead of "
-            << exact_text((*expected)[0].weight);
+    std::vector<double> weights(edges.size(), -2);
+    single_crossings(edges, rising, level, weights);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (weights[i] == -1) {
+        ++left;
+        continue;
       }
+      ++found;
+      // The bits of the field are not asked for where double decides.
+      const SymmetricTensor<double> none{};
+      LevelSimplex<double, 2> edge;
+      edge.tensors = edges[i];
+      edge.above = {rising[i] == 0, rising[i] != 0};
+      edge.exact = {&none, &none};
+      const auto expected = edge_crossings(edge, level);
+      ASSERT_TRUE(expected) << "trial " << trial;
+      ASSERT_EQ(expected->size(), 1u) << "trial " << trial;
+      ASSERT_EQ((*expected)[0].rising, rising[i] != 0);
+      ASSERT_TRUE(same_bits(std::array{weights[i]}, std::array{(*expected)[0].weight}))
+          << "trial " << trial << ": " << exact_text(weights[i]) << " instead of "
+          << exact_text((*expected)[0].weight);
     }
   }
   std::cout << found << " crossings found, " << left << " edges left\n";

@@ -10,20 +10,17 @@
 
 namespace tensortopo {
 
-/// The instructions that a kernel may use. What it returns does not depend on them.
-enum class Instructions { any, avx2 };
+/// Whether this processor, and this build, compute four at a time (AVX2). Results do not depend on
+/// it.
+bool has_lanes();
 
-/// The best that this processor has, and this build.
-Instructions best_instructions();
-
-/// `prove_simplex(tensors[i], level)` of several triangles or tetrahedra, bit for bit: those between
-/// whose vertices the level passes four at a time, as far as the first direction proves them.
+/// `prove_simplex(tensors[i], level)` of several triangles or tetrahedra, bit for bit. Where
+/// there are lanes, those between whose vertices the level passes are tried four at a time.
 ///
 /// @param proofs  as many as tensors
 template <std::size_t Vertices>
 void prove_simplices(std::span<const std::array<Deviator<double>, Vertices>> tensors,
-                     const Level<double>& level, std::span<SimplexProof<double, Vertices>> proofs,
-                     Instructions instructions = best_instructions());
+                     const Level<double>& level, std::span<SimplexProof<double, Vertices>> proofs);
 
 /// The crossing of each of several edges whose ends are on different sides of the level, if it is
 /// proved to be the only one without a cut: the weight of the second end, bit for bit that of
@@ -31,9 +28,9 @@ void prove_simplices(std::span<const std::array<Deviator<double>, Vertices>> ten
 ///
 /// @param ends    in the order of the edge's vertices
 /// @param rising  of each, whether the mode is larger at the second end
-/// @param weights as many as edges; -1 where more is needed to tell
+/// @param weights as many as edges; -1 where more is needed to tell, everywhere without lanes
 void single_crossings(std::span<const std::array<Deviator<double>, 2>> ends,
                       std::span<const char> rising, const Level<double>& level,
-                      std::span<double> weights, Instructions instructions = best_instructions());
+                      std::span<double> weights);
 
 }  // namespace tensortopo

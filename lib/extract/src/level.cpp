@@ -32,7 +32,7 @@ Level<Scalar> make_level(const ModeValue& value) {
 
 template <class Scalar>
 LevelSlope<Scalar> level_slope(const Deviator<Scalar>& t, const Level<Scalar>& level) {
-  return detail::slope_at(t, level);
+  return detail::slope_at<LevelSlope<Scalar>>(t, level);
 }
 
 namespace {

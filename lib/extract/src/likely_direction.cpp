@@ -53,8 +53,7 @@ std::array<double, Vertices> DirectionSearch<Vertices>::run(int step, int steps)
     const double shift = std::min(weight[most], (growth[most] - growth[least]) / gap);
     weight[least] += shift;
     weight[most] -= shift;
-    for (std::size_t i = 0; i < Vertices; ++i)
-      d[i] += shift * (unit[i][least] - unit[i][most]);
+    for (std::size_t i = 0; i < Vertices; ++i) d[i] += shift * (unit[i][least] - unit[i][most]);
   }
   double largest = 0;
   for (const double x : d) largest = std::max(largest, std::abs(x));

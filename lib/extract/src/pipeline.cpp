@@ -178,8 +178,7 @@ template <class Scalar>
 void Pipeline<Scalar>::find_crossings() {
   crossings_.assign(complex_.edges.size(), std::nullopt);
   edge_moved_.assign(complex_.edges.size(), 0);
-  parallel_blocks(options_, "edges", complex_.edges.size(), 512, CrossingBlock<Scalar>::size,
-                  [&](std::size_t begin, std::size_t end) {
+  const auto find = [&](std::size_t begin, std::size_t end) {
     CrossingBlock<Scalar> single;
     for (std::size_t e = begin; e < end; ++e) {
       const auto& v = complex_.edges[e];
@@ -196,7 +195,8 @@ void Pipeline<Scalar>::find_crossings() {
       count_predicate(Tier::fast);
       crossings_[e].emplace(1, *crossing);
     }
-  });
+  };
+  parallel_blocks(options_, "edges", complex_.edges.size(), 512, CrossingBlock<Scalar>::size, find);
 }
 
 template <class Scalar>
@@ -256,14 +256,15 @@ template <class Scalar>
 void Pipeline<Scalar>::trace_faces() {
   arcs_.resize(complex_.faces.size());
   face_moved_.assign(complex_.faces.size(), 0);
-  parallel_blocks(options_, "faces", complex_.faces.size(), 256, ProofBlock<Scalar, 3>::size,
-                  [&](std::size_t begin, std::size_t end) {
+  const auto trace = [&](std::size_t begin, std::size_t end) {
     ProofBlock<Scalar, 3> proofs;
     for (std::size_t f = begin; f < end; ++f)
       if (is_crossed(complex_.faces[f])) proofs.want(f - begin, complex_.faces[f], field_.tensors);
     proofs.make(level_);
     for (std::size_t f = begin; f < end; ++f) trace_face(f, proofs.of(f - begin));
-  });
+  };
+  parallel_blocks(options_, "faces", complex_.faces.size(), 256, ProofBlock<Scalar, 3>::size,
+                  trace);
 }
 
 template <class Scalar>
@@ -390,14 +391,14 @@ bool Pipeline<Scalar>::plan_one(std::size_t t, const SimplexProof<Scalar, 4>* pr
 
 template <class Scalar>
 void Pipeline<Scalar>::plan_tets() {
-  parallel_blocks(options_, "tetrahedra", tets_.size(), 64, ProofBlock<Scalar, 4>::size,
-                  [&](std::size_t begin, std::size_t end) {
+  const auto plan = [&](std::size_t begin, std::size_t end) {
     ProofBlock<Scalar, 4> proofs;
     for (std::size_t t = begin; t < end; ++t)
       if (is_crossed(vertices_of(t))) proofs.want(t - begin, vertices_of(t), field_.tensors);
     proofs.make(level_);
     for (std::size_t t = begin; t < end; ++t) plan_one(t, proofs.of(t - begin));
-  });
+  };
+  parallel_blocks(options_, "tetrahedra", tets_.size(), 64, ProofBlock<Scalar, 4>::size, plan);
 }
 
 template <class Scalar>

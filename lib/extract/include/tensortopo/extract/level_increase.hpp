@@ -94,8 +94,8 @@ BarycentricPolynomial<Scalar, Vertices, 4> side_form(const ModeForms<Scalar, Ver
   return side_form(forms, RootBounds<Scalar, Vertices>(forms, bounds), level, above);
 }
 
-/// Derivative by one of the coordinates: as `derivative` along its unit vector, whose zeros cost more
-/// than the rest.
+/// Derivative by one of the coordinates: as `derivative` along its unit vector, whose zeros cost
+/// more than the rest.
 template <class Scalar, std::size_t Vertices, std::size_t Degree>
 BarycentricPolynomial<Scalar, Vertices, Degree - 1> partial_derivative(
     const BarycentricPolynomial<Scalar, Vertices, Degree>& p, std::size_t coordinate) {
@@ -136,10 +136,11 @@ struct LevelIncrease {
     for (std::size_t i = 0; i < Vertices; ++i) {
       const Cubic rise = Scalar(2) * (root.l * partial_derivative(forms.determinant, i));
       const auto fall = factor * partial_derivative(forms.norm, i);
-      const Cubic low = rise - root.chord * fall, high = rise - root.tangent * fall;
-      std::copy(low.coefficients.begin(), low.coefficients.end(), along[i].begin());
-      std::copy(high.coefficients.begin(), high.coefficients.end(),
-                along[i].begin() + Cubic::size);
+      const Cubic low = root.chord * fall, high = root.tangent * fall;
+      for (std::size_t k = 0; k < Cubic::size; ++k) {
+        along[i][k] = rise.coefficients[k] - low.coefficients[k];
+        along[i][Cubic::size + k] = rise.coefficients[k] - high.coefficients[k];
+      }
     }
   }
 
