@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <map>
+#include <span>
 #include <vector>
 
+#include "lane_kernels.hpp"
 #include "tensortopo/extract/edge_crossings.hpp"
 #include "tensortopo/extract/face_curves.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
@@ -102,6 +104,45 @@ void proof(benchmark::State& state) {
 }
 BENCHMARK(proof<3>)->Name("face_proof");
 BENCHMARK(proof<4>)->Name("tetrahedron_proof");
+
+template <std::size_t Vertices>
+std::vector<std::array<Deviator<double>, Vertices>> vertex_tensors() {
+  std::vector<std::array<Deviator<double>, Vertices>> all;
+  for (const auto& simplex : simplices<Vertices>()) all.push_back(simplex.tensors);
+  return all;
+}
+
+// The same with lanes, 64 simplices a call; an iteration is still one simplex.
+constexpr std::size_t kBlock = 64;
+
+template <std::size_t Vertices>
+void proof_in_lanes(benchmark::State& state) {
+  const auto all = vertex_tensors<Vertices>();
+  std::vector<SimplexProof<double, Vertices>> proofs(kBlock);
+  std::size_t i = 0;
+  while (state.KeepRunningBatch(kBlock)) {
+    prove_simplices<Vertices>(std::span(all).subspan(i, kBlock), shared_case().level, proofs);
+    benchmark::DoNotOptimize(proofs.data());
+    i = i + 2 * kBlock <= all.size() ? i + kBlock : 0;
+  }
+}
+BENCHMARK(proof_in_lanes<3>)->Name("face_proof_in_lanes");
+BENCHMARK(proof_in_lanes<4>)->Name("tetrahedron_proof_in_lanes");
+
+void edge_crossings_in_lanes(benchmark::State& state) {
+  const auto ends = vertex_tensors<2>();
+  std::vector<char> rising;
+  for (const auto& edge : simplices<2>()) rising.push_back(edge.above[1]);
+  std::vector<double> weights(kBlock);
+  std::size_t i = 0;
+  while (state.KeepRunningBatch(kBlock)) {
+    single_crossings(std::span(ends).subspan(i, kBlock), std::span(rising).subspan(i, kBlock),
+                     shared_case().level, weights);
+    benchmark::DoNotOptimize(weights.data());
+    i = i + 2 * kBlock <= ends.size() ? i + kBlock : 0;
+  }
+}
+BENCHMARK(edge_crossings_in_lanes);
 
 void manifold_lifting(benchmark::State& state) {
   const Case& c = shared_case();

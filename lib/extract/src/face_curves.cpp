@@ -204,8 +204,16 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
     const LevelSimplex<Scalar, 3>& triangle,
     const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
     const Level<Scalar>& level, const Sampling& sampling, Effort effort) {
+  return face_curves_by<Scalar>(nullptr, triangle, crossings, level, sampling, effort);
+}
+
+template <class Scalar>
+std::optional<std::vector<FaceArc<Scalar>>> face_curves_by(
+    const SimplexProof<Scalar, 3>* known, const LevelSimplex<Scalar, 3>& triangle,
+    const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
+    const Level<Scalar>& level, const Sampling& sampling, Effort effort) {
   std::vector<FaceArc<Scalar>> arcs;
-  if (arcs_of_graph(triangle, crossings, level, arcs)) {
+  if (arcs_of_graph(triangle, crossings, level, arcs, known)) {
     for (auto& arc : arcs) sample_arc(arc, level, sampling);
     return arcs;
   }
@@ -218,6 +226,10 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                             \
+  template std::optional<std::vector<FaceArc<Scalar>>> face_curves_by(                             \
+      const SimplexProof<Scalar, 3>*, const LevelSimplex<Scalar, 3>&,                              \
+      const std::array<std::span<const EdgeCrossing<Scalar>>, 3>&, const Level<Scalar>&,           \
+      const Sampling&, Effort);                                                                    \
   template std::optional<std::vector<FaceArc<Scalar>>> face_curves(                                \
       const LevelSimplex<Scalar, 3>&, const std::array<std::span<const EdgeCrossing<Scalar>>, 3>&, \
       const Level<Scalar>&, const Sampling&, Effort);

@@ -118,11 +118,12 @@ Sweep::Arcs joined(const LevelSimplex<Scalar, 3>& triangle,
 template <class Scalar>
 bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
                    const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
-                   const Level<Scalar>& level, std::vector<FaceArc<Scalar>>& arcs) {
+                   const Level<Scalar>& level, std::vector<FaceArc<Scalar>>& arcs,
+                   const SimplexProof<Scalar, 3>* known) {
   std::size_t count = 0;
   for (const auto& edge : crossings) count += edge.size();
   if (count % 2 != 0 || count > kMostCrossings) return false;
-  const auto proof = prove_simplex(triangle.tensors, level);
+  const auto proof = known != nullptr ? *known : prove_simplex(triangle.tensors, level);
   using Kind = typename SimplexProof<Scalar, 3>::Kind;
   if (proof.kind == Kind::none) return false;
   if (count == 0) return true;
@@ -164,7 +165,8 @@ bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                           \
   template bool arcs_of_graph(const LevelSimplex<Scalar, 3>&,                                    \
                               const std::array<std::span<const EdgeCrossing<Scalar>>, 3>&,       \
-                              const Level<Scalar>&, std::vector<FaceArc<Scalar>>&);
+                              const Level<Scalar>&, std::vector<FaceArc<Scalar>>&,               \
+                              const SimplexProof<Scalar, 3>*);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,10 +18,19 @@ namespace tensortopo {
 /// above it, and it never enters above and leaves below.
 ///
 /// @param arcs  receives them, without samples
+/// @param known  the proof, if it has been made
 /// @return false if there is no such proof, or the crossings can be joined in several ways
 template <class Scalar>
 bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
                    const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
-                   const Level<Scalar>& level, std::vector<FaceArc<Scalar>>& arcs);
+                   const Level<Scalar>& level, std::vector<FaceArc<Scalar>>& arcs,
+                   const SimplexProof<Scalar, 3>* known = nullptr);
+
+/// `face_curves`, of a face whose proof as a whole has been made.
+template <class Scalar>
+std::optional<std::vector<FaceArc<Scalar>>> face_curves_by(
+    const SimplexProof<Scalar, 3>* known, const LevelSimplex<Scalar, 3>& triangle,
+    const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
+    const Level<Scalar>& level, const Sampling& sampling, Effort effort = Effort::usual);
 
 }  // namespace tensortopo

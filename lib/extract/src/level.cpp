@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "tensortopo/extract/mode_forms.hpp"
 #include "extractor_scalars.hpp"
+#include "level_slope.hpp"
 
 namespace tensortopo {
 
@@ -32,16 +32,7 @@ Level<Scalar> make_level(const ModeValue& value) {
 
 template <class Scalar>
 LevelSlope<Scalar> level_slope(const Deviator<Scalar>& t, const Level<Scalar>& level) {
-  using std::sqrt;
-  const auto m = thrice(t);  // Q = det m, P = |m|^2 / 3
-  const Scalar p = norm_form(t);
-  const Scalar root = sqrt(p);
-  const auto adjugate = detail::polar_adjugate(m, m);  // twice the adjugate
-  LevelSlope<Scalar> result;
-  result.value = level.sqrt2 * (inner(adjugate, m) / Scalar(6)) - level.mu * p * root;
-  // dQ = <adj m, dm>, dP = (2/3) <m, dm>, d P^(3/2) = (3/2) sqrt(P) dP.
-  result.slope = (level.sqrt2 / Scalar(2)) * adjugate - (level.mu * root) * m;
-  return result;
+  return detail::slope_at<LevelSlope<Scalar>>(t, level);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <mutex>
@@ -15,21 +16,40 @@
 
 namespace tensortopo {
 
-/// Runs a body for each index in parallel, and reports how far it is. The bodies write to places
-/// of their own, so the result does not depend on the number of threads. Error bounds hold for
-/// rounding to nearest, whatever the caller has set.
+/// Runs a body for the indices in parallel, from the first of some to the one after their last, and
+/// reports how far it is. The bodies write to places of their own, so the result does not depend on
+/// the number of threads. Error bounds hold for rounding to nearest, whatever the caller has set.
 template <class Body>
-void parallel_stage(const ExtractOptions& options, std::string_view name, std::size_t count,
-                    std::size_t grain, const Body& body) {
+void parallel_ranges(const ExtractOptions& options, std::string_view name, std::size_t count,
+                     std::size_t grain, const Body& body) {
   std::atomic<std::size_t> done{0};
   std::mutex mutex;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
     const FloatingPointEnvironment environment;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+    body(range.begin(), range.end());
     if (!options.progress) return;
     done += range.size();
     if (const std::unique_lock lock(mutex, std::try_to_lock); lock)
       options.progress(name, static_cast<double>(done) / static_cast<double>(count));
+  });
+}
+
+/// The same with a body for one index.
+template <class Body>
+void parallel_stage(const ExtractOptions& options, std::string_view name, std::size_t count,
+                    std::size_t grain, const Body& body) {
+  parallel_ranges(options, name, count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) body(i);
+  });
+}
+
+/// The same with a body for at most `block` indices in a row.
+template <class Body>
+void parallel_blocks(const ExtractOptions& options, std::string_view name, std::size_t count,
+                     std::size_t grain, std::size_t block, const Body& body) {
+  parallel_ranges(options, name, count, grain, [&](std::size_t begin, std::size_t end) {
+    for (; begin != end; begin += std::min(block, end - begin))
+      body(begin, begin + std::min(block, end - begin));
   });
 }
 

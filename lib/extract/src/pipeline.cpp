@@ -11,8 +11,11 @@
 
 #include "count_predicate.hpp"
 #include "extractor_scalars.hpp"
+#include "graph_arcs.hpp"
 #include "level_strata.hpp"
 #include "parallel_stage.hpp"
+#include "plan_by_leaves.hpp"
+#include "proof_block.hpp"
 #include "thin_sheets.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tensortopo/extract/position.hpp"
@@ -169,31 +172,55 @@ template <class Scalar>
 void Pipeline<Scalar>::find_crossings() {
   crossings_.assign(complex_.edges.size(), std::nullopt);
   edge_moved_.assign(complex_.edges.size(), 0);
-  parallel_stage(options_, "edges", complex_.edges.size(), 512, [&](std::size_t e) {
-    const auto& v = complex_.edges[e];
-    if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])]) {
-      crossings_[e].emplace();  // the mode is constant on the edge, or undefined
-      return;
+  const auto find = [&](std::size_t begin, std::size_t end) {
+    CrossingBlock<Scalar> single;
+    for (std::size_t e = begin; e < end; ++e) {
+      const auto& v = complex_.edges[e];
+      if (is_crossed(v) && !keeps_off(v))
+        single.want(e - begin, v, field_.tensors, above_[as_size(v[1])]);
     }
-    if (is_clear(v)) {
+    single.make(level_);
+    for (std::size_t e = begin; e < end; ++e) {
+      const auto crossing = single.of(e - begin);
+      if (!crossing) {
+        find_crossings_of(e);
+        continue;
+      }
       count_predicate(Tier::fast);
-      crossings_[e].emplace();
-      return;
+      crossings_[e].emplace(1, *crossing);
     }
-    const auto edge = field_.template simplex<2>(v, above_);
-    const bool keeps_off = on_level_[as_size(v[0])] == OnLevel::kept_off ||
-                           on_level_[as_size(v[1])] == OnLevel::kept_off;
-    if (!keeps_off) crossings_[e] = edge_crossings(edge, level_);
-    if (crossings_[e]) return;
-    const auto tensors = tensors_of(v);
-    if (keeps_off || nearby_levels_.is_close_to_critical(tensors))
-      if (const auto* level = nearby_levels_.level_for(tensors))
-        crossings_[e] = edge_crossings(edge, *level);
-    edge_moved_[e] = crossings_[e].has_value();
-    if (keeps_off && !crossings_[e]) crossings_[e] = edge_crossings(edge, level_);
-  });
+  };
+  parallel_blocks(options_, "edges", complex_.edges.size(), 512, CrossingBlock<Scalar>::size, find);
 }
 
+template <class Scalar>
+bool Pipeline<Scalar>::keeps_off(const std::array<Index, 2>& edge) const {
+  return on_level_[as_size(edge[0])] == OnLevel::kept_off ||
+         on_level_[as_size(edge[1])] == OnLevel::kept_off;
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::find_crossings_of(std::size_t e) {
+  const auto& v = complex_.edges[e];
+  if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])]) {
+    crossings_[e].emplace();  // the mode is constant on the edge, or undefined
+    return;
+  }
+  if (is_clear(v)) {
+    count_predicate(Tier::fast);
+    crossings_[e].emplace();
+    return;
+  }
+  const auto edge = field_.template simplex<2>(v, above_);
+  if (!keeps_off(v)) crossings_[e] = edge_crossings(edge, level_);
+  if (crossings_[e]) return;
+  const auto tensors = tensors_of(v);
+  if (keeps_off(v) || nearby_levels_.is_close_to_critical(tensors))
+    if (const auto* level = nearby_levels_.level_for(tensors))
+      crossings_[e] = edge_crossings(edge, *level);
+  edge_moved_[e] = crossings_[e].has_value();
+  if (keeps_off(v) && !crossings_[e]) crossings_[e] = edge_crossings(edge, level_);
+}
 
 template <class Scalar>
 LevelSimplex<Scalar, 3> Pipeline<Scalar>::face_simplex(std::size_t f) const {
@@ -223,35 +250,46 @@ template <class Scalar>
 void Pipeline<Scalar>::trace_faces() {
   arcs_.resize(complex_.faces.size());
   face_moved_.assign(complex_.faces.size(), 0);
-  parallel_stage(options_, "faces", complex_.faces.size(), 256, [&](std::size_t f) {
-    std::array<std::span<const EdgeCrossing<Scalar>>, 3> crossings;
-    for (std::size_t e = 0; e < 3; ++e) {
-      const auto edge = as_size(complex_.face_edges[f][e]);
-      if (!crossings_[edge]) return;
-      crossings[e] = *crossings_[edge];
-      face_moved_[f] |= edge_moved_[edge];
-    }
-    const auto& v = complex_.faces[f];
-    if (!face_moved_[f] && crossings[0].empty() && crossings[1].empty() && crossings[2].empty() &&
-        is_clear(v)) {
-      arcs_[f].emplace();
-      return;
-    }
-    if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])] ||
-        field_.is_zero[as_size(v[2])]) {
-      arcs_[f].emplace();  // straight lines, which their tetrahedra draw
-      return;
-    }
-    // Where the deviator vanishes no subdivision would end.
-    if (vanishes_inside(v)) return;
-    if (!face_moved_[f])
-      arcs_[f] = face_curves(face_simplex(f), crossings, level_, sampling_on(f));
-    if (!arcs_[f]) trace_nearby(f);
-    // Not next to a critical value: small cells, then.
-    if (!arcs_[f] && !face_moved_[f] && is_thin(level_))
-      arcs_[f] =
-          face_curves(face_simplex(f), crossings, level_, sampling_on(f), Effort::great);
-  });
+  const auto trace = [&](std::size_t begin, std::size_t end) {
+    ProofBlock<Scalar, 3> proofs;
+    for (std::size_t f = begin; f < end; ++f)
+      if (is_crossed(complex_.faces[f])) proofs.want(f - begin, complex_.faces[f], field_.tensors);
+    proofs.make(level_);
+    for (std::size_t f = begin; f < end; ++f) trace_face(f, proofs.of(f - begin));
+  };
+  parallel_blocks(options_, "faces", complex_.faces.size(), 256, ProofBlock<Scalar, 3>::size,
+                  trace);
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::trace_face(std::size_t f, const SimplexProof<Scalar, 3>* proof) {
+  std::array<std::span<const EdgeCrossing<Scalar>>, 3> crossings;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const auto edge = as_size(complex_.face_edges[f][e]);
+    if (!crossings_[edge]) return;
+    crossings[e] = *crossings_[edge];
+    face_moved_[f] |= edge_moved_[edge];
+  }
+  const auto& v = complex_.faces[f];
+  if (!face_moved_[f] && crossings[0].empty() && crossings[1].empty() && crossings[2].empty() &&
+      is_clear(v)) {
+    arcs_[f].emplace();
+    return;
+  }
+  if (field_.is_zero[as_size(v[0])] || field_.is_zero[as_size(v[1])] ||
+      field_.is_zero[as_size(v[2])]) {
+    arcs_[f].emplace();  // straight lines, which their tetrahedra draw
+    return;
+  }
+  // Where the deviator vanishes no subdivision would end.
+  if (vanishes_inside(v)) return;
+  if (!face_moved_[f])
+    arcs_[f] = face_curves_by(proof, face_simplex(f), crossings, level_, sampling_on(f));
+  if (!arcs_[f]) trace_nearby(f);
+  // Not next to a critical value: small cells, then.
+  if (!arcs_[f] && !face_moved_[f] && is_thin(level_))
+    arcs_[f] =
+        face_curves_by(proof, face_simplex(f), crossings, level_, sampling_on(f), Effort::great);
 }
 
 /// The curves of a face at a nearby level. Its edges have as many crossings there.
@@ -313,7 +351,7 @@ UnresolvedReason Pipeline<Scalar>::unproved(std::size_t t) const {
 }
 
 template <class Scalar>
-bool Pipeline<Scalar>::plan_one(std::size_t t) {
+bool Pipeline<Scalar>::plan_one(std::size_t t, const SimplexProof<Scalar, 4>* proof) {
   if (zero_corners(vertices_of(t)) != 0) return plan_cone(t);
   auto& state = tets_[t];
   bool any = false, moved = false;
@@ -327,7 +365,7 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
   }
   if (!any) return false;
   const auto tet = tet_with_curves(t);
-  if (!moved) state.plan = plan_tet(tet, level_);
+  if (!moved) state.plan = plan_tet_by(proof, tet, level_);
   if (!state.plan) {
     const auto tensors = tensors_of(vertices_of(t));
     if (moved || nearby_levels_.is_close_to_critical(tensors))
@@ -336,7 +374,7 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
       state.plan = plan_tet(tet, *state.level, nearby_levels_.far_level_for(tensors));
   }
   if (!state.plan && !moved && state.level == nullptr && is_thin(level_))
-    state.plan = plan_tet<Scalar>(tet, level_, nullptr, Effort::great);
+    state.plan = plan_tet_by<Scalar>(proof, tet, level_, nullptr, Effort::great);
   if (!state.plan) state.unresolved = unproved(t);
   if (state.plan && !state.plan->tubes.empty()) {
     state.manifold = tet_manifold(tet, level_of(t));
@@ -347,7 +385,14 @@ bool Pipeline<Scalar>::plan_one(std::size_t t) {
 
 template <class Scalar>
 void Pipeline<Scalar>::plan_tets() {
-  parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) { plan_one(t); });
+  const auto plan = [&](std::size_t begin, std::size_t end) {
+    ProofBlock<Scalar, 4> proofs;
+    for (std::size_t t = begin; t < end; ++t)
+      if (is_crossed(vertices_of(t))) proofs.want(t - begin, vertices_of(t), field_.tensors);
+    proofs.make(level_);
+    for (std::size_t t = begin; t < end; ++t) plan_one(t, proofs.of(t - begin));
+  };
+  parallel_blocks(options_, "tetrahedra", tets_.size(), 64, ProofBlock<Scalar, 4>::size, plan);
 }
 
 template <class Scalar>

@@ -50,16 +50,19 @@ class Pipeline {
   /// Of a vertex of the mesh.
   enum class OnLevel : char { no, drawn_through, kept_off };
 
+  bool keeps_off(const std::array<Index, 2>& edge) const;
   void classify_vertices();
   void screen();
   bool may_be_crossed_from_zero(const std::array<Index, 4>& tet) const;
   void find_crossings();
+  void find_crossings_of(std::size_t e);
   void trace_faces();
+  void trace_face(std::size_t f, const SimplexProof<Scalar, 3>* proof);
   void trace_nearby(std::size_t f);
   void plan_tets();
   bool vanishes_inside(const std::array<Index, 3>& face) const;
   UnresolvedReason unproved(std::size_t t) const;
-  bool plan_one(std::size_t t);
+  bool plan_one(std::size_t t, const SimplexProof<Scalar, 4>* proof);
   bool plan_cone(std::size_t t);
   void try_next_method(std::size_t t);
   void number_edge_vertices();
@@ -112,6 +115,18 @@ class Pipeline {
         return false;
     }
     return true;
+  }
+
+  /// Whether the level passes between the vertices, none of which is without deviator.
+  template <std::size_t Count>
+  bool is_crossed(const std::array<Index, Count>& vertices) const {
+    bool crossed = false;
+    for (const Index w : vertices) {
+      const auto v = static_cast<std::size_t>(w);
+      if (field_.is_zero[v]) return false;
+      crossed |= above_[v] != above_[static_cast<std::size_t>(vertices[0])];
+    }
+    return crossed;
   }
 
   /// The corners of a tetrahedron without deviator, as bits.

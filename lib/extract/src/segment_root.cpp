@@ -3,6 +3,7 @@
 #include "tensortopo/extract/segment_root.hpp"
 
 #include "extractor_scalars.hpp"
+#include "level_slope.hpp"
 
 namespace tensortopo {
 
@@ -33,7 +34,7 @@ Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above
   Scalar t = -f0 / (f1 - f0);
   if (!(t > lo && t < hi)) t = half * (lo + hi);
   for (int iteration = 0; iteration < 400; ++iteration) {
-    const auto at = level_slope(below + t * step, level);
+    const auto at = detail::slope_at<LevelSlope<Scalar>>(below + t * step, level);
     if (at.value < Scalar(0))
       lo = t;
     else if (at.value > Scalar(0))

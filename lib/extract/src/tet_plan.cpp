@@ -241,11 +241,12 @@ namespace {
 /// The loops, and the sheets if the level is a graph in the whole tetrahedron.
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_at_once(const TetWithCurves<Scalar>& tet,
-                                            const Level<Scalar>& level) {
+                                            const Level<Scalar>& level,
+                                            const SimplexProof<Scalar, 4>* known = nullptr) {
   TetPlan<Scalar> plan;
   if (!join_arcs(tet, plan.loops)) return std::nullopt;
   if (plan.loops.empty()) return plan;
-  const auto proof = prove_simplex(tet.simplex.tensors, level);
+  const auto proof = known != nullptr ? *known : prove_simplex(tet.simplex.tensors, level);
   if (proof.kind == SimplexProof<Scalar, 4>::Kind::monotone)
     if (auto sheets = sheets_of_graph<Scalar>(tet, plan.loops, proof.direction)) {
       plan.sheets = std::move(*sheets);
@@ -285,7 +286,15 @@ template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,
                                         const Level<Scalar>& level,
                                         const Level<Scalar>* isotopic, Effort effort) {
-  auto plan = plan_at_once(tet, level);
+  return plan_tet_by<Scalar>(nullptr, tet, level, isotopic, effort);
+}
+
+template <class Scalar>
+std::optional<TetPlan<Scalar>> plan_tet_by(const SimplexProof<Scalar, 4>* known,
+                                           const TetWithCurves<Scalar>& tet,
+                                           const Level<Scalar>& level,
+                                           const Level<Scalar>* isotopic, Effort effort) {
+  auto plan = plan_at_once(tet, level, known);
   if (!plan || is_complete(*plan)) return plan;
   if (isotopic != nullptr)
     if (auto sheets =
@@ -333,6 +342,9 @@ std::vector<RimRequest<Scalar>> leaf_requests(const TetWithCurves<Scalar>& tet,
                            Effort);                                                              \
   template std::optional<TetPlan<Scalar>> plan_by_leaves(const TetWithCurves<Scalar>&,           \
                                                          const Level<Scalar>&, Effort);          \
+  template std::optional<TetPlan<Scalar>> plan_tet_by(                                           \
+      const SimplexProof<Scalar, 4>*, const TetWithCurves<Scalar>&, const Level<Scalar>&,        \
+      const Level<Scalar>*, Effort);                                                             \
   template std::optional<TetPlan<Scalar>> plan_tet(                                              \
       const TetWithCurves<Scalar>&, const Level<Scalar>&, const Level<Scalar>*, Effort);         \
   template std::vector<RimRequest<Scalar>> leaf_requests(                                        \

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 namespace tensortopo {
 
@@ -87,6 +89,44 @@ constexpr auto product_indices() {
 template <std::size_t Variables, std::size_t D1, std::size_t D2>
 inline constexpr auto kProduct = product_indices<Variables, D1, D2>();
 
+/// The same by result: coefficient k sums the products of monomials first[t] and second[t], from
+/// t = start[k] up to start[k + 1].
+template <std::size_t Variables, std::size_t D1, std::size_t D2>
+constexpr auto product_terms() {
+  constexpr auto n1 = kExponents<Variables, D1>.size(), n2 = kExponents<Variables, D2>.size();
+  constexpr auto n = kExponents<Variables, D1 + D2>.size();
+  struct {
+    std::array<std::uint8_t, n1 * n2> first{}, second{};
+    std::array<std::size_t, n + 1> start{};
+  } terms;
+  std::size_t t = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < n1; ++i)
+      for (std::size_t j = 0; j < n2; ++j)
+        if (kProduct<Variables, D1, D2>[i][j] == k) {
+          terms.first[t] = static_cast<std::uint8_t>(i);
+          terms.second[t++] = static_cast<std::uint8_t>(j);
+        }
+    terms.start[k + 1] = t;
+  }
+  return terms;
+}
+
+template <std::size_t Variables, std::size_t D1, std::size_t D2>
+inline constexpr auto kTerms = product_terms<Variables, D1, D2>();
+
+/// Coefficient k of a product, without a loop.
+template <std::size_t Variables, std::size_t D1, std::size_t D2, std::size_t k, class P, class Q>
+constexpr auto product_coefficient(const P& p, const Q& q) {
+  constexpr const auto& terms = kTerms<Variables, D1, D2>;
+  constexpr std::size_t start = terms.start[k];
+  return [&]<std::size_t... t>(std::index_sequence<t...>) {
+    typename P::value_type sum(0);
+    ((sum = sum + p[terms.first[start + t]] * q[terms.second[start + t]]), ...);
+    return sum;
+  }(std::make_index_sequence<terms.start[k + 1] - start>{});
+}
+
 }  // namespace detail
 
 /// A homogeneous polynomial in the barycentric coordinates of a simplex.
@@ -129,6 +169,15 @@ BarycentricPolynomial<Scalar, Variables, D1 + D2> operator*(
     const BarycentricPolynomial<Scalar, Variables, D1>& p,
     const BarycentricPolynomial<Scalar, Variables, D2>& q) {
   BarycentricPolynomial<Scalar, Variables, D1 + D2> product;
+  // Few terms of a small number: each sum in a register. The order of the terms is the same.
+  if constexpr (std::is_trivially_copyable_v<Scalar> && p.size * q.size <= 64) {
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      ((product.coefficients[k] =
+            detail::product_coefficient<Variables, D1, D2, k>(p.coefficients, q.coefficients)),
+       ...);
+    }(std::make_index_sequence<product.size>{});
+    return product;
+  }
   for (auto& c : product.coefficients) c = Scalar(0);
   const auto& index = detail::kProduct<Variables, D1, D2>;
   for (std::size_t i = 0; i < p.size; ++i)

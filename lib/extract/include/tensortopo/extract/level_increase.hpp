@@ -94,6 +94,20 @@ BarycentricPolynomial<Scalar, Vertices, 4> side_form(const ModeForms<Scalar, Ver
   return side_form(forms, RootBounds<Scalar, Vertices>(forms, bounds), level, above);
 }
 
+/// Derivative by one of the coordinates: as `derivative` along its unit vector, whose zeros cost
+/// more than the rest.
+template <class Scalar, std::size_t Vertices, std::size_t Degree>
+BarycentricPolynomial<Scalar, Vertices, Degree - 1> partial_derivative(
+    const BarycentricPolynomial<Scalar, Vertices, Degree>& p, std::size_t coordinate) {
+  BarycentricPolynomial<Scalar, Vertices, Degree - 1> result;
+  const auto& index = detail::kProduct<Vertices, Degree - 1, 1>;
+  for (std::size_t i = 0; i < result.size; ++i) {
+    const auto k = index[i][coordinate];
+    result.coefficients[i] = Scalar(int{p.exponents[k][coordinate]}) * p.coefficients[k];
+  }
+  return result;
+}
+
 /// Two cubics for each vertex tensor, as coefficients side by side: combined with the weights d_i
 /// of a direction, if all of them are positive then the mode increases along d at every point
 /// of the level.
@@ -120,14 +134,13 @@ struct LevelIncrease {
                 const RootBounds<Scalar, Vertices>& root, const Level<Scalar>& level) {
     const Scalar factor = Scalar(9) * level.sqrt2 * level.mu;
     for (std::size_t i = 0; i < Vertices; ++i) {
-      std::array<Scalar, Vertices> unit{};
-      for (std::size_t k = 0; k < Vertices; ++k) unit[k] = Scalar(k == i ? 1 : 0);
-      const Cubic rise = Scalar(2) * (root.l * derivative(forms.determinant, unit));
-      const auto fall = factor * derivative(forms.norm, unit);
-      const Cubic low = rise - root.chord * fall, high = rise - root.tangent * fall;
-      std::copy(low.coefficients.begin(), low.coefficients.end(), along[i].begin());
-      std::copy(high.coefficients.begin(), high.coefficients.end(),
-                along[i].begin() + Cubic::size);
+      const Cubic rise = Scalar(2) * (root.l * partial_derivative(forms.determinant, i));
+      const auto fall = factor * partial_derivative(forms.norm, i);
+      const Cubic low = root.chord * fall, high = root.tangent * fall;
+      for (std::size_t k = 0; k < Cubic::size; ++k) {
+        along[i][k] = rise.coefficients[k] - low.coefficients[k];
+        along[i][Cubic::size + k] = rise.coefficients[k] - high.coefficients[k];
+      }
     }
   }
 
