@@ -25,7 +25,8 @@ if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
 endif()
 
 # The language level and the arithmetic contract. Public: templates and inline functions are
-# compiled in the client's flags, and an error bound proved without contraction does not hold with it.
+# compiled in the client's flags, and an error bound proved without contraction does not hold with
+# it.
 add_library(tensortopo_fp INTERFACE)
 add_library(tensortopo::fp ALIAS tensortopo_fp)
 set_target_properties(tensortopo_fp PROPERTIES EXPORT_NAME fp)
@@ -62,7 +63,8 @@ function(tensortopo_headers name)
 endfunction()
 
 if(TENSORTOPO_SANITIZE)
-  add_compile_options(-fsanitize=${TENSORTOPO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_compile_options(-fsanitize=${TENSORTOPO_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${TENSORTOPO_SANITIZE})
   if(TENSORTOPO_SANITIZE MATCHES "thread")
     # Threads that the sanitizer understands, in place of TBB's.

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DHOW=find_package|find_package_with_io|add_subdirectory -D... (see CMakeLists.txt) -P run.cmake
+# cmake -DHOW=find_package|find_package_with_io|add_subdirectory -D... (see CMakeLists.txt) -P
+# run.cmake
 cmake_minimum_required(VERSION 3.25)
 set(program consumer)
 set(build "${WORK_DIR}/${HOW}")

@@ -35,7 +35,7 @@ std::vector<Umbilic> umbilics_of(const SurfaceMesh& surface,
     const Vector3<double> area = twice_area(surface, i);
     if (!corners[3 * i] || !corners[3 * i + 1] || !corners[3 * i + 2] || !(length(area) > 0))
       continue;
-    const auto [a, b] = tangents((1 / length(area)) * area);
+    const auto [a, b] = tangents(unit(area));
     // The deviator of each corner's tensor in the plane of the triangle, as a complex number that
     // turns twice as fast as the directions.
     std::array<std::array<double, 2>, 3> d;
@@ -115,8 +115,7 @@ SurfaceCurvature surface_curvature(const SurfaceMesh& surface, const TetMesh& me
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const Sum& sum = sums[v];
     if (!(sum.weight > 0) || !(length(sum.normal) > 0)) continue;
-    result.vertices[v] =
-        curvature_of((1 / length(sum.normal)) * sum.normal, (1 / sum.weight) * sum.tensor);
+    result.vertices[v] = curvature_of(unit(sum.normal), (1 / sum.weight) * sum.tensor);
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t v = as_size(surface.triangles[i / 3][i % 3]);

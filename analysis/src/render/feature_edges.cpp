@@ -23,10 +23,8 @@ struct Side {
 Vector3<double> normal_of(const SurfaceMesh& surface, Index triangle) {
   const auto& t = surface.triangles[as_size(triangle)];
   const auto& p = surface.points;
-  const Vector3<double> area =
-      cross(p[as_size(t[1])] - p[as_size(t[0])], p[as_size(t[2])] - p[as_size(t[0])]);
-  const double length = std::sqrt(dot(area, area));
-  return length > 0 ? (1 / length) * area : Vector3<double>{};
+  return unit_or_zero(
+      cross(p[as_size(t[1])] - p[as_size(t[0])], p[as_size(t[2])] - p[as_size(t[0])]));
 }
 
 std::vector<Side> sides_of(const SurfaceMesh& surface) {

@@ -103,10 +103,9 @@ void check(const RenderCommand& command) {
 
 Vector3<double> parse_direction(std::string_view text) {
   const auto v = three_numbers(text);
-  const double length = v ? std::sqrt(dot(*v, *v)) : 0;
-  if (!(length > 0) || !std::isfinite(length))
+  if (!v || !(length(*v) > 0) || !std::isfinite(length(*v)))
     throw UsageError(fmt::format("--direction {}: must be X,Y,Z, not all zero", text));
-  return (1 / length) * *v;
+  return unit(*v);
 }
 
 void parse_focus(std::string_view text, View& view) {

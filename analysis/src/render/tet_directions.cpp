@@ -115,9 +115,8 @@ Vector3<double> TetDirections::line(const Vector3<double>& v, Texture texture) c
   const Vector3<double> d = medium_eigenvector_derivative(
       field_, *point, curvature->directions[texture == Texture::major ? 0 : 1]);
   const Vector3<double> tangent = d - dot(d, v) * v;
-  const double length = std::sqrt(dot(tangent, tangent));
-  if (!(length > 0) || !std::isfinite(length)) return {};
-  return (1 / length) * tangent;
+  if (!(length(tangent) > 0) || !std::isfinite(length(tangent))) return {};
+  return unit(tangent);
 }
 
 Vector3<double> medium_eigenvector_derivative(const TetField& field, const Vector3<double>& point,

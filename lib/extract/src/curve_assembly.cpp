@@ -3,7 +3,6 @@
 #include "curve_assembly.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "curve_graph.hpp"
 #include "curve_vertex.hpp"
@@ -67,9 +66,7 @@ class CurveAssembler {
                              : count == 2 ? position<2>(weights, vertices)
                              : count == 3 ? position<3>(weights, vertices)
                                           : position<4>(weights, vertices));
-    const auto e = narrow(dominant);
-    const double length = std::sqrt(dot(e, e));
-    curves_.dominant_eigenvector.push_back(length > 0 ? (1 / length) * e : e);
+    curves_.dominant_eigenvector.push_back(unit_or_zero(narrow(dominant)));
     curves_.carrier_vertices.push_back(in_order(vertices));
     curves_.carrier.push_back(carriers[count - 1]);
   }

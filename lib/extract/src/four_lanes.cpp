@@ -68,7 +68,7 @@ struct Ground {
   LevelIncrease<Lanes, Vertices> increase;
 };
 
-/// As in `prove_simplex`: `largest_norm`, `mode_forms`, `norm_bounds`, and the cubics from these.
+/// As in `prove_simplex`: `largest_norm`, `mode_forms`, `norm_bounds`, and the cubics of these.
 template <std::size_t Vertices>
 Ground<Vertices> ground(const std::array<Deviator<Lanes>, Vertices>& tensors,
                         const LaneLevel& level) {
@@ -100,21 +100,7 @@ Ground<Vertices> ground(const std::array<Deviator<Lanes>, Vertices>& tensors,
   sound &= square > Lanes(0);
   bounds.lower = sqrt(square) * (Lanes(1) - room);
   sound &= bounds.lower > Lanes(0);
-  Ground<Vertices> result{sound, sqrt(largest), {}};
-  // As the constructor of `LevelIncrease`.
-  using Cubic = typename LevelIncrease<Lanes, Vertices>::Cubic;
-  const RootBounds<Lanes, Vertices> root(forms, bounds);
-  const Lanes factor = Lanes(9) * level.sqrt2 * level.mu;
-  for (std::size_t i = 0; i < Vertices; ++i) {
-    const auto rise = Lanes(2) * (root.l * partial_derivative(forms.determinant, i));
-    const auto fall = factor * partial_derivative(forms.norm, i);
-    const Cubic low = root.chord * fall, high = root.tangent * fall;
-    for (std::size_t k = 0; k < Cubic::size; ++k) {
-      result.increase.along[i][k] = rise.coefficients[k] - low.coefficients[k];
-      result.increase.along[i][Cubic::size + k] = rise.coefficients[k] - high.coefficients[k];
-    }
-  }
-  return result;
+  return {sound, sqrt(largest), LevelIncrease<Lanes, Vertices>(forms, bounds, level)};
 }
 
 /// Where `detail::increases_along` would say yes.

@@ -21,12 +21,13 @@ template <std::size_t Vertices>
 void prove_simplices(std::span<const std::array<Deviator<double>, Vertices>> tensors,
                      const Level<double>& level, std::span<SimplexProof<double, Vertices>> proofs) {
   using Proof = SimplexProof<double, Vertices>;
-  [[maybe_unused]] std::array<std::array<double, Vertices>, kLaneCount> directions;
+  [[maybe_unused]] const bool in_lanes = has_lanes();
+  std::array<std::array<double, Vertices>, kLaneCount> directions;
   for (std::size_t i = 0; i < tensors.size(); i += kLaneCount) {
     const auto four = tensors.subspan(i, std::min(kLaneCount, tensors.size() - i));
     LaneProofs done{0, 0};
 #ifdef TENSORTOPO_FOUR_LANES
-    if (has_lanes()) done = prove_four(four, {level.mu, level.sqrt2}, directions);
+    if (in_lanes) done = prove_four(four, {level.mu, level.sqrt2}, directions);
 #endif
     for (std::size_t lane = 0; lane < four.size(); ++lane) {
       const bool monotone = done.monotone >> lane & 1, none = done.none >> lane & 1;

@@ -217,8 +217,8 @@ class Drawing : SheetDrawing<Scalar> {
     Vector3<double> centre{0, 0, 0};
     for (const auto& image : images_) centre += image.v;
     double least = 0;
-    if (const double length = std::sqrt(dot(centre, centre)); length > 0) {
-      centre = (1 / length) * centre;
+    if (length(centre) > 0) {
+      centre = unit(centre);
       least = 1;
       for (const auto& image : images_) least = std::min(least, dot(image.v, centre));
     }
@@ -244,9 +244,8 @@ class Drawing : SheetDrawing<Scalar> {
 
   /// An inner vertex of the level with the medium eigenvector along v, if there is one.
   std::optional<std::size_t> add_inner_image(const Vector3<double>& along) override {
-    const double length = std::sqrt(dot(along, along));
-    if (!(length > 0)) return std::nullopt;
-    const auto v = (1 / length) * along;
+    if (!(length(along) > 0)) return std::nullopt;
+    const auto v = unit(along);
     if (!on_.manifold.in_real_domain(v)) return std::nullopt;
     const auto vertex = inner_.at(on_.manifold.tensor_at(v));
     if (!vertex) return std::nullopt;

@@ -5,7 +5,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -90,10 +89,7 @@ SurfaceMesh assemble_invariant_surface(std::span<const CellLevel> cells,
       for (std::size_t k = 0; k < 3; ++k)
         surface.normal[as_size(ids[k])] += weight * cells[c].vertices[triangle[k]].normal;
     }
-  for (auto& normal : surface.normal) {
-    const double length = std::sqrt(dot(normal, normal));
-    if (length > 0) normal = (1 / length) * normal;
-  }
+  for (auto& normal : surface.normal) normal = unit_or_zero(normal);
   surface.component = surface_components(surface);
   return surface;
 }

@@ -127,8 +127,7 @@ Vector3<double> CellGeometry::normal(const Weights& w) const {
     corner[i] = 1;
     sum += form(w, corner) * inward_[i];
   }
-  const double length = std::sqrt(dot(sum, sum));
-  return length > 0 && std::isfinite(length) ? (1 / length) * sum : Vector3<double>{};
+  return std::isfinite(length(sum)) ? unit_or_zero(sum) : Vector3<double>{};
 }
 
 }  // namespace tensortopo

@@ -126,12 +126,15 @@ struct LevelIncrease {
   /// Of each vertex: the coefficients of the chord's cubic, then those of the tangent's.
   std::array<std::array<Scalar, size>, Vertices> along;
 
+  /// @param level  a `Level`, or what has its `mu` and `sqrt2` in the scalar
+  template <class AnyLevel>
   LevelIncrease(const ModeForms<Scalar, Vertices>& forms,
-                const NormBounds<Scalar, Vertices>& bounds, const Level<Scalar>& level)
+                const NormBounds<Scalar, Vertices>& bounds, const AnyLevel& level)
       : LevelIncrease(forms, RootBounds<Scalar, Vertices>(forms, bounds), level) {}
 
-  LevelIncrease(const ModeForms<Scalar, Vertices>& forms,
-                const RootBounds<Scalar, Vertices>& root, const Level<Scalar>& level) {
+  template <class AnyLevel>
+  LevelIncrease(const ModeForms<Scalar, Vertices>& forms, const RootBounds<Scalar, Vertices>& root,
+                const AnyLevel& level) {
     const Scalar factor = Scalar(9) * level.sqrt2 * level.mu;
     for (std::size_t i = 0; i < Vertices; ++i) {
       const Cubic rise = Scalar(2) * (root.l * partial_derivative(forms.determinant, i));
