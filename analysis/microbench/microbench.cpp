@@ -169,7 +169,7 @@ void invariants(benchmark::State& state) {
   std::vector<Deviator<Scalar>> tensors;
   for (const auto& t : shared_case().mesh.tensors) {
     const auto d = deviator(t);
-    tensors.push_back({Scalar(d.a), Scalar(d.b), Scalar(d.xy), Scalar(d.yz), Scalar(d.xz)});
+    tensors.push_back(tensor_cast<Scalar>(d));
     if (tensors.size() == 1000) break;
   }
   std::size_t i = 0;

@@ -43,8 +43,7 @@ Cell<Scalar> cell_of(const TetTensors& tensors) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& t = tensors[i];
     cell.points[i] = to<Scalar>(kCorners[i]);
-    cell.tensors[i] = {Scalar(t.xx), Scalar(t.yy), Scalar(t.zz),
-                       Scalar(t.xy), Scalar(t.yz), Scalar(t.xz)};
+    cell.tensors[i] = tensor_cast<Scalar>(t);
   }
   return cell;
 }

@@ -151,9 +151,7 @@ void try_forms(long trials, Counts& empty, Counts& increasing) {
     for (std::size_t i = 0; i < 4; ++i) {
       rounded_corners[i] = field.tensors[i];
       const auto t = scaled(tensors[i], field.exponents[i]);
-      exact_corners[i] = deviator(SymmetricTensor<Rational>{
-          Rational(t.xx), Rational(t.yy), Rational(t.zz), Rational(t.xy), Rational(t.yz),
-          Rational(t.xz)});
+      exact_corners[i] = deviator(tensor_cast<Rational>(t));
     }
     const auto forms = mode_forms(rounded_corners);
     const auto exact_forms = mode_forms(exact_corners);

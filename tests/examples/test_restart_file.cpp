@@ -32,11 +32,11 @@ RestartFile example() {
   return content;
 }
 
-RestartFile read(const std::string& bytes) { return parse_restart_file(bytes, "job"); }
+RestartFile parsed(const std::string& bytes) { return parse_restart_file(bytes, "job"); }
 
 void expect_refused(const std::string& bytes, const std::string& words) {
   try {
-    read(bytes);
+    parsed(bytes);
     ADD_FAILURE() << "read what should be refused: " << words;
   } catch (const IoError& error) {
     EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
@@ -44,7 +44,7 @@ void expect_refused(const std::string& bytes, const std::string& words) {
 }
 
 TEST(RestartFile, NumbersComeBackBitForBitAndInOurOrder) {
-  const RestartFile written = example(), found = read(restart_bytes(written));
+  const RestartFile written = example(), found = parsed(restart_bytes(written));
   EXPECT_EQ(found.points, written.points);
   EXPECT_EQ(found.displacements, written.displacements);
   EXPECT_EQ(found.stresses, written.stresses);
@@ -52,7 +52,7 @@ TEST(RestartFile, NumbersComeBackBitForBitAndInOurOrder) {
 
 TEST(RestartFile, EveryTruncationIsRefused) {
   const std::string bytes = restart_bytes(example());
-  for (std::size_t n = 0; n < bytes.size(); ++n) EXPECT_THROW(read(bytes.substr(0, n)), IoError);
+  for (std::size_t n = 0; n < bytes.size(); ++n) EXPECT_THROW(parsed(bytes.substr(0, n)), IoError);
 }
 
 TEST(RestartFile, EveryDamagedByteGivesAResultOrAnError) {
@@ -62,7 +62,7 @@ TEST(RestartFile, EveryDamagedByteGivesAResultOrAnError) {
     std::string damaged = bytes;
     damaged[n] = static_cast<char>(damaged[n] ^ 0x81);
     try {
-      EXPECT_EQ(read(damaged).stresses.size(), 1u);
+      EXPECT_EQ(parsed(damaged).stresses.size(), 1u);
     } catch (const IoError&) {
       ++refused;
     }

@@ -41,8 +41,7 @@ PreciseTensor precise_tensor(const TetMesh& mesh, Index tet, const Vector3<doubl
   for (std::size_t i = 0; i < 4; ++i) {
     p[i] = wide(mesh.points[as_size(corners[i])]);
     const auto& t = mesh.tensors[as_size(corners[i])];
-    tensors[i] = deviator(SymmetricTensor<Real50>{Real50(t.xx), Real50(t.yy), Real50(t.zz),
-                                                  Real50(t.xy), Real50(t.yz), Real50(t.xz)});
+    tensors[i] = deviator(tensor_cast<Real50>(t));
   }
   const Vector u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
   const Real50 scale = Real50(1) / dot(cross(u, v), w);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -9,6 +10,10 @@
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 
 namespace tensortopo::test {
+
+inline constexpr std::array<Degeneracy, 2> kKinds{Degeneracy::linear, Degeneracy::planar};
+
+inline double mode_of(Degeneracy kind) { return kind == Degeneracy::linear ? 1 : -1; }
 
 /// Where curves may end.
 enum class CurveEnds {

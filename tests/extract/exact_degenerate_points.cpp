@@ -19,9 +19,7 @@ std::optional<DegenerateCount> exact_degenerate_points(
   TriangleField<Rational> field;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& t = corners[i];
-    field.vertex[i] =
-        deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                           Rational(t.xy), Rational(t.yz), Rational(t.xz)});
+    field.vertex[i] = deviator(tensor_cast<Rational>(t));
   }
   const auto plane = theory::plane_of(field);
   if (!plane) return std::nullopt;

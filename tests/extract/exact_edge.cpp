@@ -120,8 +120,7 @@ struct EdgeProblem {
 EdgeProblem problem(const SymmetricTensor<double>& s, const SymmetricTensor<double>& t,
                     const ModeValue& mode) {
   const auto exact = [](const SymmetricTensor<double>& u) {
-    return deviator(SymmetricTensor<Rational>{Rational(u.xx), Rational(u.yy), Rational(u.zz),
-                                              Rational(u.xy), Rational(u.yz), Rational(u.xz)});
+    return deviator(tensor_cast<Rational>(u));
   };
   const Deviator<Rational> d0 = exact(s), step = exact(t) - d0;
   const auto line = [](const Rational& a, const Rational& b) { return trimmed({a, b}); };

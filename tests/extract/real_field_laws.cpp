@@ -30,8 +30,6 @@ TetMesh bundled(const std::string& name) {
   throw std::runtime_error("no bundled field " + name);
 }
 
-double mode_of(Degeneracy kind) { return kind == Degeneracy::linear ? 1 : -1; }
-
 /// How many vertices of the curves lie inside each face.
 std::map<Face, int> points_in_faces(const CurveMesh& curves) {
   std::map<Face, int> result;

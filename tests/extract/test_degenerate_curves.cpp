@@ -20,10 +20,6 @@ namespace {
 
 using Index = TetMesh::Index;
 
-double mode_of(Degeneracy kind) { return kind == Degeneracy::linear ? 1 : -1; }
-
-constexpr std::array<Degeneracy, 2> kKinds{Degeneracy::linear, Degeneracy::planar};
-
 std::string obstacles(const CurveExtraction& extraction) {
   std::string names;
   for (const auto& cell : extraction.unresolved) names += std::string(name_of(cell.obstacle)) + ' ';

@@ -111,9 +111,7 @@ Deviator<Real50> exact_tensor(const SimplexCase<double, 4>& tet,
                               const std::array<double, 4>& weights) {
   std::array<Deviator<Real50>, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto& t = tet.mesh.tensors[i];
-    const SymmetricTensor<Real50> wide{Real50(t.xx), Real50(t.yy), Real50(t.zz),
-                                       Real50(t.xy), Real50(t.yz), Real50(t.xz)};
+    const auto wide = tensor_cast<Real50>(tet.mesh.tensors[i]);
     corners[i] = Real50(std::ldexp(1.0, tet.simplex.exponents[i])) * deviator(wide);
   }
   return tensor_at(corners, weights);

@@ -16,11 +16,6 @@
 namespace tensortopo::test {
 namespace {
 
-template <class To>
-Deviator<To> widened(const Deviator<double>& d) {
-  return {To(d.a), To(d.b), To(d.xy), To(d.yz), To(d.xz)};
-}
-
 Real50 mode_of_deviator(const Deviator<Real50>& d) {
   const Real50 p = norm_form(d);
   return sqrt(Real50(2)) * determinant_form(d) / (p * sqrt(p));
@@ -63,7 +58,7 @@ void expect_proofs_to_hold(std::uint64_t seed, int count) {
     using Kind = typename SimplexProof<double, Vertices>::Kind;
     empty += proof.kind == Kind::empty, monotone += proof.kind == Kind::monotone;
     std::array<Deviator<Real50>, Vertices> wide;
-    for (std::size_t i = 0; i < Vertices; ++i) wide[i] = widened<Real50>(tensors[i]);
+    for (std::size_t i = 0; i < Vertices; ++i) wide[i] = tensor_cast<Real50>(tensors[i]);
     const auto mode_at = [&](const std::array<Real50, Vertices>& weights) {
       return mode_of_deviator(tensor_at(wide, weights));
     };
@@ -127,8 +122,7 @@ TEST(SimplexProof, SignsThatAreCertainInDoubleAreExact) {
     for (std::size_t i = 0; i < 4; ++i) {
       // From the input's own bits, not from the rounded deviators.
       const auto& t = example.mesh.tensors[i];
-      const SymmetricTensor<Rational> r{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                        Rational(t.xy), Rational(t.yz), Rational(t.xz)};
+      const auto r = tensor_cast<Rational>(t);
       exact[i] = Rational(std::ldexp(1.0, example.simplex.exponents[i])) * deviator(r);
     }
     const auto exact_forms = mode_forms(exact);
@@ -182,8 +176,7 @@ TEST(NormBounds, HoldInRationals) {
       Rational upper = 0;
       for (std::size_t i = 0; i < 4; ++i) {
         const auto& t = example.mesh.tensors[i];
-        const SymmetricTensor<Rational> exact{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                              Rational(t.xy), Rational(t.yz), Rational(t.xz)};
+        const auto exact = tensor_cast<Rational>(t);
         const Rational scale(weights[i] * std::ldexp(1.0, example.simplex.exponents[i]));
         sum = sum + scale * exact;
         upper += Rational(weights[i]) * Rational(bounds.upper[i]);

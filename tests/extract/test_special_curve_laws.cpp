@@ -19,10 +19,6 @@ namespace {
 
 using Index = TetMesh::Index;
 
-constexpr std::array<Degeneracy, 2> kKinds{Degeneracy::linear, Degeneracy::planar};
-
-double mode_of(Degeneracy kind) { return kind == Degeneracy::linear ? 1 : -1; }
-
 /// Meshes full of ties, planes of symmetry and deficient ranks.
 TetMesh special_mesh(int trial, Random& random) {
   TetMesh mesh = cube_mesh(2);

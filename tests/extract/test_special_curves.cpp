@@ -19,10 +19,6 @@ namespace {
 using Index = TetMesh::Index;
 using Point = Vector3<double>;
 
-constexpr std::array<Degeneracy, 2> kKinds{Degeneracy::linear, Degeneracy::planar};
-
-double mode_of(Degeneracy kind) { return kind == Degeneracy::linear ? 1 : -1; }
-
 TetMesh sampled(TetMesh mesh, const std::function<SymmetricTensor<double>(const Point&)>& field) {
   for (std::size_t v = 0; v < mesh.points.size(); ++v) mesh.tensors[v] = field(mesh.points[v]);
   return mesh;

@@ -20,15 +20,11 @@
 namespace tensortopo::test {
 namespace {
 
-using Field = std::array<Deviator<Real50>, 4>;
+using LongTensors = std::array<Deviator<Real50>, 4>;
 
-Field field_of(const TetTensors& tensors) {
-  Field field;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& t = tensors[i];
-    field[i] = deviator(SymmetricTensor<Real50>{Real50(t.xx), Real50(t.yy), Real50(t.zz),
-                                                Real50(t.xy), Real50(t.yz), Real50(t.xz)});
-  }
+LongTensors field_of(const TetTensors& tensors) {
+  LongTensors field;
+  for (std::size_t i = 0; i < 4; ++i) field[i] = deviator(tensor_cast<Real50>(tensors[i]));
   return field;
 }
 
@@ -44,7 +40,7 @@ bool has_sign(const Deviator<Real50>& t, int sign) {
 // The gaps of critical values with one sign, found otherwise: extrema along edges by sampling,
 // critical points of faces and vertices in 50 digits. (The saddle inside is left out: it has a test
 // of its own.)
-std::vector<double> known_gaps(const Field& field, int sign) {
+std::vector<double> known_gaps(const LongTensors& field, int sign) {
   std::vector<double> gaps;
   for (const auto& t : field)
     if (has_sign(t, sign)) gaps.push_back(gap_of(t));
@@ -117,7 +113,7 @@ TEST(CriticalGaps, ReachTheNearestCriticalValueAlmostAlways) {
     const ModeValue mode = mode_of_gap(std::ldexp(1.0, -random.integer(1, 12)), sign);
     const double gap = gap_of(mode);
     const auto found = critical_gaps(tensors, mode, 0.9);
-    const Field field = field_of(tensors);
+    const LongTensors field = field_of(tensors);
     const auto saddle = characteristic_tensor(TetrahedronField<Real50>{field});
     if (!found || !saddle) continue;
     // The saddle counts wherever it is: whether it is inside has a test of its own.
@@ -156,7 +152,7 @@ RC_GTEST_PROP(DegenerateArcs, JoinTheDegeneratePointsOfTheFaces, ()) {
   const std::array<int, 4> exponents{0, 1, -1, 2};
   const auto arcs = degenerate_arcs(tensors, exponents, mode);
   RC_PRE(arcs.has_value());
-  const Field field = field_of(tensors);
+  const LongTensors field = field_of(tensors);
   std::array<std::size_t, 4> ends{};
   for (const auto& arc : *arcs) {
     for (const auto& end : arc.ends) {

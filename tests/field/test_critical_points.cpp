@@ -21,11 +21,6 @@ namespace {
 
 using Tensor = SymmetricTensor<double>;
 
-Deviator<Real50> deviator_of(const Tensor& t) {
-  return deviator(SymmetricTensor<Real50>{Real50(t.xx), Real50(t.yy), Real50(t.zz), Real50(t.xy),
-                                          Real50(t.yz), Real50(t.xz)});
-}
-
 /// A critical point found otherwise, in 50 digits.
 struct Known {
   Deviator<Real50> tensor;
@@ -48,7 +43,7 @@ bool is_near_boundary(const Known& k) {
 
 // Where 2 P Q' = 3 Q P' along x a + y b.
 std::vector<Known> known_on_edge(const std::array<Tensor, 2>& edge) {
-  const auto a = deviator_of(edge[0]), b = deviator_of(edge[1]);
+  const auto a = deviator(tensor_cast<Real50>(edge[0])), b = deviator(tensor_cast<Real50>(edge[1]));
   const auto m = thrice(a), k = thrice(b);
   const Real50 p0 = norm_form(a), p1 = 2 * norm_form(a, b), p2 = norm_form(b);
   const Real50 q0 = determinant_form(a), q1 = inner(square(m), k), q2 = inner(square(k), m),
@@ -64,8 +59,9 @@ std::vector<Known> known_on_edge(const std::array<Tensor, 2>& edge) {
 }
 
 std::vector<Known> known_on_face(const std::array<Tensor, 3>& face) {
-  const TriangleField<Real50> field{
-      {deviator_of(face[0]), deviator_of(face[1]), deviator_of(face[2])}};
+  const TriangleField<Real50> field{{deviator(tensor_cast<Real50>(face[0])),
+                                     deviator(tensor_cast<Real50>(face[1])),
+                                     deviator(tensor_cast<Real50>(face[2]))}};
   std::vector<Known> known;
   for (const auto& point : nondegenerate_critical_points(field))
     known.push_back({point.tensor, {point.weights.begin(), point.weights.end()}});
@@ -76,7 +72,7 @@ std::vector<Known> known_on_face(const std::array<Tensor, 3>& face) {
 std::vector<Known> known_in_tet(const TetTensors& tensors) {
   using Field = TetrahedronField<Real50>;
   Field field;
-  for (std::size_t i = 0; i < 4; ++i) field.vertex[i] = deviator_of(tensors[i]);
+  for (std::size_t i = 0; i < 4; ++i) field.vertex[i] = deviator(tensor_cast<Real50>(tensors[i]));
   const auto n = characteristic_direction(field);
   const auto m = thrice(n);
   Known known;
@@ -148,7 +144,7 @@ double mode_near(const std::vector<Tensor>& corners, const CriticalPoint& p,
   Deviator<Real50> t{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Real50 w = (i < 4 ? Real50(p.weights[i]) : Real50(0)) + step[i];
-    t = t + w * deviator_of(corners[i]);
+    t = t + w * deviator(tensor_cast<Real50>(corners[i]));
   }
   return static_cast<double>(Real50((mode(t) - (p.low + p.high) / 2) * Real50("1e20")));
 }

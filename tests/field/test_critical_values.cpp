@@ -20,11 +20,6 @@
 namespace tensortopo::test {
 namespace {
 
-Deviator<Real50> deviator_of(const SymmetricTensor<double>& t) {
-  return deviator(SymmetricTensor<Real50>{Real50(t.xx), Real50(t.yy), Real50(t.zz), Real50(t.xy),
-                                          Real50(t.yz), Real50(t.xz)});
-}
-
 double size_of_mode(const Deviator<Real50>& t) { return std::abs(static_cast<double>(mode(t))); }
 
 // Sizes of the critical values along the line of tensors through two.
@@ -47,7 +42,7 @@ void add_values_of_line(const Deviator<Real50>& a, const Deviator<Real50>& b,
 std::vector<double> known_values(const TetTensors& tensors) {
   std::vector<double> values;
   std::array<Deviator<Real50>, 4> field;
-  for (std::size_t i = 0; i < 4; ++i) field[i] = deviator_of(tensors[i]);
+  for (std::size_t i = 0; i < 4; ++i) field[i] = deviator(tensor_cast<Real50>(tensors[i]));
   for (std::size_t i = 0; i < 4; ++i) {
     values.push_back(size_of_mode(field[i]));
     for (std::size_t j = 0; j < i; ++j) add_values_of_line(field[i], field[j], values);

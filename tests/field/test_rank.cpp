@@ -22,14 +22,10 @@ SymmetricTensor<double> random_tensor(int size) {
   return {c[0], c[1], c[2], c[3], c[4], c[5]};
 }
 
-SymmetricTensor<Rational> exact(const SymmetricTensor<double>& t) {
-  return {Rational(t.xx), Rational(t.yy), Rational(t.zz),
-          Rational(t.xy), Rational(t.yz), Rational(t.xz)};
-}
-
 int rational_rank(const Tensors& t) {
-  return field_rank(TetrahedronField<Rational>{{deviator(exact(t[0])), deviator(exact(t[1])),
-                                                deviator(exact(t[2])), deviator(exact(t[3]))}});
+  return field_rank(TetrahedronField<Rational>{
+      {deviator(tensor_cast<Rational>(t[0])), deviator(tensor_cast<Rational>(t[1])),
+       deviator(tensor_cast<Rational>(t[2])), deviator(tensor_cast<Rational>(t[3]))}});
 }
 
 TEST(Rank, OfEachWitnessFieldIsAsNamed) {

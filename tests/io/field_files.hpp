@@ -12,6 +12,8 @@
 
 namespace tensortopo::test {
 
+inline constexpr auto invalid = IoError::Kind::invalid;
+
 /// A file of this name in a folder of this test's own.
 std::filesystem::path temporary(const std::string& name);
 

@@ -14,8 +14,6 @@
 namespace tensortopo::test {
 namespace {
 
-constexpr auto invalid = IoError::Kind::invalid;
-
 /// Cells given corner by corner over points with zero tensors.
 struct Cells {
   std::vector<Vector3<double>> points;

@@ -18,8 +18,6 @@ namespace {
 using Mode = VtkStyle::Mode;
 using Compressor = VtkStyle::Compressor;
 
-constexpr auto invalid = IoError::Kind::invalid;
-
 struct Sample {
   std::string extension, bytes;
 };

@@ -8,8 +8,6 @@
 namespace tensortopo::test {
 namespace {
 
-constexpr auto invalid = IoError::Kind::invalid;
-
 const std::string tensors = "1 2 3 4 5 6 1 2 3 4 5 7 1 2 3 4 5 8 1 2 3 4 5 9";
 
 /// The tetrahedron beyond the face x + y + z = 1 of the standard one: shares three points with it.

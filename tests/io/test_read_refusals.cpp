@@ -7,7 +7,6 @@
 namespace tensortopo::test {
 namespace {
 
-constexpr auto invalid = IoError::Kind::invalid;
 constexpr auto unreadable = IoError::Kind::unreadable;
 
 IoError::Kind kind_of_nothing() { return error_of(temporary("nothing.vtu")).kind(); }

@@ -7,8 +7,6 @@
 namespace tensortopo::test {
 namespace {
 
-constexpr auto invalid = IoError::Kind::invalid;
-
 std::string four_times(const std::string& numbers) {
   return numbers + "\n" + numbers + "\n" + numbers + "\n" + numbers;
 }

@@ -12,11 +12,6 @@ namespace {
 
 using Row = std::vector<Rational>;
 
-SymmetricTensor<Rational> exact(const SymmetricTensor<double>& t) {
-  return {Rational(t.xx), Rational(t.yy), Rational(t.zz),
-          Rational(t.xy), Rational(t.yz), Rational(t.xz)};
-}
-
 /// Gauss-Jordan; nothing for a singular matrix. Each row ends with its right-hand side.
 std::optional<Row> solve(std::vector<Row> rows) {
   const std::size_t n = rows.size();
@@ -42,10 +37,10 @@ ExactLevel::ExactLevel(const TetTensors& tensors, const InvariantLevel& level, i
     : nappe_(nappe) {
   const Rational v(level.text()), v2 = v * v;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto s = exact(tensors[i]);
+    const auto s = tensor_cast<Rational>(tensors[i]);
     trace_[i] = trace(s);
     for (std::size_t j = 0; j < 4; ++j) {
-      const auto t = exact(tensors[j]);
+      const auto t = tensor_cast<Rational>(tensors[j]);
       const Rational of_tensor = inner(s, t);
       const Rational of_deviator = of_tensor - trace(s) * trace(t) / 3;
       switch (level.invariant()) {

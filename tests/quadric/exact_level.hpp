@@ -11,6 +11,12 @@
 
 namespace tensortopo::test {
 
+inline InvariantOptions in_pieces(int pieces) {
+  InvariantOptions options;
+  options.pieces = pieces;
+  return options;
+}
+
 /// Another way to the topology of a level in one tetrahedron: the critical points of the quadratic
 /// form on every face, in rationals. Shares nothing with the library but the tensors' definition.
 class ExactLevel {

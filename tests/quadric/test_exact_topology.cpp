@@ -13,12 +13,6 @@
 namespace tensortopo::test {
 namespace {
 
-InvariantOptions in_pieces(int pieces) {
-  InvariantOptions options;
-  options.pieces = pieces;
-  return options;
-}
-
 /// Small fractions: with integer tensors, many are critical values or values at vertices.
 InvariantLevel drawn_level(int bound) {
   const auto invariant =

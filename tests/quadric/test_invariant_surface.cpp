@@ -16,12 +16,6 @@
 namespace tensortopo::test {
 namespace {
 
-InvariantOptions in_pieces(int pieces) {
-  InvariantOptions options;
-  options.pieces = pieces;
-  return options;
-}
-
 InvariantLevel level_of(Invariant invariant, const char* text) {
   return InvariantLevel::parse(invariant, text);
 }

@@ -68,8 +68,7 @@ PreciseMode precise_mode(const TetMesh& mesh, TetMesh::Index tet, const Vector3<
   Tensor d{};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& t = mesh.tensors[static_cast<std::size_t>(corners[i])];
-    const Tensor wide{Real50(t.xx), Real50(t.yy), Real50(t.zz),
-                      Real50(t.xy), Real50(t.yz), Real50(t.xz)};
+    const auto wide = tensor_cast<Real50>(t);
     const Real50 mean = trace(wide) / Real50(3);
     corner[i] =
         wide - mean * Tensor{Real50(1), Real50(1), Real50(1), Real50(0), Real50(0), Real50(0)};

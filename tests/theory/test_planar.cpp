@@ -19,9 +19,7 @@ TriangleField<Rational> exact_face(const std::array<SymmetricTensor<double>, 3>&
   TriangleField<Rational> field;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& t = corners[i];
-    field.vertex[i] =
-        deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                           Rational(t.xy), Rational(t.yz), Rational(t.xz)});
+    field.vertex[i] = deviator(tensor_cast<Rational>(t));
   }
   return field;
 }

@@ -77,9 +77,7 @@ Plane plane_of_witness(const test::PlanarWitness& witness) {
   const auto corners = witness.corners();
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& t = corners[i];
-    field.vertex[i] =
-        deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                           Rational(t.xy), Rational(t.yz), Rational(t.xz)});
+    field.vertex[i] = deviator(tensor_cast<Rational>(t));
   }
   return *plane_of(field);
 }

@@ -14,7 +14,7 @@
 namespace tensortopo {
 namespace {
 
-struct Options {
+struct AnalyzeOptions {
   std::filesystem::path input, output, mesh, against, ridges;
   std::string sweep;
   std::size_t most_levels = SweepOptions{}.most_levels, check_modes = 0;
@@ -24,7 +24,7 @@ struct Options {
   const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
-ExitStatus sweep(const Options& options, const CommonOptions& common) {
+ExitStatus sweep(const AnalyzeOptions& options, const CommonOptions& common) {
   SweepCommand command;
   command.input = options.input;
   command.read = options.read;
@@ -39,7 +39,7 @@ ExitStatus sweep(const Options& options, const CommonOptions& common) {
   return report.check && report.is_contradicted() ? ExitStatus::undecided : ExitStatus::done;
 }
 
-ExitStatus surface(const Options& options, const CommonOptions& common) {
+ExitStatus surface(const AnalyzeOptions& options, const CommonOptions& common) {
   SurfaceCommand command;
   command.surface = options.input;
   command.mesh = options.mesh;
@@ -57,7 +57,7 @@ ExitStatus surface(const Options& options, const CommonOptions& common) {
   return ExitStatus::done;
 }
 
-ExitStatus analyze(const Options& options, const CommonOptions& common) {
+ExitStatus analyze(const AnalyzeOptions& options, const CommonOptions& common) {
   const bool is_surface = options.input.extension() == ".vtp";
   if (is_surface && !options.sweep.empty())
     throw UsageError(options.input.string() + ": --sweep takes a mesh, not a surface");
@@ -81,7 +81,7 @@ ExitStatus analyze(const Options& options, const CommonOptions& common) {
 void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand(
       "analyze", "Topology against the mode of a field; shape and quality of surfaces");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AnalyzeOptions>();
   options->app = &app;
   reads(common, app.add_option("INPUT", options->input,
                                "Tetrahedral mesh with tensors, or a surface (.vtp)"))

@@ -21,7 +21,7 @@
 namespace tensortopo {
 namespace {
 
-struct Options {
+struct BenchOptions {
   BenchCommand command;
   std::vector<std::string> modes, only;
   std::string scaling;
@@ -38,7 +38,7 @@ const std::map<std::string, ScalingOver>& scalings() {
   return known;
 }
 
-std::vector<ModeValue> surface_modes(const Options& options) {
+std::vector<ModeValue> surface_modes(const BenchOptions& options) {
   const auto modes = parse_modes(options.modes);
   for (const ModeValue& mode : modes) {
     if (is_degenerate(mode)) {
@@ -74,7 +74,7 @@ void require_picture(const std::filesystem::path& file) {
   require_folder(file);
 }
 
-ExitStatus scaling(const Options& options, const CommonOptions& common) {
+ExitStatus scaling(const BenchOptions& options, const CommonOptions& common) {
   ScalingCommand command;
   command.over = scalings().at(options.scaling);
   refuse_given(*options.app, {"--only", "--all", "--curves"}, "has no effect on --scaling");
@@ -99,7 +99,7 @@ ExitStatus scaling(const Options& options, const CommonOptions& common) {
   return ExitStatus::done;
 }
 
-ExitStatus bench(const Options& options, const CommonOptions& common) {
+ExitStatus bench(const BenchOptions& options, const CommonOptions& common) {
   if (!options.scaling.empty()) return scaling(options, common);
   refuse_given(*options.app, {"--chart", "--largest"}, "only with --scaling");
   require_picture(options.curves);
@@ -126,7 +126,7 @@ ExitStatus bench(const Options& options, const CommonOptions& common) {
 void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand(
       "bench", "Time extraction against VTK's contours of the vertex modes and other methods");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BenchOptions>();
   options->app = &app;
   BenchCommand& command = options->command;
   reads(common, app.add_option("--input", command.input,

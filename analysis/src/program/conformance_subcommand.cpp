@@ -17,14 +17,14 @@
 namespace tensortopo {
 namespace {
 
-struct Options {
+struct ConformanceOptions {
   ConformanceCommand command;
   std::vector<std::string> modes;
   std::filesystem::path suite;
   const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
-ExitStatus suite(const Options& options, const CommonOptions& common) {
+ExitStatus suite(const ConformanceOptions& options, const CommonOptions& common) {
   const char* const why = "has no effect on --suite";
   refuse_given(*options.app,
                {"--surface", "--input", "--mode", "--truth", "--merge", "--resolution"}, why);
@@ -37,7 +37,7 @@ ExitStatus suite(const Options& options, const CommonOptions& common) {
   return ExitStatus::done;
 }
 
-ExitStatus conformance(const Options& options, const CommonOptions& common) {
+ExitStatus conformance(const ConformanceOptions& options, const CommonOptions& common) {
   if (!options.suite.empty()) return suite(options, common);
   ConformanceCommand command = options.command;
   const auto modes = parse_modes(options.modes);
@@ -56,7 +56,7 @@ ExitStatus conformance(const Options& options, const CommonOptions& common) {
 void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand(
       "conformance", "Score another program's mode surface against certified truth");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConformanceOptions>();
   ConformanceCommand& command = options->command;
   options->app = &app;
   app.add_option("--surface", command.surface, "Triangles to score: .vtp, .ply, .stl or .obj")

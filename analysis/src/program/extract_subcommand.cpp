@@ -20,7 +20,7 @@
 namespace tensortopo {
 namespace {
 
-struct Options {
+struct ExtractCommandOptions {
   ExtractCommand command;
   std::vector<std::string> modes;
   std::string method = "manifold";
@@ -30,7 +30,7 @@ struct Options {
 };
 
 /// Options that do nothing here are no usage.
-void require_effect(const Options& options) {
+void require_effect(const ExtractCommandOptions& options) {
   const auto refuse = [&](const char* option, bool has_effect, const char* what) {
     if (!has_effect && options.app->count(option) > 0)
       throw UsageError(std::string(option) + ": " + what);
@@ -44,7 +44,7 @@ void require_effect(const Options& options) {
 }
 
 /// Nothing for our own methods.
-Method other_method(const Options& options) {
+Method other_method(const ExtractCommandOptions& options) {
   static const std::map<std::string, Baseline> baselines{{"marching", Baseline::marching},
                                                          {"a-patches", Baseline::a_patches},
                                                          {"hybrid", Baseline::hybrid}};
@@ -62,7 +62,7 @@ Method other_method(const Options& options) {
   return nullptr;
 }
 
-ExitStatus extract(const Options& options, const CommonOptions& common) {
+ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& common) {
   ExtractCommand command = options.command;
   if (!options.invariant.invariant.empty())
     return extract_invariant(options.invariant, command, common);
@@ -104,7 +104,7 @@ ExitStatus extract(const Options& options, const CommonOptions& common) {
 void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand(
       "extract", "Extract mode surfaces and degenerate curves (modes 1 and -1) of a tensor field");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExtractCommandOptions>();
   ExtractCommand& command = options->command;
   options->app = &app;
   reads(common, app.add_option("INPUT", command.input,

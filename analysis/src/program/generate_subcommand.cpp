@@ -13,13 +13,13 @@
 namespace tensortopo {
 namespace {
 
-struct Options {
+struct GenerateOptions {
   GenerateCommand command;
   std::string kind;
   std::vector<std::string> modes;
 };
 
-ExitStatus generate(const Options& options, const CommonOptions& common) {
+ExitStatus generate(const GenerateOptions& options, const CommonOptions& common) {
   GenerateCommand command = options.command;
   command.kind = *field_kind(options.kind);
   command.modes = parse_modes(options.modes);
@@ -35,7 +35,7 @@ ExitStatus generate(const Options& options, const CommonOptions& common) {
 void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand(
       "generate", "Write fields with the certified truth about their mode surfaces");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GenerateOptions>();
   GenerateCommand& command = options->command;
   std::vector<std::string> kinds;
   for (const FieldKind kind : all_field_kinds()) kinds.emplace_back(name_of(kind));

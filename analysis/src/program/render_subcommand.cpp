@@ -21,7 +21,7 @@
 namespace tensortopo {
 namespace {
 
-struct Options {
+struct RenderOptions {
   RenderCommand command;
   std::filesystem::path input, mesh;
   std::string size, view, focus, texture, panels, direction, animation;
@@ -30,7 +30,7 @@ struct Options {
   const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
-RenderCommand command_of(const Options& options) {
+RenderCommand command_of(const RenderOptions& options) {
   RenderCommand command = options.command;
   if (!options.mesh.empty()) command.mesh = options.mesh;
   if (options.input.extension() == ".vtp") {
@@ -54,7 +54,7 @@ RenderCommand command_of(const Options& options) {
   return command;
 }
 
-ExitStatus render(const Options& options, const CommonOptions& common) {
+ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
   const RenderCommand command = command_of(options);
   ProgressBar bar(!common.quiet);
   const RenderReport report = run_render(command, bar.callback());
@@ -95,7 +95,7 @@ ExitStatus render(const Options& options, const CommonOptions& common) {
 
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action) {
   CLI::App& app = *program.add_subcommand("render", "Draw surfaces to a PNG, without a display");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderOptions>();
   options->app = &app;
   reads(common,
         app.add_option("INPUT", options->input,

@@ -22,9 +22,8 @@ namespace {
 constexpr int kWidth = 1600, kHeight = 1000;
 constexpr float kLeft = 170, kRight = 1250, kTop = 900, kBottom = 120;
 
-using namespace chart;
-
-constexpr std::array<Rgb, 6> kColours{kTeal, kGold, kBlue, kRed, kViolet, Rgb{90, 98, 108}};
+constexpr std::array<chart::Rgb, 6> kColours{chart::kTeal, chart::kGold,   chart::kBlue,
+                                             chart::kRed,  chart::kViolet, chart::Rgb{90, 98, 108}};
 
 /// From values to pixels.
 struct Axis {
@@ -87,7 +86,7 @@ class Drawing : public ChartItem {
     paint_axes();
     float top = kTop - 10;
     for (std::size_t i = 0; i < chart_->lines.size(); ++i) {
-      const Rgb& colour = kColours[i % kColours.size()];
+      const chart::Rgb& colour = kColours[i % kColours.size()];
       paint(chart_->lines[i], colour);
       pen(colour, 10);
       painter_->DrawPoint(kRight + 30, top);
@@ -100,16 +99,16 @@ class Drawing : public ChartItem {
  private:
   void paint_axes() {
     for (const double v : y_.ticks()) {
-      pen(kPale, 1.5F);
+      pen(chart::kPale, 1.5F);
       painter_->DrawLine(kLeft, y_.at(v), kRight, y_.at(v));
       words(kLeft - 12, y_.at(v), fmt::format("{:g}", v + 0.0), 22, false, VTK_TEXT_RIGHT);
     }
     for (const double v : x_.ticks()) {
-      pen(kPale, 1.5F);
+      pen(chart::kPale, 1.5F);
       painter_->DrawLine(x_.at(v), kBottom, x_.at(v), kTop);
       words(x_.at(v), kBottom - 26, fmt::format("{:g}", v + 0.0), 22, false, VTK_TEXT_CENTERED);
     }
-    pen(kInk, 1.5F);
+    pen(chart::kInk, 1.5F);
     painter_->DrawLine(kLeft, kBottom, kRight, kBottom);
     painter_->DrawLine(kLeft, kBottom, kLeft, kTop);
     words((kLeft + kRight) / 2, kBottom - 72, chart_->x_title, 24, true, VTK_TEXT_CENTERED);
@@ -117,7 +116,7 @@ class Drawing : public ChartItem {
     words(kLeft, kTop + 70, chart_->title, 26, true, VTK_TEXT_LEFT);
   }
 
-  void paint(const ChartLine& line, const Rgb& colour) {
+  void paint(const ChartLine& line, const chart::Rgb& colour) {
     std::vector<float> places;
     std::vector<std::size_t> which;
     for (std::size_t i = 0; i < line.points.size(); ++i) {

@@ -19,9 +19,7 @@ TetrahedronField<Rational> exact_field(const std::array<SymmetricTensor<double>,
   TetrahedronField<Rational> field;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& t = tensors[i];
-    field.vertex[i] =
-        deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                           Rational(t.xy), Rational(t.yz), Rational(t.xz)});
+    field.vertex[i] = deviator(tensor_cast<Rational>(t));
   }
   return field;
 }

@@ -30,12 +30,6 @@ struct Cell {
   double diameter = 0;
 };
 
-template <class Scalar>
-Deviator<Scalar> exact_deviator(const SymmetricTensor<double>& t) {
-  return deviator(SymmetricTensor<Scalar>{Scalar(t.xx), Scalar(t.yy), Scalar(t.zz), Scalar(t.xy),
-                                          Scalar(t.yz), Scalar(t.xz)});
-}
-
 Vector3<Real50> wide(const Vector3<double>& p) { return {Real50(p.x), Real50(p.y), Real50(p.z)}; }
 
 Cell cell_of(const TetMesh& mesh, const std::array<TetMesh::Index, 4>& vertices) {
@@ -84,7 +78,7 @@ template <class Scalar, class Weight>
 Deviator<Scalar> tensor_at(const Cell& cell, const std::vector<Weight>& w) {
   Deviator<Scalar> t{};
   for (std::size_t i = 0; i < w.size(); ++i)
-    t = t + Scalar(w[i]) * exact_deviator<Scalar>(cell.tensors[i]);
+    t = t + Scalar(w[i]) * deviator(tensor_cast<Scalar>(cell.tensors[i]));
   return t;
 }
 
@@ -107,7 +101,7 @@ std::optional<Place> place_on_level(const Cell& cell, std::vector<Real50> w,
     const auto at = level_slope(tensor_at<Real50>(cell, w), level);
     Real50 mean(0), square(0);
     for (std::size_t i = 0; i < n; ++i) {
-      d[i] = inner(at.slope, thrice(exact_deviator<Real50>(cell.tensors[i])));
+      d[i] = inner(at.slope, thrice(deviator(tensor_cast<Real50>(cell.tensors[i]))));
       mean = mean + d[i] / Real50(static_cast<int>(n));
     }
     for (std::size_t i = 0; i < n; ++i) {

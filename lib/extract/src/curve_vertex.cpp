@@ -57,9 +57,7 @@ Deviator<long double> FieldInSpace::along(const Vector& direction) const {
 
 double FieldInSpace::distance_from_degenerate(const Vector3<double>& x) const {
   const auto t = at(x);
-  const auto narrow = [](long double entry) { return static_cast<double>(entry); };
-  return std::abs(std::sin(3 * lode_angle(Deviator<double>{narrow(t.a), narrow(t.b), narrow(t.xy),
-                                                           narrow(t.yz), narrow(t.xz)})));
+  return std::abs(std::sin(3 * lode_angle(tensor_cast<double>(t))));
 }
 
 double FieldInSpace::separation(const Vector3<double>& x, const Vector3<double>& dominant) const {

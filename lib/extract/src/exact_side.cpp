@@ -23,8 +23,7 @@ Sign exact_side_of_level(std::span<const SymmetricTensor<double>> tensors,
   Deviator<Rational> t{};
   for (std::size_t i = 0; i < tensors.size(); ++i) {
     const auto& s = tensors[i];
-    const SymmetricTensor<Rational> exact{Rational(s.xx), Rational(s.yy), Rational(s.zz),
-                                          Rational(s.xy), Rational(s.yz), Rational(s.xz)};
+    const auto exact = tensor_cast<Rational>(s);
     t = t + (Rational(weights[i]) * power_of_two(exponents[i])) * deviator(exact);
   }
   return exact_side_of_level(t, to_scalar<Rational>(mode));

@@ -12,15 +12,6 @@
 
 namespace tensortopo {
 
-namespace {
-
-template <class Scalar>
-SymmetricTensor<Scalar> converted(const SymmetricTensor<double>& t) {
-  return {Scalar(t.xx), Scalar(t.yy), Scalar(t.zz), Scalar(t.xy), Scalar(t.yz), Scalar(t.xz)};
-}
-
-}  // namespace
-
 template <class Scalar>
 ScaledField<Scalar>::ScaledField(const TetMesh& m)
     : mesh(&m),
@@ -31,7 +22,7 @@ ScaledField<Scalar>::ScaledField(const TetMesh& m)
     using std::ilogb, std::ldexp, std::max;
     // Wider exponents than double's: no difference or scaling can overflow or underflow.
     using Wide = std::conditional_t<std::is_same_v<Scalar, double>, long double, Scalar>;
-    const auto d = deviator(converted<Wide>(m.tensors[v]));
+    const auto d = deviator(tensor_cast<Wide>(m.tensors[v]));
     const auto size = [](const Wide& x) { return x < Wide(0) ? Wide(-x) : x; };
     const Wide largest = max({size(d.a), size(d.b), size(d.xy), size(d.yz), size(d.xz)});
     if (!(largest > Wide(0))) {
@@ -40,10 +31,7 @@ ScaledField<Scalar>::ScaledField(const TetMesh& m)
     }
     const int first = -static_cast<int>(ilogb(largest));
     const Wide factor = ldexp(Wide(1), first);
-    const Deviator<Scalar> near_one{
-        static_cast<Scalar>(factor * d.a), static_cast<Scalar>(factor * d.b),
-        static_cast<Scalar>(factor * d.xy), static_cast<Scalar>(factor * d.yz),
-        static_cast<Scalar>(factor * d.xz)};
+    const auto near_one = tensor_cast<Scalar>(factor * d);
     // sqrt(P) in [1.74, 3.48): P in [3, 12) up to rounding.
     const double norm = std::sqrt(static_cast<double>(norm_form(near_one)));
     const int second = -std::ilogb(norm / 1.74);

@@ -45,8 +45,7 @@ std::array<Deviator<Long>, Part> tensors_in(
   for (std::size_t i = 0; i < Vertices; ++i) {
     using std::ldexp;
     const auto& t = *root.exact[i];
-    const SymmetricTensor<Long> exact{Long(t.xx), Long(t.yy), Long(t.zz),
-                                      Long(t.xy), Long(t.yz), Long(t.xz)};
+    const auto exact = tensor_cast<Long>(t);
     const Long scale = ldexp(Long(1), root.exponents[i]);
     corners[i] = scale * deviator(exact);
   }

@@ -10,10 +10,7 @@ namespace tensortopo {
 
 std::vector<Deviator<Rational>> exact_deviators(std::span<const SymmetricTensor<double>> tensors) {
   std::vector<Deviator<Rational>> result;
-  for (const auto& t : tensors)
-    result.push_back(
-        deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                           Rational(t.xy), Rational(t.yz), Rational(t.xz)}));
+  for (const auto& t : tensors) result.push_back(deviator(tensor_cast<Rational>(t)));
   return result;
 }
 

@@ -158,8 +158,7 @@ inline IntervalTensor enclosure(const Deviator<Rational>& t) {
 }
 
 inline Deviator<Rational> exact(const SymmetricTensor<double>& t) {
-  return deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                            Rational(t.xy), Rational(t.yz), Rational(t.xz)});
+  return deviator(tensor_cast<Rational>(t));
 }
 
 }  // namespace tensortopo::detail

@@ -44,9 +44,7 @@ Tensor in_integers(const Tensor& t) {
 }
 
 Tensor exact(const SymmetricTensor<double>& t) {
-  return in_integers(
-      deviator(SymmetricTensor<Rational>{Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                         Rational(t.xy), Rational(t.yz), Rational(t.xz)}));
+  return in_integers(deviator(tensor_cast<Rational>(t)));
 }
 
 // P and Q on the tensors a + x b.

@@ -85,8 +85,7 @@ int exact_rank(std::span<const SymmetricTensor<double>> tensors) {
   largest_entry(tensors);
   std::vector<Row> rows;
   for (const auto& t : tensors) {
-    const SymmetricTensor<Rational> exact = {Rational(t.xx), Rational(t.yy), Rational(t.zz),
-                                             Rational(t.xy), Rational(t.yz), Rational(t.xz)};
+    const auto exact = tensor_cast<Rational>(t);
     rows.push_back(detail::coordinates(deviator(exact)));
   }
   return rank_by_elimination(std::move(rows));

@@ -16,8 +16,7 @@ using Tensors = std::array<SymmetricTensor<double>, 4>;
 
 template <class Scalar>
 Deviator<Scalar> deviator_of(const SymmetricTensor<double>& t) {
-  return deviator(SymmetricTensor<Scalar>{Scalar(t.xx), Scalar(t.yy), Scalar(t.zz), Scalar(t.xy),
-                                          Scalar(t.yz), Scalar(t.xz)});
+  return deviator(tensor_cast<Scalar>(t));
 }
 
 template <class Scalar>

@@ -41,9 +41,7 @@ inline Deviator<double> middle(const IntervalTensor& t) {
   return {middle(t.a), middle(t.b), middle(t.xy), middle(t.yz), middle(t.xz)};
 }
 
-inline IntervalTensor point(const Deviator<double>& t) {
-  return {Range(t.a), Range(t.b), Range(t.xy), Range(t.yz), Range(t.xz)};
-}
+inline IntervalTensor point(const Deviator<double>& t) { return tensor_cast<Range>(t); }
 
 inline bool is_not_zero(const Range& x) { return x.inf() > 0 || x.sup() < 0; }
 
@@ -58,8 +56,7 @@ inline IntervalTensor normalized(const IntervalTensor& t) {
 }
 
 inline IntervalTensor deviator_enclosure(const SymmetricTensor<double>& t) {
-  return deviator(SymmetricTensor<Range>{Range(t.xx), Range(t.yy), Range(t.zz), Range(t.xy),
-                                         Range(t.yz), Range(t.xz)});
+  return deviator(tensor_cast<Range>(t));
 }
 
 /// Other tensors with the same span, about orthogonal: where a field varies little, its vertex

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "cell_scale.hpp"
-#include "in_rationals.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
@@ -79,7 +78,7 @@ const CellForm::Exact& CellForm::exact() const {
   if (exact_) return *exact_;
   exact_ = std::make_unique<Exact>();
   for (std::size_t i = 0; i < 4; ++i) {
-    exact_->trace[i] = trace(in_rationals(*tensors_[i]));
+    exact_->trace[i] = trace(tensor_cast<Rational>(*tensors_[i]));
     for (std::size_t j = 0; j <= i; ++j)
       exact_->form[i][j] = exact_->form[j][i] = form_.exact(i, j);
   }
@@ -126,7 +125,7 @@ bool CellForm::has_zero_inside(unsigned mask) const {
   std::array<SymmetricTensor<Rational>, Corners> tensors;
   std::size_t k = 0;
   for (std::size_t i = 0; i < 4; ++i)
-    if (mask >> i & 1) tensors[k++] = in_rationals(*tensors_[i]);
+    if (mask >> i & 1) tensors[k++] = tensor_cast<Rational>(*tensors_[i]);
   for (std::size_t i = 0; i < Corners; ++i)
     for (std::size_t j = 0; j < Corners; ++j) gram[i][j] = inner(tensors[i], tensors[j]);
   if constexpr (Corners == 1) {

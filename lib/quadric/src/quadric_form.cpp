@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "cell_scale.hpp"
-#include "in_rationals.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
@@ -49,7 +48,7 @@ QuadricForm::QuadricForm(const QuadraticLevel& level,
 }
 
 Rational QuadricForm::exact(std::size_t i, std::size_t j) const {
-  const auto s = in_rationals(*tensors_[i]), t = in_rationals(*tensors_[j]);
+  const auto s = tensor_cast<Rational>(*tensors_[i]), t = tensor_cast<Rational>(*tensors_[j]);
   return norm_form(deviator(s), deviator(t)) + level_.tau * (trace(s) * trace(t)) - level_.gamma;
 }
 

@@ -42,7 +42,8 @@ int gradient_degree(const Triple& basis) {
   const auto [u, v, w] = orthogonal(basis);
   int degree = 0;
   for (const IntegerTensor& direction : {u, v, u + v}) {
-    const auto t = Polynomial::variable() * lifted<Polynomial>(direction) + lifted<Polynomial>(w);
+    const auto t =
+        Polynomial::variable() * tensor_cast<Polynomial>(direction) + tensor_cast<Polynomial>(w);
     const auto f = products(square(t), basis);
     degree = std::max({degree, f.x.degree(), f.y.degree(), f.z.degree()});
   }

@@ -36,8 +36,8 @@ Vector3<Scalar> lifted(const Vector3<Integer>& v) {
 
 // What has these coordinates in the changed basis, in the original one.
 Vector3<Polynomial> original(const Change& change, const Vector3<Polynomial>& v) {
-  return v.x * lifted<Polynomial>(change[0]) + v.y * lifted<Polynomial>(change[1]) +
-         v.z * lifted<Polynomial>(change[2]);
+  return v.x * tensor_cast<Polynomial>(change[0]) + v.y * tensor_cast<Polynomial>(change[1]) +
+         v.z * tensor_cast<Polynomial>(change[2]);
 }
 
 std::array<IntegerTensor, 3> changed(const std::array<IntegerTensor, 3>& basis,

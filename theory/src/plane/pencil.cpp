@@ -17,7 +17,7 @@ bool has_points(const PointFamily& family) {
 // The neutral tensors for the zeros of `degenerate`. A vector that is orthogonal to none of their
 // eigenvectors is found among a few.
 bool find_neutral(const Plane& plane, const Polynomial& degenerate, PencilSystem& system) {
-  const auto normal = system.normal(), other = lifted<Polynomial>(system.basis[0]);
+  const auto normal = system.normal(), other = tensor_cast<Polynomial>(system.basis[0]);
   for (int i = 0; i < 8; ++i) {
     const Vector3<Polynomial> v = {Polynomial(1), Polynomial(i), Polynomial(i * i)};
     const auto t = neutral_companion(dominant_direction(normal, v), other);
@@ -35,8 +35,8 @@ PencilSystem pencil_system(const Plane& plane) {
   // A cubic that is not zero has at most three zeros.
   for (int j = 0; j < 4 && system.position == Position::not_isolated; ++j) {
     system.basis = {plane.complement[0] + Integer(j) * plane.complement[1], plane.complement[1]};
-    system.cubic = pencil_cubic(system.normal(), lifted<Polynomial>(system.basis[0]),
-                                lifted<Polynomial>(system.basis[1]));
+    system.cubic = pencil_cubic(system.normal(), tensor_cast<Polynomial>(system.basis[0]),
+                                tensor_cast<Polynomial>(system.basis[1]));
     if (system.cubic.degree() == 3) system.position = Position::general;
   }
   if (system.position == Position::not_isolated) return system;

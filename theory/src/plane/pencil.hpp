@@ -73,7 +73,8 @@ struct PencilSystem {
 
   /// N at the zeros of the cubic.
   SymmetricTensor<Polynomial> normal() const {
-    return Polynomial::variable() * lifted<Polynomial>(basis[0]) + lifted<Polynomial>(basis[1]);
+    return Polynomial::variable() * tensor_cast<Polynomial>(basis[0]) +
+           tensor_cast<Polynomial>(basis[1]);
   }
 };
 PencilSystem pencil_system(const Plane& plane);

@@ -32,26 +32,21 @@ std::optional<Plane> plane_of(const TetrahedronField<Rational>& field);
 
 TriangleField<Rational> first_face(const TetrahedronField<Rational>& field);
 
-/// The tensor itself, its entries as constants.
-template <class Scalar>
-SymmetricTensor<Scalar> lifted(const IntegerTensor& t) {
-  return {Scalar(t.xx), Scalar(t.yy), Scalar(t.zz), Scalar(t.xy), Scalar(t.yz), Scalar(t.xz)};
-}
-
 /// The sum of three tensors with coefficients.
 template <class Scalar>
 SymmetricTensor<Scalar> combined(const std::array<IntegerTensor, 3>& basis,
                                  const Vector3<Scalar>& coefficients) {
-  return coefficients.x * lifted<Scalar>(basis[0]) + coefficients.y * lifted<Scalar>(basis[1]) +
-         coefficients.z * lifted<Scalar>(basis[2]);
+  return coefficients.x * tensor_cast<Scalar>(basis[0]) +
+         coefficients.y * tensor_cast<Scalar>(basis[1]) +
+         coefficients.z * tensor_cast<Scalar>(basis[2]);
 }
 
 /// <T, B> for each tensor B of the basis.
 template <class Scalar>
 Vector3<Scalar> products(const SymmetricTensor<Scalar>& t,
                          const std::array<IntegerTensor, 3>& basis) {
-  return {inner(t, lifted<Scalar>(basis[0])), inner(t, lifted<Scalar>(basis[1])),
-          inner(t, lifted<Scalar>(basis[2]))};
+  return {inner(t, tensor_cast<Scalar>(basis[0])), inner(t, tensor_cast<Scalar>(basis[1])),
+          inner(t, tensor_cast<Scalar>(basis[2]))};
 }
 
 /// The matrix of <B_i, B_j>.
@@ -67,7 +62,7 @@ SymmetricTensor<Scalar> cofactors(const SymmetricTensor<Scalar>& m) {
 /// Coordinates of the orthogonal projection of t to the plane, times a positive number.
 template <class Scalar>
 Vector3<Scalar> coordinates(const Plane& plane, const SymmetricTensor<Scalar>& t) {
-  return lifted<Scalar>(cofactors(gram_matrix(plane.basis))) * products(t, plane.basis);
+  return tensor_cast<Scalar>(cofactors(gram_matrix(plane.basis))) * products(t, plane.basis);
 }
 
 /// (grad det) x G x at the tensor with coordinates x, G the Gram matrix: zero where the mode is
@@ -95,12 +90,12 @@ template <class Scalar>
 Scalar morse_form(const std::array<IntegerTensor, 3>& basis, const SymmetricTensor<Scalar>& t) {
   const auto second = [&](std::size_t i, std::size_t j) {
     const IntegerTensor product = square(basis[i] + basis[j]) - square(basis[i]) - square(basis[j]);
-    return inner(t, lifted<Scalar>(product));
+    return inner(t, tensor_cast<Scalar>(product));
   };
   const SymmetricTensor<Scalar> hessian = {second(0, 0), second(1, 1), second(2, 2),
                                            second(0, 1), second(1, 2), second(0, 2)};
   const Scalar size = inner(t, t), cube = inner(square(t), t);
-  const auto on_sphere = size * hessian - cube * lifted<Scalar>(gram_matrix(basis));
+  const auto on_sphere = size * hessian - cube * tensor_cast<Scalar>(gram_matrix(basis));
   const Vector3<Scalar> normal = products(t, basis);
   return dot(normal, cofactors(on_sphere) * normal);
 }

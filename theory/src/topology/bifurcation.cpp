@@ -18,8 +18,7 @@ Four tensors_of(const SpanBasis& basis) {
   Four result;
   for (std::size_t i = 0; i < 4; ++i) {
     const Deviator<Integer>& b = basis[i];
-    result[i] = to_tensor(Deviator<Rational>{Rational(b.a), Rational(b.b), Rational(b.xy),
-                                             Rational(b.yz), Rational(b.xz)});
+    result[i] = to_tensor(tensor_cast<Rational>(b));
   }
   return result;
 }

@@ -22,10 +22,7 @@ std::optional<Tensor> regular_normal(const Trial& trial, Facts<Rational>& facts)
   return n;
 }
 
-Tensor tensor_of(const Deviator<Integer>& d) {
-  return to_tensor(Deviator<Rational>{Rational(d.a), Rational(d.b), Rational(d.xy), Rational(d.yz),
-                                      Rational(d.xz)});
-}
+Tensor tensor_of(const Deviator<Integer>& d) { return to_tensor(tensor_cast<Rational>(d)); }
 
 // A random tensor of the span.
 Tensor random_tensor(const SpanBasis& basis, Random& random) {

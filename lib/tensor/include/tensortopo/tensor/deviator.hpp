@@ -26,6 +26,13 @@ struct Deviator {
   friend bool operator==(const Deviator&, const Deviator&) = default;
 };
 
+/// The deviator in another scalar, component by component. (Of a tensor of doubles, the deviator of
+/// the tensor in another scalar is another one: differences of doubles round.)
+template <class To, class From>
+constexpr Deviator<To> tensor_cast(const Deviator<From>& t) {
+  return {To(t.a), To(t.b), To(t.xy), To(t.yz), To(t.xz)};
+}
+
 /// The deviator T - (trace T / 3) I of a tensor.
 template <class Scalar>
 constexpr Deviator<Scalar> deviator(const SymmetricTensor<Scalar>& t) {

@@ -30,6 +30,12 @@ struct SymmetricTensor {
   }
 };
 
+/// The tensor in another scalar, component by component.
+template <class To, class From>
+constexpr SymmetricTensor<To> tensor_cast(const SymmetricTensor<From>& t) {
+  return {To(t.xx), To(t.yy), To(t.zz), To(t.xy), To(t.yz), To(t.xz)};
+}
+
 template <class Scalar>
 constexpr Scalar trace(const SymmetricTensor<Scalar>& t) {
   return t.xx + t.yy + t.zz;
