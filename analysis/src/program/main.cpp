@@ -39,7 +39,16 @@ ExitStatus fail(ExitStatus status, std::string message) {
 }
 
 ExitStatus status_of(IoError::Kind kind) {
-  return kind == IoError::Kind::unwritable ? ExitStatus::cannot_write : ExitStatus::bad_input;
+  switch (kind) {
+    case IoError::Kind::unwritable:
+      return ExitStatus::cannot_write;
+    case IoError::Kind::inapplicable:
+      return ExitStatus::bad_usage;
+    case IoError::Kind::unreadable:
+    case IoError::Kind::invalid:
+      break;
+  }
+  return ExitStatus::bad_input;
 }
 
 // Stages make large arrays and free them by turns: what the system would take back it would have to

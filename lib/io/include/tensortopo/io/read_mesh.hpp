@@ -22,7 +22,8 @@ enum class ComponentOrder {
 struct ReadOptions {
   /// Name of the tensor array; empty for the only array that has 6 or 9 components.
   std::string tensor;
-  /// Order of 6 components; empty for VTK's (refused if the file names another order).
+  /// Order of 6 components; empty for VTK's (refused if the file names another order). Refused
+  /// (inapplicable) if the array has 9.
   std::optional<ComponentOrder> components;
   /// Take (T + T^t) / 2 of a 3x3 tensor that is asymmetric by more than 1e-9 of its norm.
   bool symmetrize = false;
@@ -71,7 +72,7 @@ struct ReadResult {
 ///           file in pieces: through all pieces in order).
 /// Pieces    Points of different pieces that agree in position and tensor become one. Equal
 ///           position and different tensors is an error: the field would be torn there.
-/// Throws    IoError, `unreadable` or `invalid`.
+/// Throws    IoError, `unreadable`, `invalid` or `inapplicable`.
 ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options = {});
 
 }  // namespace tensortopo
