@@ -18,6 +18,7 @@
 
 #include "certificate.hpp"
 #include "require_folder.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
@@ -234,8 +235,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     options.keep_samples = command.all_samples;
     options.keep_topology = certifying;
     if (progress) {
-      options.progress = [&, label = "mode " + modes[i].text() + ": "](std::string_view stage,
-                                                                       double fraction) {
+      options.progress = [&, label = "mode " + short_text(modes[i]) + ": "](std::string_view stage,
+                                                                            double fraction) {
         progress(label + std::string(stage), fraction);
       };
     }
@@ -278,7 +279,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     report.surfaces.push_back(surface_report(modes[i], extraction));
     report.seconds_invariants += invariants_clock.seconds();
     if (certifying) {
-      tell(progress, "mode " + modes[i].text() + ": certificate", 0);
+      tell(progress, "mode " + short_text(modes[i]) + ": certificate", 0);
       const Clock certify_clock;
       if (!level) level = certify(read.mesh, modes[i], extraction);
       seconds_certify += certify_clock.seconds();

@@ -10,6 +10,7 @@
 
 #include "certificate.hpp"
 #include "require_folder.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -74,7 +75,8 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
     InvariantOptions options;
     options.pieces = command.pieces;
     if (progress)
-      options.progress = [&, label = std::string(name_of(level.invariant())) + " " + level.text() +
+      options.progress = [&, label = std::string(name_of(level.invariant())) + " " +
+                                     short_text(level) +
                                      ": "](std::string_view stage, double fraction) {
         progress(label + std::string(stage), fraction);
       };

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certificate_report_output.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/invariant_command.hpp"
 #include "topology_json.hpp"
 
@@ -89,7 +90,7 @@ std::string to_text(const InvariantReport& report) {
                    "loops", "euler", "area", "residual", "manifold", "tets");
   for (const auto& s : report.surfaces)
     fmt::format_to(out, "{:>20} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8} {:>8}\n",
-                   s.level.text(), s.vertices, s.triangles, s.topology.components,
+                   short_text(s.level), s.vertices, s.triangles, s.topology.components,
                    s.topology.boundary_loops, s.topology.euler_characteristic, s.topology.area,
                    s.max_abs_residual, s.topology.manifold ? "yes" : "no",
                    s.statistics.tets_crossed);
