@@ -143,13 +143,16 @@ void write_atomically(const std::filesystem::path& file, std::string_view bytes)
 
 namespace tensortopo {
 
-FileGroup::FileGroup()
+FileGroup::FileGroup(Bond bond)
     : files_(std::make_unique<detail::UnfinishedFiles>()),
-      outer_(std::exchange(detail::current_group, files_.get())) {}
+      outer_(std::exchange(detail::current_group, files_.get())),
+      bond_(bond) {}
 
 FileGroup::~FileGroup() { detail::current_group = outer_; }
 
 void FileGroup::commit() {
+  if (outer_ != nullptr && bond_ == Bond::joined)
+    return outer_->files.splice(outer_->files.end(), files_->files);
   for (auto& file : files_->files) {
     try {
       file.temporary.become(file.place);
