@@ -24,6 +24,7 @@
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
@@ -214,6 +215,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   report.sha256 = read.sha256;
   report.tensor_name = read.report.tensor_name;
   report.notes = read.report.notes;
+  report.torn_faces = read.report.torn_faces;
+  if (command.strict && report.torn_faces.count > 0)
+    throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
 

@@ -106,6 +106,7 @@ std::string to_text(const ExtractReport& report) {
                    "critical mode: {} tetrahedra drawn at one next to it, of the same topology\n",
                    total.tets_nearby);
   }
+  if (report.torn_faces.count > 0) fmt::format_to(out, "{}\n", report.torn_faces.text());
   if (report.written) {
     fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",
                    report.output.string(), report.bytes, report.seconds_read,

@@ -15,6 +15,7 @@
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 
 namespace tensortopo {
@@ -61,6 +62,9 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   report.sha256 = read.sha256;
   report.tensor_name = read.report.tensor_name;
   report.notes = read.report.notes;
+  report.torn_faces = read.report.torn_faces;
+  if (command.strict && report.torn_faces.count > 0)
+    throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
 

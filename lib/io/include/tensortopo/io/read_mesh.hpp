@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,6 +35,19 @@ struct ReadOptions {
   bool tetrahedralize = false;
 };
 
+/// Faces of cells that lie on faces of others without being shared: the mesh is torn there, and so
+/// are surfaces in it. Other vertices in the same place (a crack, if it is meant), quadrilaterals
+/// cut along both diagonals, hanging nodes. Decided exactly, of the coordinates as they are.
+struct TornFaces {
+  std::size_t count = 0;  ///< triangles, of both sides
+  std::array<std::array<TetMesh::Index, 3>, 2>
+      vertices{};                       ///< of the first, and one that it lies on
+  std::array<std::int64_t, 2> cells{};  ///< of the file, that these belong to
+
+  /// What there is to say of them; empty if there are none.
+  std::string text() const;
+};
+
 /// What reading did beyond copying; all counts are zero for a plain file.
 struct ReadReport {
   std::string tensor_name;
@@ -45,6 +60,7 @@ struct ReadReport {
   std::size_t averaged_vertices = 0;    ///< got their tensor from cells
   std::size_t merged_points = 0;        ///< points dropped as copies of another piece's
   std::size_t unreferenced_points = 0;  ///< in no tetrahedron; kept
+  TornFaces torn_faces;
   std::vector<std::string> notes;       ///< the same for people, one line each
 };
 
