@@ -18,11 +18,13 @@
 
 #include "certificate.hpp"
 #include "require_folder.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
@@ -213,6 +215,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   report.sha256 = read.sha256;
   report.tensor_name = read.report.tensor_name;
   report.notes = read.report.notes;
+  report.torn_faces = read.report.torn_faces;
+  if (command.strict && report.torn_faces.count > 0)
+    throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
 
@@ -234,8 +239,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     options.keep_samples = command.all_samples;
     options.keep_topology = certifying;
     if (progress) {
-      options.progress = [&, label = "mode " + modes[i].text() + ": "](std::string_view stage,
-                                                                       double fraction) {
+      options.progress = [&, label = "mode " + short_text(modes[i]) + ": "](std::string_view stage,
+                                                                            double fraction) {
         progress(label + std::string(stage), fraction);
       };
     }
@@ -278,7 +283,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     report.surfaces.push_back(surface_report(modes[i], extraction));
     report.seconds_invariants += invariants_clock.seconds();
     if (certifying) {
-      tell(progress, "mode " + modes[i].text() + ": certificate", 0);
+      tell(progress, "mode " + short_text(modes[i]) + ": certificate", 0);
       const Clock certify_clock;
       if (!level) level = certify(read.mesh, modes[i], extraction);
       seconds_certify += certify_clock.seconds();

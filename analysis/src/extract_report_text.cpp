@@ -8,6 +8,7 @@
 #include <set>
 
 #include "certificate_report_output.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
 
 namespace tensortopo {
@@ -79,8 +80,8 @@ std::string to_text(const ExtractReport& report) {
   for (const SurfaceReport& s : report.surfaces) {
     const SurfaceInvariants& known = s.invariants;
     fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9} {:>8} {:>8}\n",
-                   s.mode.text(), s.vertices, s.triangles, known.components, known.boundary_loops,
-                   known.euler_characteristic, known.area,
+                   short_text(s.mode), s.vertices, s.triangles, known.components,
+                   known.boundary_loops, known.euler_characteristic, known.area,
                    std::isnan(s.max_abs_residual) ? "-" : fmt::format("{:.1e}", s.max_abs_residual),
                    known.manifold ? "yes" : "no", s.statistics.tets_crossed);
   }
@@ -89,7 +90,7 @@ std::string to_text(const ExtractReport& report) {
                    "parts", "closed", "length", "residual", "tets");
   }
   for (const CurveReport& c : report.curves) {
-    fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8}\n", c.mode.text(),
+    fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8}\n", short_text(c.mode),
                    c.invariants.vertices, c.invariants.components, c.invariants.closed_components,
                    c.invariants.length, c.max_residual, c.statistics.tets_crossed);
   }
@@ -105,6 +106,7 @@ std::string to_text(const ExtractReport& report) {
                    "critical mode: {} tetrahedra drawn at one next to it, of the same topology\n",
                    total.tets_nearby);
   }
+  if (report.torn_faces.count > 0) fmt::format_to(out, "{}\n", report.torn_faces.text());
   if (report.written) {
     fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",
                    report.output.string(), report.bytes, report.seconds_read,

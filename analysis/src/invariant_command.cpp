@@ -10,10 +10,12 @@
 
 #include "certificate.hpp"
 #include "require_folder.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 
 namespace tensortopo {
@@ -60,6 +62,9 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   report.sha256 = read.sha256;
   report.tensor_name = read.report.tensor_name;
   report.notes = read.report.notes;
+  report.torn_faces = read.report.torn_faces;
+  if (command.strict && report.torn_faces.count > 0)
+    throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
 
@@ -74,7 +79,8 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
     InvariantOptions options;
     options.pieces = command.pieces;
     if (progress)
-      options.progress = [&, label = std::string(name_of(level.invariant())) + " " + level.text() +
+      options.progress = [&, label = std::string(name_of(level.invariant())) + " " +
+                                     short_text(level) +
                                      ": "](std::string_view stage, double fraction) {
         progress(label + std::string(stage), fraction);
       };

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certificate_report_output.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/invariant_command.hpp"
 #include "topology_json.hpp"
 
@@ -51,9 +52,13 @@ std::string unresolved_line(const InvariantReport& report) {
 
 std::string to_json(const InvariantReport& report) {
   Json json;
-  json["input"] = {{"path", report.input.string()}, {"sha256", report.sha256},
-                   {"vertices", report.vertices},   {"tetrahedra", report.tetrahedra},
-                   {"tensor", report.tensor_name},  {"notes", report.notes}};
+  json["input"] = {{"path", report.input.string()},
+                   {"sha256", report.sha256},
+                   {"vertices", report.vertices},
+                   {"tetrahedra", report.tetrahedra},
+                   {"tensor", report.tensor_name},
+                   {"notes", report.notes},
+                   {"torn_faces", torn_faces_json(report.torn_faces)}};
   json["output"] = nullptr;
   if (report.written) json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};
   json["surfaces"] = Json::array();
@@ -89,10 +94,11 @@ std::string to_text(const InvariantReport& report) {
                    "loops", "euler", "area", "residual", "manifold", "tets");
   for (const auto& s : report.surfaces)
     fmt::format_to(out, "{:>20} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8} {:>8}\n",
-                   s.level.text(), s.vertices, s.triangles, s.topology.components,
+                   short_text(s.level), s.vertices, s.triangles, s.topology.components,
                    s.topology.boundary_loops, s.topology.euler_characteristic, s.topology.area,
                    s.max_abs_residual, s.topology.manifold ? "yes" : "no",
                    s.statistics.tets_crossed);
+  if (report.torn_faces.count > 0) fmt::format_to(out, "{}\n", report.torn_faces.text());
   if (report.written)
     fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",
                    report.output.string(), report.bytes, report.seconds_read,

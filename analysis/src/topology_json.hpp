@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo {
@@ -17,6 +18,13 @@ inline void add_topology(nlohmann::ordered_json& json, const SurfaceInvariants& 
   json["closed"] = known.closed;
   json["manifold"] = known.manifold;
   json["area"] = known.area;
+}
+
+/// How many there are, and of the first, and one that it lies on, the vertices and cells.
+inline nlohmann::ordered_json torn_faces_json(const TornFaces& torn) {
+  nlohmann::ordered_json json{{"count", torn.count}};
+  if (torn.count > 0) json["vertices"] = torn.vertices, json["cells"] = torn.cells;
+  return json;
 }
 
 inline nlohmann::ordered_json parts_json(const SurfaceInvariants& known) {

@@ -25,11 +25,9 @@ namespace {
   _exit(127);
 }
 
-}  // namespace
-
-Outcome run_program(const std::vector<std::string>& arguments) {
-  const Folder folder;
-  const std::string out = folder / "out", err = folder / "err";
+Outcome run(const std::vector<std::string>& arguments, const Folder& folder,
+            const std::string& out) {
+  const std::string err = folder / "err";
   std::vector<std::string> words{TENSORTOPO_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t child = fork();
@@ -37,7 +35,22 @@ Outcome run_program(const std::vector<std::string>& arguments) {
   if (child == 0) become_program(words, out, err);
   int state = 0;
   waitpid(child, &state, 0);
-  return {WIFEXITED(state) ? WEXITSTATUS(state) : -1, contents(out), contents(err)};
+  return {WIFEXITED(state) ? WEXITSTATUS(state) : -1, {}, contents(err)};
+}
+
+}  // namespace
+
+Outcome run_program(const std::vector<std::string>& arguments) {
+  const Folder folder;
+  const std::string out = folder / "out";
+  Outcome outcome = run(arguments, folder, out);
+  outcome.out = contents(out);
+  return outcome;
+}
+
+Outcome run_without_output(const std::vector<std::string>& arguments) {
+  const Folder folder;
+  return run(arguments, folder, "/dev/full");
 }
 
 std::string field(const std::string& name) {

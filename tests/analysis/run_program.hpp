@@ -19,6 +19,9 @@ struct Outcome {
 /// Runs the program tensortopo, without a display, and with no terminal.
 Outcome run_program(const std::vector<std::string>& arguments);
 
+/// The same with a standard output that takes nothing, as on a full disk.
+Outcome run_without_output(const std::vector<std::string>& arguments);
+
 /// A bundled field: "s1_compress_off", "s2_pushpull", "s3_three" or "s4_slab".
 std::string field(const std::string& name);
 

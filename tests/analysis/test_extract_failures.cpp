@@ -198,6 +198,63 @@ TEST(ExtractFailures, StrictRefusesWhatIsUnresolvedAndWritesNothing) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"zero.vtk"});
 }
 
+/// A cube beside two tetrahedra that cut its side along the other diagonal.
+std::string torn_mesh(const Folder& folder) {
+  const std::string file = folder / "torn.vtk";
+  std::ofstream(file) << R"(# vtk DataFile Version 3.0
+a side with two diagonals
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 9 double
+0 0 0  1 0 0  1 1 0  0 1 0  0 0 1  1 0 1  1 1 1  0 1 1  2 0.5 0.5
+CELLS 3 19
+8 0 1 2 3 4 5 6 7
+4 1 2 5 8
+4 2 6 5 8
+CELL_TYPES 3
+12 10 10
+POINT_DATA 9
+TENSORS6 stress double
+1 0 -1 0 0 0
+1 0.5 -1 0 0.3 0
+1 0.9 -1 0 0 0.2
+1 0.2 -1 0.1 0 0
+1 -0.7 -1 0 0 0
+1 -0.2 -1 0.4 0 0
+1 -0.4 -1 0 0.1 0
+1 0.1 -1 0 0.2 0.1
+1 0.3 -1 0.2 0 0
+)";
+  return file;
+}
+
+TEST(ExtractFailures, ATornMeshIsSaidToBeSoAndRefusedIfStrict) {
+  for (const std::string level : {"--mode", "--invariant"}) {
+    const Folder folder;
+    std::vector<std::string> words{"extract",        torn_mesh(folder),  "-o",
+                                   folder / "s.vtp", "--tetrahedralize", level};
+    words.push_back(level == "--mode" ? "0.1" : "magnitude");
+    if (level != "--mode") words.insert(words.end(), {"--value", "3/2"});
+    const std::string about =
+        "4 faces lie on others that they are not (vertices 1 2 5 of cell 1, "
+        "on 1 2 6 of cell 0)";
+    const Outcome text = run_program(words);
+    EXPECT_EQ(text.status, 0);
+    EXPECT_NE(text.err.find(about), std::string::npos) << text.err;
+    EXPECT_NE(text.out.find(about), std::string::npos) << text.out;
+    words.push_back("--json");
+    const auto torn = nlohmann::json::parse(run_program(words).out)["input"]["torn_faces"];
+    EXPECT_EQ(torn, nlohmann::json::parse(
+                        R"({"count": 4, "vertices": [[1, 2, 5], [1, 2, 6]], "cells": [1, 0]})"));
+    words.back() = "--strict";
+    std::filesystem::remove(folder / "s.vtp");
+    const Outcome strict = run_program(words);
+    EXPECT_EQ(strict.status, 3);
+    expect_error_line(strict, about);
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"torn.vtk"});
+  }
+}
+
 TEST(ExtractFailures, WithoutItsCertificateNoSurfaceIsWritten) {
   for (const std::string level : {"--mode", "--invariant"}) {
     const Folder folder;

@@ -177,5 +177,25 @@ TEST(ExtractReport, WithoutJsonIsATableForPeople) {
   EXPECT_FALSE(Json::accept(run.out));
 }
 
+/// The exact fraction has hundreds of digits, which JSON keeps.
+TEST(ExtractReport, ALongFractionIsShownAsTheShortestDecimal) {
+  const Folder folder;
+  for (const auto& [asked, shown] : std::vector<std::pair<std::string, std::string>>{
+           {"1e-300", "    1e-300"}, {"-0.1234567890123456789", "-0.12345678901234568"}}) {
+    std::vector<std::string> words{"extract", field("s4_slab"), "-o",     folder / "s.vtp",
+                                   "--mode",  asked,            "--mode", "1/2"};
+    const Outcome text = run_program(words);
+    ASSERT_EQ(text.status, 0) << text.err;
+    EXPECT_NE(text.out.find("\n" + shown + " "), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("\n       1/2 "), std::string::npos) << text.out;
+    words.push_back("--json");
+    const Json surface = Json::parse(run_program(words).out).at("surfaces").at(0);
+    EXPECT_EQ(surface.at("mode"), std::stod(asked));
+    EXPECT_EQ(surface.at("mode_exact"), asked == "1e-300"
+                                            ? "1/1" + std::string(300, '0')
+                                            : "-1234567890123456789/1" + std::string(19, '0'));
+  }
+}
+
 }  // namespace
 }  // namespace tensortopo::test

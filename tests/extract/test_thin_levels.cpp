@@ -10,6 +10,9 @@
 #include "curved_tet.hpp"
 #include "extract_case.hpp"
 #include "laws.hpp"
+#include "support/random_fields.hpp"
+#include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/extract/predicate_counts.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
 #include "thin_sheets.hpp"
 
@@ -183,6 +186,22 @@ TEST(ThinLevel, IsSettledNextToEdgesAndPlanesOfSymmetry) {
     std::sort(sheets.begin(), sheets.end());
     EXPECT_EQ(sheets, witness.sheets) << exact_text(witness.tensors);
   }
+}
+
+// Doubles cannot tell on which side of such a level a place is; longer numbers can, and rationals
+// would take many times as long.
+TEST(ThinLevel, NeedsNoRationalsForSidesThatFiftyDigitsTell) {
+  TetMesh mesh = cube_mesh(2);
+  PredicateCounts all;
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    fill_with_smooth_tensors(mesh, seed);
+    const PredicateCounts before = predicate_counts();
+    extract_mode_surface<double>(mesh, ModeValue::parse("0.999999999999"));
+    const PredicateCounts now = predicate_counts() - before;
+    all.longer += now.longer, all.exact += now.exact;
+  }
+  EXPECT_GT(all.longer, 100u);
+  EXPECT_EQ(all.exact, 0u);
 }
 
 }  // namespace

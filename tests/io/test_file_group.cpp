@@ -51,6 +51,45 @@ TEST(FileGroups, WithoutACommitNothingHappened) {
   EXPECT_EQ(files_beside(second), files);
 }
 
+TEST(FileGroups, WhatAGroupWithinAnotherCommitsWaitsForTheOuterOne) {
+  for (const bool kept : {false, true}) {
+    const auto first = put("group_f.json", "before"), second = put("group_g.json", "before"),
+               dropped = put("group_h.json", "before");
+    const std::size_t files = files_beside(first);
+    {
+      FileGroup outer;
+      write_text(first, "after");
+      {
+        FileGroup inner;
+        write_text(second, "after");
+        inner.commit();
+      }
+      {
+        const FileGroup inner;
+        write_text(dropped, "after");
+      }
+      EXPECT_EQ(slurp(second), "before");
+      if (kept) outer.commit();
+    }
+    for (const auto& file : {first, second}) EXPECT_EQ(slurp(file), kept ? "after" : "before");
+    EXPECT_EQ(slurp(dropped), "before");
+    EXPECT_EQ(files_beside(first), files);
+  }
+}
+
+TEST(FileGroups, AGroupApartDoesNotWait) {
+  const auto file = put("group_i.json", "before");
+  const FileGroup outer;
+  {
+    FileGroup apart(FileGroup::Bond::apart), inner;
+    write_text(file, "after");
+    inner.commit();
+    EXPECT_EQ(slurp(file), "before");
+    apart.commit();
+  }
+  EXPECT_EQ(slurp(file), "after");
+}
+
 TEST(FileGroups, UnfinishedFilesCanBeRemovedByAHandler) {
   const auto file = put("group_e.json", "before");
   const std::size_t files = files_beside(file);

@@ -127,6 +127,44 @@ TEST(ReadCells, OthersAreRefusedByNameAndNumber) {
   expect_error(cubes(2, true).write("voxels.vtu"), invalid, {"8 voxels", "--tetrahedralize"});
 }
 
+/// A cube, and two tetrahedra that cut its side 1 2 6 5 along one diagonal or the other.
+Cells beside_a_cube(bool torn) {
+  Cells cells = mixed;
+  cells.cells.resize(1);
+  if (torn) {
+    cells.cells.insert(cells.cells.end(), {{10, {1, 2, 5, 10}}, {10, {2, 6, 5, 10}}});
+  } else {
+    cells.cells.insert(cells.cells.end(), {{10, {1, 2, 6, 10}}, {10, {1, 6, 5, 10}}});
+  }
+  return cells;
+}
+
+TEST(ReadCells, SidesCutAlongBothDiagonalsAreTornFaces) {
+  for (const double bulge : {0.0, 0.125, -0.125}) {  // in a plane, a gap, or an overlap
+    Cells whole = beside_a_cube(false), torn = beside_a_cube(true);
+    whole.points[6].x = torn.points[6].x = 1 + bulge;
+    EXPECT_EQ(read_mesh(whole.write("whole.vtu"), split()).report.torn_faces.count, 0u);
+    const ReadReport report = read_mesh(torn.write("torn.vtu"), split()).report;
+    EXPECT_EQ(report.torn_faces.count, 4u);
+    EXPECT_EQ(report.torn_faces.vertices[0], (std::array{1, 2, 5}));
+    EXPECT_EQ(report.torn_faces.vertices[1], (std::array{1, 2, 6}));
+    EXPECT_EQ(report.torn_faces.cells, (std::array<std::int64_t, 2>{1, 0}));
+    EXPECT_NE(report.notes.back().find("1 2 5 of cell 1, on 1 2 6 of cell 0"), std::string::npos);
+  }
+  EXPECT_EQ(read_mesh(mixed.write("mixed.vtu"), split()).report.torn_faces.count, 0u);
+  EXPECT_EQ(read_mesh(cubes(3, true).write("c.vtu"), split()).report.torn_faces.count, 0u);
+}
+
+/// A hole in the form of a tetrahedron has both, and none lie on others.
+TEST(ReadCells, AHoleIsNotTorn) {
+  Cells cells{
+      {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {-4, 0, 0}, {0, -4, 0}, {0, 0, -4}, {4, 4, 4}},
+      {{10, {0, 1, 2, 6}}, {10, {0, 1, 3, 5}}, {10, {0, 2, 3, 4}}, {10, {1, 2, 3, 7}}}};
+  const ReadResult result = read_mesh(cells.write("hole.vtu"));
+  EXPECT_EQ(outer_faces(result.mesh), 16u);
+  EXPECT_EQ(result.report.torn_faces.count, 0u);
+}
+
 TEST(ReadCells, CurvedAndPolyhedralOnesAreRefusedEvenThen) {
   for (const auto& [type, name] :
        {std::pair{24, "quadratic tetrahedra"}, std::pair{25, "quadratic hexahedra"},

@@ -31,6 +31,15 @@ TEST(ReadTensors, SixComponentsInEachOrder) {
   EXPECT_EQ(read_mesh(file, options).mesh.tensors[0], (SymmetricTensor<double>{1, 2, 3, 4, 6, 5}));
 }
 
+TEST(ReadTensors, AnOrderOfSixIsNoneOfNine) {
+  for (const auto order : {ComponentOrder::vtk, ComponentOrder::voigt, ComponentOrder::abaqus}) {
+    ReadOptions options;
+    options.components = order;
+    expect_error(with_nine("1 4 6 4 2 5 6 5 3"), IoError::Kind::inapplicable,
+                 {"--components", "stress", "9"}, options);
+  }
+}
+
 TEST(ReadTensors, AnotherOrderInTheFileMustBeConfirmed) {
   TextVtu text;
   text.point_data = TextVtu::array("stress", 6, four_times("1 2 3 4 5 6"));

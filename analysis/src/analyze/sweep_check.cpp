@@ -3,14 +3,14 @@
 #include "analyze/sweep_check.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>  // mkdtemp
 
 #include <algorithm>
 #include <optional>
 
 #include "check/check_command.hpp"
+#include "temporary_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
-#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/file_group.hpp"
 
 namespace tensortopo {
 namespace {
@@ -21,28 +21,6 @@ constexpr double kNear = 1e-3;
 constexpr std::size_t kBatch = 4;
 /// For a level's topology alone.
 constexpr double kCoarse = 0.5;
-
-/// A folder of our own, gone at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "tensortopo-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw IoError(IoError::Kind::unwritable, name, "cannot make a folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::string words(const SweepLevel& level) {
   return fmt::format("{} components, Euler characteristic {}, {} boundary loops at {}",
@@ -86,7 +64,9 @@ void compare_across(const SweepEvent& event, const SweepLevel& before, const Swe
 /// Extracts and certifies some modes. Adds their levels to `check`, and what the checker says.
 void certify_levels(const ExtractCommand& command, const std::vector<std::size_t>& intervals,
                     SweepCheck& check) {
+  FileGroup read_below(FileGroup::Bond::apart);
   const ExtractReport report = run_extract(command);
+  read_below.commit();
   for (std::size_t i = 0; i < report.surfaces.size(); ++i) {
     const SurfaceReport& surface = report.surfaces[i];
     SweepLevel level;

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyze/sweep_command.hpp"
+#include "short_text.hpp"
 
 namespace tensortopo {
 namespace {
@@ -139,7 +140,7 @@ std::string to_text(const SweepReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{}: {} tetrahedra, modes from {} to {}\n\n", report.input.string(),
-                 report.tetrahedra, report.options.from.text(), report.options.to.text());
+                 report.tetrahedra, short_text(report.options.from), short_text(report.options.to));
   fmt::format_to(out, "{:>12} {:>10} {:>8} {:>8} {:>14}\n", "mode", "components", "Euler", "loops",
                  "area");
   for (const std::size_t i : sweep.samples) {
@@ -190,7 +191,7 @@ std::string to_text(const SweepReport& report) {
   }
   for (const std::size_t i : sweep.contradictions)
     fmt::format_to(out, "contradiction: the Euler characteristic at {} is {}\n",
-                   sweep.levels[i].mode.text(), sweep.levels[i].euler_characteristic);
+                   short_text(sweep.levels[i].mode), sweep.levels[i].euler_characteristic);
   if (report.check) text += text_of(*report.check);
   if (!report.picture.empty()) fmt::format_to(out, "\n{}\n", report.picture.string());
   return text;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/bench_command.hpp"
+#include "short_text.hpp"
 
 namespace tensortopo {
 namespace {
@@ -53,7 +54,7 @@ std::string modes_text(const std::vector<ModeValue>& modes) {
   std::vector<std::string> words;
   for (const ModeValue& mode : modes) {
     const ModeValue positive = mode.sign() < 0 ? mode.opposite() : mode;
-    const std::string word = (mode.sign() == 0 ? " " : " +-") + positive.text();
+    const std::string word = (mode.sign() == 0 ? " " : " +-") + short_text(positive);
     if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
   }
   return fmt::format("{}", fmt::join(words, ""));

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generate/truth.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -142,8 +143,9 @@ std::string to_text(const ConformanceReport& report) {
   const auto row = [&](const char* what, const std::string& value) {
     fmt::format_to(out, "{:<34} {}\n", what, value);
   };
-  fmt::format_to(out, "{} against mode {} of {}: {}\n", report.surface.string(), report.mode.text(),
-                 report.input.string(), s.conforms() ? "conforms" : "does not conform");
+  fmt::format_to(out, "{} against mode {} of {}: {}\n", report.surface.string(),
+                 short_text(report.mode), report.input.string(),
+                 s.conforms() ? "conforms" : "does not conform");
   row("components matched", std::to_string(s.matched.size()));
   row("  of these of another topology", std::to_string(s.wrong_topology()));
   row("components missed", std::to_string(s.missed.size()));

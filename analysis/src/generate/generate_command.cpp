@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "require_folder.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -231,7 +232,7 @@ std::string to_text(const GenerateReport& report) {
       for (const auto& c : level.components)
         euler += c.euler_characteristic, loops += c.boundary_loops;
       fmt::format_to(out, "  mode {:>9}: {:>4} components, Euler characteristic {:>4}, {:>4} loops",
-                     level.mode.text(), level.components.size(), euler, loops);
+                     short_text(level.mode), level.components.size(), euler, loops);
       if (!level.undecided.empty()) {
         std::map<std::string, int> reasons;
         for (const auto& cell : level.undecided) ++reasons[cell.reason];

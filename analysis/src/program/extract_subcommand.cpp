@@ -154,8 +154,10 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
          app.add_option("--certify", command.certificate,
                         "Also prove the topology and distances; the certificate (.json or .cbor)"))
       ->type_name("CERT");
-  app.add_flag("--strict", command.strict,
-               "If a tetrahedron stays unresolved, write nothing and exit with 1");
+  app.add_flag(
+      "--strict", command.strict,
+      "If a tetrahedron stays unresolved, write nothing and exit with 1; if the mesh is torn "
+      "(faces lie on others without being shared), with 3");
   add_read_options(app, command.read);
   add_common_options(app, common);
   app.callback([options, &common, &action] {

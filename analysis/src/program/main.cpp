@@ -39,7 +39,16 @@ ExitStatus fail(ExitStatus status, std::string message) {
 }
 
 ExitStatus status_of(IoError::Kind kind) {
-  return kind == IoError::Kind::unwritable ? ExitStatus::cannot_write : ExitStatus::bad_input;
+  switch (kind) {
+    case IoError::Kind::unwritable:
+      return ExitStatus::cannot_write;
+    case IoError::Kind::inapplicable:
+      return ExitStatus::bad_usage;
+    case IoError::Kind::unreadable:
+    case IoError::Kind::invalid:
+      break;
+  }
+  return ExitStatus::bad_input;
 }
 
 // Stages make large arrays and free them by turns: what the system would take back it would have to
@@ -57,10 +66,11 @@ extern "C" void end_by(int signal) {
   std::raise(signal);  // it has its old meaning again
 }
 
-// An interruption leaves no unfinished file. Where signals are ignored (nohup) they stay so; a file
-// too large for the shell's limit is a disk that is full.
+// An interruption leaves no unfinished file, nor does a reader of the output that went away. Where
+// signals are ignored (nohup) they stay so; a file too large for the shell's limit is a disk that
+// is full.
 void prepare_for_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
     struct sigaction before {};
     if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
     struct sigaction action {};
@@ -93,7 +103,11 @@ ExitStatus run(const tensortopo::Action& action, const tensortopo::CommonOptions
       control.emplace(tbb::global_control::max_allowed_parallelism,
                       static_cast<std::size_t>(threads));
     }
-    return action();
+    // The summary is part of what is asked for: without it no file appears.
+    tensortopo::FileGroup files;
+    const ExitStatus status = action();
+    files.commit();
+    return status;
   } catch (const tensortopo::UsageError& error) {
     return fail(ExitStatus::bad_usage, error.what());
   } catch (const IoError& error) {

@@ -11,12 +11,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
+#include "temporary_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/write_text.hpp"
 #include "tensortopo/scalar/rational.hpp"
 
 namespace tensortopo {
@@ -114,15 +118,17 @@ void require_ffmpeg(const std::filesystem::path& file) {
                 "-o FILE.png there are the frames alone");
 }
 
-void write_film(const std::filesystem::path& file, const std::vector<std::string>& pictures) {
+std::size_t write_film(const std::filesystem::path& file,
+                       const std::vector<std::string>& pictures) {
   const auto fail = [&](const std::string& why) {
     throw IoError(IoError::Kind::unwritable, file, why);
   };
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) fail("cannot make a pipe for ffmpeg");
-  const bool was_there = std::filesystem::exists(file);
+  const TemporaryFolder folder;
+  const std::filesystem::path made = folder / file.filename();
   const pid_t child = fork();
-  if (child == 0) become_ffmpeg(ends[0], file);
+  if (child == 0) become_ffmpeg(ends[0], made);
   close(ends[0]);
   if (child < 0) {
     close(ends[1]);
@@ -140,11 +146,14 @@ void write_film(const std::filesystem::path& file, const std::vector<std::string
   int status = 0;
   waitpid(child, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == kExecFailed)
-    fail("cannot start ffmpeg; the frames are written");
-  if (whole && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  std::error_code ignored;
-  if (!was_there) std::filesystem::remove(file, ignored);
-  fail("ffmpeg makes no film of the frames; these are written");
+    fail("cannot start ffmpeg; nothing is written");
+  if (!whole || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    fail("ffmpeg makes no film of the frames; nothing is written");
+  std::ifstream film(made, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(film), {}};
+  if (!film) fail("the film that ffmpeg made cannot be read");
+  write_text(file, bytes);
+  return bytes.size();
 }
 
 }  // namespace tensortopo

@@ -24,8 +24,9 @@ bool is_film(const std::filesystem::path& file);
 /// Throws IoError about `file`, which is to be a film, if the program ffmpeg is not there.
 void require_ffmpeg(const std::filesystem::path& file);
 
-/// Makes a film of pictures, each the bytes of a PNG, by the program ffmpeg.
-/// Throws IoError, also where there is no ffmpeg.
-void write_film(const std::filesystem::path& file, const std::vector<std::string>& pictures);
+/// Makes a film of pictures, each the bytes of a PNG, by the program ffmpeg, and writes it whole or
+/// not at all. Throws IoError, also where there is no ffmpeg.
+/// @return its size in bytes
+std::size_t write_film(const std::filesystem::path& file, const std::vector<std::string>& pictures);
 
 }  // namespace tensortopo

@@ -171,11 +171,8 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
     report.bytes += pictures[i].size();
     if (!command.frames.empty()) report.frames.push_back(file);
   }
+  if (is_film(command.output)) report.bytes += write_film(command.output, pictures);
   files.commit();
-  if (is_film(command.output)) {
-    write_film(command.output, pictures);
-    report.bytes += std::filesystem::file_size(command.output);
-  }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

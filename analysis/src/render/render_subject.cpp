@@ -14,6 +14,7 @@
 #include "render/domain_boundary.hpp"
 #include "render/surface_input.hpp"
 #include "render/tet_surface.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
@@ -62,12 +63,12 @@ std::string missed_note(const ModeValue& mode, std::int64_t tet, double beyond) 
     return fmt::format(
         "mode {}: there is no surface in the cube around tetrahedron {}; a larger "
         "--beyond shows more of its linear field",
-        mode.text(), tet);
+        short_text(mode), tet);
   return fmt::format(
       "mode {}: the surface misses tetrahedron {}, so nothing is drawn in it. Those "
       "that it meets are in the cell data 'tet' of an extracted .vtp; --beyond 4 "
       "shows the linear field outside",
-      mode.text(), tet);
+      short_text(mode), tet);
 }
 
 }  // namespace
@@ -94,20 +95,21 @@ std::vector<Sheet> RenderSubject::extracted(const ModeValue& mode, RenderReport&
   const auto note = [&](std::size_t cells) {
     if (cells > 0)
       report.notes.push_back(fmt::format("mode {}: {} of {} tetrahedra unresolved, and not drawn",
-                                         mode.text(), cells, mesh_.tets.size()));
+                                         short_text(mode), cells, mesh_.tets.size()));
   };
   if (std::abs(value) == 1) {
     const auto kind = value > 0 ? Degeneracy::linear : Degeneracy::planar;
     const CurveExtraction extraction = extract_degenerate_curves(mesh_, kind);
     note(extraction.unresolved.size());
     if (extraction.curves.lines.empty())
-      report.notes.push_back(fmt::format("mode {}: the field has no such curves", mode.text()));
+      report.notes.push_back(
+          fmt::format("mode {}: the field has no such curves", short_text(mode)));
     return {sheet_of(extraction.curves, value)};
   }
   const Extraction extraction = extract_mode_surface<double>(mesh_, mode);
   note(extraction.unresolved.size());
   if (extraction.surface.triangles.empty())
-    report.notes.push_back(fmt::format("mode {}: the field has no such surface", mode.text()));
+    report.notes.push_back(fmt::format("mode {}: the field has no such surface", short_text(mode)));
   const LineField lines =
       surface_lines(extraction.surface, mesh_, command_.texture, command_.recover);
   return {sheet_of(extraction.surface, value, lines)};
@@ -117,7 +119,7 @@ Sheet RenderSubject::extracted(const InvariantLevel& level, RenderReport& report
   InvariantOptions options;
   options.pieces = command_.pieces;
   const InvariantExtraction extraction = extract_invariant_surface(mesh_, level, options);
-  const std::string name = fmt::format("{} {}", name_of(level.invariant()), level.text());
+  const std::string name = fmt::format("{} {}", name_of(level.invariant()), short_text(level));
   if (!extraction.zero_tensor.empty())
     report.notes.push_back(fmt::format("{}: {} of {} tetrahedra unresolved, and not drawn", name,
                                        extraction.zero_tensor.size(), mesh_.tets.size()));

@@ -6,6 +6,7 @@
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tensortopo/extract/refinement.hpp"
+#include "tiers.hpp"
 
 namespace tensortopo {
 
@@ -13,8 +14,13 @@ template <class Scalar, std::size_t Vertices>
 bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scalar>& tensor,
               const std::array<double, Vertices>& weights, const Level<Scalar>& level) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const Verdict verdict = side_of_level(tensor, level, total);
-  count_predicate(verdict == Verdict::unknown ? Tier::exact : Tier::fast);
+  Verdict verdict = side_of_level(tensor, level, total);
+  Tier tier = Tier::fast;
+  if (verdict == Verdict::unknown) {
+    verdict = side_in_longer_scalar(simplex, weights, level);
+    tier = verdict == Verdict::unknown ? Tier::exact : Tier::longer;
+  }
+  count_predicate(tier);
   if (verdict != Verdict::unknown) return verdict == Verdict::positive;
   std::array<SymmetricTensor<double>, Vertices> exact;
   for (std::size_t i = 0; i < Vertices; ++i) exact[i] = *simplex.exact[i];

@@ -78,8 +78,8 @@ SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root
   count_predicate(proof.hidden_by_rounding ? Tier::longer : Tier::fast);
   if (!proof.hidden_by_rounding) return proof;
   using Long = typename Longer<Scalar>::type;
-  const auto better = prove_simplex(tensors_in<Long>(root, weights),
-                                    level_in<Long>(level.value), total, kShortSearch);
+  const auto better = prove_simplex(tensors_in<Long>(root, weights), level_in<Long>(level.value),
+                                    total, kShortSearch);
   using Better = SimplexProof<Long, Part>;
   using Proof = SimplexProof<Scalar, Part>;
   proof.kind = better.kind == Better::Kind::empty      ? Proof::Kind::empty
@@ -99,20 +99,37 @@ bool edge_is_simple(const LevelSimplex<Scalar, Vertices>& root,
   count_predicate(verdict == Verdict::unknown ? Tier::longer : Tier::fast);
   if (verdict != Verdict::unknown) return verdict == Verdict::positive;
   using Long = typename Longer<Scalar>::type;
-  return has_at_most_one_crossing(tensors_in<Long>(root, weights),
-                                  level_in<Long>(level.value), total) == Verdict::positive;
+  return has_at_most_one_crossing(tensors_in<Long>(root, weights), level_in<Long>(level.value),
+                                  total) == Verdict::positive;
 }
 
-#define TENSORTOPO_INSTANTIATE_PART(Scalar, Vertices, Part)                                   \
-  template SimplexProof<Scalar, Part> prove_part(                                             \
-      const LevelSimplex<Scalar, Vertices>&,                                                  \
-      const std::array<std::array<double, Vertices>, Part>&,                                  \
+template <class Scalar, std::size_t Vertices>
+Verdict side_in_longer_scalar(const LevelSimplex<Scalar, Vertices>& root,
+                              const std::array<double, Vertices>& weights,
+                              const Level<Scalar>& level) {
+  using Long = typename Longer<Scalar>::type;
+  const std::array<std::array<double, Vertices>, 1> places{weights};
+  return side_of_level(tensors_in<Long>(root, places)[0], level_in<Long>(level.value),
+                       largest_sum(places));
+}
+
+#define TENSORTOPO_INSTANTIATE_PART(Scalar, Vertices, Part)  \
+  template SimplexProof<Scalar, Part> prove_part(            \
+      const LevelSimplex<Scalar, Vertices>&,                 \
+      const std::array<std::array<double, Vertices>, Part>&, \
       const std::array<Deviator<Scalar>, Part>&, const Level<Scalar>&);
-#define TENSORTOPO_INSTANTIATE_EDGE(Scalar, Vertices)                                            \
-  template bool edge_is_simple(const LevelSimplex<Scalar, Vertices>&,                            \
-                               const std::array<std::array<double, Vertices>, 2>&,               \
+#define TENSORTOPO_INSTANTIATE_EDGE(Scalar, Vertices)                              \
+  template bool edge_is_simple(const LevelSimplex<Scalar, Vertices>&,              \
+                               const std::array<std::array<double, Vertices>, 2>&, \
                                const std::array<Deviator<Scalar>, 2>&, const Level<Scalar>&);
+#define TENSORTOPO_INSTANTIATE_SIDE(Scalar, Vertices)                           \
+  template Verdict side_in_longer_scalar(const LevelSimplex<Scalar, Vertices>&, \
+                                         const std::array<double, Vertices>&,   \
+                                         const Level<Scalar>&);
 #define TENSORTOPO_INSTANTIATE(Scalar)      \
+  TENSORTOPO_INSTANTIATE_SIDE(Scalar, 2)    \
+  TENSORTOPO_INSTANTIATE_SIDE(Scalar, 3)    \
+  TENSORTOPO_INSTANTIATE_SIDE(Scalar, 4)    \
   TENSORTOPO_INSTANTIATE_PART(Scalar, 3, 3) \
   TENSORTOPO_INSTANTIATE_PART(Scalar, 4, 3) \
   TENSORTOPO_INSTANTIATE_PART(Scalar, 4, 4) \
@@ -123,5 +140,6 @@ TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 #undef TENSORTOPO_INSTANTIATE_EDGE
 #undef TENSORTOPO_INSTANTIATE_PART
+#undef TENSORTOPO_INSTANTIATE_SIDE
 
 }  // namespace tensortopo

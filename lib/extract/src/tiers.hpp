@@ -29,4 +29,12 @@ bool edge_is_simple(const LevelSimplex<Scalar, Vertices>& root,
                     const std::array<std::array<double, Vertices>, 2>& weights,
                     const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level);
 
+/// The side of the level on which the field is at a place in a simplex of the mesh, in the longer
+/// scalar; unknown if that cannot tell either. Next to modes 1 and -1, where a double cannot tell
+/// most modes from the level's, this spares rationals.
+template <class Scalar, std::size_t Vertices>
+Verdict side_in_longer_scalar(const LevelSimplex<Scalar, Vertices>& root,
+                              const std::array<double, Vertices>& weights,
+                              const Level<Scalar>& level);
+
 }  // namespace tensortopo

@@ -51,13 +51,17 @@ class Temporary {
  public:
   explicit Temporary(const std::filesystem::path& beside) {
     static std::atomic<unsigned> counter{0};
-    for (int tries = 0; descriptor_ < 0; ++tries) {
+    for (int tries = 0;; ++tries) {
       path_ = beside.parent_path() / (".tensortopo-" + std::to_string(getpid()) + "-" +
                                       std::to_string(counter++) + ".tmp");
+      // Noted first: a signal may come as soon as the file is there.
+      noted_ = note(path_);
       descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor_ < 0 && (errno != EEXIST || tries == 1000)) fail(errno);
+      if (descriptor_ >= 0) break;
+      const int error = errno;
+      noted_->exists = false;
+      if (error != EEXIST || tries == 1000) fail(error);
     }
-    noted_ = note(path_);
   }
   ~Temporary() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -143,13 +147,16 @@ void write_atomically(const std::filesystem::path& file, std::string_view bytes)
 
 namespace tensortopo {
 
-FileGroup::FileGroup()
+FileGroup::FileGroup(Bond bond)
     : files_(std::make_unique<detail::UnfinishedFiles>()),
-      outer_(std::exchange(detail::current_group, files_.get())) {}
+      outer_(std::exchange(detail::current_group, files_.get())),
+      bond_(bond) {}
 
 FileGroup::~FileGroup() { detail::current_group = outer_; }
 
 void FileGroup::commit() {
+  if (outer_ != nullptr && bond_ == Bond::joined)
+    return outer_->files.splice(outer_->files.end(), files_->files);
   for (auto& file : files_->files) {
     try {
       file.temporary.become(file.place);

@@ -150,6 +150,15 @@ CellKind cell_kind(std::uint8_t vtk_type) {
   }
 }
 
+std::vector<std::array<Index, 4>> quadrilaterals(std::uint8_t vtk_type,
+                                                 std::span<const Index> corners) {
+  std::vector<std::array<Index, 4>> result;
+  for (const auto& face : faces_of(vtk_type))
+    if (face.size() == 4)
+      result.push_back({corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]]});
+  return result;
+}
+
 void split_cell(std::uint8_t vtk_type, std::span<const Index> corners,
                 std::vector<std::array<Index, 4>>& tets) {
   const Index apex = *std::min_element(corners.begin(), corners.end());

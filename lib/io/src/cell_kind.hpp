@@ -28,6 +28,10 @@ struct CellKind {
 
 CellKind cell_kind(std::uint8_t vtk_type);
 
+/// The quadrilaterals of a linear 3D cell that can be split: of each, corners in order around it.
+std::vector<std::array<TetMesh::Index, 4>> quadrilaterals(std::uint8_t vtk_type,
+                                                          std::span<const TetMesh::Index> corners);
+
 /// Splits a linear 3D cell into tetrahedra that it appends to `tets`.
 ///
 /// The cell's smallest vertex is joined to the triangles of all faces that do not hold it, and each

@@ -9,6 +9,8 @@
 #include <new>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "assemble_cells.hpp"
 #include "input_file.hpp"
 #include "merge_points.hpp"
@@ -19,6 +21,7 @@
 #include "tensor_array.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/mesh/validate.hpp"
+#include "torn_faces.hpp"
 
 namespace tensortopo {
 namespace {
@@ -58,12 +61,14 @@ std::vector<RawGrid> read_grids(const std::filesystem::path& path, std::string& 
   return grids;
 }
 
-void check(const std::filesystem::path& file, const TetMesh& mesh) {
+/// Refuses meshes that are unfit; else their outer faces.
+std::vector<OuterFace> check(const std::filesystem::path& file, const TetMesh& mesh) {
   if (mesh.tets.empty()) throw IoError(IoError::Kind::invalid, file, "has no tetrahedra");
   if (mesh.tets.size() > INT32_MAX)
     throw IoError(IoError::Kind::invalid, file, "has too many tetrahedra");
-  const std::vector<MeshDefect> defects = validate(mesh);
-  if (defects.empty()) return;
+  std::vector<OuterFace> outer;
+  const std::vector<MeshDefect> defects = validate(mesh, &outer);
+  if (defects.empty()) return outer;
   std::string text = defects.front().text;
   if (defects.size() > 1)
     text += "; " + std::to_string(defects.size() - 1) + " more defects" +
@@ -83,6 +88,7 @@ void write_notes(ReadReport& report) {
   note(report.averaged_vertices, "vertices given the mean of the cells around them");
   note(report.merged_points, "points merged where pieces meet");
   note(report.unreferenced_points, "points belong to no tetrahedron");
+  if (report.torn_faces.count > 0) report.notes.push_back(report.torn_faces.text());
 }
 
 ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
@@ -107,13 +113,24 @@ ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
   const VertexMap map = merge_points(grids, choice.on_cells ? none : tensors, mesh);
   report.merged_points = points - mesh.points.size();
   assemble_cells(grids, map, choice.on_cells ? tensors : none, options, mesh, report);
-  check(file, mesh);
+  report.torn_faces = torn_faces(grids, map, mesh, check(file, mesh));
   report.unreferenced_points = count_unreferenced_points(mesh);
   write_notes(report);
   return result;
 }
 
 }  // namespace
+
+std::string TornFaces::text() const {
+  if (count == 0) return {};
+  const auto face = [&](std::size_t side) {
+    const auto& v = vertices[side];
+    return fmt::format("{} {} {} of cell {}", v[0], v[1], v[2], cells[side]);
+  };
+  return fmt::format(
+      "{} faces lie on others that they are not (vertices {}, on {}): surfaces are torn there",
+      count, face(0), face(1));
+}
 
 ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
   try {

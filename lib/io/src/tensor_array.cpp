@@ -57,6 +57,10 @@ TensorChoice accept(const RawGrid& grid, const ArraySource& source, bool on_cell
   if (on_cells && !options.cell_to_point)
     refuse(grid, "the tensors `" + source.name +
                      "` belong to cells; --cell-to-point averages them to the vertices");
+  if (options.components && source.components != 6)
+    throw IoError(IoError::Kind::inapplicable, grid.file,
+                  "--components: is the order of 6 components, and the tensors `" + source.name +
+                      "` have " + std::to_string(source.components));
   return {source.name, source.components, on_cells};
 }
 

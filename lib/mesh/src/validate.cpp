@@ -77,7 +77,7 @@ std::int8_t sort_three(std::array<Index, 3>& v) {
 
 class Validator {
  public:
-  explicit Validator(const TetMesh& mesh) : mesh_(mesh) {}
+  Validator(const TetMesh& mesh, std::vector<OuterFace>* outer) : mesh_(mesh), outer_(outer) {}
 
   std::vector<MeshDefect> run() {
     if (check_lengths()) {
@@ -197,8 +197,17 @@ class Validator {
       while (end != last && end->middle == first->middle && end->largest == first->largest) ++end;
       const bool regular = end - first == 2 && first[0].side != first[1].side;
       if (end - first > 1 && !regular) check_shared_face(smallest, first, end);
+      if (end - first == 1 && outer_ != nullptr) outer_->push_back(outer_face(*first));
       first = end;
     }
+  }
+
+  OuterFace outer_face(const Face& face) const {
+    const auto t = static_cast<std::size_t>(face.tet);
+    const auto& f = faces[static_cast<std::size_t>(face.corner)];
+    std::array<Index, 3> v{mesh_.tets[t][f[0]], mesh_.tets[t][f[1]], mesh_.tets[t][f[2]]};
+    if (sound_[t] < 0) std::swap(v[1], v[2]);
+    return {v, face.tet};
   }
 
   Index opposite(const Face& f) const {
@@ -239,13 +248,17 @@ class Validator {
   }
 
   const TetMesh& mesh_;
+  std::vector<OuterFace>* outer_;
   std::vector<MeshDefect> defects_;
   std::vector<std::int8_t> sound_;  // sign of the volume; 0 if flat or not to be judged
 };
 
 }  // namespace
 
-std::vector<MeshDefect> validate(const TetMesh& mesh) { return Validator(mesh).run(); }
+std::vector<MeshDefect> validate(const TetMesh& mesh, std::vector<OuterFace>* outer) {
+  if (outer != nullptr) outer->clear();
+  return Validator(mesh, outer).run();
+}
 
 std::size_t repair_orientation(TetMesh& mesh) {
   std::size_t turned = 0;

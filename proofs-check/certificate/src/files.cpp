@@ -5,35 +5,41 @@
 #include <openssl/sha.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
+#include "certificate_check/check_certificate.hpp"
+#include "grid.hpp"
+#include "vtk_legacy.hpp"
 #include "vtk_xml.hpp"
 
 namespace certificate {
 namespace {
 
+/// The name of a file, to say what is wrong with it.
+struct Named {
+  const std::string& name;
+
+  [[noreturn]] void fail(const std::string& what) const { throw Malformed(name, what); }
+};
+
 /// The numbers of one cell or point after the other; cells ascend or not.
-template <class T, std::size_t Count>
-std::vector<std::array<T, Count>> grouped(const XmlFile& file, const std::vector<T>& numbers,
-                                          std::size_t count) {
+template <std::size_t Count>
+std::vector<std::array<double, Count>> grouped(const Named& file,
+                                               const std::vector<double>& numbers,
+                                               std::size_t count) {
   if (count > 0x7fffffff || numbers.size() != Count * count) file.fail("not as many as declared");
-  std::vector<std::array<T, Count>> result(count);
+  std::vector<std::array<double, Count>> result(count);
   for (std::size_t i = 0; i < numbers.size(); ++i) result[i / Count][i % Count] = numbers[i];
   return result;
 }
 
-std::vector<std::array<double, 3>> read_points(const XmlFile& file) {
-  return grouped<double, 3>(file, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
-}
-
 /// Calls add(i, corners) for each cell of this many corners that is asked for.
 template <std::size_t Count, class Asked, class Add>
-void read_cells(const XmlFile& file, const char* section, std::size_t cells, std::size_t points,
-                const Asked& asked, const Add& add) {
-  const auto connectivity = file.naturals(section, "connectivity");
-  const auto offsets = file.naturals(section, "offsets");
-  if (offsets.size() != cells) file.fail("not the cells that it declares");
-  for (std::size_t i = 0; i < cells; ++i) {
+void read_cells(const Named& file, const std::vector<std::uint64_t>& connectivity,
+                const std::vector<std::uint64_t>& offsets, std::size_t points, const Asked& asked,
+                const Add& add) {
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (!asked(i)) continue;
     const std::string name = "cell " + std::to_string(i);
     const std::uint64_t first = i == 0 ? 0 : offsets[i - 1];
@@ -104,6 +110,26 @@ std::string Triangles::sha256() const {
 
 std::string Array::sha256() const { return Digest().add(numbers).hex(); }
 
+namespace {
+
+Grid read_xml_grid(const std::string& name, const std::string& tensor, std::size_t components) {
+  const XmlFile file(name, "UnstructuredGrid");
+  Grid grid{file.numbers("Points", "", 3), file.numbers("PointData", tensor, components),
+            file.naturals("Cells", "types"), file.naturals("Cells", "connectivity"),
+            file.naturals("Cells", "offsets")};
+  if (grid.points.size() != 3 * file.count("NumberOfPoints") ||
+      grid.types.size() != file.count("NumberOfCells"))
+    file.fail("not as many as declared");
+  return grid;
+}
+
+bool is_legacy(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name.ends_with(".vtk");
+}
+
+}  // namespace
+
 Input read_input(const std::string& name, const std::string& tensor,
                  const std::string& components) {
   static const std::map<std::string, std::array<std::size_t, 6>> orders{
@@ -111,15 +137,16 @@ Input read_input(const std::string& name, const std::string& tensor,
       {"voigt", {0, 1, 2, 5, 3, 4}},
       {"abaqus", {0, 1, 2, 3, 5, 4}},
       {"full", {0, 4, 8, 1, 5, 2}}};
-  const XmlFile file(name, "UnstructuredGrid");
+  const Named file{name};
   const auto order = orders.find(components);
   if (order == orders.end()) file.fail("unknown order of components");
+  const std::size_t width = components == "full" ? 9 : 6;
+  const Grid grid =
+      is_legacy(name) ? read_legacy_grid(name, tensor, width) : read_xml_grid(name, tensor, width);
   Input input;
-  input.points = read_points(file);
+  input.points = grouped<3>(file, grid.points, grid.points.size() / 3);
   const auto read = [&]<std::size_t Width>() {
-    const auto numbers = grouped<double, Width>(file, file.numbers("PointData", tensor, Width),
-                                                input.points.size());
-    for (const auto& t : numbers) {
+    for (const auto& t : grouped<Width>(file, grid.tensors, input.points.size())) {
       std::array<double, 6>& result = input.tensors.emplace_back();
       for (std::size_t k = 0; k < 6; ++k) {
         const std::size_t i = order->second[k];
@@ -129,14 +156,15 @@ Input read_input(const std::string& name, const std::string& tensor,
       }
     }
   };
-  if (components == "full") read.operator()<9>(); else read.operator()<6>();
-  const auto types = file.naturals("Cells", "types");
-  const std::size_t cells = file.count("NumberOfCells");
-  if (types.size() != cells) file.fail("not the cells that it declares");
+  if (width == 9)
+    read.operator()<9>();
+  else
+    read.operator()<6>();
+  if (grid.types.size() != grid.offsets.size()) file.fail("not the cells that it declares");
   constexpr std::uint64_t kTetrahedron = 10;
   read_cells<4>(
-      file, "Cells", cells, input.points.size(),
-      [&](std::size_t i) { return types[i] == kTetrahedron; },
+      file, grid.connectivity, grid.offsets, input.points.size(),
+      [&](std::size_t i) { return grid.types[i] == kTetrahedron; },
       [&](std::size_t i, auto corners) {
         std::sort(corners.begin(), corners.end());
         input.tets.push_back(corners);
@@ -169,15 +197,18 @@ Triangles read_triangles(const std::string& name) {
   for (const char* other : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"})
     if (file.count(other) != 0) file.fail("holds more than triangles");
   Triangles result;
-  result.points = read_points(file);
+  result.points = grouped<3>({name}, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
   const std::size_t cells = file.count("NumberOfPolys");
   add_arrays(file, "PointData", "points", result.points.size(), result.arrays);
   add_arrays(file, "CellData", "triangles", cells, result.arrays);
   if (cells == 0) return result;  // then there may be no array of tetrahedra
   result.cells = file.naturals("CellData", "tet");
   if (result.cells.size() != cells) file.fail("not the triangles that it declares");
+  const auto offsets = file.naturals("Polys", "offsets");
+  if (offsets.size() != cells) file.fail("not the cells that it declares");
   read_cells<3>(
-      file, "Polys", cells, result.points.size(), [](std::size_t) { return true; },
+      {name}, file.naturals("Polys", "connectivity"), offsets, result.points.size(),
+      [](std::size_t) { return true; },
       [&](std::size_t, const auto& corners) { result.triangles.push_back(corners); });
   return result;
 }

@@ -44,8 +44,9 @@ struct Triangles {
   std::string sha256() const;
 };
 
-/// Reads a .vtu of one piece: little-endian; ascii, inline or appended, plain or zlib.
-/// Every number is finite and every index in range. Throws Malformed.
+/// Reads a .vtu of one piece (ascii, inline or appended, plain or zlib, of either byte order), or a
+/// legacy .vtk (ASCII or BINARY). Every number is finite and every index in range. Throws
+/// Malformed.
 Input read_input(const std::string& file, const std::string& tensor,
                  const std::string& components);
 /// The same of a .vtp with a cell array `tet`, and any others.

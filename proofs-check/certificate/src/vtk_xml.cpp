@@ -5,6 +5,8 @@
 #include <openssl/evp.h>
 #include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -39,13 +41,13 @@ XmlFile::XmlFile(const std::string& file, const char* kind)
     appended_ = std::string_view(bytes_).substr(start + 1);
     xml = bytes_.substr(0, open) + "/></VTKFile>";
   }
-  if (!document_.load_buffer(xml.data(), xml.size()))
-    fail("no VTK XML file; others are to be converted");
+  if (!document_.load_buffer(xml.data(), xml.size())) fail("no VTK XML file");
   const pugi::xml_node root = document_.child("VTKFile"), data = root.child(kind);
   if (root.attribute("type").value() != std::string_view(kind) || !data)
     fail(std::string("not of type ") + kind);
-  if (root.attribute("byte_order").value() != std::string_view("LittleEndian"))
-    fail("not little-endian; such files are to be converted");
+  const std::string order = root.attribute("byte_order").value();
+  if (order != "LittleEndian" && order != "BigEndian") fail("unknown byte_order");
+  highest_first_ = order == "BigEndian";
   const std::string compressor = root.attribute("compressor").value();
   zlib_ = !compressor.empty();
   if (zlib_ && compressor != "vtkZLibDataCompressor") fail("unknown compressor");
@@ -83,10 +85,17 @@ std::string XmlFile::take(std::string_view& text, std::size_t size, bool base64)
   return bytes;
 }
 
+/// The i-th number of what is stored.
+template <class Stored>
+Stored XmlFile::item(const std::string& bytes, std::size_t i) const {
+  std::array<char, sizeof(Stored)> own;
+  std::memcpy(own.data(), bytes.data() + i * sizeof(Stored), sizeof(Stored));
+  if (highest_first_) std::reverse(own.begin(), own.end());
+  return std::bit_cast<Stored>(own);
+}
+
 std::uint64_t XmlFile::word(const std::string& words, std::size_t i) const {
-  std::uint64_t value = 0;
-  std::memcpy(&value, words.data() + i * header_, header_);
-  return value;
+  return header_ == 8 ? item<std::uint64_t>(words, i) : item<std::uint32_t>(words, i);
 }
 
 /// Undoes base64 and compression of a block that starts with its size, or sizes.
@@ -145,11 +154,8 @@ std::vector<double> XmlFile::read(pugi::xml_node array) const {
                                 : decode(appended_.substr(start), appended_base64_);
   if (bytes.size() % sizeof(Stored) != 0) fail("an array with a part of a number");
   result.resize(bytes.size() / sizeof(Stored));
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    Stored value;
-    std::memcpy(&value, bytes.data() + i * sizeof(Stored), sizeof(Stored));
-    result[i] = static_cast<double>(value);
-  }
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = static_cast<double>(item<Stored>(bytes, i));
   return result;
 }
 

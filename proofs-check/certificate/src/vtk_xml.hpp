@@ -30,6 +30,8 @@ class XmlFile {
 
  private:
   std::string take(std::string_view& text, std::size_t size, bool base64) const;
+  template <class Stored>
+  Stored item(const std::string& bytes, std::size_t i) const;
   std::uint64_t word(const std::string& words, std::size_t i) const;
   std::string decode(std::string_view text, bool base64) const;
   template <class Stored>
@@ -39,7 +41,7 @@ class XmlFile {
   std::string_view appended_;
   pugi::xml_document document_;
   pugi::xml_node piece_;
-  bool appended_base64_ = false, zlib_ = false;
+  bool appended_base64_ = false, zlib_ = false, highest_first_ = false;
   std::size_t header_ = 8;
 };
 

@@ -14,6 +14,7 @@
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/predicate_counts.hpp"
+#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo {
@@ -55,6 +56,7 @@ struct ExtractReport {
   std::size_t vertices = 0;
   std::size_t tetrahedra = 0;
   std::vector<std::string> notes;  ///< what reading repaired or skipped
+  TornFaces torn_faces;            ///< of the input
 
   std::vector<SurfaceReport> surfaces;       ///< one for each mode between -1 and 1
   std::vector<CurveReport> curves;           ///< one for each of the modes 1 and -1

@@ -46,6 +46,7 @@ struct InvariantReport {
   std::size_t vertices = 0;
   std::size_t tetrahedra = 0;
   std::vector<std::string> notes;  ///< what reading repaired or skipped
+  TornFaces torn_faces;            ///< of the input
 
   std::vector<InvariantSurfaceReport> surfaces;
   std::vector<std::int64_t> unresolved;  ///< input ids of tetrahedra that some level omits

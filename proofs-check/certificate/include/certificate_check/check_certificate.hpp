@@ -49,7 +49,7 @@ struct Report {
 };
 
 /// Checks each claim of a certificate (proofs-check/certificate/FORMAT.md) about the field in
-/// `input` (.vtu) and the triangles in `surface` (.vtp), deriving the truth from the input's bits.
+/// `input` (.vtu, .vtk) and the triangles in `surface` (.vtp), deriving the truth from the input's bits.
 /// The report does not depend on the number of threads. Throws Malformed, std::bad_alloc.
 Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate);

@@ -15,10 +15,13 @@ struct UnfinishedFiles;
 /// While a group lives, what this thread writes (`write_surface`, `write_mesh`, `write_text`) stays
 /// under temporary names beside its places. `commit` gives each file its name; without it the
 /// destructor removes them, and what was there before is untouched. Devices and pipes are written
-/// at once. A group within another one is its own.
+/// at once. What a group within another one commits is the outer one's from then on, unless it is
+/// `apart`: then it is as if there were no other.
 class FileGroup {
  public:
-  FileGroup();
+  enum class Bond { joined, apart };
+
+  explicit FileGroup(Bond bond = Bond::joined);
   ~FileGroup();
   FileGroup(const FileGroup&) = delete;
   FileGroup& operator=(const FileGroup&) = delete;
@@ -29,6 +32,7 @@ class FileGroup {
  private:
   std::unique_ptr<detail::UnfinishedFiles> files_;
   detail::UnfinishedFiles* outer_;
+  Bond bond_;
 };
 
 /// Removes all files of temporary names that this process is writing, for the handler of a signal

@@ -14,9 +14,10 @@ namespace tensortopo {
 class IoError : public std::runtime_error {
  public:
   enum class Kind {
-    unreadable,  ///< the operating system gives no bytes
-    invalid,     ///< the bytes are not what they should be
-    unwritable,  ///< the bytes could not be stored, or the format cannot hold them
+    unreadable,    ///< the operating system gives no bytes
+    invalid,       ///< the bytes are not what they should be
+    unwritable,    ///< the bytes could not be stored, or the format cannot hold them
+    inapplicable,  ///< an option that the caller gave has no effect on this file
   };
 
   IoError(Kind kind, std::filesystem::path file, const std::string& problem);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,7 +24,8 @@ enum class ComponentOrder {
 struct ReadOptions {
   /// Name of the tensor array; empty for the only array that has 6 or 9 components.
   std::string tensor;
-  /// Order of 6 components; empty for VTK's (refused if the file names another order).
+  /// Order of 6 components; empty for VTK's (refused if the file names another order). Refused
+  /// (inapplicable) if the array has 9.
   std::optional<ComponentOrder> components;
   /// Take (T + T^t) / 2 of a 3x3 tensor that is asymmetric by more than 1e-9 of its norm.
   bool symmetrize = false;
@@ -30,6 +33,19 @@ struct ReadOptions {
   bool cell_to_point = false;
   /// Split other linear 3D cells into tetrahedra.
   bool tetrahedralize = false;
+};
+
+/// Faces of cells that lie on faces of others without being shared: the mesh is torn there, and so
+/// are surfaces in it. Other vertices in the same place (a crack, if it is meant), quadrilaterals
+/// cut along both diagonals, hanging nodes. Decided exactly, of the coordinates as they are.
+struct TornFaces {
+  std::size_t count = 0;  ///< triangles, of both sides
+  std::array<std::array<TetMesh::Index, 3>, 2>
+      vertices{};                       ///< of the first, and one that it lies on
+  std::array<std::int64_t, 2> cells{};  ///< of the file, that these belong to
+
+  /// What there is to say of them; empty if there are none.
+  std::string text() const;
 };
 
 /// What reading did beyond copying; all counts are zero for a plain file.
@@ -44,6 +60,7 @@ struct ReadReport {
   std::size_t averaged_vertices = 0;    ///< got their tensor from cells
   std::size_t merged_points = 0;        ///< points dropped as copies of another piece's
   std::size_t unreferenced_points = 0;  ///< in no tetrahedron; kept
+  TornFaces torn_faces;
   std::vector<std::string> notes;       ///< the same for people, one line each
 };
 
@@ -71,7 +88,7 @@ struct ReadResult {
 ///           file in pieces: through all pieces in order).
 /// Pieces    Points of different pieces that agree in position and tensor become one. Equal
 ///           position and different tensors is an error: the field would be torn there.
-/// Throws    IoError, `unreadable` or `invalid`.
+/// Throws    IoError, `unreadable`, `invalid` or `inapplicable`.
 ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options = {});
 
 }  // namespace tensortopo

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -32,7 +33,15 @@ struct MeshDefect {
   std::string text;    ///< what is wrong and where, without a full stop
 };
 
+/// A face of one tetrahedron only: on the boundary of the domain, or where the mesh is torn.
+struct OuterFace {
+  std::array<TetMesh::Index, 3> vertices;  ///< counter-clockwise as seen from outside
+  TetMesh::Index tet;
+};
+
 /// The defects of a mesh: empty if it is fit.
+///
+/// @param outer gets the outer faces, ascending by their vertices in ascending order
 ///
 /// Laws      (1) no defect means: all numbers finite, products of three lengths neither too large
 ///           nor too small for doubles (coordinates up to 1e100, edges from 1e-100), every
@@ -41,9 +50,9 @@ struct MeshDefect {
 ///           (2) the order is by kind of check, then by cell, the same on every run.
 /// Policy    Inverted tetrahedra are defects here; the reader turns them around first. Points that
 ///           no tetrahedron uses are allowed. Overlap of tetrahedra that share no face is not
-///           looked for, nor hanging nodes.
+///           looked for, nor hanging nodes: see `unmatched_faces`.
 /// Cost      about 0.2 us a tetrahedron; at most 1000 defects are listed.
-std::vector<MeshDefect> validate(const TetMesh& mesh);
+std::vector<MeshDefect> validate(const TetMesh& mesh, std::vector<OuterFace>* outer = nullptr);
 
 /// Gives every tetrahedron positive volume by swapping its last two vertices where needed.
 ///

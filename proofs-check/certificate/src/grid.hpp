@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace certificate {
+
+/// What a file has of an unstructured grid with tensors on its points; nothing is checked but that
+/// numbers are finite, and those that count are natural.
+struct Grid {
+  std::vector<double> points;   ///< three of each
+  std::vector<double> tensors;  ///< as many of each as asked for
+  std::vector<std::uint64_t> types, connectivity;
+  std::vector<std::uint64_t> offsets;  ///< where each cell ends in `connectivity`
+};
+
+}  // namespace certificate
