@@ -85,8 +85,9 @@ void write_notes(ReadReport& report) {
   note(report.unreferenced_points, "points belong to no tetrahedron");
 }
 
-ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
-  ReadResult result;
+/// Makes the mesh of what a file lists, which is gone afterwards.
+void read_unchecked(const std::filesystem::path& file, const ReadOptions& options,
+                    ReadResult& result) {
   TetMesh& mesh = result.mesh;
   ReadReport& report = result.report;
   const std::vector<RawGrid> grids = read_grids(file, result.sha256);
@@ -107,9 +108,14 @@ ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
   const VertexMap map = merge_points(grids, choice.on_cells ? none : tensors, mesh);
   report.merged_points = points - mesh.points.size();
   assemble_cells(grids, map, choice.on_cells ? tensors : none, options, mesh, report);
-  check(file, mesh);
-  report.unreferenced_points = count_unreferenced_points(mesh);
-  write_notes(report);
+}
+
+ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
+  ReadResult result;
+  read_unchecked(file, options, result);
+  check(file, result.mesh);
+  result.report.unreferenced_points = count_unreferenced_points(result.mesh);
+  write_notes(result.report);
   return result;
 }
 
