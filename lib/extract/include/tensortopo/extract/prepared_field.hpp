@@ -28,8 +28,8 @@ struct PreparedField {
     else
       return rounded_tensors;
   }
-  std::vector<double> norms;              ///< sqrt(P) of these
-  std::vector<double> lode_angles;        ///< of these; 0 without deviator
+  std::vector<double> norms;        ///< sqrt(P) of these
+  std::vector<double> lode_angles;  ///< of these; 0 without deviator
 
   /// Of each tetrahedron the Lode angles between which all of it certainly lies; empty for one
   /// mode, for which it is quicker to compare angles between tensors where they matter.
