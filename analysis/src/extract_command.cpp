@@ -19,6 +19,7 @@
 #include "certificate.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
+#include "spare_memory.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
@@ -230,8 +231,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   OtherMethod other(command);
   // What the modes have in common.
   std::optional<PreparedField<double>> prepared;
-  const auto surfaces = std::count_if(modes.begin(), modes.end(),
-                                      [](const auto& mode) { return !is_degenerate(mode); });
+  auto surfaces_left = std::count_if(modes.begin(), modes.end(),
+                                     [](const auto& mode) { return !is_degenerate(mode); });
   for (std::size_t i = 0; i < modes.size(); ++i) {
     ExtractOptions options;
     options.sampling = command.sampling;
@@ -270,8 +271,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     } else {
       using Use = PreparedField<double>::Use;
       if (!prepared)
-        prepared.emplace(read.mesh, surfaces > 1 ? Use::several_modes : Use::one_mode);
-      extraction = extract_mode_surface(*prepared, modes[i], options);
+        prepared.emplace(read.mesh, surfaces_left > 1 ? Use::several_modes : Use::one_mode);
+      extraction = --surfaces_left > 0
+                       ? extract_mode_surface(*prepared, modes[i], options)
+                       : extract_mode_surface(std::move(*prepared), modes[i], options);
       if (command.improve) improve_triangles(read.mesh, modes[i], extraction.surface);
     }
     report.seconds_extract += extract_clock.seconds();
@@ -305,6 +308,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
 
   if (command.strict && !report.unresolved.empty()) return report;
   tell(progress, "writing", 0);
+  // The writer needs half as much again, in large arrays that do not fit between what is left.
+  prepared.reset();
+  give_back_memory();
   FileGroup files;
   const Clock write_clock;
   report.bytes = write_surface(surface, curves, read.mesh, command.output).bytes;

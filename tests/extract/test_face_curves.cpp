@@ -158,7 +158,7 @@ TEST(FaceCurves, PointsOnArcsAreFoundAgain) {
     for (std::size_t a = 0; a < curves.arcs->size(); ++a) {
       const auto& arc = (*curves.arcs)[a];
       const double place = random.uniform() * static_cast<double>(arc.pieces.size());
-      const auto point = point_on_arc(arc, place, face.level);
+      const auto point = point_on_arc(arc, face.simplex.tensors, place, face.level);
       EXPECT_NEAR(mode_at(face, point.weights), -0.5, 1e-11);
       const auto [found, where] =
           locate_on_arcs(std::span<const FaceArc<double>>(*curves.arcs), point.weights);

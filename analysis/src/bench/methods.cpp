@@ -3,6 +3,7 @@
 #include "bench/methods.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
@@ -30,12 +31,14 @@ std::vector<SurfaceMesh> our_surfaces(const TetMesh& mesh, std::span<const ModeV
                                       DrawingMethod drawing) {
   std::vector<SurfaceMesh> surfaces;
   if (stages != nullptr) stages->clear();
-  const auto field = prepared(mesh, modes);
+  auto field = prepared(mesh, modes);
   ExtractOptions options;
   options.sampling.resolution = resolution;
   options.drawing = drawing;
   for (const ModeValue& mode : modes) {
-    Extraction extraction = extract_mode_surface(field, mode, options);
+    Extraction extraction = &mode != &modes.back()
+                                ? extract_mode_surface(field, mode, options)
+                                : extract_mode_surface(std::move(field), mode, options);
     surfaces.push_back(std::move(extraction.surface));
     if (stages == nullptr) continue;
     (*stages)["edges"] += extraction.statistics.seconds_edges;

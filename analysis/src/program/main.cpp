@@ -52,10 +52,11 @@ ExitStatus status_of(IoError::Kind kind) {
 }
 
 // Stages make large arrays and free them by turns: what the system would take back it would have to
-// clear page by page before the next stage gets it.
+// clear page by page before the next stage gets it. The largest arrays are those of reading; kept,
+// they would be a twentieth of the peak, in parts of no use to later stages.
 void keep_memory() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_MMAP_THRESHOLD, 16 << 20);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   mallopt(M_TOP_PAD, 4 << 20);
 #endif

@@ -14,8 +14,11 @@ namespace tensortopo {
 namespace {
 
 template <class Scalar>
-CurvePoint<Scalar> point_on_piece(const ArcPiece<Scalar>& piece, const Scalar& fraction,
-                                  const Level<Scalar>& level) {
+CurvePoint<Scalar> point_on_piece(const ArcPiece<Scalar>& piece,
+                                  const std::array<Deviator<Scalar>, 3>& face,
+                                  const Scalar& fraction, const Level<Scalar>& level) {
+  const auto& corners = piece.corners();
+  const auto& tensors = piece.tensors(face);
   std::array<Scalar, 3> base;
   for (std::size_t i = 0; i < 3; ++i)
     base[i] = piece.begin[i] + fraction * (piece.end[i] - piece.begin[i]);
@@ -50,19 +53,18 @@ CurvePoint<Scalar> point_on_piece(const ArcPiece<Scalar>& piece, const Scalar& f
       return w;
     };
     const auto lower = at(down), upper = at(up);
-    const Scalar root = segment_root(tensor_at(piece.tensors, lower),
-                                     tensor_at(piece.tensors, upper), level);
+    const Scalar root = segment_root(tensor_at(tensors, lower), tensor_at(tensors, upper), level);
     for (std::size_t i = 0; i < 3; ++i) base[i] = lower[i] + root * (upper[i] - lower[i]);
     for (auto& w : base)
       if (w < Scalar(0)) w = Scalar(0);
   }
   CurvePoint<Scalar> point;
-  point.tensor = tensor_at(piece.tensors, base);
+  point.tensor = tensor_at(tensors, base);
   Scalar total(0);
   for (std::size_t i = 0; i < 3; ++i) {
     point.weights[i] = Scalar(0);
     for (std::size_t c = 0; c < 3; ++c)
-      point.weights[i] = point.weights[i] + base[c] * Scalar(piece.corners[c][i]);
+      point.weights[i] = point.weights[i] + base[c] * Scalar(corners[c][i]);
     total = total + point.weights[i];
   }
   for (auto& w : point.weights) w = w / total;
@@ -73,8 +75,10 @@ CurvePoint<Scalar> point_on_piece(const ArcPiece<Scalar>& piece, const Scalar& f
 template <class Scalar>
 class Sampler {
  public:
-  Sampler(const Level<Scalar>& level, const Sampling& sampling)
-      : level_(level),
+  Sampler(const std::array<Deviator<Scalar>, 3>& face, const Level<Scalar>& level,
+          const Sampling& sampling)
+      : face_(face),
+        level_(level),
         turn_(std::cos(std::min(sampling.largest_turn(), 1.5))),
         wide_turn_(std::cos(std::min(2 * sampling.largest_turn(), 0.5))) {}
 
@@ -94,7 +98,7 @@ class Sampler {
 
  private:
   CurvePoint<Scalar> at(const ArcPiece<Scalar>& piece, std::size_t index, const Scalar& fraction) {
-    auto point = point_on_piece(piece, fraction, level_);
+    auto point = point_on_piece(piece, face_, fraction, level_);
     point.place = Scalar(static_cast<double>(index)) + fraction;
     return point;
   }
@@ -146,6 +150,7 @@ class Sampler {
     }
   }
 
+  const std::array<Deviator<Scalar>, 3>& face_;
   const Level<Scalar>& level_;
   Scalar turn_, wide_turn_;  ///< cosines: of the medium eigenvector, of the whole tensor
 };
@@ -153,16 +158,18 @@ class Sampler {
 }  // namespace
 
 template <class Scalar>
-void sample_arc(FaceArc<Scalar>& arc, const Level<Scalar>& level, const Sampling& sampling) {
-  Sampler<Scalar>(level, sampling).sample(arc);
+void sample_arc(FaceArc<Scalar>& arc, const std::array<Deviator<Scalar>, 3>& face,
+                const Level<Scalar>& level, const Sampling& sampling) {
+  Sampler<Scalar>(face, level, sampling).sample(arc);
 }
 
 template <class Scalar>
-CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>& arc, const Scalar& place,
+CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>& arc,
+                                const std::array<Deviator<Scalar>, 3>& face, const Scalar& place,
                                 const Level<Scalar>& level) {
   auto index = static_cast<std::size_t>(static_cast<double>(place));
   if (index >= arc.pieces.size()) index = arc.pieces.size() - 1;
-  auto point = point_on_piece(arc.pieces[index],
+  auto point = point_on_piece(arc.pieces[index], face,
                               place - Scalar(static_cast<double>(index)),
                               arc.level != nullptr ? *arc.level : level);
   point.place = place;
@@ -180,7 +187,7 @@ std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
       // Barycentric coordinates in the monotone triangle, by Cramer's rule.
       std::array<std::array<Scalar, 3>, 3> c;
       for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k) c[i][k] = Scalar(piece.corners[i][k]);
+        for (std::size_t k = 0; k < 3; ++k) c[i][k] = Scalar(piece.corners()[i][k]);
       const auto det = [](const std::array<Scalar, 3>& x, const std::array<Scalar, 3>& y,
                           const std::array<Scalar, 3>& z) {
         return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) +
@@ -209,9 +216,11 @@ std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                        \
-  template void sample_arc(FaceArc<Scalar>&, const Level<Scalar>&, const Sampling&);          \
-  template CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>&, const Scalar&,             \
-                                           const Level<Scalar>&);                             \
+  template void sample_arc(FaceArc<Scalar>&, const std::array<Deviator<Scalar>, 3>&,          \
+                           const Level<Scalar>&, const Sampling&);                            \
+  template CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>&,                            \
+                                           const std::array<Deviator<Scalar>, 3>&,            \
+                                           const Scalar&, const Level<Scalar>&);              \
   template std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>>,            \
                                                  const std::array<Scalar, 3>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

@@ -10,6 +10,7 @@
 #include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
+#include "release.hpp"
 #include "tensortopo/extract/position.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
@@ -21,8 +22,6 @@ template <class Scalar>
 Extraction Pipeline<Scalar>::assemble() {
   Extraction result;
   SurfaceMesh& surface = result.surface;
-  const auto level = make_level<double>(level_.value);
-
   for (std::size_t t = 0; t < tets_.size(); ++t)
     if (tets_[t].unresolved) {
       tets_[t].drawn = {};
@@ -49,7 +48,7 @@ Extraction Pipeline<Scalar>::assemble() {
   std::vector<Index> inner_first(tets_.size() + 1, rim_used);
   for (std::size_t t = 0; t < tets_.size(); ++t)
     inner_first[t + 1] = inner_first[t] + static_cast<Index>(tets_[t].drawn.inner.size());
-  auto count = as_size(inner_first.back()) + copies.original.size();
+  const auto count = as_size(inner_first.back()) + copies.original.size();
 
   surface.points.resize(count);
   surface.carrier.resize(count);
@@ -141,7 +140,52 @@ Extraction Pipeline<Scalar>::assemble() {
   add_cone_points(surface, is_apex);
   if (options_.keep_topology)
     result.topology.cones = cone_sheets(surface, is_apex, result.topology.copies);
-  count = surface.points.size();
+  count_sheets();
+  release_stages();
+  describe_vertices(surface, is_apex);
+  surface.component = surface_components(surface);
+  return result;
+}
+
+template <class Scalar>
+void Pipeline<Scalar>::count_sheets() {
+  const auto sheets_drawn = [&](Method method) -> std::size_t& {
+    switch (method) {
+      case Method::tubes: return statistics_.sheets_tubes;
+      case Method::small_disc: return statistics_.sheets_small;
+      case Method::graph: return statistics_.sheets_graph;
+      case Method::manifold: return statistics_.sheets_manifold;
+      case Method::dominant: return statistics_.sheets_dominant;
+      case Method::cone: return statistics_.sheets_cones;
+      case Method::leaves:
+      case Method::fan: break;
+    }
+    return statistics_.sheets_leaves;
+  };
+  for (const auto& state : tets_) {
+    if (state.drawn.triangles.empty()) continue;
+    statistics_.tets_nearby += state.level != nullptr;
+    ++(state.method == Method::cone ? statistics_.tets_coned
+       : state.refined              ? statistics_.tets_refined
+                                    : statistics_.tets_monotone);
+    sheets_drawn(state.method) += static_cast<std::size_t>(state.sheets);
+  }
+}
+
+/// The surface and the field are all that is still read: the rest goes before the last arrays are
+/// made.
+template <class Scalar>
+void Pipeline<Scalar>::release_stages() {
+  release(complex_, crossings_, edge_vertex_, zero_vertex_, arcs_, face_vertex_, tets_,
+          rim_position_, rim_medium_, rim_dominant_);
+}
+
+/// What is known at each vertex of the surface.
+template <class Scalar>
+void Pipeline<Scalar>::describe_vertices(SurfaceMesh& surface,
+                                         const std::vector<char>& is_apex) const {
+  const auto level = make_level<double>(level_.value);
+  const std::size_t count = surface.points.size();
   surface.normal.assign(count, {0, 0, 0});
   surface.mode.assign(count, level_.value.approx());
   surface.residual.assign(count, 0);
@@ -170,26 +214,34 @@ Extraction Pipeline<Scalar>::assemble() {
     }
     return TetGeometry(points, exponents);
   };
-  std::vector<std::array<Vector3<double>, 3>> gradients(surface.triangles.size());
-  parallel_stage(options_, "stitch", surface.triangles.size(), 1024, [&](std::size_t i) {
-    const auto tet = as_size(surface.tet[i]);
-    const auto tensors = narrow_tensors(tet);
-    const auto space = geometry(tet);
-    Vector3<double> sum{0, 0, 0};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto v = as_size(surface.triangles[i][k]);
-      if (is_apex[v]) continue;
-      const auto at = level_slope(space.balanced_tensor(surface.points[v], tensors), level);
-      gradients[i][k] = unit_or_zero(space.gradient(at.slope, tensors));
-      sum += gradients[i][k];
-    }
-    // The gradient's direction is the same along a ray.
-    for (std::size_t k = 0; k < 3; ++k)
-      if (is_apex[as_size(surface.triangles[i][k])]) gradients[i][k] = unit_or_zero(sum);
-  });
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      surface.normal[as_size(surface.triangles[i][k])] += gradients[i][k];
+  // Sums are made in the order of the triangles, a block at a time.
+  constexpr std::size_t kBlock = 1 << 14;
+  const std::size_t triangles = surface.triangles.size();
+  std::vector<std::array<Vector3<double>, 3>> gradients(std::min(kBlock, triangles));
+  for (std::size_t first = 0; first < triangles; first += kBlock) {
+    const std::size_t size = std::min(kBlock, triangles - first);
+    parallel_stage(options_, "stitch", size, 1024, [&](std::size_t i) {
+      const auto& corners = surface.triangles[first + i];
+      const auto tet = as_size(surface.tet[first + i]);
+      const auto tensors = narrow_tensors(tet);
+      const auto space = geometry(tet);
+      Vector3<double> sum{0, 0, 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto v = as_size(corners[k]);
+        gradients[i][k] = {0, 0, 0};
+        if (is_apex[v]) continue;
+        const auto at = level_slope(space.balanced_tensor(surface.points[v], tensors), level);
+        gradients[i][k] = unit_or_zero(space.gradient(at.slope, tensors));
+        sum += gradients[i][k];
+      }
+      // The gradient's direction is the same along a ray.
+      for (std::size_t k = 0; k < 3; ++k)
+        if (is_apex[as_size(corners[k])]) gradients[i][k] = unit_or_zero(sum);
+    });
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        surface.normal[as_size(surface.triangles[first + i][k])] += gradients[i][k];
+  }
 
   parallel_stage(options_, "stitch", count, 1024, [&](std::size_t id) {
     surface.normal[id] = unit_or_zero(surface.normal[id]);
@@ -199,31 +251,6 @@ Extraction Pipeline<Scalar>::assemble() {
     surface.residual[id] = mode_difference(t, level);
     surface.dominant_eigenvector[id] = dominant_eigenvector(t, level);
   });
-
-  surface.component = surface_components(surface);
-
-  const auto sheets_drawn = [&](Method method) -> std::size_t& {
-    switch (method) {
-      case Method::tubes: return statistics_.sheets_tubes;
-      case Method::small_disc: return statistics_.sheets_small;
-      case Method::graph: return statistics_.sheets_graph;
-      case Method::manifold: return statistics_.sheets_manifold;
-      case Method::dominant: return statistics_.sheets_dominant;
-      case Method::cone: return statistics_.sheets_cones;
-      case Method::leaves:
-      case Method::fan: break;
-    }
-    return statistics_.sheets_leaves;
-  };
-  for (const auto& state : tets_) {
-    if (!state.plan || state.drawn.triangles.empty()) continue;
-    statistics_.tets_nearby += state.level != nullptr;
-    ++(state.method == Method::cone ? statistics_.tets_coned
-       : state.plan->refined        ? statistics_.tets_refined
-                                    : statistics_.tets_monotone);
-    sheets_drawn(state.method) += state.plan->sheets.size();
-  }
-  return result;
 }
 
 template Extraction Pipeline<double>::assemble();

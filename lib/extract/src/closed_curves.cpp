@@ -13,9 +13,10 @@ std::optional<std::array<double, 3>> place_beyond(const LevelSimplex<Scalar, 3>&
                                                   const FaceArc<Scalar>& arc,
                                                   const Level<Scalar>& level) {
   const auto& piece = arc.pieces[0];
+  const auto& corners = piece.corners();
+  const auto& tensors = piece.tensors(face.tensors);
   for (std::size_t i = 0; i < 3; ++i)
-    if (is_above(face, piece.tensors[i], piece.corners[i], level) == (level.sign > 0))
-      return piece.corners[i];
+    if (is_above(face, tensors[i], corners[i], level) == (level.sign > 0)) return corners[i];
   return std::nullopt;
 }
 

@@ -12,6 +12,7 @@
 #include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
+#include "release.hpp"
 #include "sheet_check.hpp"
 #include "thin_sheets.hpp"
 #include "tube_mesh.hpp"
@@ -97,6 +98,22 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
   state.method = Method::leaves;
   state.requests = leaf_requests(tet, level, *state.plan);
   release_large_leaves(*state.plan);
+}
+
+/// Room for what is numbered, and an eighth more: some faces get further samples, and arrays that
+/// grow are twice as large as they need be.
+template <class Scalar>
+void Pipeline<Scalar>::reserve_rim_vertices() {
+  std::size_t count = 0;
+  for (const auto& crossings : crossings_)
+    if (crossings) count += crossings->size();
+  for (const auto& arcs : arcs_)
+    if (arcs)
+      for (const auto& arc : *arcs) count += arc.samples.size();
+  count += count / 8;
+  rim_position_.reserve(count);
+  rim_medium_.reserve(count);
+  rim_dominant_.reserve(count);
 }
 
 template <class Scalar>
@@ -288,17 +305,13 @@ template <class Scalar>
 void Pipeline<Scalar>::draw_tets() {
   // A tetrahedron that cannot be drawn with the samples that its faces have asks for more, which
   // its neighbours then have as well, and are drawn again. Few rounds are needed.
+  reserve_rim_vertices();
   number_edge_vertices();
   number_zero_vertices();
   std::vector<std::size_t> faces(complex_.faces.size());
   std::iota(faces.begin(), faces.end(), std::size_t{0});
   number_face_vertices(faces);
-  std::vector<std::array<Index, 2>> face_tets(complex_.faces.size(), {-1, -1});
-  for (std::size_t t = 0; t < tets_.size(); ++t)
-    for (const Index f : complex_.tet_faces[t]) {
-      auto& two = face_tets[as_size(f)];
-      two[two[0] < 0 ? 0 : 1] = static_cast<Index>(t);
-    }
+  release(faces);
   std::vector<std::size_t> drawing;
   for (std::size_t t = 0; t < tets_.size(); ++t)
     if (tets_[t].plan && !tets_[t].unresolved) drawing.push_back(t);
@@ -318,7 +331,7 @@ void Pipeline<Scalar>::draw_tets() {
     for (const auto t : failed)
       if (!tets_[t].unresolved) drawing.push_back(t);
     for (const auto f : changed)
-      for (const Index t : face_tets[f])
+      for (const Index t : complex_.face_tets[f])
         if (t >= 0 && tets_[as_size(t)].plan && !tets_[as_size(t)].unresolved)
           drawing.push_back(as_size(t));
     std::sort(drawing.begin(), drawing.end());

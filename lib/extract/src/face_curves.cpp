@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "arc_samples.hpp"
@@ -138,18 +139,20 @@ class Assembly {
       const auto& raw = raw_[p];
       using Kind = typename SimplexProof<Scalar, 3>::Kind;
       if (raw.cell->proof.kind != Kind::monotone) return false;
-      ArcPiece<Scalar> piece;
+      FacePart<Scalar> part;
       for (std::size_t i = 0; i < 3; ++i) {
-        piece.corners[i] = vertices[raw.cell->vertices[i]].weights;
-        piece.tensors[i] = vertices[raw.cell->vertices[i]].tensor;
+        part.corners[i] = vertices[raw.cell->vertices[i]].weights;
+        part.tensors[i] = vertices[raw.cell->vertices[i]].tensor;
       }
+      ArcPiece<Scalar> piece;
+      piece.part = std::make_shared<const FacePart<Scalar>>(part);
       piece.direction = raw.cell->proof.direction;
       piece.begin = place_on_side(raw, raw.from, nodes_[raw.begin]);
       piece.end = place_on_side(raw, raw.to, nodes_[raw.end]);
       if (nodes_[raw.begin].leaving != kNone || nodes_[raw.end].arriving != kNone) return false;
       nodes_[raw.begin].leaving = p;
       nodes_[raw.end].arriving = p;
-      pieces_.push_back(piece);
+      pieces_.push_back(std::move(piece));
     }
     return true;
   }
@@ -214,14 +217,14 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves_by(
     const Level<Scalar>& level, const Sampling& sampling, Effort effort) {
   std::vector<FaceArc<Scalar>> arcs;
   if (arcs_of_graph(triangle, crossings, level, arcs, known)) {
-    for (auto& arc : arcs) sample_arc(arc, level, sampling);
+    for (auto& arc : arcs) sample_arc(arc, triangle.tensors, level, sampling);
     return arcs;
   }
   thread_local Refinement<Scalar, 3> refinement;
   refinement.reset(triangle, level);
   if (!refinement.run(face_budget(effort))) return std::nullopt;
   if (!Assembly<Scalar>(refinement, crossings, level).build(arcs)) return std::nullopt;
-  for (auto& arc : arcs) sample_arc(arc, level, sampling);
+  for (auto& arc : arcs) sample_arc(arc, triangle.tensors, level, sampling);
   return arcs;
 }
 

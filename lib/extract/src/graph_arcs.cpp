@@ -132,9 +132,7 @@ bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
   if (pairs.size() != count / 2) return false;
 
   ArcPiece<Scalar> piece;
-  piece.tensors = triangle.tensors;
   piece.direction = proof.direction;
-  for (std::size_t i = 0; i < 3; ++i) piece.corners[i] = ExactWeights<3>::at_corner(i).values();
   for (const auto& ends : pairs) {
     FaceArc<Scalar> arc;
     int begins = 0;

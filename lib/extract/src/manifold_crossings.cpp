@@ -17,14 +17,15 @@ namespace {
 template <class Scalar>
 class SigmaOnArc {
  public:
-  SigmaOnArc(const TetManifold& manifold, const FaceArc<Scalar>& arc, const Level<Scalar>& level,
+  SigmaOnArc(const TetManifold& manifold, const FaceArc<Scalar>& arc,
+             const std::array<Deviator<Scalar>, 3>& face, const Level<Scalar>& level,
              const Vector3<double>& start)
-      : manifold_(manifold), arc_(arc), level_(level), start_(start) {}
+      : manifold_(manifold), arc_(arc), face_(face), level_(level), start_(start) {}
 
   double operator()(double place) const {
     const double pieces = static_cast<double>(arc_.pieces.size());
     if (arc_.closed && place >= pieces) place -= pieces;
-    const auto point = point_on_arc(arc_, Scalar(place), level_);
+    const auto point = point_on_arc(arc_, face_, Scalar(place), level_);
     auto medium = narrow(point.medium);
     if (dot(medium, start_) < 0) medium = -medium;
     return manifold_.manifold.sigma(medium, narrow(dominant_eigenvector(point.tensor, level_)));
@@ -33,6 +34,7 @@ class SigmaOnArc {
  private:
   const TetManifold& manifold_;
   const FaceArc<Scalar>& arc_;
+  std::array<Deviator<Scalar>, 3> face_;
   const Level<Scalar>& level_;
   Vector3<double> start_;
 };
@@ -165,7 +167,7 @@ std::vector<RimRequest<Scalar>> boundary_crossings(const TetManifold& manifold,
           const double from = samples.places[i];
           const double to = i + 1 < n ? samples.places[i + 1]
                                       : samples.places[0] + static_cast<double>(arc.pieces.size());
-          const SigmaOnArc<Scalar> along(manifold, arc, level, medium);
+          const SigmaOnArc<Scalar> along(manifold, arc, tet.face_tensors(f), level, medium);
           double place = bracketed_zero(along, from, sigma, to, next_sigma);
           const double pieces = static_cast<double>(arc.pieces.size());
           if (arc.closed && place >= pieces) place -= pieces;
@@ -200,7 +202,7 @@ std::vector<RimRequest<Scalar>> denser_rims(const TetWithCurves<Scalar>& tet,
         const bool wraps = middle >= pieces;
         if (wraps) middle -= pieces;
         requests.push_back({piece.face, piece.arc, Scalar(middle), false});
-        const auto point = point_on_arc(arc, Scalar(middle), level);
+        const auto point = point_on_arc(arc, tet.face_tensors(f), Scalar(middle), level);
         RimVertex vertex;
         vertex.medium = narrow(point.medium);
         vertex.dominant = narrow(dominant_eigenvector(point.tensor, level));

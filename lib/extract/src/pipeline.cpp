@@ -16,6 +16,7 @@
 #include "parallel_stage.hpp"
 #include "plan_by_leaves.hpp"
 #include "proof_block.hpp"
+#include "release.hpp"
 #include "thin_sheets.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tensortopo/extract/position.hpp"
@@ -48,11 +49,12 @@ std::string_view name_of(UnresolvedReason reason) {
 
 template <class Scalar>
 Pipeline<Scalar>::Pipeline(const PreparedField<Scalar>& prepared, const ModeValue& mu,
-                           const ExtractOptions& options)
+                           const ExtractOptions& options, PreparedField<Scalar>* last_use)
     : mesh_(*prepared.mesh),
       options_(options),
       nearby_levels_(mu),
       prepared_(prepared),
+      last_use_(last_use),
       field_(prepared.field) {
   if (std::abs(mu.approx()) >= 1)
     throw std::invalid_argument("mode surfaces exist for |mode| < 1, not for " + mu.text());
@@ -73,6 +75,7 @@ Extraction Pipeline<Scalar>::run() {
     draw_tets();
     statistics_.seconds_tets += watch.lap();
   } while (move_from_vertices());
+  release_plans();
   if (!options_.keep_samples) thin_rims();
   statistics_.seconds_tets += watch.lap();
   Extraction result = assemble();
@@ -97,6 +100,19 @@ bool Pipeline<Scalar>::move_from_vertices() {
   }
   if (any) tets_ = std::vector<TetState>(tets_.size());
   return any;
+}
+
+/// What drawing needed is half of all that a tetrahedron holds; only proofs ask for it later.
+template <class Scalar>
+void Pipeline<Scalar>::release_plans() {
+  parallel_stage(options_, "tetrahedra", tets_.size(), 1024, [&](std::size_t t) {
+    auto& state = tets_[t];
+    release(state.manifold, state.requests);
+    if (!state.plan) return;
+    state.sheets = static_cast<int>(state.plan->sheets.size());
+    state.refined = state.plan->refined;
+    if (!options_.keep_topology) state.plan.reset();
+  });
 }
 
 template <class Scalar>
@@ -126,7 +142,7 @@ void Pipeline<Scalar>::classify_vertices() {
 template <class Scalar>
 void Pipeline<Scalar>::screen() {
   // By vertex, how far the level is.
-  const auto& tensors = prepared_.tensors;
+  const auto& tensors = prepared_.tensors();
   clearance_.assign(mesh_.points.size(), 2);
   parallel_stage(options_, "screen", mesh_.points.size(), 4096, [&](std::size_t v) {
     if (!field_.is_zero[v])
@@ -152,6 +168,7 @@ void Pipeline<Scalar>::screen() {
     for (std::size_t i = 0; i < 4; ++i) own_corners[i] = field_.tensors[as_size(v[i])];
     active[t] = !is_proved_empty(own_corners, level_);
   });
+  if (last_use_ != nullptr) release(last_use_->lode_ranges, last_use_->lode_angles);
   std::vector<Index> tets;
   for (std::size_t t = 0; t < active.size(); ++t)
     if (active[t]) tets.push_back(static_cast<Index>(t));
@@ -297,22 +314,25 @@ bool Pipeline<Scalar>::plan_one(std::size_t t, const SimplexProof<Scalar, 4>* pr
   }
   if (!any) return false;
   const auto tet = tet_with_curves(t);
-  if (!moved) state.plan = plan_tet_by(proof, tet, level_);
+  const auto take = [&](std::optional<TetPlan<Scalar>> plan) {
+    if (plan) state.plan = std::make_unique<TetPlan<Scalar>>(std::move(*plan));
+  };
+  if (!moved) take(plan_tet_by(proof, tet, level_));
   if (!state.plan) {
     const auto tensors = tensors_of(vertices_of(t));
     if (moved || nearby_levels_.is_close_to_critical(tensors))
       state.level = nearby_levels_.level_for(tensors);
     if (state.level != nullptr)
-      state.plan = plan_tet(tet, *state.level, nearby_levels_.far_level_for(tensors));
+      take(plan_tet(tet, *state.level, nearby_levels_.far_level_for(tensors)));
   }
   if (!state.plan && !moved && state.level == nullptr && is_thin(level_))
-    state.plan = plan_tet_by<Scalar>(proof, tet, level_, nullptr, Effort::great);
+    take(plan_tet_by<Scalar>(proof, tet, level_, nullptr, Effort::great));
   if (!state.plan) state.unresolved = unproved(t);
   if (state.plan && !state.plan->tubes.empty()) {
     state.manifold = tet_manifold(tet, level_of(t));
     if (state.manifold) state.method = Method::tubes;
   }
-  return state.plan.has_value();
+  return state.plan != nullptr;
 }
 
 template <class Scalar>
@@ -334,10 +354,16 @@ Extraction extract_mode_surface(const PreparedField<Scalar>& field, const ModeVa
 }
 
 template <class Scalar>
+Extraction extract_mode_surface(PreparedField<Scalar>&& field, const ModeValue& mu,
+                                const ExtractOptions& options) {
+  return Pipeline<Scalar>(field, mu, options, &field).run();
+}
+
+template <class Scalar>
 Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
                                 const ExtractOptions& options) {
-  const PreparedField<Scalar> field(mesh, PreparedField<Scalar>::Use::one_mode);
-  return extract_mode_surface(field, mu, options);
+  PreparedField<Scalar> field(mesh, PreparedField<Scalar>::Use::one_mode);
+  return extract_mode_surface(std::move(field), mu, options);
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                    \
@@ -345,7 +371,9 @@ Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
   template Extraction extract_mode_surface<Scalar>(const TetMesh&, const ModeValue&,      \
                                                    const ExtractOptions&);                \
   template Extraction extract_mode_surface<Scalar>(const PreparedField<Scalar>&,          \
-                                                   const ModeValue&, const ExtractOptions&);
+                                                   const ModeValue&, const ExtractOptions&); \
+  template Extraction extract_mode_surface<Scalar>(PreparedField<Scalar>&&, const ModeValue&, \
+                                                   const ExtractOptions&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -24,8 +24,9 @@ namespace tensortopo {
 template <class Scalar>
 class Pipeline {
  public:
+  /// @param last_use the field again if nobody reads it afterwards
   Pipeline(const PreparedField<Scalar>& prepared, const ModeValue& mu,
-           const ExtractOptions& options);
+           const ExtractOptions& options, PreparedField<Scalar>* last_use = nullptr);
 
   Extraction run();
 
@@ -37,10 +38,12 @@ class Pipeline {
 
   /// What becomes of one tetrahedron of the complex.
   struct TetState {
-    std::optional<TetPlan<Scalar>> plan;
+    std::unique_ptr<TetPlan<Scalar>> plan;  ///< until it is drawn, see `release_plans`
     const Level<Scalar>* level = nullptr;  ///< of its plan and drawing, if not the extraction's
     Method method = Method::small_disc;
     int attempts = 0;  ///< in charts
+    int sheets = 0;        ///< how many the plan had
+    bool refined = false;  ///< the plan was
     std::unique_ptr<TetManifold> manifold;     ///< if drawn there
     std::vector<RimRequest<Scalar>> requests;  ///< samples that the method wants on the faces
     TetTriangles<Scalar> drawn;
@@ -65,11 +68,13 @@ class Pipeline {
   bool plan_one(std::size_t t, const SimplexProof<Scalar, 4>* proof);
   bool plan_cone(std::size_t t);
   void try_next_method(std::size_t t);
+  void reserve_rim_vertices();
   void number_edge_vertices();
   void number_zero_vertices();
   void number_face_vertices(std::span<const std::size_t> changed);
   std::vector<std::size_t> merge_requests(std::span<const std::size_t> asking);
   void draw_tets();
+  void release_plans();
   void thin_rims();
   bool move_from_vertices();
   bool draw_one(std::size_t t);
@@ -95,6 +100,9 @@ class Pipeline {
   CrossingCopies crossing_copies() const;
   LevelTopology topology(std::span<const Index> new_id) const;
   Extraction assemble();
+  void count_sheets();
+  void release_stages();
+  void describe_vertices(SurfaceMesh& surface, const std::vector<char>& is_apex) const;
 
   /// Whether vertices are on one side of the level, and one of them farther from it, by the angle
   /// between tensors, than from all others: then so is the simplex.
@@ -110,7 +118,7 @@ class Pipeline {
     const double limit = clearance_[clear] * prepared_.norms[clear];
     for (const Index w : vertices) {
       const auto v = static_cast<std::size_t>(w);
-      if (v != clear && !(norm_form(prepared_.tensors[clear], prepared_.tensors[v]) >
+      if (v != clear && !(norm_form(prepared_.tensors()[clear], prepared_.tensors()[v]) >
                           limit * prepared_.norms[v]))
         return false;
     }
@@ -162,6 +170,7 @@ class Pipeline {
   Level<Scalar> level_;
   NearbyLevels<Scalar> nearby_levels_;
   const PreparedField<Scalar>& prepared_;
+  PreparedField<Scalar>* last_use_;
   const ScaledField<Scalar>& field_;
   ExtractStatistics statistics_;
 

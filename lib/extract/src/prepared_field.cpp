@@ -29,15 +29,15 @@ void for_each(std::size_t count, const Body& body) {
 
 template <class Scalar>
 PreparedField<Scalar>::PreparedField(const TetMesh& m, Use use)
-    : mesh(&m),
-      field(m),
-      tensors(m.points.size()),
-      norms(m.points.size()),
-      lode_angles(m.points.size(), 0) {
+    : mesh(&m), field(m), norms(m.points.size()), lode_angles(m.points.size(), 0) {
+  if constexpr (!std::is_same_v<Scalar, double>) {
+    rounded_tensors.resize(m.points.size());
+    for_each(m.points.size(),
+             [&](std::size_t v) { rounded_tensors[v] = rounded(std::array{field.tensors[v]})[0]; });
+  }
   for_each(m.points.size(), [&](std::size_t v) {
-    tensors[v] = rounded(std::array{field.tensors[v]})[0];
-    norms[v] = std::sqrt(norm_form(tensors[v]));
-    if (!field.is_zero[v]) lode_angles[v] = screen::lode_angle(tensors[v]);
+    norms[v] = std::sqrt(norm_form(tensors()[v]));
+    if (!field.is_zero[v]) lode_angles[v] = screen::lode_angle(tensors()[v]);
   });
   if (use == Use::one_mode) return;
   lode_ranges.assign(m.tets.size(), {-1, 4});
@@ -46,7 +46,7 @@ PreparedField<Scalar>::PreparedField(const TetMesh& m, Use use)
     for (std::size_t i = 0; i < 4; ++i) {
       const auto v = as_size(m.tets[t][i]);
       if (field.is_zero[v]) return;
-      corners[i] = tensors[v];
+      corners[i] = tensors()[v];
     }
     const auto range = screen::lode_range(corners);
     // To float outwards.

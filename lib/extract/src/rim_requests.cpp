@@ -45,6 +45,7 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
   std::vector<char> changed(first.size(), 0);
   parallel_stage(options_, "tetrahedra", first.size(), 64, [&](std::size_t k) {
     const auto f = wanted[first[k]].face;
+    const auto face = face_simplex(f).tensors;
     // The two neighbours, and the face itself, often cut the curve at the same point, and an edge
     // of the face may be cut there too. Merging samples along a curve changes no topology; samples
     // between which no eigenvector turns by more than rounding shows would be in no order.
@@ -64,7 +65,7 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
     for (std::size_t i = first[k]; i < wanted.size() && wanted[i].face == f; ++i) {
       const Scalar& place = wanted[i].place;
       auto& arc = (*arcs_[f])[static_cast<std::size_t>(wanted[i].arc)];
-      const auto point = point_on_arc(arc, place, level_);
+      const auto point = point_on_arc(arc, face, place, level_);
       auto after = std::lower_bound(arc.samples.begin(), arc.samples.end(), place,
                                     [](const auto& s, const Scalar& x) { return s.place < x; });
       const Scalar last(static_cast<double>(arc.pieces.size()));
@@ -72,7 +73,7 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
         if (next && after != arc.samples.end()) return *after;
         if (!next && after != arc.samples.begin()) return *std::prev(after);
         return arc.closed ? (next ? arc.samples.front() : arc.samples.back())
-                          : point_on_arc(arc, next ? last : Scalar(0), level_);
+                          : point_on_arc(arc, face, next ? last : Scalar(0), level_);
       };
       const bool exactly = wanted[i].is_needed;
       if (same(neighbour(false), point, exactly) || same(neighbour(true), point, exactly)) continue;

@@ -66,7 +66,7 @@ class Separation {
     const auto& arc = arc_of(piece.face, piece.arc);
     for (const auto& c : crossings)
       if (c.face == piece.face && c.arc == piece.arc) {
-        const auto point = point_on_arc(arc, c.place, level_);
+        const auto point = point_on_arc(arc, face_of(piece.face), c.place, level_);
         const auto dominant = narrow(dominant_eigenvector(point.tensor, level_));
         const auto at = on_.boundary_position(narrow(point.medium), dominant);
         list.push_back({static_cast<double>(c.place),
@@ -121,12 +121,16 @@ class Separation {
     return tet_.arcs[static_cast<std::size_t>(face)][static_cast<std::size_t>(arc)];
   }
 
+  std::array<Deviator<Scalar>, 3> face_of(int face) const {
+    return tet_.face_tensors(static_cast<std::size_t>(face));
+  }
+
   void halve(const Step& step) {
     const auto& arc = arc_of(step.face, step.arc);
     const double middle = step.from + (step.to - step.from) / 2;
     const double turns = static_cast<double>(arc.pieces.size());
     const Scalar place(arc.closed && middle >= turns ? middle - turns : middle);
-    const auto point = point_on_arc(arc, place, level_);
+    const auto point = point_on_arc(arc, face_of(step.face), place, level_);
     requests_.push_back({step.face, step.arc, place, false});
     auto medium = narrow(point.medium);
     const double sigma =

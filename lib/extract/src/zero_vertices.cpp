@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -88,7 +89,7 @@ bool Pipeline<Scalar>::plan_cone(std::size_t t) {
   }
   if (sheets == 0) return false;
   state.method = Method::cone;
-  state.plan.emplace();
+  state.plan = std::make_unique<TetPlan<Scalar>>();
   state.plan->sheets.assign(sheets, {{}, 1, -1});
   return true;
 }

@@ -165,6 +165,10 @@ void assemble_cells(const std::vector<RawGrid>& pieces, const VertexMap& map,
                     const std::vector<std::vector<SymmetricTensor<double>>>& on_cells,
                     const ReadOptions& options, TetMesh& mesh, ReadReport& report) {
   Assembly assembly(options, mesh, report);
+  std::size_t cells = 0;  // nearly always all of them tetrahedra
+  for (const RawGrid& grid : pieces) cells += grid.cells();
+  mesh.tets.reserve(cells);
+  mesh.cell_ids.reserve(cells);
   for (std::size_t k = 0; k < pieces.size(); ++k)
     assembly.add(pieces[k], map[k],
                  on_cells.empty() ? std::vector<SymmetricTensor<double>>{} : on_cells[k]);

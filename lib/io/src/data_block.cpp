@@ -97,10 +97,13 @@ std::string decompress(std::string_view block, std::size_t expected, const Block
   std::string_view rest = header.rest();
   const auto decompressor = make_decompressor(format.compressor);
   std::string bytes;
+  // Room for all, but for no more than the block can hold.
+  const std::uint64_t ratio = greatest_ratio(format.compressor);
+  bytes.reserve(total / ratio > block.size() ? 0 : total);
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t wanted = i + 1 == count && last != 0 ? last : size;
     if (sizes[i] > rest.size()) throw FormatError("ends within a compressed block");
-    if (wanted / greatest_ratio(format.compressor) > sizes[i] + 64)
+    if (wanted / ratio > sizes[i] + 64)
       throw FormatError("promises more bytes than a compressed block can hold");
     const std::size_t begin = bytes.size();
     bytes.resize(begin + wanted);

@@ -91,11 +91,18 @@ void write_notes(ReadReport& report) {
   if (report.torn_faces.count > 0) report.notes.push_back(report.torn_faces.text());
 }
 
-ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
-  ReadResult result;
+/// What is left of a file's lists when the mesh is made: the cells that were split.
+struct SplitCells {
+  std::vector<RawGrid> grids;  ///< cells alone; none if no cell was split
+  VertexMap map;
+};
+
+/// Makes the mesh of what a file lists.
+SplitCells read_unchecked(const std::filesystem::path& file, const ReadOptions& options,
+                          ReadResult& result) {
   TetMesh& mesh = result.mesh;
   ReadReport& report = result.report;
-  const std::vector<RawGrid> grids = read_grids(file, result.sha256);
+  std::vector<RawGrid> grids = read_grids(file, result.sha256);
 
   const TensorChoice choice = choose_tensor(grids, options);
   report.tensor_name = choice.name;
@@ -113,8 +120,20 @@ ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
   const VertexMap map = merge_points(grids, choice.on_cells ? none : tensors, mesh);
   report.merged_points = points - mesh.points.size();
   assemble_cells(grids, map, choice.on_cells ? tensors : none, options, mesh, report);
-  report.torn_faces = torn_faces(grids, map, mesh, check(file, mesh));
-  report.unreferenced_points = count_unreferenced_points(mesh);
+  if (report.split_cells == 0) return {};
+  for (RawGrid& grid : grids) {
+    grid.coordinates = std::vector<double>();
+    grid.point_data = grid.cell_data = std::vector<ArraySource>();
+  }
+  return {std::move(grids), map};
+}
+
+ReadResult read(const std::filesystem::path& file, const ReadOptions& options) {
+  ReadResult result;
+  const SplitCells split = read_unchecked(file, options, result);
+  ReadReport& report = result.report;
+  report.torn_faces = torn_faces(split.grids, split.map, result.mesh, check(file, result.mesh));
+  report.unreferenced_points = count_unreferenced_points(result.mesh);
   write_notes(report);
   return result;
 }

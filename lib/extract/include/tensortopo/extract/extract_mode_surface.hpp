@@ -121,4 +121,9 @@ template <class Scalar>
 Extraction extract_mode_surface(const PreparedField<Scalar>& field, const ModeValue& mu,
                                 const ExtractOptions& options = {});
 
+/// The same for the last of the modes: parts of the field are given back once they have been read.
+template <class Scalar>
+Extraction extract_mode_surface(PreparedField<Scalar>&& field, const ModeValue& mu,
+                                const ExtractOptions& options = {});
+
 }  // namespace tensortopo

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,15 +27,35 @@ struct ArcEnd {
   int crossing = 0;  ///< which of that edge's crossings, in their order
 };
 
+/// The corners of a face, as homogeneous weights in it.
+inline constexpr std::array<std::array<double, 3>, 3> kFaceCorners{
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+/// A triangle within a face.
+template <class Scalar>
+struct FacePart {
+  std::array<std::array<double, 3>, 3> corners;  ///< homogeneous weights in the face
+  std::array<Deviator<Scalar>, 3> tensors;       ///< at those corners
+};
+
 /// A stretch of a mode curve inside one monotone triangle: the curve is a graph across
 /// `direction`, so the point above each place of the segment from `begin` to `end` is unique.
 template <class Scalar>
 struct ArcPiece {
-  /// Corners of the monotone triangle: homogeneous weights in the face.
-  std::array<std::array<double, 3>, 3> corners;
-  std::array<Deviator<Scalar>, 3> tensors;       ///< at those corners
+  /// The monotone triangle if it is not the whole face. Nearly always it is, and what is known of
+  /// the face need not be kept once more.
+  std::shared_ptr<const FacePart<Scalar>> part;
   std::array<Scalar, 3> direction;               ///< barycentric in the monotone triangle
   std::array<Scalar, 3> begin, end;              ///< barycentric in the monotone triangle
+
+  const std::array<std::array<double, 3>, 3>& corners() const {
+    return part ? part->corners : kFaceCorners;
+  }
+  /// @param face the tensors at the face's corners
+  const std::array<Deviator<Scalar>, 3>& tensors(
+      const std::array<Deviator<Scalar>, 3>& face) const {
+    return part ? part->tensors : face;
+  }
 };
 
 /// A point of a mode curve.
@@ -76,8 +97,10 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves(
     const Level<Scalar>& level, const Sampling& sampling, Effort effort = Effort::usual);
 
 /// The point of an arc at a place (index of the piece plus the fraction along it).
+/// @param face the tensors at the corners of the arc's face
 template <class Scalar>
-CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>& arc, const Scalar& place,
+CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>& arc,
+                                const std::array<Deviator<Scalar>, 3>& face, const Scalar& place,
                                 const Level<Scalar>& level);
 
 /// The place on one of the arcs nearest to a point of the level given by its weights.

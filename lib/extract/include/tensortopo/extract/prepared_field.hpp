@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "tensortopo/extract/scaled_field.hpp"
@@ -20,13 +21,21 @@ struct PreparedField {
   const TetMesh* mesh;
   ScaledField<Scalar> field;
   // One per vertex.
-  std::vector<Deviator<double>> tensors;  ///< scaled as in `field`, rounded
-  std::vector<double> norms;              ///< sqrt(P) of these
-  std::vector<double> lode_angles;        ///< of these; 0 without deviator
+  /// Scaled as in `field`, rounded. If that is in double already, it is not kept twice.
+  const std::vector<Deviator<double>>& tensors() const {
+    if constexpr (std::is_same_v<Scalar, double>)
+      return field.tensors;
+    else
+      return rounded_tensors;
+  }
+  std::vector<double> norms;        ///< sqrt(P) of these
+  std::vector<double> lode_angles;  ///< of these; 0 without deviator
 
   /// Of each tetrahedron the Lode angles between which all of it certainly lies; empty for one
   /// mode, for which it is quicker to compare angles between tensors where they matter.
   std::vector<std::array<float, 2>> lode_ranges;
+
+  std::vector<Deviator<double>> rounded_tensors;  ///< see `tensors`
 };
 
 }  // namespace tensortopo

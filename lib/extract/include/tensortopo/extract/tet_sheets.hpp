@@ -26,6 +26,12 @@ struct TetWithCurves {
   std::array<bool, 6> edge_forward;  ///< edge ij, i < j: global ids ascend from i to j
   std::array<Vector3<double>, 4> points;
   std::array<std::span<const FaceArc<Scalar>>, 4> arcs;
+
+  /// The tensors at the corners of a face, in the order of their global ids.
+  std::array<Deviator<Scalar>, 3> face_tensors(std::size_t face) const {
+    const auto& v = face_vertices[face];
+    return {simplex.tensors[v[0]], simplex.tensors[v[1]], simplex.tensors[v[2]]};
+  }
 };
 
 /// A crossing of an edge of a tetrahedron: which edge, and which of its crossings.
