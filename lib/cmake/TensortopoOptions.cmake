@@ -69,6 +69,11 @@ endfunction()
 function(tensortopo_in_batches)
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+    # A batch includes its sources, whose anonymous namespaces GCC then takes for those of headers.
+    foreach(target IN LISTS ARGN)
+      target_compile_options(${target} PRIVATE
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    endforeach()
   endif()
 endfunction()
 

@@ -15,8 +15,6 @@ namespace tensortopo::test {
 namespace {
 
 using About = DominantChart::About;
-constexpr double kPi = std::numbers::pi;
-
 CharacteristicTensor<double> characteristic_of(const TetTensors& tensors) {
   TetrahedronField<double> field;
   for (std::size_t i = 0; i < 4; ++i) field.vertex[i] = deviator(tensors[i]);
@@ -33,7 +31,9 @@ Vector3<double> unit_vector(Random& random) {
   return unit(Vector3<double>{part(), part(), part() + 1e-9});
 }
 
-double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * kPi)); }
+double angle_between(double a, double b) {
+  return std::abs(std::remainder(a - b, 2 * std::numbers::pi));
+}
 
 // The eigenvectors of the chart's tensor, from the place by which it was found.
 TEST(DominantChart, TensorsHaveTheModeAreInTheFieldAndAreFoundAgain) {
@@ -46,7 +46,8 @@ TEST(DominantChart, TensorsHaveTheModeAreInTheFieldAndAreFoundAgain) {
     for (const char* mode : {"0", "1/2", "99/100", "999999/1000000", "999999999/1000000000"}) {
       const auto parameter = mode_parameter<double>(ModeValue::parse(mode));
       DominantChart chart(n, parameter, About::cone);
-      const DominantChart::Place place{2 * kPi * random.uniform(), 2 * kPi * random.uniform()};
+      const DominantChart::Place place{2 * std::numbers::pi * random.uniform(),
+                                       2 * std::numbers::pi * random.uniform()};
       ++asked;
       const auto tensor = chart.tensor(place);
       if (!tensor) continue;
@@ -79,12 +80,12 @@ TEST(DominantChart, PlacesComeBackFromThePlaneAndFromTheOppositeVector) {
     const auto n = characteristic_of(random.tet_tensors());
     for (const auto about : {About::cone, About::first_plane, About::second_plane}) {
       DominantChart chart(n, mode_parameter<double>(ModeValue::parse("9999/10000")), about);
-      const double cut = 2 * kPi * random.uniform();
+      const double cut = 2 * std::numbers::pi * random.uniform();
       chart.cut_at(cut);
       const double least = cut + 0.1 * random.uniform(), most = least + 0.001 + random.uniform();
       const DominantChart::Place place{least + (most - least) * random.uniform(),
-                                       2 * kPi * random.uniform()};
-      const double turn_cut = 2 * kPi * random.uniform();
+                                       2 * std::numbers::pi * random.uniform()};
+      const double turn_cut = 2 * std::numbers::pi * random.uniform();
       for (const bool is_cut : {true, false}) {
         chart.lay_out(least, most, is_cut ? std::optional(turn_cut) : std::nullopt);
         const auto again = chart.place_at(chart.point(place));

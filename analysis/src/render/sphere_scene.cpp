@@ -22,7 +22,6 @@ namespace {
 
 using Polyline = std::vector<Vector3<double>>;
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kGridLines = 12;     // in half a turn
 constexpr int kSamples = 240;      // of a line of the grid
 constexpr int kLatitudes = 96;     // of the triangles that carry the texture's lines
@@ -43,7 +42,7 @@ SurfaceMesh visible_half(const SphereFrame& frame) {
   for (int i = 1; i <= kLatitudes; ++i) {
     const double polar = last * i / kLatitudes;
     for (int j = 0; j < around; ++j) {
-      const double turn = 2 * kPi * j / around;
+      const double turn = 2 * std::numbers::pi * j / around;
       sphere.points.push_back(std::cos(polar) * frame.viewer +
                               std::sin(polar) * std::cos(turn) * frame.right +
                               std::sin(polar) * std::sin(turn) * frame.up);
@@ -116,7 +115,8 @@ Colour sheet_colour(double mode) { return mode > 0 ? kTeal : mode < 0 ? kGold : 
 SphereFrame sphere_frame(const TetDirections& directions, double azimuth, double elevation,
                          bool back) {
   const auto& e = directions.manifold().characteristic().eigenvectors;
-  const double side = back ? -1 : 1, a = azimuth * kPi / 180, b = elevation * kPi / 180;
+  const double side = back ? -1 : 1, a = azimuth * std::numbers::pi / 180,
+               b = elevation * std::numbers::pi / 180;
   const Vector3<double> x = side * e[0], y = e[1], z = side * e[2];
   SphereFrame frame;
   frame.viewer = std::cos(b) * (std::cos(a) * z + std::sin(a) * x) + std::sin(b) * y;
@@ -132,7 +132,7 @@ std::vector<Vector3<double>> visible_directions(const SphereFrame& frame) {
   for (int i = 0; i < rows; ++i) {
     const double height = (i + 0.5) / rows, radius = std::sqrt(1 - height * height);
     for (int j = 0; j < 2 * rows; ++j) {
-      const double turn = kPi * j / rows;
+      const double turn = std::numbers::pi * j / rows;
       directions.push_back(height * frame.viewer + radius * std::cos(turn) * frame.right +
                            radius * std::sin(turn) * frame.up);
     }
@@ -165,7 +165,7 @@ std::vector<Polyline> boundary_pieces(const TetDirections& directions, bool insi
       piece.clear();
     };
     for (int i = 0; i <= samples; ++i) {
-      const Vector3<double> v = manifold.boundary_point(loop, 2 * kPi * i / samples);
+      const Vector3<double> v = manifold.boundary_point(loop, 2 * std::numbers::pi * i / samples);
       if ((directions.sign_inside_boundary(v) != 0) == inside) {
         piece.push_back(v);
       } else {
@@ -243,9 +243,11 @@ void add_sphere(vtkRenderer& renderer, const TetDirections& directions, const Sp
     for (int k = 0; k < 2 * kGridLines; ++k) {
       Polyline across, along;
       for (int i = 0; i <= kSamples; ++i) {
-        across.push_back(manifold.sphere_point(kPi * k / kGridLines, kPi * i / kSamples));
+        across.push_back(manifold.sphere_point(std::numbers::pi * k / kGridLines,
+                                               std::numbers::pi * i / kSamples));
         if (k <= kGridLines)
-          along.push_back(manifold.sphere_point(2 * kPi * i / kSamples, kPi * k / kGridLines));
+          along.push_back(manifold.sphere_point(2 * std::numbers::pi * i / kSamples,
+                                                std::numbers::pi * k / kGridLines));
       }
       grid.push_back(across);
       if (k <= kGridLines) grid.push_back(along);

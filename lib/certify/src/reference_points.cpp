@@ -30,8 +30,6 @@ struct Cell {
   double diameter = 0;
 };
 
-Vector3<Real50> wide(const Vector3<double>& p) { return {Real50(p.x), Real50(p.y), Real50(p.z)}; }
-
 Cell cell_of(const TetMesh& mesh, const std::array<TetMesh::Index, 4>& vertices) {
   Cell cell;
   for (const auto v : vertices) {
@@ -50,10 +48,12 @@ Cell cell_of(const TetMesh& mesh, const std::array<TetMesh::Index, 4>& vertices)
 std::optional<std::vector<Real50>> barycentric(const Cell& cell, const Vector3<double>& p) {
   const std::size_t n = cell.points.size() - 1;
   std::array<std::array<Real50, 4>, 3> m{};  // the last column is the right-hand side
-  const Vector3<Real50> origin = wide(cell.points[0]), to = wide(p) - origin;
+  const Vector3<Real50> origin = vector_cast<Real50>(cell.points[0]),
+                        to = vector_cast<Real50>(p) - origin;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto u = wide(cell.points[i + 1]) - origin;
-    for (std::size_t j = 0; j < n; ++j) m[i][j] = dot(u, wide(cell.points[j + 1]) - origin);
+    const auto u = vector_cast<Real50>(cell.points[i + 1]) - origin;
+    for (std::size_t j = 0; j < n; ++j)
+      m[i][j] = dot(u, vector_cast<Real50>(cell.points[j + 1]) - origin);
     m[i][3] = dot(u, to);
   }
   // Elimination: the matrix is positive definite, no pivoting.
@@ -164,7 +164,7 @@ ReferencePoints reference_points(const TetMesh& mesh, const SurfaceMesh& surface
   std::vector<double> bounds(n, 0);
   const auto refine = [&](std::size_t v) {
     const auto& p = surface.points[v];
-    result.coordinates[v] = decimals(wide(p));
+    result.coordinates[v] = decimals(vector_cast<Real50>(p));
     if (surface.carrier[v] == Carrier::vertex) return;
     const Cell cell = cell_of(mesh, surface.carrier_vertices[v]);
     const auto w = barycentric(cell, p);
@@ -175,7 +175,7 @@ ReferencePoints reference_points(const TetMesh& mesh, const SurfaceMesh& surface
     double size = 0;
     for (std::size_t i = 0; i < cell.points.size(); ++i) {
       const auto& corner = cell.points[i];
-      q = q + ldexp(Real50(place->w[i]), -kPlaceBits) * wide(corner);
+      q = q + ldexp(Real50(place->w[i]), -kPlaceBits) * vector_cast<Real50>(corner);
       size = std::max({size, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
     }
     result.coordinates[v] = decimals(q);

@@ -7,7 +7,6 @@
 #include "cone_sheets.hpp"
 #include "extractor_scalars.hpp"
 #include "level_in_tet.hpp"
-#include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "release.hpp"
@@ -116,7 +115,8 @@ Extraction Pipeline<Scalar>::assemble() {
       surface.carrier_vertices[id] = v;
       std::sort(surface.carrier_vertices[id].begin(), surface.carrier_vertices[id].end());
       surface.points[id] = position_at(inner[k].weights, exponents, points);
-      surface.medium_eigenvector[id] = narrow(medium_eigenvector(inner[k].tensor, level_));
+      surface.medium_eigenvector[id] =
+          vector_cast<double>(medium_eigenvector(inner[k].tensor, level_));
     }
   });
 

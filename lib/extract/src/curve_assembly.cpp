@@ -6,7 +6,6 @@
 
 #include "curve_graph.hpp"
 #include "curve_vertex.hpp"
-#include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "tensortopo/extract/position.hpp"
 
@@ -66,7 +65,7 @@ class CurveAssembler {
                              : count == 2 ? position<2>(weights, vertices)
                              : count == 3 ? position<3>(weights, vertices)
                                           : position<4>(weights, vertices));
-    curves_.dominant_eigenvector.push_back(unit_or_zero(narrow(dominant)));
+    curves_.dominant_eigenvector.push_back(unit_or_zero(vector_cast<double>(dominant)));
     curves_.carrier_vertices.push_back(in_order(vertices));
     curves_.carrier.push_back(carriers[count - 1]);
   }

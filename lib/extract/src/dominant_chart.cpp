@@ -10,8 +10,6 @@ namespace tensortopo {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double positive_remainder(double angle, double period) {
   const double r = std::fmod(angle, period);
   return r < 0 ? r + period : r;
@@ -28,7 +26,7 @@ DominantChart::DominantChart(const CharacteristicTensor<double>& characteristic,
       mode_(mode),
       about_(about),
       axes_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
-      period_(about == About::cone ? 2 * kPi : kPi) {
+      period_(about == About::cone ? 2 * std::numbers::pi : std::numbers::pi) {
   if (about == About::cone) return;
   // N is isotropic across A e1 + B e3 and -A e1 + B e3.
   const auto& [b1, b2, b3] = characteristic.eigenvalues;
@@ -54,14 +52,14 @@ DominantChart::Place DominantChart::place(const Vector3<double>& dominant,
   const auto m = in_frame(medium);
   if (about_ == About::cone && e.z < 0) e = -e;
   const auto angle_of = [&] { return std::atan2(dot(e, axes_[1]), dot(e, axes_[0])); };
-  double around = cut_ + positive_remainder(angle_of() - cut_, 2 * kPi);
+  double around = cut_ + positive_remainder(angle_of() - cut_, 2 * std::numbers::pi);
   if (around - cut_ >= period_) {  // the other end of the line
     e = -e;
-    around -= kPi;
+    around -= std::numbers::pi;
   }
   const auto frame = frame_at(around, std::asin(std::clamp(dot(e, axes_[2]), -1.0, 1.0)));
-  return {around,
-          positive_remainder(2 * std::atan2(dot(m, frame.along), dot(m, frame.up)), 2 * kPi)};
+  return {around, positive_remainder(2 * std::atan2(dot(m, frame.along), dot(m, frame.up)),
+                                     2 * std::numbers::pi)};
 }
 
 std::optional<SymmetricTensor<double>> DominantChart::tensor(const Place& place) const {
@@ -93,8 +91,8 @@ std::optional<SymmetricTensor<double>> DominantChart::tensor(const Place& place)
     if (std::abs(last) < 1e-15) break;
   }
   // A guess that is brought onto the level, and whose place is checked, by those who ask.
-  const double lowest = about_ == About::cone ? 0 : -kPi / 2;
-  if (!(std::abs(last) < 1e-12) || !(elevation > lowest && elevation < kPi / 2))
+  const double lowest = about_ == About::cone ? 0 : -std::numbers::pi / 2;
+  if (!(std::abs(last) < 1e-12) || !(elevation > lowest && elevation < std::numbers::pi / 2))
     return std::nullopt;
   const auto frame = frame_at(place.around, elevation);
   const auto& [e1, e2, e3] = characteristic_.eigenvectors;
@@ -121,7 +119,7 @@ void DominantChart::lay_out(double least, double most, const std::optional<doubl
 
 DominantChart::Point DominantChart::point(const Place& place) const {
   if (turn_cut_)
-    return {2 * place.around, positive_remainder(place.turn - *turn_cut_, 2 * kPi)};
+    return {2 * place.around, positive_remainder(place.turn - *turn_cut_, 2 * std::numbers::pi)};
   const double radius = std::exp(growth_ * (place.around - least_));
   return {radius * std::cos(place.turn), radius * std::sin(place.turn)};
 }

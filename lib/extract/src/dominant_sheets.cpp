@@ -15,8 +15,6 @@ namespace tensortopo {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// From one sample of a rim to the next neither angle of the chart may change by more: the shorter
 /// way would be a guess.
 constexpr double kLongestStep = 2.5;
@@ -78,7 +76,7 @@ class DominantDrawing : SheetDrawing<Scalar> {
       for (const auto& v : rim) around.push_back(chart_.place(v.dominant, v.medium).around);
     const auto cut = widest_gap(around, chart_.period(), [&](double middle) {
       for (int k = 0; k < kProbes; ++k)
-        if (is_reached({middle, 2 * kPi * (k + 0.3) / kProbes})) return false;
+        if (is_reached({middle, 2 * std::numbers::pi * (k + 0.3) / kProbes})) return false;
       return true;
     });
     if (cut) chart_.cut_at(*cut);
@@ -87,7 +85,7 @@ class DominantDrawing : SheetDrawing<Scalar> {
 
   bool lay_out() {
     std::vector<double> turns;
-    least_ = 4 * kPi, most_ = -4 * kPi;
+    least_ = 4 * std::numbers::pi, most_ = -4 * std::numbers::pi;
     for (const auto& rim : rims_) {
       places_.emplace_back();
       for (const auto& v : rim) {
@@ -97,11 +95,12 @@ class DominantDrawing : SheetDrawing<Scalar> {
         places_.back().push_back(place);
       }
     }
-    chart_.lay_out(least_, most_, widest_gap(turns, 2 * kPi, [&](double turn) {
-      for (int k = 0; k < kProbes; ++k)
-        if (is_reached({least_ + (most_ - least_) * (k + 0.5) / kProbes, turn})) return false;
-      return true;
-    }));
+    chart_.lay_out(least_, most_, widest_gap(turns, 2 * std::numbers::pi, [&](double turn) {
+                     for (int k = 0; k < kProbes; ++k)
+                       if (is_reached({least_ + (most_ - least_) * (k + 0.5) / kProbes, turn}))
+                         return false;
+                     return true;
+                   }));
     return most_ > least_;
   }
 
@@ -118,7 +117,7 @@ class DominantDrawing : SheetDrawing<Scalar> {
       for (std::size_t i = 0; i < n; ++i) {
         const auto &p = places_[r][i], &q = places_[r][(i + 1) % n];
         if (std::abs(q.around - p.around) > kLongestStep ||
-            std::abs(std::remainder(q.turn - p.turn, 2 * kPi)) > kLongestStep)
+            std::abs(std::remainder(q.turn - p.turn, 2 * std::numbers::pi)) > kLongestStep)
           return false;
         segments_.push_back({first + i, first + (i + 1) % n});
       }
@@ -129,12 +128,12 @@ class DominantDrawing : SheetDrawing<Scalar> {
   std::vector<ChartTriangulation::Point> grid_samples(
       const ChartTriangulation::Clearance& clearance) override {
     const int rings = static_cast<int>(std::ceil((most_ - least_) / turn_));
-    const int turns = std::max(4, static_cast<int>(std::ceil(kPi / turn_)));
+    const int turns = std::max(4, static_cast<int>(std::ceil(std::numbers::pi / turn_)));
     std::vector<ChartTriangulation::Point> samples;
     for (int i = 0; i < rings; ++i)
       for (int k = 0; k < turns; ++k) {
         const Place place{least_ + (most_ - least_) * (i + 0.5) / rings,
-                          2 * kPi * (k + (i % 2 == 0 ? 0.25 : 0.75)) / turns};
+                          2 * std::numbers::pi * (k + (i % 2 == 0 ? 0.25 : 0.75)) / turns};
         const auto point = chart_.point(place);
         if (!(clearance(point) > 0.5 * chart_.length_of(turn_, point))) continue;
         if (add_inner_place(place)) samples.push_back(point);

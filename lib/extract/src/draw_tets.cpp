@@ -9,15 +9,14 @@
 #include "dominant_sheets.hpp"
 #include "extractor_scalars.hpp"
 #include "graph_drawing.hpp"
-#include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "release.hpp"
 #include "sheet_check.hpp"
-#include "thin_sheets.hpp"
-#include "tube_mesh.hpp"
 #include "tensortopo/extract/polygon.hpp"
 #include "tensortopo/extract/position.hpp"
+#include "thin_sheets.hpp"
+#include "tube_mesh.hpp"
 
 namespace tensortopo {
 
@@ -139,8 +138,8 @@ void Pipeline<Scalar>::number_edge_vertices() {
           position_at<Scalar, 2>(weights, simplex.exponents,
                                  {mesh_.points[as_size(v[0])], mesh_.points[as_size(v[1])]});
       const auto tensor = tensor_at(simplex.tensors, weights);
-      rim_medium_[id] = narrow(medium_eigenvector(tensor, level_));
-      rim_dominant_[id] = narrow(dominant_eigenvector(tensor, level_));
+      rim_medium_[id] = vector_cast<double>(medium_eigenvector(tensor, level_));
+      rim_dominant_[id] = vector_cast<double>(dominant_eigenvector(tensor, level_));
     }
   });
 }
@@ -171,8 +170,8 @@ void Pipeline<Scalar>::number_face_vertices(std::span<const std::size_t> changed
              field_.exponents[as_size(v[2])]},
             {mesh_.points[as_size(v[0])], mesh_.points[as_size(v[1])],
              mesh_.points[as_size(v[2])]});
-        rim_dominant_[id] = narrow(dominant_eigenvector(sample.tensor, level_));
-        rim_medium_[id++] = narrow(sample.medium);
+        rim_dominant_[id] = vector_cast<double>(dominant_eigenvector(sample.tensor, level_));
+        rim_medium_[id++] = vector_cast<double>(sample.medium);
       }
   });
 }

@@ -11,7 +11,6 @@
 #include "edge_flips.hpp"
 #include "extractor_scalars.hpp"
 #include "line_view.hpp"
-#include "narrow.hpp"
 #include "sheet_check.hpp"
 
 namespace tensortopo {
@@ -100,8 +99,8 @@ class GraphDrawing {
     if (!vertex) return false;
     out_.inner.push_back(*vertex);
     corners_.push_back({-static_cast<std::int32_t>(out_.inner.size()), 0, view_.mapped(*vertex),
-                        narrow(medium_eigenvector(vertex->tensor, level_)),
-                        narrow(dominant_eigenvector(vertex->tensor, level_))});
+                        vector_cast<double>(medium_eigenvector(vertex->tensor, level_)),
+                        vector_cast<double>(dominant_eigenvector(vertex->tensor, level_))});
     return true;
   }
 

@@ -11,13 +11,11 @@ namespace tensortopo {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Keeps a division finite; no region reaches a pole or a whole meridian of the complex domain.
 constexpr double kTiny = std::numeric_limits<double>::min();
 
 /// Up to this share of E^2 at the side of a quadrant an oval counts as small.
-constexpr double kSmallOval = 1.0 / 64;
+constexpr double kSmallShare = 1.0 / 64;
 
 double root(double x) { return std::sqrt(std::max(0.0, x)); }
 
@@ -29,7 +27,7 @@ ManifoldChart::ManifoldChart(const Manifold& manifold)
       q_(manifold.q()),
       c_(manifold.c()),
       least_side_(std::min(p_, q_)),
-      small_ovals_(c_ < kSmallOval * least_side_),
+      small_ovals_(c_ < kSmallShare * least_side_),
       opening_(small_ovals_ ? std::max(root(c_), 0.4 * root(least_side_)) : root(c_)),
       pole_(manifold.sphere_point(0, 0)) {
   first_ = manifold.characteristic().eigenvectors[1];
@@ -49,7 +47,7 @@ double ManifoldChart::turn(const Quadrant& quadrant, double e2) const {
 }
 
 ManifoldChart::Point ManifoldChart::annulus_point(double theta, double cosine) const {
-  const double radius = std::exp(std::acos(std::clamp(cosine, -1.0, 1.0)) - kPi / 2);
+  const double radius = std::exp(std::acos(std::clamp(cosine, -1.0, 1.0)) - std::numbers::pi / 2);
   return {radius * std::cos(theta), radius * std::sin(theta)};
 }
 
@@ -90,12 +88,12 @@ ManifoldChart::Point ManifoldChart::at_boundary(const BoundaryPosition<double>& 
   const double sign = at.sign;
   if (manifold_.single_loop()) return (*this)(sign * manifold_.boundary_point(at.loop, at.phi));
   const Quadrant quadrant{at.loop == 0 ? sign : -sign, sign};
-  const double half_angle = quadrant.theta > 0 ? at.phi / 2 : kPi - at.phi / 2;
+  const double half_angle = quadrant.theta > 0 ? at.phi / 2 : std::numbers::pi - at.phi / 2;
   return quadrant_point(quadrant, half_angle + turn(quadrant, c_), 0);
 }
 
 ManifoldChart::Ray ManifoldChart::ray(int quadrant, double around) const {
-  const double angle = (manifold_.single_loop() ? 2 : 1) * kPi * around;
+  const double angle = (manifold_.single_loop() ? 2 : 1) * std::numbers::pi * around;
   Ray ray{quadrant, angle, std::cos(angle), std::sin(angle), 0};
   ray.end = manifold_.single_loop() ? root(1 - std::max(0.0, (c_ - p_ * ray.sine * ray.sine) / q_))
                                     : side(angle);
@@ -116,7 +114,7 @@ double ManifoldChart::largest_product(int quadrant, const Vector3<double>& v) co
 
 Vector3<double> ManifoldChart::vector_at(const Ray& ray, double across) const {
   if (manifold_.single_loop()) {
-    const double cos_eta = std::cos(kPi * across) * ray.end;
+    const double cos_eta = std::cos(std::numbers::pi * across) * ray.end;
     return manifold_.sphere_point(ray.sine, ray.cosine, root(1 - cos_eta * cos_eta), cos_eta);
   }
   const Quadrant q = quadrant_of(ray);
@@ -136,7 +134,7 @@ Vector3<double> ManifoldChart::vector_at(const Ray& ray, double across) const {
 }
 
 ManifoldChart::Point ManifoldChart::point_at(const Ray& ray, double across) const {
-  if (manifold_.single_loop()) return annulus_point(ray.angle, std::cos(kPi * across));
+  if (manifold_.single_loop()) return annulus_point(ray.angle, std::cos(std::numbers::pi * across));
   return quadrant_point(quadrant_of(ray), ray.angle, across);
 }
 

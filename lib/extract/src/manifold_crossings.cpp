@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "extractor_scalars.hpp"
-#include "narrow.hpp"
 #include "tensortopo/extract/manifold_sheets.hpp"
 
 namespace tensortopo {
@@ -26,9 +25,10 @@ class SigmaOnArc {
     const double pieces = static_cast<double>(arc_.pieces.size());
     if (arc_.closed && place >= pieces) place -= pieces;
     const auto point = point_on_arc(arc_, face_, Scalar(place), level_);
-    auto medium = narrow(point.medium);
+    auto medium = vector_cast<double>(point.medium);
     if (dot(medium, start_) < 0) medium = -medium;
-    return manifold_.manifold.sigma(medium, narrow(dominant_eigenvector(point.tensor, level_)));
+    return manifold_.manifold.sigma(
+        medium, vector_cast<double>(dominant_eigenvector(point.tensor, level_)));
   }
 
  private:
@@ -61,8 +61,6 @@ double bracketed_zero(const Function& f, double a, double fa, double b, double f
   }
   return a + (b - a) / 2;
 }
-
-constexpr double kPi = std::numbers::pi;
 
 /// The least product of the mode's s and the medium eigenvalue of the characteristic tensor: the
 /// radius of an oval of the complex domain, which is to have some digits of a double.
@@ -118,9 +116,9 @@ BoundaryPosition<double> TetManifold::boundary_position(const Vector3<double>& m
     return angle(manifold.dominant_eigenvector(manifold.boundary_point(at.loop, phi)));
   };
   const double start = angle_at(0);
-  const double sense = std::sin(angle_at(kPi / 2) - start) > 0 ? 1 : -1;
-  const double phi = std::remainder(sense * (angle(dominant) - start), 2 * kPi);
-  at.phi = phi < 0 ? phi + 2 * kPi : phi;
+  const double sense = std::sin(angle_at(std::numbers::pi / 2) - start) > 0 ? 1 : -1;
+  const double phi = std::remainder(sense * (angle(dominant) - start), 2 * std::numbers::pi);
+  at.phi = phi < 0 ? phi + 2 * std::numbers::pi : phi;
   return at;
 }
 
@@ -204,8 +202,8 @@ std::vector<RimRequest<Scalar>> denser_rims(const TetWithCurves<Scalar>& tet,
         requests.push_back({piece.face, piece.arc, Scalar(middle), false});
         const auto point = point_on_arc(arc, tet.face_tensors(f), Scalar(middle), level);
         RimVertex vertex;
-        vertex.medium = narrow(point.medium);
-        vertex.dominant = narrow(dominant_eigenvector(point.tensor, level));
+        vertex.medium = vector_cast<double>(point.medium);
+        vertex.dominant = vector_cast<double>(dominant_eigenvector(point.tensor, level));
         // The samples of a closed arc start at its smallest place.
         const auto at = wraps ? 0 : static_cast<std::ptrdiff_t>(denser.vertices.size());
         denser.vertices.insert(denser.vertices.begin() + at, vertex);

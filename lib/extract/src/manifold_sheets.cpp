@@ -19,8 +19,6 @@ namespace tensortopo {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Draws the sheets of one tetrahedron on its medium eigenvector manifold.
 template <class Scalar>
 class Drawing : SheetDrawing<Scalar> {
@@ -136,7 +134,8 @@ class Drawing : SheetDrawing<Scalar> {
                 [](const Crossing& p, const Crossing& q) { return p.phi < q.phi; });
       if (list.empty()) {
         bool in[3];
-        for (int k = 0; k < 3; ++k) in[k] = boundary_is_inside(loop, 0.3 + 2 * kPi * k / 3);
+        for (int k = 0; k < 3; ++k)
+          in[k] = boundary_is_inside(loop, 0.3 + 2 * std::numbers::pi * k / 3);
         if (in[0] != in[1] || in[1] != in[2]) return false;
         if (in[0] && !add_whole_curve(loop)) return false;
         continue;
@@ -146,7 +145,7 @@ class Drawing : SheetDrawing<Scalar> {
       for (std::size_t k = 0; k < list.size(); ++k) {
         const auto& from = list[k];
         const auto& to = list[(k + 1) % list.size()];
-        const double end = k + 1 < list.size() ? to.phi : to.phi + 2 * kPi;
+        const double end = k + 1 < list.size() ? to.phi : to.phi + 2 * std::numbers::pi;
         const bool in = boundary_is_inside(loop, (from.phi + end) / 2);
         if (k > 0 && in == previous) return false;  // the curve goes in and out by turns
         previous = in;
@@ -196,10 +195,10 @@ class Drawing : SheetDrawing<Scalar> {
   }
 
   bool add_whole_curve(int loop) {
-    const int n = std::max(6, steps(loop, 0, 2 * kPi));
+    const int n = std::max(6, steps(loop, 0, 2 * std::numbers::pi));
     std::vector<std::array<std::size_t, 2>> samples;
     for (int k = 0; k < n; ++k) {
-      const auto sample = add_boundary_sample(loop, 2 * kPi * k / n);
+      const auto sample = add_boundary_sample(loop, 2 * std::numbers::pi * k / n);
       if (!sample) return false;
       samples.push_back(*sample);
     }

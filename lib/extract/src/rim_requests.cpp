@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "extractor_scalars.hpp"
-#include "narrow.hpp"
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 
@@ -53,13 +52,16 @@ std::vector<std::size_t> Pipeline<Scalar>::merge_requests(std::span<const std::s
       const auto differ = [](const Vector3<double>& d, double limit) {
         return dot(d, d) > limit * limit;
       };
-      if (!differ(narrow(Vector3<Scalar>{p.weights[0] - q.weights[0], p.weights[1] - q.weights[1],
-                                         p.weights[2] - q.weights[2]}),
+      if (!differ(vector_cast<double>(Vector3<Scalar>{p.weights[0] - q.weights[0],
+                                                      p.weights[1] - q.weights[1],
+                                                      p.weights[2] - q.weights[2]}),
                   0x1p-40))
         return true;
-      return !exactly && !differ(cross(narrow(p.medium), narrow(q.medium)), kLeastTurn) &&
-             !differ(cross(narrow(dominant_eigenvector(p.tensor, level_)),
-                           narrow(dominant_eigenvector(q.tensor, level_))),
+      return !exactly &&
+             !differ(cross(vector_cast<double>(p.medium), vector_cast<double>(q.medium)),
+                     kLeastTurn) &&
+             !differ(cross(vector_cast<double>(dominant_eigenvector(p.tensor, level_)),
+                           vector_cast<double>(dominant_eigenvector(q.tensor, level_))),
                      kLeastTurn);
     };
     for (std::size_t i = first[k]; i < wanted.size() && wanted[i].face == f; ++i) {

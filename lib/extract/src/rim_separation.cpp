@@ -6,7 +6,6 @@
 
 #include "extractor_scalars.hpp"
 #include "manifold_chart.hpp"
-#include "narrow.hpp"
 #include "tensortopo/extract/manifold_sheets.hpp"
 
 namespace tensortopo {
@@ -67,8 +66,8 @@ class Separation {
     for (const auto& c : crossings)
       if (c.face == piece.face && c.arc == piece.arc) {
         const auto point = point_on_arc(arc, face_of(piece.face), c.place, level_);
-        const auto dominant = narrow(dominant_eigenvector(point.tensor, level_));
-        const auto at = on_.boundary_position(narrow(point.medium), dominant);
+        const auto dominant = vector_cast<double>(dominant_eigenvector(point.tensor, level_));
+        const auto at = on_.boundary_position(vector_cast<double>(point.medium), dominant);
         list.push_back({static_cast<double>(c.place),
                         at.sign * on_.manifold.boundary_point(at.loop, at.phi), at});
       }
@@ -132,9 +131,9 @@ class Separation {
     const Scalar place(arc.closed && middle >= turns ? middle - turns : middle);
     const auto point = point_on_arc(arc, face_of(step.face), place, level_);
     requests_.push_back({step.face, step.arc, place, false});
-    auto medium = narrow(point.medium);
+    auto medium = vector_cast<double>(point.medium);
     const double sigma =
-        on_.manifold.sigma(medium, narrow(dominant_eigenvector(point.tensor, level_)));
+        on_.manifold.sigma(medium, vector_cast<double>(dominant_eigenvector(point.tensor, level_)));
     if (sigma > 0) medium = -medium;
     const Point at = chart_(medium);
     steps_.push_back({step.face, step.arc, step.from, middle, step.v, medium, step.p, at});

@@ -16,8 +16,6 @@ namespace tensortopo {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Two vectors that span the plane across a dominant eigenvector.
 struct Frame {
   Vector3<double> first, second;
@@ -37,7 +35,7 @@ struct Ring {
 };
 
 /// The difference of two angles in [-pi, pi].
-double step(double from, double to) { return std::remainder(to - from, 2 * kPi); }
+double step(double from, double to) { return std::remainder(to - from, 2 * std::numbers::pi); }
 
 /// Triangles between two rings that run the same way.
 void join(const Ring& lower, const Ring& upper,
@@ -50,12 +48,12 @@ void join(const Ring& lower, const Ring& upper,
       start = j;
   const double offset = step(lower.angles[0], upper.angles[start]);
   const auto low = [&](std::size_t i) {
-    return lower.angles[i % n] - lower.angles[0] + (i >= n ? 2 * kPi : 0);
+    return lower.angles[i % n] - lower.angles[0] + (i >= n ? 2 * std::numbers::pi : 0);
   };
   const auto high = [&](std::size_t j) {
     const std::size_t k = start + j;
     return offset + upper.angles[k % m] - upper.angles[start] +
-           2 * kPi * static_cast<double>(k / m);
+           2 * std::numbers::pi * static_cast<double>(k / m);
   };
   std::size_t i = 0, j = 0;
   while (i < n || j < m) {
@@ -141,7 +139,7 @@ class TubeDrawing {
     const std::size_t n = rim.size();
     double turned = 0;
     for (std::size_t i = 0; i < n; ++i) turned += step(angles[i], angles[(i + 1) % n]);
-    if (std::abs(std::abs(turned) - 2 * kPi) > 1) return std::nullopt;
+    if (std::abs(std::abs(turned) - 2 * std::numbers::pi) > 1) return std::nullopt;
     clockwise = turned < 0;
     Ring ring;
     double at = clockwise ? -angles[0] : angles[0];
@@ -156,11 +154,11 @@ class TubeDrawing {
   }
 
   std::optional<Ring> inner_ring(const Vector3<double>& e, const Frame& frame, bool clockwise) {
-    const int count = std::max(4, static_cast<int>(std::ceil(kPi / turn_)));
+    const int count = std::max(4, static_cast<int>(std::ceil(std::numbers::pi / turn_)));
     std::vector<InnerVertex<Scalar>> vertices;
     Ring ring;
     for (int k = 0; k < count; ++k) {
-      const double angle = kPi * k / count, side = clockwise ? -1 : 1;
+      const double angle = std::numbers::pi * k / count, side = clockwise ? -1 : 1;
       const auto v = std::cos(angle) * frame.first + (side * std::sin(angle)) * frame.second;
       // One of the two tensors with this medium eigenvector is next to e.
       auto tensor = on_.manifold.tensor_at(v);

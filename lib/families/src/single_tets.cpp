@@ -13,7 +13,7 @@ namespace {
 
 using Tensor = SymmetricTensor<double>;
 
-constexpr Tensor kXy{0, 0, 0, 1, 0, 0}, kYz{0, 0, 0, 0, 1, 0}, kXz{0, 0, 0, 0, 0, 1};
+constexpr Tensor kShearXy{0, 0, 0, 1, 0, 0}, kShearYz{0, 0, 0, 0, 1, 0}, kShearXz{0, 0, 0, 0, 0, 1};
 
 // The field constant + x dx + y dy on a triangle of the plane.
 struct PlanarField {
@@ -34,7 +34,7 @@ PlanarField planar_field(int extrema) {
               {1, 0, -1, -1, 1, 2},
               {{{-3, -3}, {3, -3}, {0, 4}}}};
     case 4:  // Mode 3 sqrt(3) xy / (1 + x^2 + y^2)^(3/2): extrema at (+-1, +-1).
-      return {kXy, kXz, kYz, {{{-4, -2}, {4, -2}, {0, 5}}}};
+      return {kShearXy, kShearXz, kShearYz, {{{-4, -2}, {4, -2}, {0, 5}}}};
     default:
       throw std::invalid_argument("planar_extrema_tet: 2, 3 or 4 extrema");
   }

@@ -17,28 +17,24 @@ namespace {
 using Corners = std::array<Vector3<double>, 3>;
 
 /// A face with its normal and the product of two of its edges' lengths, in doubles.
-struct Face {
+struct FaceInSpace {
   Corners corners;
   Vector3<double> normal;
   double size;
 };
 
-double largest(const Vector3<double>& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-Face face_of(const TetMesh& mesh, const OuterFace& outer) {
-  Face face;
+FaceInSpace face_of(const TetMesh& mesh, const OuterFace& outer) {
+  FaceInSpace face;
   for (std::size_t i = 0; i < 3; ++i) face.corners[i] = mesh.points[as_size(outer.vertices[i])];
   const auto u = face.corners[1] - face.corners[0], v = face.corners[2] - face.corners[0];
   face.normal = cross(u, v);
-  face.size = largest(u) * largest(v);
+  face.size = max_norm(u) * max_norm(v);
   return face;
 }
 
 /// Whether normals are surely not opposite to each other: their product would be negative. A normal
 /// is off by less than 10 units of rounding by the size, so the product by less than 180.
-bool cannot_be_opposite(const Face& f, const Face& g) {
+bool cannot_be_opposite(const FaceInSpace& f, const FaceInSpace& g) {
   return dot(f.normal, g.normal) > 1e-13 * f.size * g.size;
 }
 
@@ -80,7 +76,7 @@ bool lie_on_each_other(const Corners& f, const Corners& g) {
 std::vector<std::array<std::size_t, 2>> unmatched_faces(const TetMesh& mesh,
                                                         std::span<const OuterFace> outer) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-  std::vector<Face> faces;
+  std::vector<FaceInSpace> faces;
   std::vector<Box> boxes;
   for (const OuterFace& o : outer) {
     faces.push_back(face_of(mesh, o));
@@ -90,7 +86,7 @@ std::vector<std::array<std::size_t, 2>> unmatched_faces(const TetMesh& mesh,
   }
   std::vector<std::array<std::size_t, 2>> pairs;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    const Face &f = faces[a.info()], &g = faces[b.info()];
+    const FaceInSpace &f = faces[a.info()], &g = faces[b.info()];
     if (cannot_be_opposite(f, g) || !are_in_one_plane(f.corners, g.corners)) return;
     if (lie_on_each_other(f.corners, g.corners))
       pairs.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});

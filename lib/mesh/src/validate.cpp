@@ -33,10 +33,6 @@ bool is_finite(const SymmetricTensor<double>& t) {
 /// Products of three lengths stay doubles, as volumes are.
 constexpr double kLargest = 1e100, kSmallest = 1e-100;
 
-double largest(const Vector3<double>& p) {
-  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-}
-
 bool is_in_range(const std::array<Index, 4>& tet, std::size_t points) {
   return std::all_of(tet.begin(), tet.end(),
                      [&](Index v) { return v >= 0 && static_cast<std::size_t>(v) < points; });
@@ -113,7 +109,7 @@ class Validator {
       if (!is_finite(mesh_.points[i]))
         add(Kind::non_finite_point, where,
             "point " + std::to_string(i) + " has a coordinate that is not finite");
-      else if (largest(mesh_.points[i]) > kLargest)
+      else if (max_norm(mesh_.points[i]) > kLargest)
         add(Kind::out_of_range, where,
             "point " + std::to_string(i) +
                 " has a coordinate beyond 1e100, too large for products");
@@ -147,8 +143,8 @@ class Validator {
     const auto& tet = mesh_.tets[t];
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (largest(mesh_.points[static_cast<std::size_t>(tet[i])] -
-                    mesh_.points[static_cast<std::size_t>(tet[j])]) < kSmallest)
+        if (max_norm(mesh_.points[static_cast<std::size_t>(tet[i])] -
+                     mesh_.points[static_cast<std::size_t>(tet[j])]) < kSmallest)
           return add(Kind::out_of_range, id(t),
                      name(t) + " has points " + std::to_string(tet[j]) + " and " +
                          std::to_string(tet[i]) +

@@ -29,15 +29,10 @@ Change chart(int index) {
   }
 }
 
-template <class Scalar>
-Vector3<Scalar> lifted(const Vector3<Integer>& v) {
-  return {Scalar(v.x), Scalar(v.y), Scalar(v.z)};
-}
-
 // What has these coordinates in the changed basis, in the original one.
 Vector3<Polynomial> original(const Change& change, const Vector3<Polynomial>& v) {
-  return v.x * tensor_cast<Polynomial>(change[0]) + v.y * tensor_cast<Polynomial>(change[1]) +
-         v.z * tensor_cast<Polynomial>(change[2]);
+  return v.x * vector_cast<Polynomial>(change[0]) + v.y * vector_cast<Polynomial>(change[1]) +
+         v.z * vector_cast<Polynomial>(change[2]);
 }
 
 std::array<IntegerTensor, 3> changed(const std::array<IntegerTensor, 3>& basis,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "tensortopo/scalar/scalar_traits.hpp"
@@ -43,11 +44,22 @@ constexpr Vector3<Scalar> cross(const Vector3<Scalar>& u, const Vector3<Scalar>&
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
+/// The vector in another scalar, component by component.
+template <class To, class From>
+constexpr Vector3<To> vector_cast(const Vector3<From>& v) {
+  return {To(v.x), To(v.y), To(v.z)};
+}
+
 /// The Euclidean norm, for scalars that have square roots.
 template <class Scalar>
 Scalar length(const Vector3<Scalar>& v) {
   using std::sqrt;
   return sqrt(dot(v, v));
+}
+
+/// The largest absolute value of a component.
+inline double max_norm(const Vector3<double>& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 /// The vector of length 1 along `v`.
