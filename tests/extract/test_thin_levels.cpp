@@ -221,7 +221,8 @@ TEST(ThinLevel, IsFoundAtTheModeNextToOne) {
   const PredicateCounts made = predicate_counts() - before;
   std::cout << crossed << " tetrahedra, " << unresolved << " unresolved, " << made.longer
             << " signs in longer numbers\n";
-  EXPECT_GT(crossed, 2 * unresolved);
+  EXPECT_GT(crossed, 0u);
+  EXPECT_EQ(unresolved, 0u);
   EXPECT_LT(made.longer, 1000 * (crossed + unresolved));
 }
 
