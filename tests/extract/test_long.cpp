@@ -26,6 +26,21 @@ TEST_P(LongLaws, RandomTetrahedraHaveTheSameTopologyInTwoPrecisions) {
   expect_agreement_with_fifty_digits(GetParam(), trials(is_thin() ? 40 : 400), 20250101);
 }
 
+// The last modes that doubles tell from 1 and -1, and some before them.
+class LongThinnest : public testing::TestWithParam<const char*> {};
+
+TEST_P(LongThinnest, RandomTetrahedraHaveTheSameTopologyInTwoPrecisions) {
+  expect_agreement_with_fifty_digits(GetParam(), trials(15), 20250501);
+}
+
+TEST_P(LongThinnest, IndependentTensorsGiveFlawlessSurfaces) {
+  expect_flawless_surfaces(GetParam(), trials(5), 2, false, 20250510);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, LongThinnest,
+                         testing::Values("0.999999999999", "0.99999999999999",
+                                         "-0.9999999999999999"));
+
 TEST_P(LongLaws, IndependentTensorsGiveFlawlessSurfaces) {
   expect_flawless_surfaces(GetParam(), trials(is_thin() ? 5 : 20), 3, false, 20250201);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "support/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/predicate_counts.hpp"
+#include "tensortopo/extract/segment_root.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
 #include "thin_sheets.hpp"
 
@@ -202,6 +204,55 @@ TEST(ThinLevel, NeedsNoRationalsForSidesThatFiftyDigitsTell) {
   }
   EXPECT_GT(all.longer, 100u);
   EXPECT_EQ(all.exact, 0u);
+}
+
+// At the mode next to 1 doubles err by as much as modes differ. What only seems to cross the level
+// must not be divided for ever, nor have its curves drawn in noise.
+TEST(ThinLevel, IsFoundAtTheModeNextToOne) {
+  TetMesh mesh = cube_mesh(2);
+  fill_with_normal_tensors(mesh, 1);
+  std::size_t crossed = 0, unresolved = 0;
+  const PredicateCounts before = predicate_counts();
+  for (const char* mode : {"0.9999999999999999", "-0.9999999999999999"}) {
+    const auto extraction = extract_mode_surface<double>(mesh, ModeValue::parse(mode));
+    crossed += extraction.statistics.tets_crossed;
+    unresolved += extraction.unresolved.size();
+  }
+  const PredicateCounts made = predicate_counts() - before;
+  std::cout << crossed << " tetrahedra, " << unresolved << " unresolved, " << made.longer
+            << " signs in longer numbers\n";
+  EXPECT_GT(crossed, 0u);
+  EXPECT_EQ(unresolved, 0u);
+  EXPECT_LT(made.longer, 1000 * (crossed + unresolved));
+}
+
+// The offset from the degenerate curve is of first order where 1 - mode^2 is of second.
+TEST(ThinLevel, IsMetByDoublesWhereFiftyDigitsMeetIt) {
+  const std::uint64_t seed = 20250550;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  for (const char* mode :
+       {"0.99999999999", "0.9999999999999", "0.999999999999999", "0.9999999999999999"}) {
+    const auto value = ModeValue::parse(mode);
+    const auto level = make_level<double>(value);
+    const auto longer = make_level<Real50>(value);
+    for (int trial = 0; trial < trials(100); ++trial) {
+      // Dominant along z; two or three radii of the tube away from it.
+      const double radius = std::sqrt(1 - level.mu_squared), size = radius * (2 + random.uniform());
+      const Deviator<double> above{0, -1, 0, 0, 0};
+      const Deviator<double> below{above.a + size * random.normal(),
+                                   above.b + size * random.normal(), size * random.normal(),
+                                   size * random.normal(), size * random.normal()};
+      const auto in_longer = [](const Deviator<double>& t) {
+        return Deviator<Real50>{t.a, t.b, t.xy, t.yz, t.xz};
+      };
+      const auto from = in_longer(below), to = in_longer(above);
+      if (side_of_level(from, longer) != Verdict::negative) continue;
+      EXPECT_NEAR(segment_root(below, above, level),
+                  static_cast<double>(segment_root(from, to, longer)), 1e-12)
+          << mode << ", trial " << trial;
+    }
+  }
 }
 
 }  // namespace

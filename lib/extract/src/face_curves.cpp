@@ -222,7 +222,7 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves_by(
   }
   thread_local Refinement<Scalar, 3> refinement;
   refinement.reset(triangle, level);
-  if (!refinement.run(face_budget(effort))) return std::nullopt;
+  if (!refinement.run(face_budget(effort, level))) return std::nullopt;
   if (!Assembly<Scalar>(refinement, crossings, level).build(arcs)) return std::nullopt;
   for (auto& arc : arcs) sample_arc(arc, triangle.tensors, level, sampling);
   return arcs;

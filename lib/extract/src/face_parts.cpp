@@ -47,7 +47,7 @@ Sign orientation(const Weights& u, const Weights& v, const Weights& w) {
 template <class Scalar>
 bool FaceParts<Scalar>::build(const LevelSimplex<Scalar, 3>& triangle, const Level<Scalar>& level) {
   refinement_.reset(triangle, level);
-  if (!refinement_.run(face_budget(Effort::great))) return false;
+  if (!refinement_.run(face_budget(Effort::great, level))) return false;
   beyond_is_above_ = level.sign > 0;
   const auto& vertices = refinement_.vertices();
   parts_ = UnionFind(vertices.size());

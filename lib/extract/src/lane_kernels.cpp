@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "four_lanes.hpp"
+#include "longer_level.hpp"
 
 namespace tensortopo {
 
@@ -40,9 +41,9 @@ void prove_simplices(std::span<const std::array<Deviator<double>, Vertices>> ten
 }
 
 void single_crossings(std::span<const std::array<Deviator<double>, 2>> ends,
-                      [[maybe_unused]] std::span<const char> rising,
-                      [[maybe_unused]] const Level<double>& level, std::span<double> weights) {
-  if (!has_lanes()) {
+                      [[maybe_unused]] std::span<const char> rising, const Level<double>& level,
+                      std::span<double> weights) {
+  if (!has_lanes() || is_hidden_in_double(level)) {
     std::fill(weights.begin(), weights.end(), -1.0);
     return;
   }

@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/extract/segment_root.hpp"
 
+#include <type_traits>
+
 #include "extractor_scalars.hpp"
 #include "level_slope.hpp"
+#include "longer_level.hpp"
 
 namespace tensortopo {
 
+namespace {
+
+/// As `segment_root`, to within `tiny`.
 template <class Scalar>
-Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above,
-                    const Level<Scalar>& level) {
+Scalar root_between(const Deviator<Scalar>& below, const Deviator<Scalar>& above,
+                    const Level<Scalar>& level, const Scalar& tiny) {
   const Deviator<Scalar> step = above - below;
   const auto step3 = thrice(step);
   const Scalar f0 = level_function(below, level), f1 = level_function(above, level);
-  const Scalar half = Scalar(1) / Scalar(2), tiny = unit_roundoff<Scalar>();
+  const Scalar half = Scalar(1) / Scalar(2);
   Scalar lo(0), hi(1);
   // An end on the level, to rounding, need not be the crossing: the mode may leave it for the side
   // that it counts to, and cross the level further on.
@@ -51,6 +57,24 @@ Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above
     if (move <= tiny * (t < half ? Scalar(1) : t)) break;
   }
   return t;
+}
+
+}  // namespace
+
+template <class Scalar>
+Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above,
+                    const Level<Scalar>& level) {
+  if constexpr (std::is_same_v<Scalar, double>)
+    if (is_hidden_in_double(level)) {
+      using Long = Longer<double>::type;
+      const auto longer = [](const Deviator<double>& t) {
+        return Deviator<Long>{Long(t.a), Long(t.b), Long(t.xy), Long(t.yz), Long(t.xz)};
+      };
+      return static_cast<double>(root_between<Long>(longer(below), longer(above),
+                                                    level_in<Long>(level.value),
+                                                    Long(unit_roundoff<double>())));
+    }
+  return root_between<Scalar>(below, above, level, unit_roundoff<Scalar>());
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                 \

@@ -310,7 +310,7 @@ std::optional<TetPlan<Scalar>> plan_tet_by(const SimplexProof<Scalar, 4>* known,
       plan->refined = true;
       return plan;
     }
-  if (!refine(tet, level, effort, *plan)) return std::nullopt;
+  if (is_effort_spent(effort, level) || !refine(tet, level, effort, *plan)) return std::nullopt;
   return plan;
 }
 

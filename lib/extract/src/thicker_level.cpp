@@ -118,6 +118,9 @@ std::optional<std::vector<SheetTopology>> sheets_of_isotopic_level(
     const std::vector<std::vector<RimPiece>>& loops, const Level<Scalar>& other,
     Effort effort) {
   std::array<std::vector<FaceArc<Scalar>>, 4> arcs;
+  // Where the usual effort was enough for the faces, it has been tried on the tetrahedron.
+  if (is_effort_spent(effort, other) && curves_at(tet, other, Effort::usual, arcs))
+    return std::nullopt;
   if (!curves_at(tet, other, effort, arcs)) return std::nullopt;
   const bool is_thicker = other.mu_squared < level.mu_squared;
   auto other_tet = tet;

@@ -7,34 +7,11 @@
 
 #include "count_predicate.hpp"
 #include "extractor_scalars.hpp"
+#include "longer_level.hpp"
 
 namespace tensortopo {
 
 namespace {
-
-/// The scalar to turn to when rounding hides a sign.
-template <class Scalar>
-struct Longer;
-template <>
-struct Longer<double> {
-  using type = Real50;
-};
-template <>
-struct Longer<Real50> {
-  using type = Real100;
-};
-
-/// The level in another scalar; the last one asked for is kept, as all of a run ask for the same.
-template <class Scalar>
-const Level<Scalar>& level_in(const ModeValue& value) {
-  thread_local Level<Scalar> level;
-  thread_local bool made = false;
-  if (!made || !(level.value == value)) {
-    level = make_level<Scalar>(value);
-    made = true;
-  }
-  return level;
-}
 
 /// The field of the root simplex at some of its points, from the input's bits.
 template <class Long, class Scalar, std::size_t Vertices, std::size_t Part>
@@ -58,6 +35,21 @@ std::array<Deviator<Long>, Part> tensors_in(
   return result;
 }
 
+/// Where the vertices of a part are, as far as rounding lets one tell.
+enum class Sides { same, different, unknown };
+
+template <class Scalar, std::size_t Part>
+Sides sides_of(const std::array<Deviator<Scalar>, Part>& tensors, const Level<Scalar>& level,
+               double total) {
+  bool above = false, below = false, unknown = false;
+  for (const auto& t : tensors) {
+    const Verdict side = side_of_level(t, level, total);
+    (side == Verdict::positive ? above : side == Verdict::negative ? below : unknown) = true;
+  }
+  if (above && below) return Sides::different;
+  return unknown ? Sides::unknown : Sides::same;
+}
+
 template <std::size_t Vertices, std::size_t Part>
 double largest_sum(const std::array<std::array<double, Vertices>, Part>& weights) {
   double largest = 0;
@@ -74,14 +66,21 @@ SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root
                                       const std::array<Deviator<Scalar>, Part>& tensors,
                                       const Level<Scalar>& level) {
   const double total = largest_sum(weights);
+  using Proof = SimplexProof<Scalar, Part>;
   auto proof = prove_simplex(tensors, level, total, kShortSearch);
+  // Vertices that only seem to be on different sides keep it from trying whether the part is empty.
+  if (proof.kind == Proof::Kind::none && !proof.hidden_by_rounding)
+    proof.hidden_by_rounding = sides_of(tensors, level, total) == Sides::unknown;
   count_predicate(proof.hidden_by_rounding ? Tier::longer : Tier::fast);
   if (!proof.hidden_by_rounding) return proof;
   using Long = typename Longer<Scalar>::type;
-  const auto better = prove_simplex(tensors_in<Long>(root, weights), level_in<Long>(level.value),
-                                    total, kShortSearch);
   using Better = SimplexProof<Long, Part>;
-  using Proof = SimplexProof<Scalar, Part>;
+  const auto longer = tensors_in<Long>(root, weights);
+  const auto& same_level = level_in<Long>(level.value);
+  auto better = prove_simplex(longer, same_level, total, kShortSearch);
+  if (better.kind == Better::Kind::none && sides_of(longer, same_level, total) == Sides::same &&
+      is_proved_empty(longer, same_level, total))
+    better.kind = Better::Kind::empty;
   proof.kind = better.kind == Better::Kind::empty      ? Proof::Kind::empty
                : better.kind == Better::Kind::monotone ? Proof::Kind::monotone
                                                        : Proof::Kind::none;

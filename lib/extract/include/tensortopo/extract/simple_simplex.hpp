@@ -169,7 +169,8 @@ std::array<Deviator<double>, Vertices> rounded(
 }
 
 /// Whether the level seems to pass between the vertices. Not certain, and need not be: it only
-/// saves the search for a proof of the contrary.
+/// saves the search for a proof of the contrary, which `prove_part` makes up for where rounding
+/// decides.
 template <std::size_t Vertices>
 bool is_crossed(const std::array<Deviator<double>, Vertices>& tensors, double mu) {
   bool above = false, below = false;

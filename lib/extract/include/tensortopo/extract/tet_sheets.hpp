@@ -78,6 +78,7 @@ struct TetPlan {
 /// Joins the arcs of the faces into loops and decides what sheets they bound.
 /// @param isotopic if there is one: another level of the same sign from which no critical value
 ///                 separates this one, so that the proof may be made there
+/// @param effort   great only where the usual has failed: what that has tried is not tried again
 /// @return nothing if the proof does not close within the budget, or contradicts the faces
 template <class Scalar>
 std::optional<TetPlan<Scalar>> plan_tet(const TetWithCurves<Scalar>& tet,

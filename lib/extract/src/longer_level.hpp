@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tensortopo/extract/level.hpp"
+#include "tensortopo/scalar/real.hpp"
+
+namespace tensortopo {
+
+/// The scalar to turn to when rounding hides a sign.
+template <class Scalar>
+struct Longer;
+template <>
+struct Longer<double> {
+  using type = Real50;
+};
+template <>
+struct Longer<Real50> {
+  using type = Real100;
+};
+
+/// The level in another scalar; the last one asked for is kept, as all of a run ask for the same.
+template <class Scalar>
+const Level<Scalar>& level_in(const ModeValue& value) {
+  thread_local Level<Scalar> level;
+  thread_local bool made = false;
+  if (!made || !(level.value == value)) {
+    level = make_level<Scalar>(value);
+    made = true;
+  }
+  return level;
+}
+
+/// Whether a double hardly tells modes within a tube of the level from that of the tube: 1 - mode^2
+/// is of second order in the offset from the degenerate curve. Offsets themselves are exact enough.
+inline bool is_hidden_in_double(const Level<double>& level) {
+  constexpr double kSmallestGap = 1e-8;
+  return 1 - level.mu_squared < kSmallestGap;
+}
+
+}  // namespace tensortopo
