@@ -67,12 +67,9 @@ Scalar segment_root(const Deviator<Scalar>& below, const Deviator<Scalar>& above
   if constexpr (std::is_same_v<Scalar, double>)
     if (is_hidden_in_double(level)) {
       using Long = Longer<double>::type;
-      const auto longer = [](const Deviator<double>& t) {
-        return Deviator<Long>{Long(t.a), Long(t.b), Long(t.xy), Long(t.yz), Long(t.xz)};
-      };
-      return static_cast<double>(root_between<Long>(longer(below), longer(above),
-                                                    level_in<Long>(level.value),
-                                                    Long(unit_roundoff<double>())));
+      return static_cast<double>(
+          root_between<Long>(tensor_cast<Long>(below), tensor_cast<Long>(above),
+                             level_in<Long>(level.value), Long(unit_roundoff<double>())));
     }
   return root_between<Scalar>(below, above, level, unit_roundoff<Scalar>());
 }
