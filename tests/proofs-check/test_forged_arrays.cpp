@@ -13,7 +13,7 @@ namespace tensortopo::test {
 namespace {
 
 /// Of two modes, and of an invariant with two values.
-const std::vector<Exhibit>& honest_exhibits() {
+const std::vector<Exhibit>& exhibits_with_arrays() {
   static const std::vector<Exhibit> all = [] {
     TetMesh mesh = cube_mesh(1);
     fill_with_normal_tensors(mesh, 5);
@@ -26,14 +26,14 @@ const std::vector<Exhibit>& honest_exhibits() {
 /// Calls back with each exhibit and the position of each of its arrays.
 template <class Forge>
 void for_arrays(const Forge& forge) {
-  for (const Exhibit& e : honest_exhibits())
+  for (const Exhibit& e : exhibits_with_arrays())
     for (std::size_t i = 0; i < e.arrays.size(); ++i) forge(e, i);
 }
 
 TEST(ForgedArrays, HonestOnesAreCertified) {
   Court court("arrays");
   std::size_t count = 0;
-  for (const Exhibit& e : honest_exhibits()) {
+  for (const Exhibit& e : exhibits_with_arrays()) {
     EXPECT_EQ(court.verdict(e), "certified") << court.report();
     EXPECT_NE(court.report().find("arrays: "), std::string::npos);
     count += e.arrays.size();
@@ -81,17 +81,17 @@ TEST(ForgedArrays, RemovedAddedRenamedReordered) {
     forged.arrays[i].numbers[0] = std::numeric_limits<double>::infinity();
     trial.expect("malformed", forged, name + " not finite");
   });
-  Exhibit forged = honest_exhibits()[0];
+  Exhibit forged = exhibits_with_arrays()[0];
   std::swap(forged.arrays[1].name, forged.arrays[2].name);
   trial.expect("refuted", forged, "eigenvectors exchanged");
-  forged = honest_exhibits()[0];
+  forged = exhibits_with_arrays()[0];
   std::swap(forged.arrays[1], forged.arrays[2]);
   trial.expect("certified", forged, "the file has them in another order");
 }
 
 TEST(ForgedArrays, TheCertificatesHashes) {
   Trial trial("array_hashes");
-  for (const Exhibit& e : honest_exhibits()) {
+  for (const Exhibit& e : exhibits_with_arrays()) {
     const Json& hashes = e.certificate["surface"]["arrays"];
     for (std::size_t i = 0; i < hashes.size(); ++i) {
       const auto forge = [&](const std::string& verdict, const char* what, const auto& alter) {
@@ -113,7 +113,7 @@ TEST(ForgedArrays, TheCertificatesHashes) {
 /// A certificate of before says nothing of arrays, and is no proof of any.
 TEST(ForgedArrays, WithoutHashesTheyAreOpen) {
   Court court("array_open");
-  for (Exhibit e : honest_exhibits()) {
+  for (Exhibit e : exhibits_with_arrays()) {
     e.certificate["surface"].erase("arrays");
     EXPECT_EQ(court.verdict(e), "undecided");
     EXPECT_NE(court.report().find("not bound"), std::string::npos) << court.report();
@@ -132,7 +132,7 @@ TEST(ForgedArrays, ModesValuesAndComponentsAreDerived) {
     EXPECT_NE(court.report().find("refuted: " + place + ": "), std::string::npos) << place << '\n'
                                                                                   << court.report();
   };
-  for (const Exhibit& e : honest_exhibits()) {
+  for (const Exhibit& e : exhibits_with_arrays()) {
     Exhibit forged = e;
     auto& numbers = e.surface.mode.empty() ? forged.surface.value : forged.surface.mode;
     const std::string name = e.surface.mode.empty() ? "value" : "mode";
@@ -150,7 +150,7 @@ TEST(ForgedArrays, ModesValuesAndComponentsAreDerived) {
     EXPECT_EQ(court.verdict(forged), "refuted");
   }
   // An array of modes beside levels of another invariant.
-  Exhibit forged = honest_exhibits()[1];
+  Exhibit forged = exhibits_with_arrays()[1];
   forged.surface.mode = forged.surface.value;
   expect_refuted(forged, "mode at vertex 0");
 }
@@ -158,7 +158,7 @@ TEST(ForgedArrays, ModesValuesAndComponentsAreDerived) {
 /// Of the others the hashes say only that they are what was written.
 TEST(ForgedArrays, OthersAreBoundButNotProved) {
   Court court("array_bound");
-  Exhibit e = honest_exhibits()[0];
+  Exhibit e = exhibits_with_arrays()[0];
   e.surface.normal[0] = {0, 0, 1};
   e.rehash();
   EXPECT_EQ(court.verdict(e), "certified") << court.report();
