@@ -33,9 +33,11 @@ const Level<Scalar>& level_in(const ModeValue& value) {
 
 /// Whether a double hardly tells modes within a tube of the level from that of the tube: 1 - mode^2
 /// is of second order in the offset from the degenerate curve. Offsets themselves are exact enough.
-inline bool is_hidden_in_double(const Level<double>& level) {
-  constexpr double kSmallestGap = 1e-8;
-  return 1 - level.mu_squared < kSmallestGap;
+/// (At gaps above, longer numbers were seen to cost time and to settle nothing.)
+template <class Scalar>
+bool is_hidden_in_double(const Level<Scalar>& level) {
+  constexpr double kSmallestGap = 1e-9;
+  return static_cast<double>(Scalar(1) - level.mu_squared) < kSmallestGap;
 }
 
 }  // namespace tensortopo

@@ -69,7 +69,7 @@ SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root
   using Proof = SimplexProof<Scalar, Part>;
   auto proof = prove_simplex(tensors, level, total, kShortSearch);
   // Vertices that only seem to be on different sides keep it from trying whether the part is empty.
-  if (proof.kind == Proof::Kind::none && !proof.hidden_by_rounding)
+  if (proof.kind == Proof::Kind::none && !proof.hidden_by_rounding && is_hidden_in_double(level))
     proof.hidden_by_rounding = sides_of(tensors, level, total) == Sides::unknown;
   count_predicate(proof.hidden_by_rounding ? Tier::longer : Tier::fast);
   if (!proof.hidden_by_rounding) return proof;
