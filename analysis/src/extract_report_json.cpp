@@ -93,13 +93,7 @@ Json seconds_json(const ExtractReport& report, const ExtractStatistics& s) {
 std::string to_json(const ExtractReport& report) {
   const ExtractStatistics statistics = total_statistics(report);
   Json json;
-  json["input"] = {{"path", report.input.string()},
-                   {"sha256", report.sha256},
-                   {"vertices", report.vertices},
-                   {"tetrahedra", report.tetrahedra},
-                   {"tensor", report.tensor_name},
-                   {"notes", report.notes},
-                   {"torn_faces", torn_faces_json(report.torn_faces)}};
+  json["input"] = input_json(report);
   json["output"] = nullptr;
   if (report.written) {
     json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};

@@ -27,6 +27,18 @@ inline nlohmann::ordered_json torn_faces_json(const TornFaces& torn) {
   return json;
 }
 
+/// What the report of an extraction says of its field.
+template <class Report>
+nlohmann::ordered_json input_json(const Report& report) {
+  return {{"path", report.input.string()},
+          {"sha256", report.sha256},
+          {"vertices", report.vertices},
+          {"tetrahedra", report.tetrahedra},
+          {"tensor", report.tensor_name},
+          {"notes", report.notes},
+          {"torn_faces", torn_faces_json(report.torn_faces)}};
+}
+
 inline nlohmann::ordered_json parts_json(const SurfaceInvariants& known) {
   auto json = nlohmann::ordered_json::array();
   for (const auto& part : known.parts)

@@ -3,21 +3,17 @@
 #include "tensortopo/mesh/unmatched_faces.hpp"
 
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "plain_mesh.hpp"
 
 namespace tensortopo {
 namespace {
 
 TetMesh mesh_of(std::vector<Vector3<double>> points, std::vector<std::array<int, 4>> tets) {
-  TetMesh mesh;
-  mesh.points = std::move(points);
-  mesh.tensors.resize(mesh.points.size());
-  mesh.tets = std::move(tets);
-  mesh.cell_ids.resize(mesh.tets.size());
-  std::iota(mesh.cell_ids.begin(), mesh.cell_ids.end(), 0);
+  TetMesh mesh = plain_mesh(std::move(points), std::move(tets));
   repair_orientation(mesh);
   return mesh;
 }

@@ -4,25 +4,15 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include <gtest/gtest.h>
+
+#include "plain_mesh.hpp"
 
 namespace tensortopo {
 namespace {
 
 using Kind = MeshDefect::Kind;
-
-/// A mesh with zero tensors and cell ids 100, 101, ...
-TetMesh mesh_of(std::vector<Vector3<double>> points, std::vector<std::array<int, 4>> tets) {
-  TetMesh mesh;
-  mesh.points = std::move(points);
-  mesh.tensors.resize(mesh.points.size());
-  mesh.tets = std::move(tets);
-  mesh.cell_ids.resize(mesh.tets.size());
-  std::iota(mesh.cell_ids.begin(), mesh.cell_ids.end(), 100);
-  return mesh;
-}
 
 const std::vector<Vector3<double>> corner{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
 
@@ -33,13 +23,13 @@ std::vector<Kind> kinds(const TetMesh& mesh) {
 }
 
 TEST(Validate, AcceptsTwoTetrahedraOnTheTwoSidesOfAFace) {
-  EXPECT_TRUE(validate(mesh_of(corner, {{0, 1, 2, 3}, {4, 1, 3, 2}})).empty());
+  EXPECT_TRUE(validate(plain_mesh(corner, {{0, 1, 2, 3}, {4, 1, 3, 2}})).empty());
 }
 
 TEST(Validate, AcceptsAnEmptyMesh) { EXPECT_TRUE(validate(TetMesh{}).empty()); }
 
 TEST(Validate, NamesAnInvertedTetrahedronAndRepairTurnsIt) {
-  TetMesh mesh = mesh_of(corner, {{0, 2, 1, 3}, {4, 1, 3, 2}});
+  TetMesh mesh = plain_mesh(corner, {{0, 2, 1, 3}, {4, 1, 3, 2}});
   const auto defects = validate(mesh);
   ASSERT_EQ(defects.size(), 1u);
   EXPECT_EQ(defects[0].kind, Kind::inverted_cell);
@@ -57,11 +47,12 @@ TEST(Validate, DecidesFlatnessExactly) {
     auto points = corner;
     for (auto& p : points) p = scale * p;
     points[3] = Vector3<double>{scale / 4, scale / 2, 0};
-    EXPECT_EQ(kinds(mesh_of(points, {{0, 1, 2, 3}})), std::vector{Kind::degenerate_cell}) << scale;
+    EXPECT_EQ(kinds(plain_mesh(points, {{0, 1, 2, 3}})), std::vector{Kind::degenerate_cell})
+        << scale;
     points[3].z = tiny;
-    EXPECT_TRUE(kinds(mesh_of(points, {{0, 1, 2, 3}})).empty()) << scale;
+    EXPECT_TRUE(kinds(plain_mesh(points, {{0, 1, 2, 3}})).empty()) << scale;
     points[3].z = -tiny;
-    EXPECT_EQ(kinds(mesh_of(points, {{0, 1, 2, 3}})), std::vector{Kind::inverted_cell}) << scale;
+    EXPECT_EQ(kinds(plain_mesh(points, {{0, 1, 2, 3}})), std::vector{Kind::inverted_cell}) << scale;
   }
 }
 
@@ -69,7 +60,7 @@ TEST(Validate, NamesCoordinatesWhoseProductsAreNoDoubles) {
   const auto scaled = [](double scale) {
     auto points = corner;
     for (auto& p : points) p = scale * p;
-    return mesh_of(points, {{0, 1, 2, 3}});
+    return plain_mesh(points, {{0, 1, 2, 3}});
   };
   for (const double scale : {1e100, 1e-100, 1.0}) EXPECT_TRUE(validate(scaled(scale)).empty());
   const auto large = validate(scaled(1e101)), small = validate(scaled(1e-101));
@@ -82,14 +73,14 @@ TEST(Validate, NamesCoordinatesWhoseProductsAreNoDoubles) {
 }
 
 TEST(Validate, NamesRepeatedVerticesAndIndicesOutOfRange) {
-  const auto mesh = mesh_of(corner, {{0, 1, 2, 2}, {0, 1, 2, 5}, {-1, 1, 2, 3}});
+  const auto mesh = plain_mesh(corner, {{0, 1, 2, 2}, {0, 1, 2, 5}, {-1, 1, 2, 3}});
   EXPECT_EQ(kinds(mesh), (std::vector{Kind::repeated_vertex, Kind::index_out_of_range,
                                       Kind::index_out_of_range}));
   EXPECT_EQ(validate(mesh)[2].where, 102);
 }
 
 TEST(Validate, NamesADuplicateOnceWhateverItsOrder) {
-  const auto mesh = mesh_of(corner, {{0, 1, 2, 3}, {4, 1, 3, 2}, {1, 2, 0, 3}});
+  const auto mesh = plain_mesh(corner, {{0, 1, 2, 3}, {4, 1, 3, 2}, {1, 2, 0, 3}});
   const auto defects = validate(mesh);
   ASSERT_EQ(defects.size(), 1u);
   EXPECT_EQ(defects[0].kind, Kind::duplicated_cell);
@@ -100,7 +91,7 @@ TEST(Validate, NamesADuplicateOnceWhateverItsOrder) {
 TEST(Validate, NamesAFaceOfThree) {
   auto points = corner;
   points.push_back({2, 2, 2});
-  const auto mesh = mesh_of(points, {{0, 1, 2, 3}, {4, 1, 3, 2}, {5, 1, 3, 2}});
+  const auto mesh = plain_mesh(points, {{0, 1, 2, 3}, {4, 1, 3, 2}, {5, 1, 3, 2}});
   const auto defects = validate(mesh);
   ASSERT_EQ(defects.size(), 1u);
   EXPECT_EQ(defects[0].kind, Kind::crowded_face);
@@ -110,18 +101,18 @@ TEST(Validate, NamesAFaceOfThree) {
 TEST(Validate, NamesTwoTetrahedraOnOneSideOfTheirFace) {
   auto points = corner;
   points[4] = {-1, -1, -1};
-  TetMesh mesh = mesh_of(points, {{0, 1, 2, 3}, {4, 1, 3, 2}});
+  TetMesh mesh = plain_mesh(points, {{0, 1, 2, 3}, {4, 1, 3, 2}});
   repair_orientation(mesh);
   EXPECT_EQ(kinds(mesh), std::vector{Kind::overlapping_cells});
 }
 
 TEST(Validate, OverlapIsSeenThroughInvertedCells) {
-  const auto mesh = mesh_of(corner, {{0, 2, 1, 3}, {4, 1, 2, 3}});
+  const auto mesh = plain_mesh(corner, {{0, 2, 1, 3}, {4, 1, 2, 3}});
   EXPECT_EQ(kinds(mesh), (std::vector{Kind::inverted_cell, Kind::inverted_cell}));
 }
 
 TEST(Validate, NamesNumbersThatAreNotFinite) {
-  TetMesh mesh = mesh_of(corner, {{0, 1, 2, 3}});
+  TetMesh mesh = plain_mesh(corner, {{0, 1, 2, 3}});
   mesh.points[4].y = std::numeric_limits<double>::quiet_NaN();
   mesh.tensors[2].xz = std::numeric_limits<double>::infinity();
   const auto defects = validate(mesh);
@@ -135,26 +126,28 @@ TEST(Validate, NamesNumbersThatAreNotFinite) {
 }
 
 TEST(Validate, NamesArraysOfTheWrongLength) {
-  TetMesh mesh = mesh_of(corner, {{0, 1, 2, 3}});
+  TetMesh mesh = plain_mesh(corner, {{0, 1, 2, 3}});
   mesh.tensors.pop_back();
   mesh.cell_ids.clear();
   EXPECT_EQ(kinds(mesh), (std::vector{Kind::wrong_length, Kind::wrong_length}));
 }
 
 TEST(Validate, AllowsAndCountsUnreferencedPoints) {
-  const auto mesh = mesh_of(corner, {{0, 1, 2, 3}});
+  const auto mesh = plain_mesh(corner, {{0, 1, 2, 3}});
   EXPECT_TRUE(validate(mesh).empty());
   EXPECT_EQ(count_unreferenced_points(mesh), 1u);
 }
 
 TEST(Validate, ListsAtMostAThousandDefects) {
-  EXPECT_EQ(validate(mesh_of(corner, std::vector<std::array<int, 4>>(5000, {0, 0, 0, 0}))).size(),
-            1000u);
+  EXPECT_EQ(
+      validate(plain_mesh(corner, std::vector<std::array<int, 4>>(5000, {0, 0, 0, 0}))).size(),
+      1000u);
 }
 
 TEST(Validate, JudgesManyCopiesInReasonableTime) {
-  EXPECT_EQ(validate(mesh_of(corner, std::vector<std::array<int, 4>>(20000, {0, 1, 2, 3}))).size(),
-            1000u);
+  EXPECT_EQ(
+      validate(plain_mesh(corner, std::vector<std::array<int, 4>>(20000, {0, 1, 2, 3}))).size(),
+      1000u);
 }
 
 }  // namespace

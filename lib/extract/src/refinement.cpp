@@ -9,6 +9,7 @@
 
 #include "degenerate_offset.hpp"
 #include "extractor_scalars.hpp"
+#include "longer_level.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 #include "thin_sheets.hpp"
 #include "tiers.hpp"
@@ -18,10 +19,9 @@ namespace tensortopo {
 namespace {
 
 /// How many edges of a refinement are cut off the middle. Each such cut along a chain takes five
-/// bits of the weights, which have 52. Levels with a gap 1 - mode^2 below `kThinGap` want them for
-/// cells that are small across their tubes.
+/// bits of the weights, which have 52. Levels that are hidden in doubles want them for cells
+/// that are small across their tubes.
 constexpr std::size_t kUnevenCuts = 12, kUnevenCutsOfThin = 4;
-constexpr double kThinGap = 1e-9;
 
 /// Next to the degenerate curve two tensors are apart by their offsets from it, and by this times
 /// the square of their chord, by which the curve leaves it: cells are long along the curve.
@@ -329,8 +329,7 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
   // of cells on their axes and planes, where a level can touch a side exactly.
   constexpr std::array<int, 5> thirty_seconds{13, 17, 15, 19, 14};
   const std::size_t cuts = vertices_.size() - Vertices;
-  const bool thin = static_cast<double>(Scalar(1) - level_->mu_squared) < kThinGap;
-  const bool uneven = cuts < (thin ? kUnevenCutsOfThin : kUnevenCuts);
+  const bool uneven = cuts < (is_hidden_in_double(*level_) ? kUnevenCutsOfThin : kUnevenCuts);
   const int share = uneven ? thirty_seconds[cuts % thirty_seconds.size()] : 1;
   const auto [lower, upper] = std::minmax(u, v);
   const auto middle = between(share, vertices_[lower], uneven ? 32 - share : 1, vertices_[upper]);
