@@ -156,9 +156,11 @@ TEST(CheckedFormats, OthersAreNotCertified) {
   const std::string one = text.str();
   text.coordinates = "0 0 0  1 0 0  0 -1 0  0 0 1";
   const std::string two = text.str();
-  const auto begin = two.find("<Piece"), end = two.find("</UnstructuredGrid>");
+  const std::string end = "</UnstructuredGrid>";
+  const auto begin = two.find("<Piece");
   std::ofstream(folder / "two.vtu")
-      << one.substr(0, end) + two.substr(begin, end - begin) + one.substr(end);
+      << one.substr(0, one.find(end)) + two.substr(begin, two.find(end) - begin) +
+             one.substr(one.find(end));
   expect_refused("two.vtu", "has 2 pieces (<Piece>)");
   std::ofstream(folder / "one.vtu") << one;
   for (const std::string name : {"index.pvtu", "INDEX.PVTU"}) {
