@@ -26,8 +26,7 @@ std::string components_name(const ReadResult& read, const ReadOptions& options) 
 
 }  // namespace
 
-void require_certifiable(const std::filesystem::path& input, const ReadOptions& options,
-                         const std::filesystem::path& output,
+void require_certifiable(const ReadOptions& options, const std::filesystem::path& output,
                          const std::filesystem::path& certificate) {
   if (certificate.extension() != ".json" && certificate.extension() != ".cbor")
     throw UsageError(certificate.string() +
@@ -35,9 +34,10 @@ void require_certifiable(const std::filesystem::path& input, const ReadOptions& 
   if (output.extension() != ".vtp")
     throw UsageError("--certify: the certificate names vertices and tetrahedra of the surface, "
                      "which only a .vtp keeps; give -o a name in .vtp");
-  if (options.cell_to_point || options.tetrahedralize || input.extension() == ".pvtu")
-    throw UsageError("--certify: the certificate is about the numbers in one file as they are; "
-                     "--cell-to-point, --tetrahedralize and .pvtu make others");
+  if (options.cell_to_point || options.tetrahedralize)
+    throw UsageError(
+        "--certify: the certificate is about the numbers in one file as they are; "
+        "--cell-to-point and --tetrahedralize make others");
 }
 
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,

@@ -12,9 +12,9 @@
 
 namespace tensortopo {
 
-/// Throws UsageError for files that a certificate cannot describe.
-void require_certifiable(const std::filesystem::path& input, const ReadOptions& options,
-                         const std::filesystem::path& output,
+/// Throws UsageError for options and files that a certificate cannot describe. (Of the input only
+/// its reader knows: `ReadOptions::for_certificate`.)
+void require_certifiable(const ReadOptions& options, const std::filesystem::path& output,
                          const std::filesystem::path& certificate);
 
 /// Writes the certificate of a surface, whole or not at all. Throws IoError.

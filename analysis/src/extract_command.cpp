@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "read_field.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
 #include "spare_memory.hpp"
@@ -25,7 +26,6 @@
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
-#include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
@@ -200,7 +200,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
-    require_certifiable(command.input, command.read, command.output, command.certificate);
+    require_certifiable(command.read, command.output, command.certificate);
     require_proofs(command);
     require_folder(command.certificate);
   }
@@ -210,17 +210,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   report.output = command.output;
 
   tell(progress, "reading", 0);
-  const Clock read_clock;
-  const ReadResult read = read_mesh(command.input, command.read);
-  report.seconds_read = read_clock.seconds();
-  report.sha256 = read.sha256;
-  report.tensor_name = read.report.tensor_name;
-  report.notes = read.report.notes;
-  report.torn_faces = read.report.torn_faces;
-  if (command.strict && report.torn_faces.count > 0)
-    throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
-  report.vertices = read.mesh.points.size();
-  report.tetrahedra = read.mesh.tets.size();
+  const ReadResult read = read_field(command, report);
 
   const PredicateCounts before = predicate_counts();
   SurfaceMesh surface;

@@ -12,6 +12,17 @@
 #include "tensortopo/analysis/extract_report.hpp"
 
 namespace tensortopo {
+namespace {
+
+/// A mode that differs by about 1e-9, as one can ask for it.
+std::string mode_beside(const ModeValue& mode) {
+  constexpr double difference = 1e-9;
+  if (mode.sign() == 0) return "1e-9";
+  const double value = mode.approx();
+  return fmt::format("{:.12g}", value + (value + difference < 1 ? difference : -difference));
+}
+
+}  // namespace
 
 std::map<std::string, std::size_t> count_unresolved(const ExtractReport& report) {
   std::map<std::string, std::size_t> counts;
@@ -65,6 +76,17 @@ std::string unresolved_line(const ExtractReport& report) {
   }
   return fmt::format("{} of {} tetrahedra unresolved ({})", cells.size(), report.tetrahedra,
                      reasons);
+}
+
+std::string unresolved_advice(const ExtractReport& report) {
+  const auto found = std::find_if(
+      report.unresolved.begin(), report.unresolved.end(),
+      [](const UnresolvedReport& cell) { return cell.reason.starts_with("level_constant_"); });
+  if (found == report.unresolved.end()) return {};
+  return fmt::format(
+      "ask for a mode next to it, for example --mode {}, which holds the surface "
+      "beside those edges and faces",
+      mode_beside(found->modes.front()));
 }
 
 std::string to_text(const ExtractReport& report) {

@@ -9,13 +9,13 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "read_field.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"
-#include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_surface.hpp"
 
 namespace tensortopo {
@@ -49,24 +49,14 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
-    require_certifiable(command.input, command.read, command.output, command.certificate);
+    require_certifiable(command.read, command.output, command.certificate);
     require_folder(command.certificate);
   }
   InvariantReport report;
   report.input = command.input;
   report.output = command.output;
   if (progress) progress("reading", 0);
-  auto start = Clock::now();
-  const ReadResult read = read_mesh(command.input, command.read);
-  report.seconds_read = seconds_since(start);
-  report.sha256 = read.sha256;
-  report.tensor_name = read.report.tensor_name;
-  report.notes = read.report.notes;
-  report.torn_faces = read.report.torn_faces;
-  if (command.strict && report.torn_faces.count > 0)
-    throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
-  report.vertices = read.mesh.points.size();
-  report.tetrahedra = read.mesh.tets.size();
+  const ReadResult read = read_field(command, report);
 
   SurfaceMesh surface;
   std::set<std::int64_t> unresolved;
@@ -84,7 +74,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
                                      ": "](std::string_view stage, double fraction) {
         progress(label + std::string(stage), fraction);
       };
-    start = Clock::now();
+    auto start = Clock::now();
     InvariantExtraction extraction = extract_invariant_surface(read.mesh, level, options);
     report.seconds_extract += seconds_since(start);
     for (const auto t : extraction.zero_tensor)
@@ -102,7 +92,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   if (command.strict && !report.unresolved.empty()) return report;
   if (progress) progress("writing", 0);
   FileGroup files;
-  start = Clock::now();
+  auto start = Clock::now();
   report.bytes = write_surface(surface, read.mesh, command.output).bytes;
   report.written = true;
   report.seconds_write = seconds_since(start);

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "run_program.hpp"
+#include "tensortopo/analysis/extract_report.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -194,6 +196,64 @@ TEST(ExtractReport, ALongFractionIsShownAsTheShortestDecimal) {
     EXPECT_EQ(surface.at("mode_exact"), asked == "1e-300"
                                             ? "1/1" + std::string(300, '0')
                                             : "-1234567890123456789/1" + std::string(19, '0'));
+  }
+}
+
+// One edge has xz and yz components alone, and so mode 0.
+std::string mesh_with_a_neutral_edge(const Folder& folder) {
+  const std::string file = folder / "edge.vtk";
+  std::ofstream(file) << R"(# vtk DataFile Version 3.0
+one edge of constant mode
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 double
+0 0 0  1 0 0  0 1 0  0 0 1
+CELLS 1 5
+4 0 1 2 3
+CELL_TYPES 1
+10
+POINT_DATA 4
+TENSORS6 stress double
+0 0 0 0 0 1
+0 0 0 0 1 0
+3 -1 -2 0.5 0 0.25
+-2 1 1 0.5 0.25 0
+)";
+  return file;
+}
+
+TEST(ExtractReport, SaysWhatToAskForWhereTheModeIsConstant) {
+  const Folder folder;
+  const auto run = [&](const std::string& mode, bool quiet) {
+    std::vector<std::string> words{
+        "extract", mesh_with_a_neutral_edge(folder), "-o", folder / "s.vtp", "--mode", mode};
+    if (quiet) words.push_back("--quiet");
+    return run_program(words).err;
+  };
+  const std::string line = "tensortopo: " + (folder / "edge.vtk") +
+                           ": 1 of 1 tetrahedra unresolved (1 level_constant_on_edge)";
+  EXPECT_EQ(run("0", false), line +
+                                 "; ask for a mode next to it, for example --mode 1e-9, which "
+                                 "holds the surface beside those edges and faces\n");
+  EXPECT_EQ(run("0", true), line + "\n");
+  EXPECT_EQ(run("1e-9", false), "");
+}
+
+TEST(ExtractReport, AsksForModesThatDifferLittleAndAreModes) {
+  for (const char* text :
+       {"0", "1/2", "-9/10", "143/343", "1e-12", "0.9999999999", "-0.9999999999"}) {
+    const ModeValue mode = ModeValue::parse(text);
+    ExtractReport report;
+    report.unresolved = {{3, "zero_deviator_inside", {mode}}};
+    EXPECT_EQ(unresolved_advice(report), "");
+    report.unresolved.push_back({3, "level_constant_on_face", {mode}});
+    const std::string advice = unresolved_advice(report);
+    const auto begin = advice.find("--mode ") + 7;
+    const ModeValue beside =
+        ModeValue::parse(advice.substr(begin, advice.find(',', begin) - begin));
+    EXPECT_GT(std::abs(beside.approx() - mode.approx()), 0.9e-9) << advice;
+    EXPECT_LT(std::abs(beside.approx() - mode.approx()), 1.1e-9) << advice;
+    EXPECT_LT(std::abs(beside.approx()), 1) << advice;
   }
 }
 

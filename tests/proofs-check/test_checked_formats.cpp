@@ -119,5 +119,56 @@ TEST(CheckedFormats, NoAlteredFileIsCertifiedForAnotherField) {
   EXPECT_GT(other, 50u);
 }
 
+/// What the checker does not read is refused before anything is extracted.
+TEST(CheckedFormats, OthersAreNotCertified) {
+  const Folder folder;
+  const auto expect_refused = [&](const std::string& name, const std::string& reason) {
+    for (const std::string level : {"--mode", "--invariant"}) {
+      std::vector<std::string> words{"extract",   folder / name,     "-o", folder / "s.vtp",
+                                     "--certify", folder / "c.json", level};
+      words.push_back(level == "--mode" ? "0.2" : "magnitude");
+      if (level != "--mode") words.insert(words.end(), {"--value", "3"});
+      const Outcome run = run_program(words);
+      EXPECT_EQ(run.status, 2) << run.err;
+      EXPECT_EQ(run.err.find("tensortopo: " + (folder / name) + ": "), 0u) << run.err;
+      EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
+    }
+    const Outcome sweep =
+        run_program({"analyze", folder / name, "--sweep", "0.1:0.2:2", "--check", "2", "--quiet"});
+    EXPECT_EQ(sweep.status, 2) << sweep.err;
+    EXPECT_NE(sweep.err.find(reason), std::string::npos) << sweep.err;
+    EXPECT_EQ(
+        run_program({"extract", folder / name, "-o", folder / "s.vtp", "--mode", "0.2"}).status, 0);
+    std::filesystem::remove(folder / "s.vtp");
+  };
+  VtkStyle style;
+  style.compressor = VtkStyle::Compressor::lz4;
+  vtk_write_vtu(cube_field(1), folder / "lz4.vtu", style);
+  expect_refused("lz4.vtu", "compressed with LZ4");
+  style.compressor = VtkStyle::Compressor::lzma;
+  vtk_write_vtu(cube_field(1), folder / "lzma.vtu", style);
+  expect_refused("lzma.vtu", "compressed with LZMA");
+
+  // The same piece twice: points that agree become one, and so do not tear the field.
+  TextVtu text;
+  text.point_data =
+      TextVtu::array("stress", 6, "0 0 0 0 0 1 0 0 0 0 1 0 3 -1 -2 0 0 0 -2 1 1 0 0 0");
+  const std::string one = text.str();
+  text.coordinates = "0 0 0  1 0 0  0 -1 0  0 0 1";
+  const std::string two = text.str();
+  const std::string end = "</UnstructuredGrid>";
+  const auto begin = two.find("<Piece");
+  std::ofstream(folder / "two.vtu")
+      << one.substr(0, one.find(end)) + two.substr(begin, two.find(end) - begin) +
+             one.substr(one.find(end));
+  expect_refused("two.vtu", "has 2 pieces (<Piece>)");
+  std::ofstream(folder / "one.vtu") << one;
+  for (const std::string name : {"index.pvtu", "INDEX.PVTU"}) {
+    std::ofstream(folder / name) << "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid>"
+                                    "<Piece Source=\"one.vtu\"/></PUnstructuredGrid></VTKFile>\n";
+    expect_refused(name, "names files of pieces");
+  }
+}
+
 }  // namespace
 }  // namespace tensortopo::test

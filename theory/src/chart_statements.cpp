@@ -71,7 +71,8 @@ void nesting(const Trial& trial, Facts<Rational>& facts) {
   const auto values = characteristic_values(trial);
   if (!values) return facts.not_applicable(kNoFrame);
   Random random = trial.random;
-  const auto [smaller, larger] = std::minmax({random.part(), random.part()});
+  const auto drawn = std::minmax({random.part(), random.part()});
+  const Rational &smaller = drawn.first, &larger = drawn.second;
   if (smaller == larger) return facts.not_applicable("equal modes were drawn");
   const Tensor n = tensor_of(*values, trial.frame->eigenvectors);
   const bool neutral = (*values)[1] == 0;

@@ -72,6 +72,7 @@ struct SurfaceAnalysis {
   std::filesystem::path against;
   std::optional<SampledDistance> forth, back;
   std::filesystem::path output;
+  std::vector<std::string> mesh_notes;  ///< of reading the mesh
   double seconds = 0;
 };
 

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "check/check_command.hpp"
-#include "temporary_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/temporary_folder.hpp"
 
 namespace tensortopo {
 namespace {
@@ -162,7 +162,7 @@ void compare_levels(const Sweep& sweep, SweepCheck& check) {
 SweepCheck check_sweep(const Sweep& sweep, const std::filesystem::path& input,
                        const ReadOptions& read, std::size_t modes, const Progress& progress) {
   const ModesToCheck chosen = modes_to_check(sweep, modes);
-  const TemporaryFolder folder;
+  TemporaryFolder folder;
   SweepCheck check;
   check.events = chosen.events;
   check.undecided = chosen.none;
@@ -170,8 +170,8 @@ SweepCheck check_sweep(const Sweep& sweep, const std::filesystem::path& input,
   command.input = input;
   command.read = read;
   command.sampling.resolution = kCoarse;
-  command.output = folder / "surface.vtp";
-  command.certificate = folder / "certificate.cbor";
+  command.output = folder.file("surface.vtp");
+  command.certificate = folder.file("certificate.cbor");
   for (std::size_t i = 0; i < chosen.modes.size(); i += kBatch) {
     if (progress) {
       progress("checking", static_cast<double>(i) / static_cast<double>(chosen.modes.size()));

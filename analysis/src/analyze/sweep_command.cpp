@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analyze/sweep_chart.hpp"
+#include "certificate.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -59,7 +60,11 @@ SweepReport run_sweep(const SweepCommand& command, const Progress& progress) {
     throw UsageError(command.picture.string() + ": the name must end in .png");
   if (!command.picture.empty()) require_folder(command.picture);
   if (progress) progress("reading", 0);
-  const ReadResult read = read_mesh(command.input, command.read);
+  if (command.check_modes > 0)
+    require_certifiable(command.read, "surface.vtp", "certificate.cbor");
+  ReadOptions options = command.read;
+  options.for_certificate = command.check_modes > 0;
+  const ReadResult read = read_mesh(command.input, options);
   SweepReport report;
   report.input = command.input;
   report.sha256 = read.sha256;

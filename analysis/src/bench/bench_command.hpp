@@ -44,6 +44,7 @@ struct BenchRatio {
 struct BenchReport {
   std::filesystem::path input;
   std::vector<ModeValue> modes;
+  std::vector<std::string> notes;  ///< of reading
   std::size_t tetrahedra = 0;
   std::size_t threads = 0;
   std::vector<BenchSeries> series;       ///< the first is ours

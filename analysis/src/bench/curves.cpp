@@ -26,8 +26,7 @@ TetMesh subdivided(const TetMesh& mesh, int times) {
 
 class Collector {
  public:
-  Collector(const TetMesh& mesh, const std::vector<ModeValue>& modes)
-      : mesh_(mesh), modes_(modes), judge_(mesh, modes) {}
+  Collector(const TetMesh& mesh, const std::vector<ModeValue>& modes) : judge_(mesh, modes) {}
 
   void begin(const std::string& method) { curves_.push_back({method, {}, ""}); }
   void note(const std::string& text) { curves_.back().note = text; }
@@ -54,8 +53,6 @@ class Collector {
   }
 
  private:
-  const TetMesh& mesh_;
-  const std::vector<ModeValue>& modes_;
   Judge judge_;
   std::vector<ErrorCurve> curves_;
   std::vector<Contender> contenders_;

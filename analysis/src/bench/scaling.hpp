@@ -39,6 +39,7 @@ struct ScalingPoint {
 struct ScalingReport {
   ScalingOver over = ScalingOver::size;
   std::string field;
+  std::vector<std::string> notes;  ///< of reading
   std::size_t threads = 0;
   std::vector<ScalingPoint> points;
   /// The exponent of the power law that fits best (see power_law_exponent); NaN where x is no

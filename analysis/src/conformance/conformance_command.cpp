@@ -84,6 +84,7 @@ ConformanceReport run_conformance(const ConformanceCommand& command, const Progr
   const GivenSurface given = merge_points(read_triangles(command.surface), command.merge,
                                           command.surface.extension() != ".stl");
   const ReadResult read = read_mesh(command.input, command.read);
+  report.notes = read.report.notes;
   tell("certifying");
   const Standard standard = certified_standard(read.mesh, command.mode, command.resolution);
   if (!command.truth.empty())

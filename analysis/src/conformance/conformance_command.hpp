@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "conformance/score.hpp"
 #include "tensortopo/analysis/progress.hpp"
@@ -24,6 +25,7 @@ struct ConformanceCommand {
 
 struct ConformanceReport {
   std::filesystem::path surface, input;
+  std::vector<std::string> notes;  ///< of reading the mesh
   ModeValue mode;
   SurfaceScore score;
 };

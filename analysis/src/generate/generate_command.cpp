@@ -71,7 +71,7 @@ LevelTruth truth_of(const Sheet& sheet, const ModeValue& mode, const GenerateCom
   if (command.no_reference || (!detailed && !command.always_reference)) return truth;
 
   const ReferencePoints points = reference_points(mesh, extraction.surface, mode);
-  LevelTruth::Reference& r = truth.reference.emplace();
+  ReferenceTruth& r = truth.reference.emplace();
   r.surface = with_suffix(field, ".reference.vtp").filename().string();
   r.points = with_suffix(field, ".reference.json").filename().string();
   r.vertices = extraction.surface.points.size();

@@ -15,6 +15,17 @@
 
 namespace tensortopo {
 
+/// How far the reference surface of a level is from it.
+struct ReferenceTruth {
+  std::string surface, points;  ///< file names; beside the truth file
+  std::size_t vertices = 0, triangles = 0;
+  double distance = 0;  ///< both ways; of the triangles, see DistanceClaim
+  std::size_t coarse_cells = 0;
+  double coarse_distance = 0;  ///< of the triangles in the coarse cells
+  double point_bound = 0;      ///< of the refined vertices, see ReferencePoints
+  std::size_t unproved_points = 0;
+};
+
 /// Certified facts about one mode surface of a field, for whoever wants to compare.
 struct LevelTruth {
   using Index = TetMesh::Index;
@@ -41,16 +52,6 @@ struct LevelTruth {
     std::vector<std::array<int, 2>> sheets;  ///< Euler characteristic, boundary loops; sorted
     bool operator==(const TetFact&) const = default;
   };
-  /// How far the reference surface is from the level.
-  struct Reference {
-    std::string surface, points;  ///< file names; beside the truth file
-    std::size_t vertices = 0, triangles = 0;
-    double distance = 0;  ///< both ways; of the triangles, see DistanceClaim
-    std::size_t coarse_cells = 0;
-    double coarse_distance = 0;  ///< of the triangles in the coarse cells
-    double point_bound = 0;      ///< of the refined vertices, see ReferencePoints
-    std::size_t unproved_points = 0;
-  };
 
   ModeValue mode;
   std::vector<Component> components;  ///< of what is decided; sorted
@@ -59,7 +60,7 @@ struct LevelTruth {
   std::vector<TetFact> tets;          ///< those with sheets
   std::vector<UndecidedCell> undecided;
   bool detailed = true;  ///< edges, faces and tets are listed
-  std::optional<Reference> reference;
+  std::optional<ReferenceTruth> reference;
 };
 
 /// A field, and the truth about some of its mode surfaces.

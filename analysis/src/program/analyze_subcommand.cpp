@@ -35,6 +35,7 @@ ExitStatus sweep(const AnalyzeOptions& options, const CommonOptions& common) {
   ProgressBar bar(!common.quiet);
   const SweepReport report = run_sweep(command, bar.callback());
   bar.erase();
+  say_notes(report.input, report.notes, common.quiet);
   print(common.json ? to_json(report) + '\n' : to_text(report));
   return report.check && report.is_contradicted() ? ExitStatus::undecided : ExitStatus::done;
 }
@@ -53,6 +54,7 @@ ExitStatus surface(const AnalyzeOptions& options, const CommonOptions& common) {
   ProgressBar bar(!common.quiet);
   const SurfaceAnalysis analysis = run_surface_analysis(command, bar.callback());
   bar.erase();
+  say_notes(command.mesh, analysis.mesh_notes, common.quiet);
   print(common.json ? to_json(analysis) + '\n' : to_text(analysis));
   return ExitStatus::done;
 }

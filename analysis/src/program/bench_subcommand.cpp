@@ -95,6 +95,7 @@ ExitStatus scaling(const BenchOptions& options, const CommonOptions& common) {
   const ScalingReport report = run_scaling(command, bar.callback());
   if (!options.chart.empty()) write_text(options.chart, scaling_chart(report));
   bar.erase();
+  say_notes(command.input, report.notes, common.quiet);
   print(common.json ? to_json(report) + '\n' : to_text(report));
   return ExitStatus::done;
 }
@@ -117,6 +118,7 @@ ExitStatus bench(const BenchOptions& options, const CommonOptions& common) {
   if (command.curves)
     write_text(options.curves, curves_chart(report.curves, command.input.filename().string()));
   bar.erase();
+  say_notes(command.input, report.notes, common.quiet);
   print(common.json ? to_json(report) + '\n' : to_text(report));
   return ExitStatus::done;
 }

@@ -47,6 +47,7 @@ ExitStatus conformance(const ConformanceOptions& options, const CommonOptions& c
   ProgressBar bar(!common.quiet);
   const ConformanceReport report = run_conformance(command, bar.callback());
   bar.erase();
+  say_notes(command.input, report.notes, common.quiet);
   print(common.json ? to_json(report) + '\n' : to_text(report));
   return report.score.conforms() ? ExitStatus::done : ExitStatus::undecided;
 }

@@ -76,15 +76,13 @@ ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& co
   ProgressBar bar(!common.quiet);
   const ExtractReport report = run_extract(command, bar.callback());
   bar.erase();
-  if (!common.quiet) {
-    for (const std::string& note : report.notes) {
-      std::cerr << "tensortopo: " << report.input.string() << ": " << note << '\n';
-    }
-  }
+  say_notes(report.input, report.notes, common.quiet);
   const std::string unresolved = unresolved_line(report);
   if (!unresolved.empty()) {
+    const std::string advice = common.quiet ? "" : unresolved_advice(report);
     std::cerr << "tensortopo: " << report.input.string() << ": " << unresolved
-              << (report.written ? "" : "; nothing written") << '\n';
+              << (report.written ? "" : "; nothing written") << (advice.empty() ? "" : "; ")
+              << advice << '\n';
   }
   print(common.json ? to_json(report) + '\n' : to_text(report));
   std::size_t farther = 0;

@@ -56,9 +56,7 @@ ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand
   ProgressBar bar(!common.quiet);
   const InvariantReport report = run_invariant_extract(own, bar.callback());
   bar.erase();
-  if (!common.quiet)
-    for (const std::string& note : report.notes)
-      std::cerr << "tensortopo: " << report.input.string() << ": " << note << '\n';
+  say_notes(report.input, report.notes, common.quiet);
   const std::string unresolved = unresolved_line(report);
   if (!unresolved.empty())
     std::cerr << "tensortopo: " << report.input.string() << ": " << unresolved

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -60,9 +59,8 @@ ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
   const RenderReport report = run_render(command, bar.callback());
   bar.erase();
   const std::string output = command.output.string();
-  if (!common.quiet)
-    for (const std::string& note : report.notes)
-      std::cerr << "tensortopo: " << options.input.string() << ": " << note << '\n';
+  if (command.mesh) say_notes(*command.mesh, report.mesh_notes, common.quiet);
+  say_notes(options.input, report.notes, common.quiet);
   if (common.json) {
     nlohmann::ordered_json json{{"output", {{"path", output}, {"bytes", report.bytes}}},
                                 {"width", report.width},

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <iostream>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -15,6 +18,14 @@ namespace tensortopo {
 inline void print(std::string_view text) {
   std::cout << text << std::flush;
   if (!std::cout) throw IoError(IoError::Kind::unwritable, "standard output", "cannot write");
+}
+
+/// Says, unless it is to be quiet, what there is to say of a file; a line each.
+inline void say_notes(const std::filesystem::path& file, const std::vector<std::string>& notes,
+                      bool quiet) {
+  if (quiet) return;
+  for (const std::string& note : notes)
+    std::cerr << "tensortopo: " << file.string() << ": " << note << '\n';
 }
 
 /// Says, unless it is to be quiet, how much a certificate leaves undecided. False if nothing.

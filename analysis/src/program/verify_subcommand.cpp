@@ -41,6 +41,7 @@ void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& act
       ProgressBar bar(!common.quiet);
       const VerifyReport report = run_verify(*command, bar.callback());
       bar.erase();
+      if (report.mesh) say_notes(report.mesh->file, report.mesh->notes, common.quiet);
       print(common.json ? to_json(report) + '\n' : to_text(report));
       return report.all_established() ? ExitStatus::done : ExitStatus::undecided;
     };

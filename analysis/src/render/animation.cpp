@@ -16,10 +16,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "temporary_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/temporary_folder.hpp"
 #include "tensortopo/io/write_text.hpp"
 #include "tensortopo/scalar/rational.hpp"
 
@@ -125,8 +125,8 @@ std::size_t write_film(const std::filesystem::path& file,
   };
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) fail("cannot make a pipe for ffmpeg");
-  const TemporaryFolder folder;
-  const std::filesystem::path made = folder / file.filename();
+  TemporaryFolder folder;
+  const std::filesystem::path made = folder.file(file.filename());
   const pid_t child = fork();
   if (child == 0) become_ffmpeg(ends[0], made);
   close(ends[0]);

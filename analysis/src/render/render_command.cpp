@@ -143,6 +143,7 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
   if (progress) progress("reading", 0);
   RenderSubject subject(command);
   RenderReport report;
+  report.mesh_notes = subject.mesh_notes();
   const std::size_t count = command.frames.empty() ? 1 : command.frames.size();
   std::vector<std::string> pictures;
   try {

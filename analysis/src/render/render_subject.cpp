@@ -75,7 +75,9 @@ std::string missed_note(const ModeValue& mode, std::int64_t tet, double beyond) 
 
 RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
   if (command.mesh) {
-    mesh_ = read_mesh(*command.mesh, command.read).mesh;
+    ReadResult read = read_mesh(*command.mesh, command.read);
+    mesh_ = std::move(read.mesh);
+    mesh_notes_ = std::move(read.report.notes);
     if (command.tet) {
       tet_ = place_of_cell(mesh_, *command.tet);
     } else {

@@ -5,6 +5,7 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <string>
 #include <vector>
 
 #include "render/render_command.hpp"
@@ -17,6 +18,9 @@ class RenderSubject {
   /// Reads the files. Throws UsageError (no such tetrahedron), IoError.
   explicit RenderSubject(const RenderCommand& command);
 
+  /// What there is to say of reading the mesh.
+  const std::vector<std::string>& mesh_notes() const { return mesh_notes_; }
+
   /// One picture; adds to the report's modes and notes. Needs a display. Throws IoError where a
   /// tetrahedron has no manifold, std::runtime_error where nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture(const std::vector<ModeValue>& modes, RenderReport& report);
@@ -27,6 +31,7 @@ class RenderSubject {
 
   const RenderCommand& command_;
   TetMesh mesh_;
+  std::vector<std::string> mesh_notes_;
   std::vector<Sheet> sheets_;
   vtkSmartPointer<vtkPolyData> domain_;
   std::size_t tet_ = 0;

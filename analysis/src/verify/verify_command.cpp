@@ -76,6 +76,7 @@ VerifyReport run_verify(const VerifyCommand& command, const Progress& progress) 
     report.mesh = strata_of(*mesh, progress);
     report.mesh->file = command.input;
     report.mesh->sha256 = std::move(read.sha256);
+    report.mesh->notes = std::move(read.report.notes);
     trials = mesh_trials(mesh, command.seed, command.fields);
   }
   std::vector<const theory::Statement*> chosen;

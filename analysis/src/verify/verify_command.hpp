@@ -29,6 +29,7 @@ struct VerifyCommand {
 struct MeshStrata {
   std::filesystem::path file;
   std::string sha256;
+  std::vector<std::string> notes;  ///< of reading
   std::size_t tetrahedra = 0;
   std::array<std::size_t, 5> of_rank{};
   std::size_t with_zero_vertex = 0;

@@ -85,7 +85,7 @@ class Assembly {
     const auto& vertices = refinement_.vertices();
     constexpr std::array<std::array<std::size_t, 3>, 3> edges{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
     for (std::size_t e = 0; e < 3; ++e) {
-      const auto [a, b, opposite] = edges[e];
+      const std::size_t a = edges[e][0], b = edges[e][1], opposite = edges[e][2];
       std::vector<std::uint32_t> on_edge;
       for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
         const auto &u = vertices[nodes_[n].first], &v = vertices[nodes_[n].second];

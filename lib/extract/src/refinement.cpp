@@ -61,11 +61,12 @@ std::uint64_t face_key(std::uint32_t u, std::uint32_t v, std::uint32_t w) {
   return std::uint64_t{least} << 42 | std::uint64_t{between} << 21 | largest;
 }
 
-template <class Scalar, std::size_t Vertices>
-std::array<RefinementVertex<Scalar, Vertices>, Vertices> corners_of(
+/// The first vertices of a simplex.
+template <std::size_t Corners, class Scalar, std::size_t Vertices>
+std::array<RefinementVertex<Scalar, Vertices>, Corners> corners_of(
     const LevelSimplex<Scalar, Vertices>& simplex) {
-  std::array<RefinementVertex<Scalar, Vertices>, Vertices> corners;
-  for (std::size_t i = 0; i < Vertices; ++i) {
+  std::array<RefinementVertex<Scalar, Vertices>, Corners> corners;
+  for (std::size_t i = 0; i < Corners; ++i) {
     corners[i].place = ExactWeights<Vertices>::at_corner(i);
     corners[i].weights = corners[i].place.values();
     corners[i].tensor = simplex.tensors[i];
@@ -102,14 +103,14 @@ template <class Scalar, std::size_t Vertices, std::size_t Corners>
 Refinement<Scalar, Vertices, Corners>::Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
                                                   const Level<Scalar>& level) requires(Vertices ==
                                                                                        Corners) {
-  reset(simplex, level);
+  reset(simplex, level, corners_of<Corners>(simplex));
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Vertices>& simplex,
                                                   const Level<Scalar>& level) requires(Vertices ==
                                                                                        Corners) {
-  reset(simplex, level, corners_of(simplex));
+  reset(simplex, level, corners_of<Corners>(simplex));
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>

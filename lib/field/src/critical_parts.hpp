@@ -157,8 +157,4 @@ inline IntervalTensor enclosure(const Deviator<Rational>& t) {
   return {enclosure(t.a), enclosure(t.b), enclosure(t.xy), enclosure(t.yz), enclosure(t.xz)};
 }
 
-inline Deviator<Rational> exact(const SymmetricTensor<double>& t) {
-  return deviator(tensor_cast<Rational>(t));
-}
-
 }  // namespace tensortopo::detail

@@ -46,7 +46,7 @@ Saddle saddle_in_rationals(const std::array<SymmetricTensor<double>, 4>& given,
   Saddle saddle;
   TetrahedronField<Rational> field;
   for (std::size_t i = 0; i < 4; ++i) {
-    field.vertex[i] = exact(given[i]);
+    field.vertex[i] = deviator(tensor_cast<Rational>(given[i]));
   }
   const auto n = normalized(characteristic_direction(field));
   const Rational p = norm_form(n), q = determinant_form(n);

@@ -39,7 +39,7 @@ class FaceSearch {
   /// The same in rationals, for tensors that are independent.
   void prepare_in_rationals() {
     std::array<Deviator<Rational>, 3> t;
-    for (std::size_t i = 0; i < 3; ++i) t[i] = exact(given_[i]);
+    for (std::size_t i = 0; i < 3; ++i) t[i] = deviator(tensor_cast<Rational>(given_[i]));
     const auto across = [](const std::array<Deviator<Rational>, 4>& four) {
       return tensortopo::detail::normalized(
           characteristic_direction(TetrahedronField<Rational>{four}));

@@ -15,14 +15,10 @@ namespace {
 using Tensors = std::array<SymmetricTensor<double>, 4>;
 
 template <class Scalar>
-Deviator<Scalar> deviator_of(const SymmetricTensor<double>& t) {
-  return deviator(tensor_cast<Scalar>(t));
-}
-
-template <class Scalar>
 TetrahedronField<Scalar> field_of(const Tensors& tensors) {
-  return {{deviator_of<Scalar>(tensors[0]), deviator_of<Scalar>(tensors[1]),
-           deviator_of<Scalar>(tensors[2]), deviator_of<Scalar>(tensors[3])}};
+  TetrahedronField<Scalar> field;
+  for (std::size_t i = 0; i < 4; ++i) field.vertex[i] = deviator(tensor_cast<Scalar>(tensors[i]));
+  return field;
 }
 
 // The axial vector of the antisymmetric matrix S T - T S: zero if they commute.

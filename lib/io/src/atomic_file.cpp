@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "noted_names.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/io_error.hpp"
 
@@ -29,23 +30,6 @@ void write_all(int descriptor, std::string_view bytes) {
   }
 }
 
-/// Names of temporary files, for a handler that may interrupt anything: entries are never changed
-/// but for the flag, nor freed.
-struct Noted {
-  std::string path;
-  std::atomic<bool> exists{true};
-  Noted* next = nullptr;
-};
-std::atomic<Noted*> noted{nullptr};
-
-Noted* note(const std::filesystem::path& path) {
-  auto* const entry = new Noted{path.string()};
-  entry->next = noted.load();
-  while (!noted.compare_exchange_weak(entry->next, entry)) {
-  }
-  return entry;
-}
-
 /// A file of a fresh name beside another, removed unless it is kept.
 class Temporary {
  public:
@@ -55,11 +39,11 @@ class Temporary {
       path_ = beside.parent_path() / (".tensortopo-" + std::to_string(getpid()) + "-" +
                                       std::to_string(counter++) + ".tmp");
       // Noted first: a signal may come as soon as the file is there.
-      noted_ = note(path_);
+      noted_ = note(path_, NotedKind::file);
       descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor_ >= 0) break;
       const int error = errno;
-      noted_->exists = false;
+      forget(noted_);
       if (error != EEXIST || tries == 1000) fail(error);
     }
   }
@@ -67,7 +51,7 @@ class Temporary {
     if (descriptor_ >= 0) ::close(descriptor_);
     std::error_code ignored;
     if (!path_.empty()) std::filesystem::remove(path_, ignored);
-    noted_->exists = false;
+    forget(noted_);
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
@@ -165,11 +149,6 @@ void FileGroup::commit() {
     }
   }
   files_->files.clear();
-}
-
-void remove_unfinished_files() noexcept {
-  for (auto* entry = detail::noted.load(); entry != nullptr; entry = entry->next)
-    if (entry->exists) unlink(entry->path.c_str());
 }
 
 }  // namespace tensortopo

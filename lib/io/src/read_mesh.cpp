@@ -45,16 +45,21 @@ std::vector<RawGrid> read_pieces(const std::shared_ptr<const InputFile>& index, 
   return grids;
 }
 
-std::vector<RawGrid> read_grids(const std::filesystem::path& path, std::string& sha256) {
+std::vector<RawGrid> read_grids(const std::filesystem::path& path, bool for_certificate,
+                                std::string& sha256) {
   const std::string extension = lower_extension(path);
   if (extension != ".vtu" && extension != ".pvtu" && extension != ".vtk")
     throw IoError(IoError::Kind::invalid, path,
                   "has the unknown extension \"" + extension + "\"; known are .vtu, .pvtu, .vtk");
+  if (for_certificate && extension == ".pvtu")
+    throw IoError(IoError::Kind::inapplicable, path,
+                  "names files of pieces, but a certificate is about the numbers in one file as "
+                  "they are; merge them into one .vtu");
   const auto file = load(path);
   Sha256 sum;
   sum.add(file->bytes);
   std::vector<RawGrid> grids;
-  if (extension == ".vtu") grids = read_vtu(file);
+  if (extension == ".vtu") grids = read_vtu(file, for_certificate);
   if (extension == ".pvtu") grids = read_pieces(file, sum);
   if (extension == ".vtk") grids.push_back(read_legacy(file));
   sha256 = sum.hex();
@@ -102,7 +107,7 @@ SplitCells read_unchecked(const std::filesystem::path& file, const ReadOptions& 
                           ReadResult& result) {
   TetMesh& mesh = result.mesh;
   ReadReport& report = result.report;
-  std::vector<RawGrid> grids = read_grids(file, result.sha256);
+  std::vector<RawGrid> grids = read_grids(file, options.for_certificate, result.sha256);
 
   const TensorChoice choice = choose_tensor(grids, options);
   report.tensor_name = choice.name;

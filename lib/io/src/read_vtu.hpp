@@ -11,7 +11,9 @@
 namespace tensortopo::detail {
 
 /// The pieces of a .vtu file. Throws IoError.
-std::vector<RawGrid> read_vtu(const std::shared_ptr<const InputFile>& file);
+/// @param for_certificate  as in ReadOptions
+std::vector<RawGrid> read_vtu(const std::shared_ptr<const InputFile>& file,
+                              bool for_certificate = false);
 
 /// The files that a .pvtu file names, resolved against its folder. Throws IoError.
 std::vector<std::filesystem::path> read_pvtu(const std::shared_ptr<const InputFile>& file);

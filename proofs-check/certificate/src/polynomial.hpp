@@ -34,10 +34,11 @@ struct Monomials {
     }
     return result;
   }
+  static constexpr std::array<Exponents, kCount> kTable = table();
+
   static constexpr std::size_t index(const Exponents& e) {
-    constexpr auto all = table();
     std::size_t n = 0;
-    while (n < kCount && all[n] != e) ++n;
+    while (n < kCount && kTable[n] != e) ++n;
     return n;
   }
 
@@ -58,8 +59,8 @@ namespace detail {
 
 template <std::size_t V, std::size_t D, std::size_t E>
 constexpr auto product_table() {
-  constexpr auto a = Monomials<V, D>::table();
-  constexpr auto b = Monomials<V, E>::table();
+  constexpr auto a = Monomials<V, D>::kTable;
+  constexpr auto b = Monomials<V, E>::kTable;
   std::array<std::array<unsigned char, b.size()>, a.size()> result{};
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
@@ -74,7 +75,7 @@ constexpr auto product_table() {
 /// Where the derivative of a monomial by each variable is; meaningless where that is zero.
 template <std::size_t V, std::size_t D>
 constexpr auto derivative_table() {
-  constexpr auto a = Monomials<V, D>::table();
+  constexpr auto a = Monomials<V, D>::kTable;
   std::array<std::array<unsigned char, V>, a.size()> result{};
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < V; ++j) {
@@ -121,7 +122,7 @@ Polynomial<N, V, D> operator-(Polynomial<N, V, D> p, const Polynomial<N, V, D>& 
 /// The derivative along d.
 template <class N, std::size_t V, std::size_t D>
 Polynomial<N, V, D - 1> derivative(const Polynomial<N, V, D>& p, const std::array<int, V>& d) {
-  static constexpr auto exponents = Monomials<V, D>::table();
+  static constexpr auto exponents = Monomials<V, D>::kTable;
   static constexpr auto places = detail::derivative_table<V, D>();
   Polynomial<N, V, D - 1> result;
   for (std::size_t i = 0; i < p.kCount; ++i)

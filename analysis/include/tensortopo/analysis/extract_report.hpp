@@ -89,4 +89,8 @@ std::string to_text(const ExtractReport& report);
 /// "12 of 7200 tetrahedra unresolved (10 budget_exhausted, ...)"; empty if there are none.
 std::string unresolved_line(const ExtractReport& report);
 
+/// Where tetrahedra are unresolved because the mode is constant on edges, on faces or in them: what
+/// one can ask for instead. Empty if there are none of these.
+std::string unresolved_advice(const ExtractReport& report);
+
 }  // namespace tensortopo

@@ -169,8 +169,10 @@ BarycentricPolynomial<Scalar, Variables, D1 + D2> operator*(
     const BarycentricPolynomial<Scalar, Variables, D1>& p,
     const BarycentricPolynomial<Scalar, Variables, D2>& q) {
   BarycentricPolynomial<Scalar, Variables, D1 + D2> product;
+  constexpr std::size_t terms = BarycentricPolynomial<Scalar, Variables, D1>::size *
+                                BarycentricPolynomial<Scalar, Variables, D2>::size;
   // Few terms of a small number: each sum in a register. The order of the terms is the same.
-  if constexpr (std::is_trivially_copyable_v<Scalar> && p.size * q.size <= 64) {
+  if constexpr (std::is_trivially_copyable_v<Scalar> && terms <= 64) {
     [&]<std::size_t... k>(std::index_sequence<k...>) {
       ((product.coefficients[k] =
             detail::product_coefficient<Variables, D1, D2, k>(p.coefficients, q.coefficients)),

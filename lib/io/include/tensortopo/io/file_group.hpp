@@ -35,8 +35,8 @@ class FileGroup {
   Bond bond_;
 };
 
-/// Removes all files of temporary names that this process is writing, for the handler of a signal
-/// that ends it: makes nothing but system calls.
+/// Removes all files of temporary names that this process is writing, and its temporary folders
+/// (`TemporaryFolder`), for the handler of a signal that ends it: makes nothing but system calls.
 void remove_unfinished_files() noexcept;
 
 }  // namespace tensortopo

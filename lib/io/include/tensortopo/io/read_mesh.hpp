@@ -33,6 +33,9 @@ struct ReadOptions {
   bool cell_to_point = false;
   /// Split other linear 3D cells into tetrahedra.
   bool tetrahedralize = false;
+  /// Refuse (inapplicable), before any array is read, what the checker of certificates does not
+  /// read: several pieces, in one file or in several, and arrays compressed with LZ4 or LZMA.
+  bool for_certificate = false;
 };
 
 /// Faces of cells that lie on faces of others without being shared: the mesh is torn there, and so

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+
+namespace tensortopo {
+
+/// Reads the field of an extraction, and says in the report what there is to say of it. Throws
+/// IoError, also for what a certificate that is asked for cannot be about, and if the command is
+/// strict for a torn mesh.
+template <class Command, class Report>
+ReadResult read_field(const Command& command, Report& report) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  ReadOptions options = command.read;
+  options.for_certificate = !command.certificate.empty();
+  ReadResult read = read_mesh(command.input, options);
+  report.seconds_read = std::chrono::duration<double>(Clock::now() - start).count();
+  report.sha256 = read.sha256;
+  report.tensor_name = read.report.tensor_name;
+  report.notes = read.report.notes;
+  report.torn_faces = read.report.torn_faces;
+  report.vertices = read.mesh.points.size();
+  report.tetrahedra = read.mesh.tets.size();
+  if (command.strict && report.torn_faces.count > 0)
+    throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
+  return read;
+}
+
+}  // namespace tensortopo
