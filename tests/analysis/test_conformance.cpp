@@ -85,6 +85,20 @@ TEST_F(Conformance, FindsNothingWrongWithOurOwnSurface) {
   }
 }
 
+// Rounded to float32, a triangle that is nearly along an edge of the mesh meets it elsewhere.
+TEST(ConformanceOfAField, FindsNothingWrongWithOurOwnSurfaceInFloat32) {
+  const Folder folder;
+  const std::string surface = folder / "s.stl", mesh = field("s4_slab");
+  ASSERT_EQ(run_program({"extract", mesh, "-o", surface, "--mode", "-9/10"}).status, 0);
+  const Outcome outcome = run_program(
+      {"conformance", "--surface", surface, "--input", mesh, "--mode", "-9/10", "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Json crossings = Json::parse(outcome.out)["crossings"];
+  EXPECT_EQ(crossings["extra"], 0);
+  EXPECT_EQ(crossings["missed"], 0);
+  EXPECT_LE(crossings["unclear_edges"], 1);
+}
+
 TEST_F(Conformance, FindsAMissingComponent) {
   SurfaceMesh surface = right;
   surface.triangles.clear();
