@@ -158,7 +158,7 @@ std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool g
     add(mode);
     if (generalized) add(mode.opposite());
   }
-  if (result.empty()) throw UsageError("no mode given");
+  if (result.empty()) throw UsageError("no mode given (--mode)");
   return result;
 }
 
