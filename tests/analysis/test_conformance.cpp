@@ -116,10 +116,13 @@ TEST_F(Conformance, FindsAMissingComponent) {
 TEST_F(Conformance, FindsEverythingMissing) {
   SurfaceMesh surface = right;
   surface.triangles.clear();
-  const Json json = score(surface);
-  EXPECT_EQ(json["components"]["missed"].size(), known.parts.size());
-  EXPECT_EQ(json["crossings"]["missed"], json["crossings"]["truth"]);
-  EXPECT_TRUE(json["distance"]["sampled_from_truth"].is_null());
+  surface.points.clear();
+  for (const char* extension : {".vtp", ".ply", ".obj", ".stl"}) {
+    const Json json = score(surface, extension);
+    EXPECT_EQ(json["components"]["missed"].size(), known.parts.size()) << extension;
+    EXPECT_EQ(json["crossings"]["missed"], json["crossings"]["truth"]) << extension;
+    EXPECT_TRUE(json["distance"]["sampled_from_truth"].is_null()) << extension;
+  }
 }
 
 TEST_F(Conformance, FindsAHole) {
