@@ -158,7 +158,7 @@ std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool g
     add(mode);
     if (generalized) add(mode.opposite());
   }
-  if (result.empty()) throw UsageError("no mode given");
+  if (result.empty()) throw UsageError("no mode given (--mode)");
   return result;
 }
 
@@ -250,14 +250,14 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     }
     Extraction extraction;
     std::optional<CertifiedLevel> level;
-    std::size_t tets_farther = 0;
+    std::vector<TetMesh::Index> farther;
     if (command.other) {
       extraction = other(read.mesh, modes[i]);
     } else if (command.max_error > 0) {
       auto within = extract_within(read.mesh, modes[i], command.max_error, options);
       extraction = std::move(within.extraction);
       level = std::move(within.level);
-      tets_farther = within.farther.size();
+      farther = std::move(within.farther);
     } else {
       using Use = PreparedField<double>::Use;
       if (!prepared)
@@ -286,7 +286,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       report.surfaces.back().distance_bound =
           distance.coarse.empty() ? distance.bound
                                   : std::max(distance.bound, distance.coarse_bound);
-      report.surfaces.back().tets_farther = tets_farther;
+      report.surfaces.back().tets_farther = farther.size();
+      if (!farther.empty())
+        report.surfaces.back().first_farther =
+            read.mesh.cell_ids[static_cast<std::size_t>(farther.front())];
     }
     if (certifying) certified.push_back(std::move(*level));
     append_surface(surface, std::move(extraction.surface));

@@ -169,6 +169,20 @@ TEST(ExtractFailures, AnUnresolvedTetrahedronIsNamedAndTheRestIsWritten) {
   EXPECT_GT(report["surfaces"][0]["triangles"], 0);
 }
 
+TEST(ExtractFailures, ADistanceThatIsNotProvedIsSaidWithAMode) {
+  const Folder folder;
+  const std::string out = folder / "s.vtp", mesh = std::string(TENSORTOPO_SUITE) + "/linear.vtu";
+  const Outcome run = run_program({"extract", mesh, "-o", out, "--mode", "9/10", "--mode", "-9/10",
+                                   "--max-error", "0.5", "--json"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  for (const auto& surface : nlohmann::json::parse(run.out)["surfaces"]) {
+    const int count = surface["tets_farther"];
+    const std::string begin = out + ": mode " + surface["mode_exact"].get<std::string>() + ": in " +
+                              std::to_string(count) + " tetrahedra (the first is cell ";
+    EXPECT_EQ(run.err.find(begin) != std::string::npos, count > 0) << begin << "\n" << run.err;
+  }
+}
+
 TEST(ExtractFailures, AVertexWithoutDeviatorIsNoFailureAndIsCounted) {
   const Folder folder;
   const std::string file = mesh_with_a_zero(folder, "\n7 0 0  0 7 0  0 0 7");

@@ -71,6 +71,16 @@ TEST(Generate, GivesTheSameTruthForAnyNumberOfThreads) {
   EXPECT_EQ(contents(folder / "a.reference.json"), points);
 }
 
+TEST(Generate, RepeatedModesCountOnce) {
+  const Folder folder;
+  const Json report = generated({"linear", "-o", folder / "a.vtu", "--mode", "0.5", "--mode", "0",
+                                 "--mode", "1/2", "--no-reference"});
+  ASSERT_EQ(report["files"][0]["levels"].size(), 2u);
+  EXPECT_EQ(report["files"][0]["levels"][0]["mode"], "1/2");
+  EXPECT_EQ(report["files"][0]["levels"][1]["mode"], "0");
+  EXPECT_EQ(Json::parse(contents(folder / "a.truth.json"))["levels"].size(), 2u);
+}
+
 TEST(Generate, TellsTheTruth) {
   const Folder folder;
   generated(

@@ -36,6 +36,22 @@ TEST(RenderModes, DrawsWhatAnExtractedFileHolds) {
   EXPECT_NE(contents(folder / "smooth.png"), contents(folder / "minor.png"));
 }
 
+TEST(RenderModes, RepeatedModesAreDrawnOnce) {
+  const Folder folder;
+  const std::string mesh = std::string(TENSORTOPO_SUITE) + "/linear.vtu";
+  const auto draw = [&](const std::string& name, std::vector<std::string> modes) {
+    std::vector<std::string> words{"render", mesh,          "--size", "150x100",
+                                   "-o",     folder / name, "--json"};
+    words.insert(words.end(), modes.begin(), modes.end());
+    const Outcome run = run_program(words);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(nlohmann::json::parse(run.out)["modes"], nlohmann::json({0.5}));
+  };
+  draw("one.png", {"--mode", "1/2"});
+  draw("two.png", {"--mode", "0.5", "--mode", "1/2"});
+  EXPECT_TRUE(contents(folder / "one.png") == contents(folder / "two.png"));
+}
+
 TEST(RenderModes, DrawsCurvesBesideATexture) {
   const Folder folder;
   const std::string mesh = field("s4_slab");

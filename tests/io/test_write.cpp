@@ -354,6 +354,16 @@ TEST(Write, ThroughALinkReplacesItsTarget) {
   EXPECT_EQ(slurp(target), "new");
 }
 
+TEST(Write, ThroughALinkToNowhereMakesItsTarget) {
+  const auto target = temporary("not_yet.json"), link = temporary("early.json");
+  std::filesystem::remove(target);
+  std::filesystem::remove(link);
+  std::filesystem::create_symlink("not_yet.json", link);
+  write_text(link, "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(slurp(target), "new");
+}
+
 TEST(Write, LeavesADeviceADevice) {
   write_text("/dev/null", "gone");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));

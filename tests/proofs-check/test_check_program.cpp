@@ -86,6 +86,17 @@ TEST(CheckProgram, SaysInWordsWhatIsNoCertificate) {
   }
 }
 
+TEST(CheckProgram, NamesTheFileThatIsWrong) {
+  const Folder folder;
+  const CertifiedSurface s = small_surface(folder);
+  Json forged = s.certificate;
+  forged["input"]["components"] = "nye";
+  const std::string file = s.write(forged);
+  const Outcome run = run_program({"check", s.input(), s.surface(), file});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_TRUE(run.err.starts_with("tensortopo: " + file + ": /input/components: ")) << run.err;
+}
+
 TEST(CheckProgram, CertifiesSheetsDrawnAsGraphs) {
   const Folder folder;
   const std::vector<std::string> files{field("s4_slab"), folder / "s.vtp", folder / "c.json"};

@@ -301,7 +301,7 @@ std::size_t threads_in_use() {
 
 BenchReport run_bench(const BenchCommand& command, const Progress& progress) {
   if (command.repeat < kFewest) throw UsageError("--repeat: must be at least 5");
-  if (command.modes.empty()) throw UsageError("no mode given");
+  if (command.modes.empty()) throw UsageError("no mode given (--mode)");
   if (progress) progress("reading", 0);
   const ReadResult read = read_mesh(command.input, command.read);
   BenchReport report = Bench(command, read.mesh, progress).run();

@@ -119,7 +119,7 @@ ScalingReport run_scaling(const ScalingCommand& command, const Progress& progres
   if (command.repeat < 5) throw UsageError("--repeat: must be at least 5");
   const bool over_size = command.over == ScalingOver::size;
   if (command.modes.empty() && (over_size || command.over == ScalingOver::threads))
-    throw UsageError("no mode given");
+    throw UsageError("no mode given (--mode)");
   if (over_size && command.largest < 10'000)
     throw UsageError("--largest: must be at least 10000");
   if (!over_size && command.input.empty()) throw UsageError("--input is required");

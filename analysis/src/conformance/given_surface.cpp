@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <set>
 #include <tuple>
@@ -82,6 +83,15 @@ SurfaceMesh read_with(const std::filesystem::path& file, Reader& reader) {
   return surface;
 }
 
+// A binary .stl of no triangles: a header and a count. VTK's readers take it, and an .obj of no
+// lines, for no surfaces.
+bool is_empty_stl(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 85> bytes{};
+  stream.read(bytes.data(), bytes.size());
+  return stream.gcount() == 84 && std::all_of(&bytes[80], &bytes[84], [](char c) { return c == 0; });
+}
+
 // Zeros of both signs are one place.
 Place place_of(const Vector3<double>& p, double distance) {
   if (distance > 0)
@@ -115,8 +125,10 @@ SurfaceMesh read_triangles(const std::filesystem::path& file) {
   const auto extension = file.extension();
   if (extension == ".vtp") return read_with(file, *vtkNew<vtkXMLPolyDataReader>());
   if (extension == ".ply") return read_with(file, *vtkNew<vtkPLYReader>());
+  if (extension == ".obj" && std::filesystem::file_size(file) == 0) return {};
   if (extension == ".obj") return read_with(file, *vtkNew<vtkOBJReader>());
   if (extension == ".stl") {
+    if (is_empty_stl(file)) return {};
     vtkNew<vtkSTLReader> reader;
     reader->MergingOff();
     return read_with(file, *reader);

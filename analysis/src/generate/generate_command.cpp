@@ -109,7 +109,7 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
 
   References references;
   references.points = nlohmann::ordered_json::array();
-  const auto& modes = command.modes.empty() ? member.modes : command.modes;
+  const auto modes = modes_to_extract(command.modes.empty() ? member.modes : command.modes, false);
   for (const ModeValue& mode : modes)
     truth.levels.push_back(truth_of(sheet, mode, command, field, references));
   if (!references.points.empty()) {

@@ -13,6 +13,7 @@
 #include "program/read_options.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
+#include "short_text.hpp"
 #include "tensortopo/analysis/baseline.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -85,14 +86,17 @@ ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& co
               << advice << '\n';
   }
   print(common.json ? to_json(report) + '\n' : to_text(report));
-  std::size_t farther = 0;
-  for (const SurfaceReport& surface : report.surfaces) farther += surface.tets_farther;
-  if (farther > 0) {
+  bool is_farther = false;
+  for (const SurfaceReport& surface : report.surfaces) {
+    if (!surface.first_farther) continue;
+    is_farther = true;
     if (!common.quiet)
-      std::cerr << "tensortopo: " << report.output.string() << ": in " << farther
-                << " tetrahedra the distance to the level is not proved to be below --max-error\n";
-    return ExitStatus::undecided;
+      std::cerr << "tensortopo: " << report.output.string() << ": mode " << short_text(surface.mode)
+                << ": in " << surface.tets_farther << " tetrahedra (the first is cell "
+                << *surface.first_farther
+                << ") the distance to the level is not proved to be below --max-error\n";
   }
+  if (is_farther) return ExitStatus::undecided;
   if (say_undecided(report.certificate, common.quiet)) return ExitStatus::undecided;
   return command.strict && !unresolved.empty() ? ExitStatus::undecided : ExitStatus::done;
 }

@@ -15,6 +15,7 @@
 #include "program/subcommands.hpp"
 #include "render/animation.hpp"
 #include "render/render_command.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 
 namespace tensortopo {
@@ -44,6 +45,7 @@ RenderCommand command_of(const RenderOptions& options) {
   if (!options.view.empty()) parse_view(options.view, command.view);
   if (!options.focus.empty()) parse_focus(options.focus, command.view);
   command.modes = parse_modes(options.modes);
+  if (!command.modes.empty()) command.modes = modes_to_extract(command.modes, false);
   if (!options.invariant.invariant.empty()) command.levels = levels_of(options.invariant);
   command.pieces = options.invariant.pieces;
   if (!options.animation.empty()) command.frames = parse_animation(options.animation);
@@ -108,7 +110,9 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
       ->allow_extra_args(false);
   reads(common, app.add_option("--mesh", options->mesh, "The mesh, drawn as an outline"))
       ->type_name("FILE");
-  app.add_option("--size", options->size, "Pixels (default: 1600x1200)")->type_name("WIDTHxHEIGHT");
+  app.add_option("--size", options->size,
+                 "Pixels (default: 1600x1200; with --tet by the number of panels)")
+      ->type_name("WIDTHxHEIGHT");
   app.add_option("--view", options->view,
                  "Where to look from, in degrees: right of the front, above the horizon "
                  "(default: 30,22)")

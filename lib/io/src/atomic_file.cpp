@@ -84,6 +84,15 @@ void write_in_place(const std::filesystem::path& file, std::string_view bytes) {
   if (close(descriptor) != 0) fail(errno);
 }
 
+/// Where a chain of links that ends at nothing leads to.
+std::filesystem::path end_of_links(std::filesystem::path file) {
+  for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(file)); ++links) {
+    if (links == 40) fail(ELOOP);
+    file = file.parent_path() / std::filesystem::read_symlink(file);
+  }
+  return file;
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::error_code& why) {
   throw IoError(IoError::Kind::unwritable, file, "cannot be written: " + why.message());
 }
@@ -113,8 +122,8 @@ void write_atomically(const std::filesystem::path& file, std::string_view bytes)
     const fs::file_status status = fs::status(file);
     if (fs::is_directory(status)) fail(EISDIR);
     if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(file, bytes);
-    // A link stays one: its target is replaced.
-    const fs::path target = fs::exists(status) ? fs::canonical(file) : file;
+    // A link stays one: its target is replaced, or made.
+    const fs::path target = fs::exists(status) ? fs::canonical(file) : end_of_links(file);
     UnfinishedFiles alone;
     UnfinishedFiles& group = current_group != nullptr ? *current_group : alone;
     group.files.emplace_back(file, target);

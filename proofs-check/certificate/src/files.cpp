@@ -139,7 +139,8 @@ Input read_input(const std::string& name, const std::string& tensor,
       {"full", {0, 4, 8, 1, 5, 2}}};
   const Named file{name};
   const auto order = orders.find(components);
-  if (order == orders.end()) file.fail("unknown order of components");
+  if (order == orders.end())  // the certificate's fault, not this file's
+    throw Malformed("", "/input/components: unknown order of components");
   const std::size_t width = components == "full" ? 9 : 6;
   const Grid grid =
       is_legacy(name) ? read_legacy_grid(name, tensor, width) : read_xml_grid(name, tensor, width);
