@@ -67,6 +67,7 @@ Json statistics_json(const ExtractStatistics& s) {
           {"sheets_manifold", s.sheets_manifold},
           {"sheets_dominant", s.sheets_dominant},
           {"sheets_leaves", s.sheets_leaves},
+          {"sheets_rims", s.sheets_rims},
           {"tets_nearby", s.tets_nearby},
           {"vertices_on_level", s.vertices_on_level},
           {"tets_coned", s.tets_coned},

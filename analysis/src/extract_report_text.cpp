@@ -44,6 +44,7 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.sheets_manifold += s.sheets_manifold;
     total.sheets_dominant += s.sheets_dominant;
     total.sheets_leaves += s.sheets_leaves;
+    total.sheets_rims += s.sheets_rims;
     total.tets_nearby += s.tets_nearby;
     total.vertices_on_level += s.vertices_on_level;
     total.tets_coned += s.tets_coned;
@@ -127,6 +128,10 @@ std::string to_text(const ExtractReport& report) {
     fmt::format_to(out,
                    "critical mode: {} tetrahedra drawn at one next to it, of the same topology\n",
                    total.tets_nearby);
+  }
+  if (total.sheets_rims > 0) {
+    fmt::format_to(out, "drawn between their rims, without a vertex inside: {} sheets\n",
+                   total.sheets_rims);
   }
   if (report.torn_faces.count > 0) fmt::format_to(out, "{}\n", report.torn_faces.text());
   if (report.written) {

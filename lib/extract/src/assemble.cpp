@@ -156,6 +156,8 @@ void Pipeline<Scalar>::count_sheets() {
       case Method::graph: return statistics_.sheets_graph;
       case Method::manifold: return statistics_.sheets_manifold;
       case Method::dominant: return statistics_.sheets_dominant;
+      case Method::rims:
+        return statistics_.sheets_rims;
       case Method::cone: return statistics_.sheets_cones;
       case Method::leaves:
       case Method::fan: break;

@@ -40,7 +40,7 @@ void release_large_leaves(TetPlan<Scalar>& plan) {
 
 /// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
 /// then the chart of the dominant eigenvector, then the leaves of the proof, then these with fans
-/// for discs.
+/// for discs, and last the rims alone.
 template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
@@ -82,8 +82,16 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.requests = denser_rims(tet, *state.plan, vertices, level);
     return;
   }
+  if (state.method == Method::rims) {
+    state.unresolved = state.obstacle;
+    return;
+  }
   if (state.method == Method::fan) {
-    state.unresolved = UnresolvedReason::inconsistent_samples;
+    state.method = Method::rims;
+    state.obstacle = UnresolvedReason::inconsistent_samples;
+    // Around a vertex on the level another level is drawn first, see `move_from_vertices`.
+    for (const Index v : vertices_of(t))
+      if (on_level_[as_size(v)] == OnLevel::drawn_through) state.unresolved = state.obstacle;
     return;
   }
   if (state.method == Method::leaves) {
@@ -91,7 +99,8 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     return;
   }
   if (!add_leaves(tet, level, *state.plan, effort_of_leaves(level))) {
-    state.unresolved = unproved(t);
+    state.method = Method::rims;
+    state.obstacle = unproved(t);
     return;
   }
   state.method = Method::leaves;
@@ -236,7 +245,7 @@ std::size_t Pipeline<Scalar>::small_rim(std::size_t t, const TetWithCurves<Scala
 template <class Scalar>
 bool Pipeline<Scalar>::draw_small_discs(std::size_t t, const TetWithCurves<Scalar>& tet) {
   auto& state = tets_[t];
-  std::array<RimVertex, kLargestPolygon> room;
+  std::array<RimVertex, kSmallPolygon> room;
   for (const auto& sheet : state.plan->sheets) {
     if (sheet.loops.size() != 1) return false;
     const auto& loop = state.plan->loops[static_cast<std::size_t>(sheet.loops[0])];
@@ -282,16 +291,19 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
   if (state.method == Method::dominant)
     return mesh_by_dominant<Scalar>(*state.manifold, tet, *state.plan, vertices, level_of(t),
                                     sampling_in(t), state.drawn);
-  if (!state.plan->leaves &&
+  if (state.method != Method::rims && !state.plan->leaves &&
       !add_leaves(tet, level_of(t), *state.plan, effort_of_leaves(level_of(t))))
     return false;
-  for (const auto& sheet : state.plan->sheets) {
-    const bool as_fan = state.method == Method::fan && sheet.euler_characteristic == 1;
-    if (as_fan ? !mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_of(t), state.drawn)
-               : !mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices,
-                                           level_of(t), state.drawn))
-      return false;
-  }
+  const auto draw = [&](const SheetTopology& sheet) {
+    if (state.method == Method::rims)
+      return mesh_from_rims<Scalar>(*state.plan, sheet, vertices, state.drawn);
+    if (state.method == Method::fan && sheet.euler_characteristic == 1)
+      return mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_of(t), state.drawn);
+    return mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_of(t),
+                                    state.drawn);
+  };
+  for (const auto& sheet : state.plan->sheets)
+    if (!draw(sheet)) return false;
   release_large_leaves(*state.plan);
   // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the
   // tetrahedron is named rather than drawn wrongly.

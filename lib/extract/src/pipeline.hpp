@@ -34,7 +34,7 @@ class Pipeline {
   using Index = TetMesh::Index;
 
   /// How the sheets of a tetrahedron are drawn; tried in this order.
-  enum class Method { tubes, small_disc, graph, manifold, dominant, leaves, fan, cone };
+  enum class Method { tubes, small_disc, graph, manifold, dominant, leaves, fan, rims, cone };
 
   /// What becomes of one tetrahedron of the complex.
   struct TetState {
@@ -47,6 +47,7 @@ class Pipeline {
     std::unique_ptr<TetManifold> manifold;     ///< if drawn there
     std::vector<RimRequest<Scalar>> requests;  ///< samples that the method wants on the faces
     TetTriangles<Scalar> drawn;
+    UnresolvedReason obstacle{};  ///< why its rims are the last resort
     std::optional<UnresolvedReason> unresolved;
   };
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <queue>
+#include <tuple>
 
 namespace tensortopo {
 
@@ -17,6 +19,41 @@ double diagonal_cost(const PolygonCorner& p, const PolygonCorner& q) {
   return length(d);
 }
 
+/// Cuts off one corner after the other, always by the shortest diagonal.
+std::vector<std::array<int, 3>> cut_corners_off(std::span<const PolygonCorner> corners) {
+  const std::size_t n = corners.size();
+  std::vector<std::size_t> before(n), after(n);
+  for (std::size_t i = 0; i < n; ++i) before[i] = (i + n - 1) % n, after[i] = (i + 1) % n;
+  // What was offered for a corner is void once a neighbour has gone.
+  using Offer = std::tuple<double, std::size_t, std::size_t, std::size_t>;
+  std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+  const auto offer = [&](std::size_t i) {
+    const double cost = diagonal_cost(corners[before[i]], corners[after[i]]);
+    if (cost < kForbidden) offers.push({cost, before[i], i, after[i]});
+  };
+  for (std::size_t i = 0; i < n; ++i) offer(i);
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<char> gone(n, 0);
+  const auto take = [&](std::size_t a, std::size_t b, std::size_t c) {
+    triangles.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+  };
+  std::size_t left = n;
+  while (left > 3 && !offers.empty()) {
+    const auto [cost, a, b, c] = offers.top();
+    offers.pop();
+    if (gone[b] || before[b] != a || after[b] != c) continue;
+    take(a, b, c);
+    gone[b] = 1, --left;
+    after[a] = c, before[c] = a;
+    offer(a), offer(c);
+  }
+  if (left > 3) return {};
+  std::size_t a = 0;
+  while (gone[a]) ++a;
+  take(a, after[a], before[a]);
+  return triangles;
+}
+
 }  // namespace
 
 std::vector<std::array<int, 3>> cut_polygon(std::span<const PolygonCorner> corners) {
@@ -26,11 +63,12 @@ std::vector<std::array<int, 3>> cut_polygon(std::span<const PolygonCorner> corne
     if ((corners[0].faces & corners[1].faces & corners[2].faces) != 0) return {};
     return {{0, 1, 2}};
   }
-  if (n < 3 || n > kLargestPolygon) return {};
+  if (n < 3) return {};
+  if (n > kSmallPolygon) return cut_corners_off(corners);
 
   // Least cost of the part between corners i and j, and the corner that its triangle goes to.
-  std::array<std::array<double, kLargestPolygon>, kLargestPolygon> cost{};
-  std::array<std::array<std::uint8_t, kLargestPolygon>, kLargestPolygon> apex{};
+  std::array<std::array<double, kSmallPolygon>, kSmallPolygon> cost{};
+  std::array<std::array<std::uint8_t, kSmallPolygon>, kSmallPolygon> apex{};
   for (std::size_t width = 2; width < n; ++width)
     for (std::size_t i = 0; i + width < n; ++i) {
       const std::size_t j = i + width;

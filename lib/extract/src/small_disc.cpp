@@ -30,7 +30,7 @@ std::vector<RimVertex> loop_vertices(std::span<const RimPiece> loop,
 
 bool is_small_disc(const SheetTopology& sheet, std::span<const RimVertex> rim,
                    const Sampling& sampling) {
-  if (sheet.euler_characteristic != 1 || rim.size() > kLargestPolygon) return false;
+  if (sheet.euler_characteristic != 1 || rim.size() > kSmallPolygon) return false;
   const double least = std::cos(std::min(1.5 * sampling.largest_turn(), 1.5));
   const double least_dominant = std::cos(std::min(3 * sampling.largest_turn(), 1.5));
   for (const auto& v : rim)
@@ -42,8 +42,8 @@ bool is_small_disc(const SheetTopology& sheet, std::span<const RimVertex> rim,
 
 template <class Scalar>
 bool mesh_small_disc(std::span<const RimVertex> rim, TetTriangles<Scalar>& out) {
-  std::array<PolygonCorner, kLargestPolygon> corners;
-  if (rim.size() > kLargestPolygon) return false;
+  std::array<PolygonCorner, kSmallPolygon> corners;
+  if (rim.size() > kSmallPolygon) return false;
   for (std::size_t i = 0; i < rim.size(); ++i) corners[i] = {rim[i].position, rim[i].faces};
   const auto triangles = cut_polygon(std::span(corners.data(), rim.size()));
   out.triangles.reserve(out.triangles.size() + triangles.size());

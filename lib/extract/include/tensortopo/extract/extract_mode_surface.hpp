@@ -72,6 +72,7 @@ struct ExtractStatistics {
   std::size_t sheets_manifold = 0;  ///< drawn on the medium eigenvector manifold
   std::size_t sheets_dominant = 0;  ///< drawn by their dominant eigenvectors
   std::size_t sheets_leaves = 0;    ///< drawn from the proof's leaves
+  std::size_t sheets_rims = 0;      ///< drawn between their rims, as nothing else was possible
   std::size_t sheets_cones = 0;     ///< straight lines from vertices without deviator
   std::size_t tets_nearby = 0;      ///< drawn at a level next to mu, which stands for mu + 0
   std::size_t vertices_on_level = 0;       ///< vertices whose mode is exactly mu (counted as below)

@@ -170,6 +170,15 @@ bool mesh_as_fan(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
                  const FaceArcVertices& vertices, const Level<Scalar>& level,
                  TetTriangles<Scalar>& out);
 
+/// Triangles between the rims of a sheet alone, of least total length, for sheets that no other way
+/// can spread out: two that nearly touch along a line, tubes too thin for the leaves of a proof. No
+/// vertex lies inside, so the triangles follow the level no better than chords of its rims.
+/// @return false if the sheet has handles, if all its rims are on one face, or if no such cut is a
+///         surface
+template <class Scalar>
+bool mesh_from_rims(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
+                    const FaceArcVertices& vertices, TetTriangles<Scalar>& out);
+
 /// Triangles for a sheet straight from the leaf mesh; its rim samples must be on the arcs.
 template <class Scalar>
 bool mesh_from_leaves(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
