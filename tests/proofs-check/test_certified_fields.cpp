@@ -261,6 +261,25 @@ TEST(CertifiedFields, LeftOutTetrahedraMayPartWhatIsAroundAnEdge) {
   EXPECT_GT(parted, 0u);
 }
 
+TEST(CertifiedFields, ProgressIsToldStageByStage) {
+  TetMesh mesh = cube_mesh(3);
+  fill_with_smooth_tensors(mesh, 3);
+  const auto s = certified_surface(mesh, {"1/2"}, folder("progress"));
+  std::vector<std::string> stages;
+  double last = 0;
+  const auto report = certificate::check_certificate(
+      s.input(), s.surface(), s.write(s.certificate), [&](std::string_view what, double part) {
+        if (stages.empty() || stages.back() != what) stages.emplace_back(what), last = 0;
+        EXPECT_GE(part, last) << what;
+        EXPECT_LT(part, 1) << what;
+        last = part;
+      });
+  // This certificate claims no distances.
+  const std::vector<std::string> expected{"where the level is", "edges", "faces", "tetrahedra"};
+  EXPECT_EQ(stages, expected);
+  EXPECT_EQ(to_json(report), to_json(check(s)));
+}
+
 TEST(CertifiedFields, CborSaysTheSame) {
   TetMesh mesh = cube_mesh(2);
   fill_with_smooth_tensors(mesh, 3);

@@ -8,9 +8,9 @@
 namespace tensortopo {
 
 CheckOutcome run_check(const std::string& input, const std::string& surface,
-                       const std::string& certificate) {
+                       const std::string& certificate, const Progress& progress) {
   try {
-    const auto report = certificate::check_certificate(input, surface, certificate);
+    const auto report = certificate::check_certificate(input, surface, certificate, progress);
     return {certificate::to_text(report), certificate::to_json(report),
             report.status() == "certified", report.certified, report.refuted, report.undecided};
   } catch (const certificate::Malformed& error) {

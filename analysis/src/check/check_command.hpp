@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "tensortopo/analysis/progress.hpp"
+
 namespace tensortopo {
 
 struct CheckOutcome {
@@ -16,6 +18,6 @@ struct CheckOutcome {
 /// Checks a certificate. Throws IoError for files that cannot be read as what they should be,
 /// UsageError if the program was built without the checker.
 CheckOutcome run_check(const std::string& input, const std::string& surface,
-                       const std::string& certificate);
+                       const std::string& certificate, const Progress& progress = {});
 
 }  // namespace tensortopo

@@ -6,7 +6,8 @@
 
 namespace tensortopo {
 
-CheckOutcome run_check(const std::string&, const std::string&, const std::string&) {
+CheckOutcome run_check(const std::string&, const std::string&, const std::string&,
+                       const Progress&) {
   throw UsageError("check: this program was built without it (TENSORTOPO_BUILD_PROOFS=OFF)");
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "check/check_command.hpp"
+#include "program/progress_bar.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 
@@ -20,7 +21,9 @@ void add_check_subcommand(CLI::App& program, CommonOptions& common, Action& acti
   add_common_options(app, common);
   app.callback([files, &common, &action] {
     action = [files, &common] {
-      const CheckOutcome outcome = run_check((*files)[0], (*files)[1], (*files)[2]);
+      ProgressBar bar(!common.quiet);
+      const CheckOutcome outcome = run_check((*files)[0], (*files)[1], (*files)[2], bar.callback());
+      bar.erase();
       if (common.json) {
         print(outcome.json + '\n');
       } else if (!common.quiet) {

@@ -4,11 +4,16 @@
 //
 // Checks a certificate. Exit status: 0 all claims hold, 1 some are refuted or undecided, 2 wrong
 // usage, 3 a file that cannot be read as what it should be.
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
@@ -18,8 +23,16 @@ namespace {
 int fail(std::string message) {
   std::replace_if(
       message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
+  if (isatty(STDERR_FILENO) == 1) std::cerr << "\r\033[K";  // where progress stood
   std::cerr << "tensortopo: " << message << '\n';
   return 3;
+}
+
+void show(std::string_view what, double part) {
+  static int shown = -1;
+  const int percent = static_cast<int>(100 * part);
+  if (percent == std::exchange(shown, percent)) return;
+  std::fprintf(stderr, "\r\033[K%3d %% %.*s", percent, static_cast<int>(what.size()), what.data());
 }
 
 }  // namespace
@@ -34,7 +47,11 @@ int main(int argc, char** argv) try {
     std::cerr << "usage: tensortopo_check INPUT OUTPUT CERT [--json] [--quiet]\n";
     return 2;
   }
-  const certificate::Report report = certificate::check_certificate(words[0], words[1], words[2]);
+  certificate::Progress progress;
+  if (!quiet && isatty(STDERR_FILENO) == 1) progress = show;
+  const certificate::Report report =
+      certificate::check_certificate(words[0], words[1], words[2], progress);
+  if (progress) std::fputs("\r\033[K", stderr);
   if (json) {
     std::cout << certificate::to_json(report) << '\n';
   } else if (!quiet) {

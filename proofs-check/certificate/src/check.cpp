@@ -33,7 +33,7 @@ Level level_of(const Json& claims) {
 }
 
 void check_level(const Json& claims, const Level& level, const Input& input, const Field& field,
-                 const Triangles& surface, Ledger& ledger) {
+                 const Triangles& surface, Ledger& ledger, const Progress& progress) {
   ledger.level = (claims.contains("mode")
                       ? "mode " + claims["mode"].get<std::string>()
                       : claims["invariant"].get<std::string>() + ' ' +
@@ -42,9 +42,10 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
   ledger.begin("left out");
   if (!mark_left_out(claims, input, left_out, ledger)) return;
   const std::size_t left_open = ledger.open();
-  const Topology topology = derive_topology(input, field, level, left_out);
-  const LevelCase c{input, field, level, surface, claims, range_of(claims["vertices"]),
-                    range_of(claims["triangles"]), left_out, topology};
+  const Topology topology = derive_topology(input, field, level, left_out, progress);
+  const Range vertices_of_level = range_of(claims["vertices"]);
+  const LevelCase c{input, field, level, surface, claims, vertices_of_level,
+                    range_of(claims["triangles"]), left_out, topology, progress};
   ledger.begin("vertices on the level");
   ledger.settle(claims["on_level"] == topology.on_level, "vertices on the level",
                 claims["on_level"].dump(), std::to_string(topology.on_level));
@@ -78,7 +79,7 @@ bool are_in_order(const Json& levels, const char* key, Number all) {
 }
 
 Report check(const std::string& input_file, const std::string& surface_file,
-             const Json& certificate) {
+             const Json& certificate, const Progress& progress) {
   const Json &input_claims = certificate["input"], &surface_claims = certificate["surface"];
   const Input input =
       read_input(input_file, input_claims["tensor"], input_claims["components"]);
@@ -110,7 +111,7 @@ Report check(const std::string& input_file, const std::string& surface_file,
     const Level level = level_of(claims);
     if (!field || !(field->multiples() == level.multiples()))
       field.emplace(input, level.multiples());
-    check_level(claims, level, input, *field, surface, ledger);
+    check_level(claims, level, input, *field, surface, ledger, progress);
   }
   return report;
 }
@@ -118,10 +119,10 @@ Report check(const std::string& input_file, const std::string& surface_file,
 }  // namespace
 
 Report check_certificate(const std::string& input, const std::string& surface,
-                         const std::string& certificate) {
+                         const std::string& certificate, const Progress& progress) {
   const Json document = read_document(certificate);
   try {
-    return check(input, surface, document);
+    return check(input, surface, document, progress);
   } catch (const Malformed& error) {
     throw Malformed(error.file().empty() ? certificate : error.file(), error.problem());
   }

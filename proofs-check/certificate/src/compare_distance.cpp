@@ -170,9 +170,12 @@ void Distances::prove() const {
   if (const auto far = std::find(is_near.begin(), is_near.end(), 0); far != is_near.end())
     throw Unproved(vertex(static_cast<std::size_t>(far - is_near.begin())) +
                    " moves out of its place or bound");
-  parallel_for(clear.size(), [&](std::size_t t) {
-    if (is_asked(t)) clear[t] = is_clear(moved, t);
-  });
+  parallel_for(
+      clear.size(),
+      [&](std::size_t t) {
+        if (is_asked(t)) clear[t] = is_clear(moved, t);
+      },
+      c_.progress, "distances");
   if (const auto missing = std::find(clear.begin(), clear.end(), 0); missing != clear.end())
     throw Unproved(std::to_string(std::count(missing, clear.end(), 0)) +
                    " triangles not shown to stay clear, the first" +

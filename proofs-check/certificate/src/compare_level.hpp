@@ -28,6 +28,7 @@ struct LevelCase {
   Range vertices, triangles;           ///< of the level, in the surface
   const std::vector<bool>& left_out;   ///< tetrahedra about which nothing is claimed
   const Topology& topology;
+  const Progress& progress;
 };
 
 /// Which vertex of the surface is which crossing, as the certificate claims.

@@ -10,19 +10,24 @@
 #include <thread>
 #include <vector>
 
+#include "certificate_check/check_certificate.hpp"
+
 namespace certificate {
 
 /// Calls f(0), ..., f(count - 1), some at the same time. Throws the first exception.
 template <class F>
-void parallel_for(std::size_t count, const F& f) {
-  constexpr std::size_t kChunk = 64;
+void parallel_for(std::size_t count, const F& f, const Progress& progress = {},
+                  const char* what = "") {
+  constexpr std::size_t kChunk = 16;
   std::atomic<std::size_t> next{0};
   std::exception_ptr problem;
   std::mutex mutex;
-  const auto work = [&] {
+  const auto work = [&](bool tells) {
     try {
-      for (std::size_t i; (i = next.fetch_add(kChunk)) < count;)
+      for (std::size_t i; (i = next.fetch_add(kChunk)) < count;) {
+        if (tells && progress) progress(what, static_cast<double>(i) / static_cast<double>(count));
         for (std::size_t j = i; j < std::min(i + kChunk, count); ++j) f(j);
+      }
     } catch (...) {
       const std::lock_guard lock(mutex);
       problem = std::current_exception();
@@ -31,9 +36,10 @@ void parallel_for(std::size_t count, const F& f) {
   };
   const std::size_t threads =
       std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), count / kChunk + 1);
+  if (progress && count > 0) progress(what, 0);
   std::vector<std::thread> others;
-  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
+  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work, false);
+  work(true);
   for (std::thread& thread : others) thread.join();
   if (problem) std::rethrow_exception(problem);
 }

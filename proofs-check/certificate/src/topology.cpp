@@ -195,7 +195,7 @@ int orientation(const Input& input, const std::array<Vertex, 4>& tet) {
 }
 
 Topology derive_topology(const Input& input, const Field& field, const Level& level,
-                         const std::vector<bool>& left_out) {
+                         const std::vector<bool>& left_out, const Progress& progress) {
   Topology out;
   std::vector<char> above(input.points.size());
   std::atomic<std::size_t> on_level{0};
@@ -210,11 +210,14 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   const Derivation derivation(input, field, level, out);
   std::vector<Proved<4>> proofs(input.tets.size(), Proved<4>{Proof::empty, {}});
   const auto is_tip = [&](Vertex i) { return field.is_zero(i); };
-  parallel_for(proofs.size(), [&](std::size_t t) {
-    const auto& v = input.tets[t];
-    if (!left_out[t] && std::none_of(v.begin(), v.end(), is_tip))
-      proofs[t] = level.prove<4>(derivation.corners(v));
-  });
+  parallel_for(
+      proofs.size(),
+      [&](std::size_t t) {
+        const auto& v = input.tets[t];
+        if (!left_out[t] && std::none_of(v.begin(), v.end(), is_tip))
+          proofs[t] = level.prove<4>(derivation.corners(v));
+      },
+      progress, "where the level is");
   std::vector<std::array<Vertex, 2>> edges;
   std::vector<std::array<Vertex, 3>> faces;
   for (std::uint32_t t = 0; t < proofs.size(); ++t) {
@@ -238,13 +241,14 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   }
   out.edges = listed<EdgeTopology>(std::move(edges));
   out.faces = listed<FaceTopology>(std::move(faces));
-  const auto settle_all = [&](auto& items) {
-    parallel_for(items.size(), [&](std::size_t i) { derivation.settle(items[i]); });
+  const auto settle_all = [&](auto& items, const char* what) {
+    parallel_for(
+        items.size(), [&](std::size_t i) { derivation.settle(items[i]); }, progress, what);
   };
-  settle_all(out.edges);
-  settle_all(out.faces);
-  settle_all(out.tets);
-  settle_all(out.cones);
+  settle_all(out.edges, "edges");
+  settle_all(out.faces, "faces");
+  settle_all(out.tets, "tetrahedra");
+  settle_all(out.cones, "cones");
   return out;
 }
 

@@ -96,7 +96,7 @@ struct Topology {
 
 /// @param left_out tetrahedra of which nothing is asked
 Topology derive_topology(const Input& input, const Field& field, const Level& level,
-                         const std::vector<bool>& left_out);
+                         const std::vector<bool>& left_out, const Progress& progress);
 
 /// The vertices of a tetrahedron without that at place i.
 inline std::array<Vertex, 3> face_of(const std::array<Vertex, 4>& tet, std::size_t i) {

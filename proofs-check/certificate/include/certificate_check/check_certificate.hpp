@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace certificate {
@@ -48,11 +50,14 @@ struct Report {
   std::string status() const;
 };
 
+/// Told now and then, by the thread that called, what is derived and how much of it, in [0, 1].
+using Progress = std::function<void(std::string_view what, double part)>;
+
 /// Checks each claim of a certificate (proofs-check/certificate/FORMAT.md) about the field in
 /// `input` (.vtu, .vtk) and the triangles in `surface` (.vtp), deriving the truth from the input's bits.
 /// The report does not depend on the number of threads. Throws Malformed, std::bad_alloc.
 Report check_certificate(const std::string& input, const std::string& surface,
-                         const std::string& certificate);
+                         const std::string& certificate, const Progress& progress = {});
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);
