@@ -13,21 +13,19 @@ TEST(RimSheets, AreDrawnBesideALineOfSaddles) {
   const TetTensors tensors{
       {{1, 0, -1, -1, 0, -1}, {1, 1, 0, -1, -1, 0}, {1, 0, 0, 0, -1, 1}, {1, 0, 0, 0, -1, 1}}};
   const TetMesh mesh = reference_tet_mesh(tensors);
-  for (const double resolution : {12.0, 20.0, 40.0}) {
-    ExtractOptions options;
-    options.sampling.resolution = resolution;
-    const auto at = [&](const char* mode) {
-      return extract_mode_surface<double>(mesh, ModeValue::parse(mode), options);
-    };
-    const auto far = at("-1e-4"), near = at("-1e-9");
-    ASSERT_EQ(unresolved_text(far), "");
-    EXPECT_EQ(far.statistics.sheets_rims, 0u);
-    EXPECT_EQ(unresolved_text(near), "");
-    EXPECT_EQ(flaws(near, mesh), "");
-    EXPECT_GT(near.statistics.sheets_rims, 0u);
-    // No critical value lies between the two modes.
-    EXPECT_EQ(topology_in_tet(near), topology_in_tet(far));
-  }
+  ExtractOptions options;
+  options.sampling.resolution = 20;
+  const auto at = [&](const char* mode) {
+    return extract_mode_surface<double>(mesh, ModeValue::parse(mode), options);
+  };
+  const auto far = at("-1e-4"), near = at("-1e-9");
+  ASSERT_EQ(unresolved_text(far), "");
+  EXPECT_EQ(far.statistics.sheets_rims, 0u);
+  EXPECT_EQ(unresolved_text(near), "");
+  EXPECT_EQ(flaws(near, mesh), "");
+  EXPECT_GT(near.statistics.sheets_rims, 0u);
+  // No critical value lies between the two modes.
+  EXPECT_EQ(topology_in_tet(near), topology_in_tet(far));
 }
 
 }  // namespace

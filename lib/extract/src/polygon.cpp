@@ -54,6 +54,47 @@ std::vector<std::array<int, 3>> cut_corners_off(std::span<const PolygonCorner> c
   return triangles;
 }
 
+/// Least cost of the part of a polygon between corners i < j, and the corner that its triangle goes
+/// to: tables with `stride` entries in a row.
+struct Table {
+  std::span<double> cost;
+  std::span<std::uint16_t> apex;
+  std::size_t stride;
+};
+
+std::vector<std::array<int, 3>> cut_shortest(std::span<const PolygonCorner> corners,
+                                             const Table& table) {
+  const auto n = corners.size();
+  const auto at = [&](std::size_t i, std::size_t j) { return i * table.stride + j; };
+  for (std::size_t width = 2; width < n; ++width)
+    for (std::size_t i = 0; i + width < n; ++i) {
+      const std::size_t j = i + width;
+      double best = kForbidden;
+      std::size_t best_apex = 0;
+      for (std::size_t k = i + 1; k < j; ++k) {
+        const double c = table.cost[at(i, k)] + table.cost[at(k, j)];
+        if (c < best) best = c, best_apex = k;
+      }
+      const bool side = width + 1 == n;  // the polygon's own side from the last corner to the first
+      table.cost[at(i, j)] = best + (side ? 0.0 : diagonal_cost(corners[i], corners[j]));
+      table.apex[at(i, j)] = static_cast<std::uint16_t>(best_apex);
+    }
+  if (!(table.cost[at(0, n - 1)] < kForbidden)) return {};
+
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::array<std::size_t, 2>> parts{{0, n - 1}};
+  while (!parts.empty()) {
+    const auto [i, j] = parts.back();
+    parts.pop_back();
+    if (j - i < 2) continue;
+    const std::size_t k = table.apex[at(i, j)];
+    triangles.push_back({static_cast<int>(i), static_cast<int>(k), static_cast<int>(j)});
+    parts.push_back({i, k});
+    parts.push_back({k, j});
+  }
+  return triangles;
+}
+
 }  // namespace
 
 std::vector<std::array<int, 3>> cut_polygon(std::span<const PolygonCorner> corners) {
@@ -64,38 +105,15 @@ std::vector<std::array<int, 3>> cut_polygon(std::span<const PolygonCorner> corne
     return {{0, 1, 2}};
   }
   if (n < 3) return {};
-  if (n > kSmallPolygon) return cut_corners_off(corners);
-
-  // Least cost of the part between corners i and j, and the corner that its triangle goes to.
-  std::array<std::array<double, kSmallPolygon>, kSmallPolygon> cost{};
-  std::array<std::array<std::uint8_t, kSmallPolygon>, kSmallPolygon> apex{};
-  for (std::size_t width = 2; width < n; ++width)
-    for (std::size_t i = 0; i + width < n; ++i) {
-      const std::size_t j = i + width;
-      double best = kForbidden;
-      std::uint8_t best_apex = 0;
-      for (std::size_t k = i + 1; k < j; ++k) {
-        const double c = cost[i][k] + cost[k][j];
-        if (c < best) best = c, best_apex = static_cast<std::uint8_t>(k);
-      }
-      const bool side = width + 1 == n;  // the polygon's own side from the last corner to the first
-      cost[i][j] = best + (side ? 0.0 : diagonal_cost(corners[i], corners[j]));
-      apex[i][j] = best_apex;
-    }
-  if (!(cost[0][n - 1] < kForbidden)) return {};
-
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<std::array<std::size_t, 2>> parts{{0, n - 1}};
-  while (!parts.empty()) {
-    const auto [i, j] = parts.back();
-    parts.pop_back();
-    if (j - i < 2) continue;
-    const std::size_t k = apex[i][j];
-    triangles.push_back({static_cast<int>(i), static_cast<int>(k), static_cast<int>(j)});
-    parts.push_back({i, k});
-    parts.push_back({k, j});
+  if (n <= kSmallPolygon) {
+    std::array<double, kSmallPolygon * kSmallPolygon> cost{};
+    std::array<std::uint16_t, kSmallPolygon * kSmallPolygon> apex{};
+    return cut_shortest(corners, {cost, apex, kSmallPolygon});
   }
-  return triangles;
+  if (n > kLargestShortest) return cut_corners_off(corners);
+  std::vector<double> cost(n * n, 0.0);
+  std::vector<std::uint16_t> apex(n * n, 0);
+  return cut_shortest(corners, {cost, apex, n});
 }
 
 }  // namespace tensortopo

@@ -15,63 +15,69 @@ using Rim = std::vector<RimVertex>;
 
 constexpr std::size_t kMarks = 4;  // beside four faces, in eight bits
 
-/// A segment from a corner of one rim to a corner of another, no two on one face.
-struct Seam {
+/// Two triangles between an edge of one rim, from `from` on, and an edge of another, up to `to`.
+struct Bridge {
   double length;
   std::size_t from, to;
 
-  auto operator<=>(const Seam&) const = default;
+  auto operator<=>(const Bridge&) const = default;
 };
 
-std::vector<Seam> seams_between(const Rim& first, const Rim& second) {
-  std::vector<Seam> seams;
+constexpr std::size_t kBridges = 16;  // tried one after the other
+
+std::vector<Bridge> shortest_bridges(const Rim& first, const Rim& second) {
+  const auto may_join = [](const RimVertex& v, const RimVertex& w) {
+    return (v.faces & w.faces) == 0;
+  };
+  std::vector<Bridge> bridges;
   for (std::size_t i = 0; i < first.size(); ++i)
-    for (std::size_t j = 0; j < second.size(); ++j)
-      if ((first[i].faces & second[j].faces) == 0)
-        seams.push_back({length(second[j].position - first[i].position), i, j});
-  std::sort(seams.begin(), seams.end());
-  return seams;
+    for (std::size_t j = 0; j < second.size(); ++j) {
+      const auto &a = first[i], &next = first[(i + 1) % first.size()];
+      const auto &last = second[(j + second.size() - 1) % second.size()], &w = second[j];
+      if (!may_join(a, w) || !may_join(a, last) || !may_join(next, last)) continue;
+      bridges.push_back(
+          {length(w.position - a.position) + length(next.position - last.position), i, j});
+      if (bridges.size() < 4096) continue;
+      std::nth_element(bridges.begin(), bridges.begin() + kBridges, bridges.end());
+      bridges.resize(kBridges);
+    }
+  std::sort(bridges.begin(), bridges.end());
+  return bridges;
 }
 
-/// One closed way around both, forth and back along the seam. No diagonal may run beside the seam:
-/// its ends share a mark that stands for a face.
-Rim joined(Rim first, Rim second, const Seam& seam, std::uint8_t mark) {
-  first[seam.from].faces |= mark, second[seam.to].faces |= mark;
+using Triangles = std::vector<std::array<std::int32_t, 3>>;
+
+/// One closed way along both rims and the sides of the bridge, with each vertex once. The diagonal
+/// of the bridge must not be drawn again: its ends share a mark that stands for a face.
+Rim joined(const Rim& first, const Rim& second, const Bridge& bridge, std::uint8_t mark,
+           Triangles& triangles) {
   Rim way;
-  way.reserve(first.size() + second.size() + 2);
-  way.insert(way.end(), first.begin(), first.begin() + static_cast<std::ptrdiff_t>(seam.from) + 1);
-  for (std::size_t k = 0; k <= second.size(); ++k)
-    way.push_back(second[(seam.to + k) % second.size()]);
-  way.insert(way.end(), first.begin() + static_cast<std::ptrdiff_t>(seam.from), first.end());
+  way.reserve(first.size() + second.size());
+  for (std::size_t k = 1; k <= first.size(); ++k)
+    way.push_back(first[(bridge.from + k) % first.size()]);
+  for (std::size_t k = 0; k < second.size(); ++k)
+    way.push_back(second[(bridge.to + k) % second.size()]);
+  auto &next = way.front(), &a = way[first.size() - 1], &w = way[first.size()], &last = way.back();
+  triangles.push_back({a.id, next.id, last.id});
+  triangles.push_back({a.id, last.id, w.id});
+  a.faces |= mark, last.faces |= mark;
   return way;
 }
 
-/// The shortest seam to any of the other rims, but for the first few.
-bool join_nearest(Rim& way, std::vector<Rim>& others, std::size_t skipped) {
+/// By the shortest bridge to any of the other rims, but for the first few.
+bool join_nearest(Rim& way, std::vector<Rim>& others, std::size_t skipped, Triangles& triangles) {
   if (others.size() > kMarks) return false;
-  std::vector<std::pair<Seam, std::size_t>> shortest;
+  std::vector<std::pair<Bridge, std::size_t>> shortest;
   for (std::size_t k = 0; k < others.size(); ++k) {
-    const auto seams = seams_between(way, others[k]);
-    if (skipped < seams.size()) shortest.push_back({seams[skipped], k});
+    const auto bridges = shortest_bridges(way, others[k]);
+    if (skipped < bridges.size()) shortest.push_back({bridges[skipped], k});
   }
   if (shortest.empty()) return false;
-  const auto [seam, k] = *std::min_element(shortest.begin(), shortest.end());
-  way = joined(way, others[k], seam, static_cast<std::uint8_t>(1u << (3 + others.size())));
+  const auto [bridge, k] = *std::min_element(shortest.begin(), shortest.end());
+  const auto mark = static_cast<std::uint8_t>(1u << (3 + others.size()));
+  way = joined(way, others[k], bridge, mark, triangles);
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
   return true;
-}
-
-/// No edge twice: pieces of a cut can meet in both copies of a seam's ends.
-bool is_surface(const Rim& way, std::span<const std::array<int, 3>> triangles) {
-  std::vector<std::pair<std::int32_t, std::int32_t>> sides;
-  for (const auto& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      sides.push_back({way[static_cast<std::size_t>(t[i])].id,
-                       way[static_cast<std::size_t>(t[(i + 1) % 3])].id});
-  std::sort(sides.begin(), sides.end());
-  return std::adjacent_find(sides.begin(), sides.end()) == sides.end() &&
-         std::none_of(sides.begin(), sides.end(),
-                      [](const auto& s) { return s.first == s.second; });
 }
 
 }  // namespace
@@ -84,20 +90,21 @@ bool mesh_from_rims(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
   std::vector<Rim> rims;
   for (const int loop : sheet.loops)
     rims.push_back(loop_vertices(plan.loops[static_cast<std::size_t>(loop)], vertices));
-  constexpr std::size_t kSeams = 8;  // tried one after the other; without any, once
-  for (std::size_t skipped = 0; skipped < (loops > 1 ? kSeams : 1); ++skipped) {
+  for (std::size_t skipped = 0; skipped < (loops > 1 ? kBridges : 1); ++skipped) {
+    Triangles drawn;
     std::vector<Rim> others(rims.begin() + 1, rims.end());
     Rim way = rims[0];
     while (!others.empty())
-      if (!join_nearest(way, others, skipped)) return false;
+      if (!join_nearest(way, others, skipped, drawn)) return false;
     std::vector<PolygonCorner> corners;
     for (const auto& v : way) corners.push_back({v.position, v.faces});
     const auto triangles = cut_polygon(corners);
-    if (triangles.empty() || !is_surface(way, triangles)) continue;
+    if (triangles.empty()) continue;
     for (const auto& t : triangles)
-      out.triangles.push_back({way[static_cast<std::size_t>(t[0])].id,
-                               way[static_cast<std::size_t>(t[1])].id,
-                               way[static_cast<std::size_t>(t[2])].id});
+      drawn.push_back({way[static_cast<std::size_t>(t[0])].id,
+                       way[static_cast<std::size_t>(t[1])].id,
+                       way[static_cast<std::size_t>(t[2])].id});
+    out.triangles.insert(out.triangles.end(), drawn.begin(), drawn.end());
     return true;
   }
   return false;

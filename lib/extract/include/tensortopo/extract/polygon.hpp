@@ -19,14 +19,19 @@ struct PolygonCorner {
 };
 
 /// Cuts a polygon in space into triangles by diagonals of least total length; one of more than
-/// `kSmallPolygon` corners by the shortest diagonal that cuts a corner off, time and again.
+/// `kLargestShortest` corners by the shortest diagonal that cuts a corner off, time and again.
 ///
 /// No diagonal joins two corners on one face: the neighbour across that face may want the same
 /// diagonal, and four triangles would meet in it.
-/// @return triples of corners in the polygon's direction; empty if no such cut exists, or none is
-///         found for many corners
+/// @return triples of corners in the polygon's direction; empty if no such cut exists, or, beyond
+///         `kLargestShortest` corners, if none is found
 std::vector<std::array<int, 3>> cut_polygon(std::span<const PolygonCorner> corners);
 
+/// Up to so many corners nothing is allocated but the triangles.
 inline constexpr std::size_t kSmallPolygon = 16;
+
+/// The shortest cut takes a time that grows with the cube of the corners: half a tenth of a second
+/// for so many.
+inline constexpr std::size_t kLargestShortest = 700;
 
 }  // namespace tensortopo
