@@ -23,7 +23,7 @@ struct Bridge {
   auto operator<=>(const Bridge&) const = default;
 };
 
-constexpr std::size_t kBridges = 16;  // tried one after the other
+constexpr std::size_t kBridges = 6;  // tried one after the other
 
 std::vector<Bridge> shortest_bridges(const Rim& first, const Rim& second) {
   const auto may_join = [](const RimVertex& v, const RimVertex& w) {
