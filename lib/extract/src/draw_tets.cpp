@@ -252,7 +252,7 @@ bool Pipeline<Scalar>::draw_small_discs(std::size_t t, const TetWithCurves<Scala
     const std::size_t size = small_rim(t, tet, loop, room);
     if (size == 0) return false;
     const std::span<const RimVertex> rim(room.data(), size);
-    if (!is_small_disc(sheet, rim, sampling_in(t)) || !mesh_small_disc(rim, state.drawn))
+    if (!is_small_disc(sheet, rim, sampling_in(t)) || !mesh_within_rim(rim, state.drawn))
       return false;
   }
   return true;

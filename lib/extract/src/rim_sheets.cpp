@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "extractor_scalars.hpp"
-#include "tensortopo/extract/polygon.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 
 namespace tensortopo {
@@ -91,20 +90,13 @@ bool mesh_from_rims(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
   for (const int loop : sheet.loops)
     rims.push_back(loop_vertices(plan.loops[static_cast<std::size_t>(loop)], vertices));
   for (std::size_t skipped = 0; skipped < (loops > 1 ? kBridges : 1); ++skipped) {
-    Triangles drawn;
+    TetTriangles<Scalar> drawn;
     std::vector<Rim> others(rims.begin() + 1, rims.end());
     Rim way = rims[0];
     while (!others.empty())
-      if (!join_nearest(way, others, skipped, drawn)) return false;
-    std::vector<PolygonCorner> corners;
-    for (const auto& v : way) corners.push_back({v.position, v.faces});
-    const auto triangles = cut_polygon(corners);
-    if (triangles.empty()) continue;
-    for (const auto& t : triangles)
-      drawn.push_back({way[static_cast<std::size_t>(t[0])].id,
-                       way[static_cast<std::size_t>(t[1])].id,
-                       way[static_cast<std::size_t>(t[2])].id});
-    out.triangles.insert(out.triangles.end(), drawn.begin(), drawn.end());
+      if (!join_nearest(way, others, skipped, drawn.triangles)) return false;
+    if (!mesh_within_rim(way, drawn)) continue;
+    out.triangles.insert(out.triangles.end(), drawn.triangles.begin(), drawn.triangles.end());
     return true;
   }
   return false;

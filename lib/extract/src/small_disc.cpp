@@ -41,11 +41,13 @@ bool is_small_disc(const SheetTopology& sheet, std::span<const RimVertex> rim,
 }
 
 template <class Scalar>
-bool mesh_small_disc(std::span<const RimVertex> rim, TetTriangles<Scalar>& out) {
-  std::array<PolygonCorner, kSmallPolygon> corners;
-  if (rim.size() > kSmallPolygon) return false;
+bool mesh_within_rim(std::span<const RimVertex> rim, TetTriangles<Scalar>& out) {
+  // Nearly all rims are short, and there are very many.
+  std::array<PolygonCorner, kSmallPolygon> few;
+  std::vector<PolygonCorner> many(rim.size() > few.size() ? rim.size() : 0);
+  const auto corners = many.empty() ? std::span(few.data(), rim.size()) : std::span(many);
   for (std::size_t i = 0; i < rim.size(); ++i) corners[i] = {rim[i].position, rim[i].faces};
-  const auto triangles = cut_polygon(std::span(corners.data(), rim.size()));
+  const auto triangles = cut_polygon(corners);
   out.triangles.reserve(out.triangles.size() + triangles.size());
   for (const auto& t : triangles)
     out.triangles.push_back({rim[static_cast<std::size_t>(t[0])].id,
@@ -55,7 +57,7 @@ bool mesh_small_disc(std::span<const RimVertex> rim, TetTriangles<Scalar>& out) 
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar) \
-  template bool mesh_small_disc(std::span<const RimVertex>, TetTriangles<Scalar>&);
+  template bool mesh_within_rim(std::span<const RimVertex>, TetTriangles<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -158,9 +158,10 @@ std::vector<RimVertex> loop_vertices(std::span<const RimPiece> loop,
 bool is_small_disc(const SheetTopology& sheet, std::span<const RimVertex> rim,
                    const Sampling& sampling);
 
-/// Triangles for a small disc. False if it cannot be cut without a diagonal in a face.
+/// Triangles within a rim, without a vertex inside (`cut_polygon`). False if it cannot be cut
+/// without a diagonal in a face.
 template <class Scalar>
-bool mesh_small_disc(std::span<const RimVertex> rim, TetTriangles<Scalar>& out);
+bool mesh_within_rim(std::span<const RimVertex> rim, TetTriangles<Scalar>& out);
 
 /// Triangles from the rim of a disc to one point of it inside, taken from the plan's leaf mesh:
 /// always right as a complex, so the last resort where samples fell together.
@@ -170,11 +171,12 @@ bool mesh_as_fan(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
                  const FaceArcVertices& vertices, const Level<Scalar>& level,
                  TetTriangles<Scalar>& out);
 
-/// Triangles between the rims of a sheet alone, of least total length, for sheets that no other way
-/// can spread out: two that nearly touch along a line, tubes too thin for the leaves of a proof. No
-/// vertex lies inside, so the triangles follow the level no better than chords of its rims.
-/// @return false if the sheet has handles, if all its rims are on one face, or if no such cut is a
-///         surface
+/// Triangles between the rims of a sheet alone, joined by bridges and cut, for sheets that no other
+/// way can spread out: two that nearly touch along a line, tubes too thin for the leaves of a
+/// proof. No vertex lies inside, so the triangles follow the level no better than chords of its
+/// rims.
+/// @return false if the sheet has handles, or if no bridges or no cut are found: so if all its rims
+///         are on one face
 template <class Scalar>
 bool mesh_from_rims(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
                     const FaceArcVertices& vertices, TetTriangles<Scalar>& out);
