@@ -15,11 +15,11 @@ namespace {
 
 using Weights = ExactWeights<4>;
 
-// A place reached from the corners by a chain of cuts, as far as 52 bits go.
+// A place reached from the corners by a chain of cuts, as far as 104 bits go.
 Weights random_place() {
   std::vector<Weights> places;
   for (std::size_t i = 0; i < 4; ++i) places.push_back(Weights::at_corner(i));
-  for (int step = *rc::gen::inRange(0, 30); step > 0; --step) {
+  for (int step = *rc::gen::inRange(0, 60); step > 0; --step) {
     const auto &u = places[*rc::gen::inRange<std::size_t>(0, places.size())],
                &v = places[*rc::gen::inRange<std::size_t>(0, places.size())];
     const int share = *rc::gen::inRange(1, 32);
@@ -29,23 +29,32 @@ Weights random_place() {
   return places.back();
 }
 
+Rational coordinate(const Weights& w, std::size_t i) {
+  const auto place = w.values();
+  return Rational(place.high[i]) + Rational(place.low[i]);
+}
+
 RC_GTEST_PROP(ExactWeights, CombinationsAreExact, ()) {
   const auto u = random_place(), v = random_place();
   const int a = *rc::gen::inRange(1, 32), b = *rc::gen::inRange(1, 32);
   const auto m = Weights::combination(a, u, b, v);
   RC_PRE(m.has_value());
   for (std::size_t i = 0; i < 4; ++i)
-    RC_ASSERT(Rational(m->values()[i]) ==
-              a * Rational(u.values()[i]) + b * Rational(v.values()[i]));
+    RC_ASSERT(coordinate(*m, i) == a * coordinate(u, i) + b * coordinate(v, i));
 }
 
-// What is refused has a coordinate that does not fit in 52 bits beside the others.
+RC_GTEST_PROP(ExactWeights, HighPartsAreTheNearestDoubles, ()) {
+  const auto w = random_place().values();
+  for (std::size_t i = 0; i < 4; ++i) RC_ASSERT(w.high[i] + w.low[i] == w.high[i]);
+}
+
+// What is refused has a coordinate that does not fit in 104 bits beside the others.
 RC_GTEST_PROP(ExactWeights, OnlyLongCombinationsAreRefused, ()) {
   const auto u = random_place(), v = random_place();
   const auto m = Weights::combination(1, u, 1, v);
   Rational largest = 0, smallest = 0;  // smallest: lowest set bit
   for (std::size_t i = 0; i < 4; ++i) {
-    const Rational sum = Rational(u.values()[i]) + Rational(v.values()[i]);
+    const Rational sum = coordinate(u, i) + coordinate(v, i);
     if (sum == 0) continue;
     if (sum > largest) largest = sum;
     Rational bit = 1;
@@ -53,11 +62,12 @@ RC_GTEST_PROP(ExactWeights, OnlyLongCombinationsAreRefused, ()) {
     while (denominator(Rational(sum / (2 * bit))) == 1) bit *= 2;
     if (smallest == 0 || bit < smallest) smallest = bit;
   }
-  const bool fits = largest / smallest < Rational(std::int64_t{1} << 52);
+  const Rational all_bits = Rational(std::int64_t{1} << 52) * Rational(std::int64_t{1} << 52);
+  const bool fits = largest / smallest < all_bits;
   if (m) {
     RC_ASSERT(fits);
   } else {
-    RC_ASSERT(largest / smallest * 1024 > Rational(std::int64_t{1} << 52));
+    RC_ASSERT(largest / smallest * 1024 > all_bits);
   }
 }
 
@@ -69,8 +79,7 @@ RC_GTEST_PROP(ExactWeights, OrderAlongAnEdgeIsThatOfTheRatio, ()) {
   };
   const auto u = on_edge(), v = on_edge();
   const auto place = [](const Weights& w) -> Rational {
-    const auto x = w.values();
-    return Rational(x[3]) / (Rational(x[1]) + Rational(x[3]));
+    return coordinate(w, 3) / (coordinate(w, 1) + coordinate(w, 3));
   };
   RC_ASSERT(u.comes_before(v, 1, 3) == (place(u) < place(v)));
   RC_ASSERT(u.comes_before(v, 3, 1) == (place(v) < place(u)));

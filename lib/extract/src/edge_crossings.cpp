@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/extract/edge_crossings.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
 #include "extractor_scalars.hpp"
+#include "refinement_vertex.hpp"
 #include "tensortopo/extract/segment_root.hpp"
 #include "tiers.hpp"
 
@@ -29,8 +34,7 @@ bool collect(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
     if (from.above == to.above) return true;
     const bool rising = to.above;
     const Scalar fraction = segment_root(from.tensor, to.tensor, rising, level);
-    crossings.push_back(
-        {Scalar(from.weight) + fraction * Scalar(to.weight - from.weight), rising});
+    crossings.push_back({Scalar(from.weight) + fraction * Scalar(to.weight - from.weight), rising});
     return true;
   }
   if (to.weight - from.weight < kSmallestPart) return false;
@@ -43,19 +47,48 @@ bool collect(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
          collect(edge, level, middle, to, crossings);
 }
 
+/// For an edge on which the field nearly vanishes: all its crossings may be closer to each other
+/// than halves of the edge ever get.
+template <class Scalar>
+bool collect_around_small(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
+                          const RefinementVertex<Scalar, 2>& from,
+                          const RefinementVertex<Scalar, 2>& to,
+                          std::vector<EdgeCrossing<Scalar>>& crossings) {
+  if (edge_is_simple<Scalar, 2>(edge, {from.exact(), to.exact()}, {from.tensor, to.tensor}, level,
+                                std::max(from.total, to.total))) {
+    if (from.above == to.above) return true;
+    const bool rising = to.above;
+    const Scalar f = segment_root(from.tensor, to.tensor, rising, level);
+    const auto at = [&](std::size_t i) {
+      return Scalar(from.weights[i]) + f * Scalar(to.weights[i] - from.weights[i]);
+    };
+    crossings.push_back({at(1) / (at(0) + at(1)), rising});
+    return true;
+  }
+  const auto shares = detail::shares_of_cut(from, to, {1, 1});
+  const auto middle = detail::place_between(edge, level, shares, from, to);
+  return middle && collect_around_small(edge, level, from, middle->vertex, crossings) &&
+         collect_around_small(edge, level, middle->vertex, to, crossings);
+}
+
 }  // namespace
 
 template <class Scalar>
-std::optional<std::vector<EdgeCrossing<Scalar>>> edge_crossings(
-    const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level) {
+std::optional<std::vector<EdgeCrossing<Scalar>>> edge_crossings(const LevelSimplex<Scalar, 2>& edge,
+                                                                const Level<Scalar>& level) {
   std::vector<EdgeCrossing<Scalar>> crossings;
+  const auto from = detail::corner_vertex(edge, 0), to = detail::corner_vertex(edge, 1);
+  if (detail::shares_of_cut(from, to, {1, 1}) != std::array<std::int64_t, 2>{1, 1}) {
+    if (!collect_around_small(edge, level, from, to, crossings)) return std::nullopt;
+    return crossings;
+  }
   const EdgePoint<Scalar> first{0.0, edge.tensors[0], edge.above[0]};
   const EdgePoint<Scalar> second{1.0, edge.tensors[1], edge.above[1]};
   if (!collect(edge, level, first, second, crossings)) return std::nullopt;
   return crossings;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                     \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                      \
   template std::optional<std::vector<EdgeCrossing<Scalar>>> edge_crossings( \
       const LevelSimplex<Scalar, 2>&, const Level<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

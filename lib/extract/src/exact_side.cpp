@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/extract/exact_side.hpp"
 
+#include <vector>
+
 #include "tensortopo/scalar/rational.hpp"
 
 namespace tensortopo {
@@ -18,15 +20,22 @@ Rational power_of_two(int e) {
 }  // namespace
 
 Sign exact_side_of_level(std::span<const SymmetricTensor<double>> tensors,
-                         std::span<const int> exponents, std::span<const double> weights,
-                         const ModeValue& mode) {
+                         std::span<const int> exponents, std::span<const double> high,
+                         std::span<const double> low, const ModeValue& mode) {
   Deviator<Rational> t{};
   for (std::size_t i = 0; i < tensors.size(); ++i) {
     const auto& s = tensors[i];
     const auto exact = tensor_cast<Rational>(s);
-    t = t + (Rational(weights[i]) * power_of_two(exponents[i])) * deviator(exact);
+    t = t + ((Rational(high[i]) + Rational(low[i])) * power_of_two(exponents[i])) * deviator(exact);
   }
   return exact_side_of_level(t, to_scalar<Rational>(mode));
+}
+
+Sign exact_side_of_level(std::span<const SymmetricTensor<double>> tensors,
+                         std::span<const int> exponents, std::span<const double> weights,
+                         const ModeValue& mode) {
+  const std::vector<double> nothing(weights.size());
+  return exact_side_of_level(tensors, exponents, weights, nothing, mode);
 }
 
 }  // namespace tensortopo

@@ -3,7 +3,6 @@
 #include "tensortopo/extract/exact_weights.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
@@ -11,42 +10,59 @@ namespace tensortopo {
 
 namespace {
 
-/// Sums of two such numbers stay below 2^63, and what is kept is a double.
-constexpr int kBits = 52;
-constexpr int kBitsOnTheWay = 61;
+using Whole = boost::multiprecision::uint128_t;
+
+/// What is kept is the sum of two doubles, of 53 bits each.
+constexpr int kBits = 104;
+/// Sums of two such numbers stay below 2^128.
+constexpr int kBitsOnTheWay = 126;
+
+Whole joined(std::uint64_t high, std::uint64_t low) { return Whole(high) << 64 | low; }
+
+std::uint64_t low_half(const Whole& n) {
+  return static_cast<std::uint64_t>(Whole(n & ~std::uint64_t{0}));
+}
+std::uint64_t high_half(const Whole& n) { return static_cast<std::uint64_t>(Whole(n >> 64)); }
+
+int width_of(const Whole& n) { return n == 0 ? 0 : static_cast<int>(msb(n)) + 1; }
 
 }  // namespace
 
 template <std::size_t Vertices>
 ExactWeights<Vertices> ExactWeights<Vertices>::at_corner(std::size_t corner) {
   ExactWeights result;
-  result.digits_[corner] = 1;
+  result.digits_[corner].low = 1;
   return result;
 }
 
 template <std::size_t Vertices>
-std::optional<ExactWeights<Vertices>> ExactWeights<Vertices>::combination(int a,
+std::optional<ExactWeights<Vertices>> ExactWeights<Vertices>::combination(std::int64_t a,
                                                                           const ExactWeights& u,
-                                                                          int b,
+                                                                          std::int64_t b,
                                                                           const ExactWeights& v) {
-  ExactWeights sum;
-  sum.exponent_ = std::min(u.exponent_, v.exponent_);
-  std::uint64_t all = 0;
+  ExactWeights result;
+  const int exponent = std::min(u.exponent_, v.exponent_);
+  std::array<Whole, Vertices> sums{};
+  Whole all = 0;
   for (std::size_t i = 0; i < Vertices; ++i) {
     for (const auto& [factor, w] : {std::pair{a, &u}, std::pair{b, &v}}) {
-      const auto term = static_cast<std::uint64_t>(w->digits_[i]) * static_cast<unsigned>(factor);
-      const int shift = w->exponent_ - sum.exponent_;
-      if (term != 0 && static_cast<int>(std::bit_width(term)) + shift > kBitsOnTheWay)
-        return std::nullopt;
-      if (term != 0) sum.digits_[i] += static_cast<std::int64_t>(term << shift);
+      const Whole digits = joined(w->digits_[i].high, w->digits_[i].low);
+      const Whole share = static_cast<std::uint64_t>(factor);
+      if (digits == 0 || share == 0) continue;
+      const int shift = w->exponent_ - exponent;
+      if (width_of(digits) + width_of(share) + shift > kBitsOnTheWay) return std::nullopt;
+      sums[i] += digits * share << shift;
     }
-    all |= static_cast<std::uint64_t>(sum.digits_[i]);
+    all |= sums[i];
   }
-  const int spare = std::countr_zero(all);
-  if (static_cast<int>(std::bit_width(all)) - spare > kBits) return std::nullopt;
-  for (auto& d : sum.digits_) d >>= spare;
-  sum.exponent_ += spare;
-  return sum;
+  const int spare = all == 0 ? 0 : static_cast<int>(lsb(all));
+  if (width_of(all) - spare > kBits) return std::nullopt;
+  for (std::size_t i = 0; i < Vertices; ++i) {
+    sums[i] >>= spare;
+    result.digits_[i] = {high_half(sums[i]), low_half(sums[i])};
+  }
+  result.exponent_ = exponent + spare;
+  return result;
 }
 
 template <std::size_t Vertices>
@@ -57,20 +73,31 @@ ExactWeights<Vertices> ExactWeights<Vertices>::scaled(int e) const {
 }
 
 template <std::size_t Vertices>
-std::array<double, Vertices> ExactWeights<Vertices>::values() const {
-  std::array<double, Vertices> result;
-  for (std::size_t i = 0; i < Vertices; ++i)
-    result[i] = std::ldexp(static_cast<double>(digits_[i]), exponent_);
-  return result;
+ExactPlace<Vertices> ExactWeights<Vertices>::values() const {
+  ExactPlace<Vertices> place;
+  for (std::size_t i = 0; i < Vertices; ++i) {
+    const Whole digits = joined(digits_[i].high, digits_[i].low);
+    const auto high = static_cast<double>(digits);
+    const Whole back(high);
+    const double low = back > digits ? -static_cast<double>(Whole(back - digits))
+                                     : static_cast<double>(Whole(digits - back));
+    place.high[i] = std::ldexp(high, exponent_);
+    place.low[i] = std::ldexp(low, exponent_);
+  }
+  return place;
 }
 
 template <std::size_t Vertices>
 bool ExactWeights<Vertices>::comes_before(const ExactWeights& other, std::size_t from,
                                           std::size_t to) const {
-  using Wide = boost::multiprecision::int128_t;
-  return Wide(digits_[to]) * other.digits_[from] < Wide(other.digits_[to]) * digits_[from];
+  using Wide = boost::multiprecision::uint256_t;
+  const auto at = [](const ExactWeights& w, std::size_t i) {
+    return Wide(joined(w.digits_[i].high, w.digits_[i].low));
+  };
+  return at(*this, to) * at(other, from) < at(other, to) * at(*this, from);
 }
 
+template class ExactWeights<2>;
 template class ExactWeights<3>;
 template class ExactWeights<4>;
 

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "extractor_scalars.hpp"
-#include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/extract/effort.hpp"
+#include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/sign.hpp"
 
 namespace tensortopo {
@@ -65,6 +65,8 @@ bool FaceParts<Scalar>::build(const LevelSimplex<Scalar, 3>& triangle, const Lev
 template <class Scalar>
 std::optional<std::uint32_t> FaceParts<Scalar>::part_of(const Weights& place) {
   const auto& vertices = refinement_.vertices();
+  for (const auto& v : vertices)
+    if (!v.exact().fits_in_doubles()) return std::nullopt;
   for (const auto& cell : refinement_.cells()) {
     if (!cell.alive) continue;
     bool inside = true;

@@ -10,6 +10,7 @@
 #include "degenerate_offset.hpp"
 #include "extractor_scalars.hpp"
 #include "longer_level.hpp"
+#include "refinement_vertex.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 #include "thin_sheets.hpp"
 #include "tiers.hpp"
@@ -45,11 +46,6 @@ constexpr std::size_t kFaceBudget = 2000;
 /// How often an edge is halved in counting its crossings.
 constexpr int kEdgeDepth = 12;
 
-/// The power of two that brings a norm form to [3, 12).
-int normalizing_exponent(double norm_form) {
-  return norm_form > 0 ? -std::ilogb(std::sqrt(norm_form / 3)) : 0;
-}
-
 std::uint64_t edge_key(std::uint32_t u, std::uint32_t v) {
   return std::uint64_t{std::min(u, v)} << 32 | std::max(u, v);
 }
@@ -66,12 +62,7 @@ template <std::size_t Corners, class Scalar, std::size_t Vertices>
 std::array<RefinementVertex<Scalar, Vertices>, Corners> corners_of(
     const LevelSimplex<Scalar, Vertices>& simplex) {
   std::array<RefinementVertex<Scalar, Vertices>, Corners> corners;
-  for (std::size_t i = 0; i < Corners; ++i) {
-    corners[i].place = ExactWeights<Vertices>::at_corner(i);
-    corners[i].weights = corners[i].place.values();
-    corners[i].tensor = simplex.tensors[i];
-    corners[i].above = simplex.above[i];
-  }
+  for (std::size_t i = 0; i < Corners; ++i) corners[i] = detail::corner_vertex(simplex, i);
   return corners;
 }
 
@@ -207,39 +198,26 @@ template <class Scalar, std::size_t Vertices, std::size_t Corners>
 template <std::size_t Part>
 SimplexProof<Scalar, Part> Refinement<Scalar, Vertices, Corners>::prove(
     const std::array<std::uint32_t, Part>& part) const {
-  std::array<std::array<double, Vertices>, Part> weights;
+  std::array<ExactPlace<Vertices>, Part> places;
   std::array<Deviator<Scalar>, Part> tensors;
+  double total = 0;
   for (std::size_t i = 0; i < Part; ++i) {
-    weights[i] = vertices_[part[i]].weights;
-    tensors[i] = vertices_[part[i]].tensor;
+    const Vertex& v = vertices_[part[i]];
+    places[i] = v.exact();
+    tensors[i] = v.tensor;
+    total = std::max(total, v.total);
   }
-  return prove_part(*simplex_, weights, tensors, *level_);
-}
-
-template <class Scalar, std::size_t Vertices, std::size_t Corners>
-std::optional<typename Refinement<Scalar, Vertices, Corners>::Between>
-Refinement<Scalar, Vertices, Corners>::between(int a, const Vertex& u, int b,
-                                               const Vertex& v) const {
-  const auto place = ExactWeights<Vertices>::combination(a, u.place, b, v.place);
-  if (!place) return std::nullopt;
-  Vertex m;
-  m.tensor = tensor_at(simplex_->tensors, place->values());
-  const int e = normalizing_exponent(static_cast<double>(norm_form(m.tensor)));
-  m.place = place->scaled(e);
-  m.weights = m.place.values();
-  m.tensor = Scalar(std::ldexp(1.0, e)) * m.tensor;
-  m.above = is_above(*simplex_, m.tensor, m.weights, *level_);
-  return Between{m, std::ldexp(a, e), std::ldexp(b, e)};
+  return prove_part(*simplex_, places, tensors, *level_, total);
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 int Refinement<Scalar, Vertices, Corners>::crossings_between(const Vertex& u, const Vertex& v,
                                                              int depth) const {
-  if (edge_is_simple<Scalar, Vertices>(*simplex_, {u.weights, v.weights}, {u.tensor, v.tensor},
-                                       *level_))
+  if (edge_is_simple<Scalar, Vertices>(*simplex_, {u.exact(), v.exact()}, {u.tensor, v.tensor},
+                                       *level_, std::max(u.total, v.total)))
     return u.above != v.above ? 1 : 0;
   if (depth == kEdgeDepth) return 2;
-  const auto middle = between(1, u, 1, v);
+  const auto middle = detail::place_between(*simplex_, *level_, {1, 1}, u, v);
   if (!middle) return 2;
   const auto& m = middle->vertex;
   const int first = crossings_between(u, m, depth + 1);
@@ -265,8 +243,7 @@ bool Refinement<Scalar, Vertices, Corners>::is_simple_face(
 /// For a face whose edges are simple: whether a refinement of its own shows that the level makes
 /// one arc in it if it crosses the edges, and nothing otherwise.
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
-    const std::array<std::uint32_t, 3>& face) {
+bool Refinement<Scalar, Vertices, Corners>::has_no_loop(const std::array<std::uint32_t, 3>& face) {
   if constexpr (Corners == 4) {
     const std::array<Vertex, 3> corners{vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
     thread_local Refinement<Scalar, Vertices, 3> triangle;
@@ -284,7 +261,7 @@ bool Refinement<Scalar, Vertices, Corners>::has_no_loop(
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 double Refinement<Scalar, Vertices, Corners>::squared_length(std::uint32_t u,
-                                                            std::uint32_t v) const {
+                                                             std::uint32_t v) const {
   const auto &s = vertices_[u].tensor, &t = vertices_[v].tensor;
   const Scalar scale = norm_form(s) * norm_form(t);
   if (!(scale > Scalar(0))) return kLongest;
@@ -333,7 +310,9 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
   const bool uneven = cuts < (is_hidden_in_double(*level_) ? kUnevenCutsOfThin : kUnevenCuts);
   const int share = uneven ? thirty_seconds[cuts % thirty_seconds.size()] : 1;
   const auto [lower, upper] = std::minmax(u, v);
-  const auto middle = between(share, vertices_[lower], uneven ? 32 - share : 1, vertices_[upper]);
+  const Vertex &first = vertices_[lower], &second = vertices_[upper];
+  const auto shares = detail::shares_of_cut(first, second, {share, uneven ? 32 - share : 1});
+  const auto middle = detail::place_between(*simplex_, *level_, shares, first, second);
   if (!middle) return false;
   const auto m = add_vertex(middle->vertex);
   const Scalar of_u(u == lower ? middle->a : middle->b), of_v(u == lower ? middle->b : middle->a);

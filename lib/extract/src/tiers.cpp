@@ -15,9 +15,8 @@ namespace {
 
 /// The field of the root simplex at some of its points, from the input's bits.
 template <class Long, class Scalar, std::size_t Vertices, std::size_t Part>
-std::array<Deviator<Long>, Part> tensors_in(
-    const LevelSimplex<Scalar, Vertices>& root,
-    const std::array<std::array<double, Vertices>, Part>& weights) {
+std::array<Deviator<Long>, Part> tensors_in(const LevelSimplex<Scalar, Vertices>& root,
+                                            const std::array<ExactPlace<Vertices>, Part>& places) {
   std::array<Deviator<Long>, Vertices> corners;
   for (std::size_t i = 0; i < Vertices; ++i) {
     using std::ldexp;
@@ -29,7 +28,10 @@ std::array<Deviator<Long>, Part> tensors_in(
   std::array<Deviator<Long>, Part> result;
   for (std::size_t p = 0; p < Part; ++p) {
     std::array<Long, Vertices> w;
-    for (std::size_t i = 0; i < Vertices; ++i) w[i] = Long(weights[p][i]);
+    for (std::size_t i = 0; i < Vertices; ++i) {
+      w[i] = Long(places[p].high[i]);
+      if (places[p].low[i] != 0) w[i] += Long(places[p].low[i]);
+    }
     result[p] = tensor_at(corners, w);
   }
   return result;
@@ -50,22 +52,22 @@ Sides sides_of(const std::array<Deviator<Scalar>, Part>& tensors, const Level<Sc
   return unknown ? Sides::unknown : Sides::same;
 }
 
+/// Of the coordinates; a bit more, for those that are rounded.
 template <std::size_t Vertices, std::size_t Part>
-double largest_sum(const std::array<std::array<double, Vertices>, Part>& weights) {
+double largest_sum(const std::array<ExactPlace<Vertices>, Part>& places) {
   double largest = 0;
-  for (const auto& w : weights)
-    largest = std::max(largest, std::accumulate(w.begin(), w.end(), 0.0));
-  return largest;
+  for (const auto& p : places)
+    largest = std::max(largest, std::accumulate(p.high.begin(), p.high.end(), 0.0));
+  return largest * (1 + 0x1p-50);
 }
 
 }  // namespace
 
 template <class Scalar, std::size_t Vertices, std::size_t Part>
 SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root,
-                                      const std::array<std::array<double, Vertices>, Part>& weights,
+                                      const std::array<ExactPlace<Vertices>, Part>& places,
                                       const std::array<Deviator<Scalar>, Part>& tensors,
-                                      const Level<Scalar>& level) {
-  const double total = largest_sum(weights);
+                                      const Level<Scalar>& level, double total) {
   using Proof = SimplexProof<Scalar, Part>;
   auto proof = prove_simplex(tensors, level, total, kShortSearch);
   // Vertices that only seem to be on different sides keep it from trying whether the part is empty.
@@ -75,8 +77,9 @@ SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root
   if (!proof.hidden_by_rounding) return proof;
   using Long = typename Longer<Scalar>::type;
   using Better = SimplexProof<Long, Part>;
-  const auto longer = tensors_in<Long>(root, weights);
+  const auto longer = tensors_in<Long>(root, places);
   const auto& same_level = level_in<Long>(level.value);
+  total = largest_sum(places);
   auto better = prove_simplex(longer, same_level, total, kShortSearch);
   if (better.kind == Better::Kind::none && sides_of(longer, same_level, total) == Sides::same &&
       is_proved_empty(longer, same_level, total))
@@ -91,40 +94,47 @@ SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root
 
 template <class Scalar, std::size_t Vertices>
 bool edge_is_simple(const LevelSimplex<Scalar, Vertices>& root,
-                    const std::array<std::array<double, Vertices>, 2>& weights,
-                    const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level) {
-  const double total = largest_sum(weights);
+                    const std::array<ExactPlace<Vertices>, 2>& places,
+                    const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level,
+                    double total) {
   const Verdict verdict = has_at_most_one_crossing(tensors, level, total);
   count_predicate(verdict == Verdict::unknown ? Tier::longer : Tier::fast);
   if (verdict != Verdict::unknown) return verdict == Verdict::positive;
   using Long = typename Longer<Scalar>::type;
-  return has_at_most_one_crossing(tensors_in<Long>(root, weights), level_in<Long>(level.value),
-                                  total) == Verdict::positive;
+  return has_at_most_one_crossing(tensors_in<Long>(root, places), level_in<Long>(level.value),
+                                  largest_sum(places)) == Verdict::positive;
 }
 
 template <class Scalar, std::size_t Vertices>
 Verdict side_in_longer_scalar(const LevelSimplex<Scalar, Vertices>& root,
-                              const std::array<double, Vertices>& weights,
-                              const Level<Scalar>& level) {
+                              const ExactPlace<Vertices>& place, const Level<Scalar>& level) {
   using Long = typename Longer<Scalar>::type;
-  const std::array<std::array<double, Vertices>, 1> places{weights};
+  const std::array<ExactPlace<Vertices>, 1> places{place};
   return side_of_level(tensors_in<Long>(root, places)[0], level_in<Long>(level.value),
                        largest_sum(places));
 }
 
-#define TENSORTOPO_INSTANTIATE_PART(Scalar, Vertices, Part)  \
-  template SimplexProof<Scalar, Part> prove_part(            \
-      const LevelSimplex<Scalar, Vertices>&,                 \
-      const std::array<std::array<double, Vertices>, Part>&, \
-      const std::array<Deviator<Scalar>, Part>&, const Level<Scalar>&);
-#define TENSORTOPO_INSTANTIATE_EDGE(Scalar, Vertices)                              \
-  template bool edge_is_simple(const LevelSimplex<Scalar, Vertices>&,              \
-                               const std::array<std::array<double, Vertices>, 2>&, \
-                               const std::array<Deviator<Scalar>, 2>&, const Level<Scalar>&);
+template <class Scalar, std::size_t Vertices>
+Deviator<Scalar> tensor_by_longer_scalar(const LevelSimplex<Scalar, Vertices>& root,
+                                         const ExactPlace<Vertices>& place) {
+  using Long = typename Longer<Scalar>::type;
+  return tensor_cast<Scalar>(tensors_in<Long>(root, std::array<ExactPlace<Vertices>, 1>{place})[0]);
+}
+
+#define TENSORTOPO_INSTANTIATE_PART(Scalar, Vertices, Part)                                 \
+  template SimplexProof<Scalar, Part> prove_part(                                           \
+      const LevelSimplex<Scalar, Vertices>&, const std::array<ExactPlace<Vertices>, Part>&, \
+      const std::array<Deviator<Scalar>, Part>&, const Level<Scalar>&, double);
+#define TENSORTOPO_INSTANTIATE_EDGE(Scalar, Vertices)                                    \
+  template bool edge_is_simple(                                                          \
+      const LevelSimplex<Scalar, Vertices>&, const std::array<ExactPlace<Vertices>, 2>&, \
+      const std::array<Deviator<Scalar>, 2>&, const Level<Scalar>&, double);
 #define TENSORTOPO_INSTANTIATE_SIDE(Scalar, Vertices)                           \
   template Verdict side_in_longer_scalar(const LevelSimplex<Scalar, Vertices>&, \
-                                         const std::array<double, Vertices>&,   \
-                                         const Level<Scalar>&);
+                                         const ExactPlace<Vertices>&, const Level<Scalar>&);
+#define TENSORTOPO_INSTANTIATE_TENSOR(Scalar, Vertices)                                    \
+  template Deviator<Scalar> tensor_by_longer_scalar(const LevelSimplex<Scalar, Vertices>&, \
+                                                    const ExactPlace<Vertices>&);
 #define TENSORTOPO_INSTANTIATE(Scalar)      \
   TENSORTOPO_INSTANTIATE_SIDE(Scalar, 2)    \
   TENSORTOPO_INSTANTIATE_SIDE(Scalar, 3)    \
@@ -134,9 +144,13 @@ Verdict side_in_longer_scalar(const LevelSimplex<Scalar, Vertices>& root,
   TENSORTOPO_INSTANTIATE_PART(Scalar, 4, 4) \
   TENSORTOPO_INSTANTIATE_EDGE(Scalar, 2)    \
   TENSORTOPO_INSTANTIATE_EDGE(Scalar, 3)    \
-  TENSORTOPO_INSTANTIATE_EDGE(Scalar, 4)
+  TENSORTOPO_INSTANTIATE_EDGE(Scalar, 4)    \
+  TENSORTOPO_INSTANTIATE_TENSOR(Scalar, 2)  \
+  TENSORTOPO_INSTANTIATE_TENSOR(Scalar, 3)  \
+  TENSORTOPO_INSTANTIATE_TENSOR(Scalar, 4)
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
+#undef TENSORTOPO_INSTANTIATE_TENSOR
 #undef TENSORTOPO_INSTANTIATE_EDGE
 #undef TENSORTOPO_INSTANTIATE_PART
 #undef TENSORTOPO_INSTANTIATE_SIDE

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 
 #include "tensortopo/extract/refinement.hpp"
 #include "tensortopo/extract/simple_simplex.hpp"
@@ -15,26 +17,44 @@ namespace tensortopo {
 /// input's own bits.
 ///
 /// @param root    the simplex of the mesh
-/// @param weights homogeneous coordinates, in `root`, of the vertices of the part; exact
+/// @param places  homogeneous coordinates, in `root`, of the vertices of the part
 /// @param tensors the field there
+/// @param total   of `rounding_unit`, for the tensor with the largest error
 template <class Scalar, std::size_t Vertices, std::size_t Part>
 SimplexProof<Scalar, Part> prove_part(const LevelSimplex<Scalar, Vertices>& root,
-                                      const std::array<std::array<double, Vertices>, Part>& weights,
+                                      const std::array<ExactPlace<Vertices>, Part>& places,
                                       const std::array<Deviator<Scalar>, Part>& tensors,
-                                      const Level<Scalar>& level);
+                                      const Level<Scalar>& level, double total);
 
 /// The same for an edge: whether it is proved to hold at most one point of the level.
 template <class Scalar, std::size_t Vertices>
 bool edge_is_simple(const LevelSimplex<Scalar, Vertices>& root,
+                    const std::array<ExactPlace<Vertices>, 2>& places,
+                    const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level,
+                    double total);
+template <class Scalar, std::size_t Vertices>
+bool edge_is_simple(const LevelSimplex<Scalar, Vertices>& root,
                     const std::array<std::array<double, Vertices>, 2>& weights,
-                    const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level);
+                    const std::array<Deviator<Scalar>, 2>& tensors, const Level<Scalar>& level) {
+  const auto sum = [](const auto& w) { return std::accumulate(w.begin(), w.end(), 0.0); };
+  return edge_is_simple<Scalar, Vertices>(root, {weights[0], weights[1]}, tensors, level,
+                                          std::max(sum(weights[0]), sum(weights[1])));
+}
 
 /// The side of the level on which the field is at a place in a simplex of the mesh, in the longer
 /// scalar; unknown if that cannot tell either. Next to modes 1 and -1, where a double cannot tell
 /// most modes from the level's, this spares rationals.
 template <class Scalar, std::size_t Vertices>
 Verdict side_in_longer_scalar(const LevelSimplex<Scalar, Vertices>& root,
-                              const std::array<double, Vertices>& weights,
-                              const Level<Scalar>& level);
+                              const ExactPlace<Vertices>& place, const Level<Scalar>& level);
+
+/// What the longer scalar adds to `total` of `rounding_unit`, for each unit of the weights' sum: it
+/// has more than 110 bits more.
+inline constexpr double kLongerTotal = 0x1p-110;
+
+/// The field of a simplex of the mesh at a place, rounded once; but for what `kLongerTotal` says.
+template <class Scalar, std::size_t Vertices>
+Deviator<Scalar> tensor_by_longer_scalar(const LevelSimplex<Scalar, Vertices>& root,
+                                         const ExactPlace<Vertices>& place);
 
 }  // namespace tensortopo

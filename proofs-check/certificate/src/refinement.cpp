@@ -13,6 +13,19 @@ constexpr std::size_t kMaxCells = 40000;
 /// singular, without end; levels that are proved elsewhere take a few dozen.
 constexpr std::size_t kMaxByIntegers = 500;
 
+/// Tensors whose angle has at most this cosine are nearly opposite.
+constexpr double kNearlyOpposite = -1 + 0x1p-9;
+
+double entry_weight(std::size_t i) { return i < 3 || i > 5 ? 1 : 2; }
+
+/// The largest exponent of the numbers, as doubles have them.
+long largest_exponent(const Tensor<mpz_class>& t) {
+  std::size_t bits = 0;
+  for (const mpz_class& x : t)
+    if (x != 0) bits = std::max(bits, mpz_sizeinbase(x.get_mpz_t(), 2));
+  return static_cast<long>(bits);
+}
+
 }  // namespace
 
 Refinement::Refinement(const Level& level, std::span<const Corner> roots)
@@ -105,8 +118,7 @@ bool Refinement::is_open(const Cell& cell) {
 double Refinement::closeness(Id a, Id b) const {
   const Tensor<Ball>&m = points_[a].ball, &k = points_[b].ball;
   double dot = 0;
-  for (std::size_t i = 0; i < m.size(); ++i)
-    dot += (i < 3 || i > 5 ? 1 : 2) * m[i].value * k[i].value;
+  for (std::size_t i = 0; i < m.size(); ++i) dot += entry_weight(i) * m[i].value * k[i].value;
   return dot / (points_[a].length * points_[b].length);
 }
 
@@ -120,31 +132,56 @@ void Refinement::wait(std::size_t c, Waiting& waiting) const {
   waiting.push(longest);
 }
 
-/// A point about half way, in the angle between the tensors: they are of similar size, because
-/// balls are. A little off the middle, for planes of symmetry lie there.
+/// How much of p and of q there is in the point in which their edge is cut. That is about half way
+/// in the angle between the tensors, for these are of similar size, because balls are; a little off
+/// the middle, for planes of symmetry lie there. The sum of nearly opposite tensors is to be about
+/// as small as it can be: all that happens on such an edge happens there, and cuts elsewhere come
+/// near in as many steps as the closeness has bits, for each edge of each cell anew.
+std::array<double, 2> Refinement::shares(Id p, Id q) const {
+  if (!(closeness(p, q) < kNearlyOpposite)) return {17, 15};
+  const Point &a = points_[p], &b = points_[q];
+  double square = 0;
+  for (std::size_t i = 0; i < a.ball.size(); ++i) {
+    const double sum = a.ball[i].value / a.length + b.ball[i].value / b.length;
+    square += entry_weight(i) * sum * sum;
+  }
+  const double small = std::max(std::sqrt(square), 0x1p-44);
+  const double all = std::ldexp(1.0, 6 - std::ilogb(small));
+  const double of_a = (0.5 + small / 32) / a.length, of_b = (0.5 - small / 32) / b.length;
+  const double part = std::round(of_a / (of_a + of_b) * all);
+  return {part, all - part};
+}
+
 Refinement::Id Refinement::middle(Id a, Id b) {
   const Point &p = points_[a], &q = points_[b];
+  const auto [of_p, of_q] = shares(a, b);
   Point m;
+  const long shift = std::max(p.shift, q.shift);
+  for (std::size_t i = 0; i < corners(); ++i) {
+    m.weights[i] =
+        (mpz_class(mpz_class(of_p) * p.weights[i]) << static_cast<unsigned long>(shift - p.shift)) +
+        (mpz_class(mpz_class(of_q) * q.weights[i]) << static_cast<unsigned long>(shift - q.shift));
+  }
+  m.support = p.support | q.support;
   double size = 0;
   for (std::size_t k = 0; k < m.ball.size(); ++k) {
-    m.ball[k] = Ball(17) * p.ball[k] + Ball(15) * q.ball[k];
+    m.ball[k] = Ball(of_p, 0) * p.ball[k] + Ball(of_q, 0) * q.ball[k];
     size = std::max(size, std::abs(m.ball[k].value));
   }
   int scale = 0;
   if (size > 0 && size < HUGE_VAL) std::frexp(size, &scale);
   const Ball factor(std::ldexp(1.0, -scale), 0);
   for (Ball& x : m.ball) x = x * factor;
-  m.length = std::sqrt(product(m.ball, m.ball).value);
-  const long shift = std::max(p.shift, q.shift);
-  for (std::size_t i = 0; i < corners(); ++i) {
-    m.weights[i] = (mpz_class(17 * p.weights[i]) << static_cast<unsigned long>(shift - p.shift)) +
-                   (mpz_class(15 * q.weights[i]) << static_cast<unsigned long>(shift - q.shift));
-  }
   m.shift = shift + scale;
-  m.support = p.support | q.support;
   const Id id = static_cast<Id>(points_.size());
   points_.push_back(std::move(m));
   Point& stored = points_.back();
+  if (of_p + of_q > 32) {  // errors of doubles are not small compared with such a sum
+    const Tensor<mpz_class> sum = exact(id);
+    stored.shift = largest_exponent(sum);
+    for (std::size_t k = 0; k < sum.size(); ++k) stored.ball[k] = ball_of(sum[k], stored.shift);
+  }
+  stored.length = std::sqrt(product(stored.ball, stored.ball).value);
   stored.above = level_.above({&stored.ball, stored.shift, this, id});
   return id;
 }

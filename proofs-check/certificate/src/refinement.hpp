@@ -85,6 +85,7 @@ class Refinement : public ExactTensors {
   std::optional<std::size_t> longest(Waiting& waiting, std::array<Id, 2>& edge) const;
   void wait(std::size_t cell, Waiting& waiting) const;
   double closeness(Id a, Id b) const;
+  std::array<double, 2> shares(Id p, Id q) const;
   Id middle(Id a, Id b);
   void bisect(const std::array<Id, 2>& edge, Waiting& waiting);
 

@@ -39,4 +39,9 @@ Sign exact_side_of_level(std::span<const SymmetricTensor<double>> tensors,
                          std::span<const int> exponents, std::span<const double> weights,
                          const ModeValue& mode);
 
+/// The same at barycentric coordinates that are the sums of two doubles each.
+Sign exact_side_of_level(std::span<const SymmetricTensor<double>> tensors,
+                         std::span<const int> exponents, std::span<const double> high,
+                         std::span<const double> low, const ModeValue& mode);
+
 }  // namespace tensortopo

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +10,24 @@
 
 namespace tensortopo {
 
-/// Homogeneous barycentric coordinates that are exact: integers below 2^52, not negative, times a
+/// Homogeneous barycentric coordinates of a place, exact: each is the sum of two doubles.
+template <std::size_t Vertices>
+struct ExactPlace {
+  std::array<double, Vertices> high{};  ///< the doubles next to the coordinates
+  std::array<double, Vertices> low{};   ///< what is left of them
+
+  ExactPlace() = default;
+  /// Doubles are exact as they are.
+  ExactPlace(const std::array<double, Vertices>& weights) : high(weights) {}
+  ExactPlace(const std::array<double, Vertices>& weights, const std::array<double, Vertices>& rest)
+      : high(weights), low(rest) {}
+
+  bool fits_in_doubles() const {
+    return std::all_of(low.begin(), low.end(), [](double w) { return w == 0; });
+  }
+};
+
+/// Homogeneous barycentric coordinates that are exact: integers below 2^104, not negative, times a
 /// power of two. Only their ratios mean a place.
 template <std::size_t Vertices>
 class ExactWeights {
@@ -18,22 +36,27 @@ class ExactWeights {
   static ExactWeights at_corner(std::size_t corner);
 
   /// The coordinates a u + b v; nothing if they need more bits.
-  static std::optional<ExactWeights> combination(int a, const ExactWeights& u, int b,
-                                                 const ExactWeights& v);
+  /// @pre a and b are not negative
+  static std::optional<ExactWeights> combination(std::int64_t a, const ExactWeights& u,
+                                                 std::int64_t b, const ExactWeights& v);
 
   /// These times 2^e: the same place.
   ExactWeights scaled(int e) const;
 
-  std::array<double, Vertices> values() const;
+  ExactPlace<Vertices> values() const;
 
   /// Both places being on edge (from, to) of the simplex: whether this one is nearer to `from`.
   bool comes_before(const ExactWeights& other, std::size_t from, std::size_t to) const;
 
  private:
-  std::array<std::int64_t, Vertices> digits_{};
+  struct Digits {
+    std::uint64_t high = 0, low = 0;  ///< high 2^64 + low
+  };
+  std::array<Digits, Vertices> digits_{};
   int exponent_ = 0;
 };
 
+extern template class ExactWeights<2>;
 extern template class ExactWeights<3>;
 extern template class ExactWeights<4>;
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "tensortopo/extract/exact_weights.hpp"
@@ -29,9 +31,13 @@ struct LevelSimplex {
 template <class Scalar, std::size_t Vertices>
 struct RefinementVertex {
   ExactWeights<Vertices> place;
-  std::array<double, Vertices> weights;  ///< its coordinates; exact, homogeneous
-  Deviator<Scalar> tensor;               ///< of those weights; P in [3, 12) unless it vanishes
+  std::array<double, Vertices> weights;  ///< its coordinates; homogeneous, the nearest doubles
+  std::array<double, Vertices> rest{};   ///< what the coordinates are more than these
+  Deviator<Scalar> tensor;               ///< at the place itself; P in [3, 12) unless it vanishes
+  double total = 1;  ///< the tensor's error is as at exact coordinates of this sum
   bool above;
+
+  ExactPlace<Vertices> exact() const { return {weights, rest}; }
 };
 
 /// A conforming subdivision of a triangle or tetrahedron into simple simplices (see
@@ -58,14 +64,14 @@ class Refinement {
   };
 
   Refinement() = default;
-  Refinement(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level)
-    requires(Vertices == Corners);
+  Refinement(const LevelSimplex<Scalar, Vertices>& simplex,
+             const Level<Scalar>& level) requires(Vertices == Corners);
   Refinement(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
              const std::array<Vertex, Corners>& corners);
 
   /// Starts anew; memory is kept.
-  void reset(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level)
-    requires(Vertices == Corners);
+  void reset(const LevelSimplex<Scalar, Vertices>& simplex,
+             const Level<Scalar>& level) requires(Vertices == Corners);
   void reset(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
              const std::array<Vertex, Corners>& corners);
 
@@ -87,13 +93,6 @@ class Refinement {
   bool has_no_loop(const std::array<std::uint32_t, 3>& face);
   template <std::size_t Part>
   SimplexProof<Scalar, Part> prove(const std::array<std::uint32_t, Part>& part) const;
-  /// The place a u + b v, and a and b as scaled for it; nothing if its coordinates have too many
-  /// bits.
-  struct Between {
-    Vertex vertex;
-    double a, b;
-  };
-  std::optional<Between> between(int a, const Vertex& u, int b, const Vertex& v) const;
   /// Crossings of the level between two places, 2 for more than one or not known.
   int crossings_between(const Vertex& u, const Vertex& v, int depth) const;
   /// Of the chord between the unit tensors at two vertices, or next to the degenerate curve of
@@ -120,9 +119,18 @@ class Refinement {
 };
 
 /// Side of the level for the field of a simplex at exact homogeneous weights; all tiers.
+///
+/// @param total  of `rounding_unit`, for the tensor; the weights' sum if it was computed from them
 template <class Scalar, std::size_t Vertices>
 bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scalar>& tensor,
-              const std::array<double, Vertices>& weights, const Level<Scalar>& level);
+              const std::type_identity_t<ExactPlace<Vertices>>& place, const Level<Scalar>& level,
+              double total);
+template <class Scalar, std::size_t Vertices>
+bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scalar>& tensor,
+              const std::array<double, Vertices>& weights, const Level<Scalar>& level) {
+  return is_above(simplex, tensor, weights, level,
+                  std::accumulate(weights.begin(), weights.end(), 0.0));
+}
 
 /// The field of a simplex at homogeneous weights.
 template <class Scalar, std::size_t Vertices, class Weight>
