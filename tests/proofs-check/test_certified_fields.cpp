@@ -111,6 +111,24 @@ TEST(CertifiedFields, ATubeThatTurnsBackIsCertified) {
   EXPECT_EQ(tube[1][1], tube[2][1]);  // both loops are closed curves of one face
 }
 
+/// The stress of a bent beam: one tensor times the height above the neutral layer, and a small rest,
+/// which alone decides in that layer.
+TEST(CertifiedFields, ABentBeamIsCertified) {
+  Court court("beam");
+  for (const double rest : {1e-4, 1e-9, 1e-12}) {
+    TetMesh mesh = cube_mesh(1);
+    Random random(20241205);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const auto& p = mesh.points[v];
+      const SymmetricTensor<double> tension{p.z - 0.43 + 0.1 * p.x, 0, 0, 0, 0, 0};
+      mesh.tensors[v] = tension + rest * random.tensor();
+    }
+    const Exhibit e = exhibit(mesh, {"1/2", "-9/10", "0"});
+    EXPECT_EQ(court.verdict(e), "certified") << rest << '\n' << court.report();
+    EXPECT_EQ(e.certificate["levels"][0]["tets"].size(), mesh.tets.size());
+  }
+}
+
 /// The field of diag(1 - s, 2 s, -1 - s), s = x + y / 100 - 0.3: the levels are planes, which the
 /// triangles hit but for rounding. Far from the origin coordinates are rounded by more.
 TEST(CertifiedFields, PlanesAreProvedToBeNear) {
