@@ -16,6 +16,8 @@ namespace tensortopo {
 namespace {
 
 constexpr double kSmallestPart = 1.0 / (1ull << 48);
+/// Coordinates have too many bits before.
+constexpr int kDeepest = 120;
 
 template <class Scalar>
 struct EdgePoint {
@@ -52,7 +54,7 @@ bool collect(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
 template <class Scalar>
 bool collect_around_small(const LevelSimplex<Scalar, 2>& edge, const Level<Scalar>& level,
                           const RefinementVertex<Scalar, 2>& from,
-                          const RefinementVertex<Scalar, 2>& to,
+                          const RefinementVertex<Scalar, 2>& to, int depth,
                           std::vector<EdgeCrossing<Scalar>>& crossings) {
   if (edge_is_simple<Scalar, 2>(edge, {from.exact(), to.exact()}, {from.tensor, to.tensor}, level,
                                 std::max(from.total, to.total))) {
@@ -65,10 +67,11 @@ bool collect_around_small(const LevelSimplex<Scalar, 2>& edge, const Level<Scala
     crossings.push_back({at(1) / (at(0) + at(1)), rising});
     return true;
   }
+  if (depth == kDeepest) return false;
   const auto shares = detail::shares_of_cut(from, to, {1, 1});
   const auto middle = detail::place_between(edge, level, shares, from, to);
-  return middle && collect_around_small(edge, level, from, middle->vertex, crossings) &&
-         collect_around_small(edge, level, middle->vertex, to, crossings);
+  return middle && collect_around_small(edge, level, from, middle->vertex, depth + 1, crossings) &&
+         collect_around_small(edge, level, middle->vertex, to, depth + 1, crossings);
 }
 
 }  // namespace
@@ -79,7 +82,7 @@ std::optional<std::vector<EdgeCrossing<Scalar>>> edge_crossings(const LevelSimpl
   std::vector<EdgeCrossing<Scalar>> crossings;
   const auto from = detail::corner_vertex(edge, 0), to = detail::corner_vertex(edge, 1);
   if (detail::shares_of_cut(from, to, {1, 1}) != std::array<std::int64_t, 2>{1, 1}) {
-    if (!collect_around_small(edge, level, from, to, crossings)) return std::nullopt;
+    if (!collect_around_small(edge, level, from, to, 0, crossings)) return std::nullopt;
     return crossings;
   }
   const EdgePoint<Scalar> first{0.0, edge.tensors[0], edge.above[0]};

@@ -104,7 +104,11 @@ class Assembly {
         const Scalar &w = crossings_[e][k].weight, rest = Scalar(1) - w;
         const Scalar at_u = Scalar(u[a]) * w - Scalar(u[b]) * rest;
         const Scalar at_v = Scalar(v[a]) * w - Scalar(v[b]) * rest;
-        const Scalar f = at_u / (at_u - at_v);
+        // All three are one place if the side is shorter than roundings are.
+        const Scalar f = at_u == at_v
+                             ? segment_root(vertices[n.first].tensor, vertices[n.second].tensor,
+                                            vertices[n.second].above, level_)
+                             : at_u / (at_u - at_v);
         n.fraction = f < Scalar(0) ? Scalar(0) : f > Scalar(1) ? Scalar(1) : f;
       }
     }

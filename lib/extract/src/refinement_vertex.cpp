@@ -22,9 +22,7 @@ constexpr int kCutBits = 50;
 constexpr double kCancelled = 64;
 
 /// The power of two that brings a norm form to [3, 12).
-int normalizing_exponent(double norm_form) {
-  return norm_form > 0 ? -std::ilogb(std::sqrt(norm_form / 3)) : 0;
-}
+int normalizing_exponent(double norm_form) { return -std::ilogb(std::sqrt(norm_form / 3)); }
 
 }  // namespace
 
@@ -53,7 +51,9 @@ std::optional<PlaceBetween<Scalar, Vertices>> place_between(
   const double norm = std::sqrt(static_cast<double>(norm_form(m.tensor)));
   const bool is_cancelled = !exact.fits_in_doubles() || total > kCancelled * norm;
   if (is_cancelled) m.tensor = tensor_by_longer_scalar(simplex, exact);
-  const int e = normalizing_exponent(static_cast<double>(norm_form(m.tensor)));
+  const auto square = static_cast<double>(norm_form(m.tensor));
+  if (!(square > 0)) return std::nullopt;
+  const int e = normalizing_exponent(square);
   m.place = place->scaled(e);
   for (std::size_t i = 0; i < Vertices; ++i) {
     m.weights[i] = std::ldexp(exact.high[i], e);

@@ -23,7 +23,8 @@ struct PlaceBetween {
   double a, b;
 };
 
-/// Nothing if its coordinates have too many bits.
+/// Nothing if its coordinates have too many bits, or if the deviator vanishes there: no part with
+/// such a corner is ever proved.
 template <class Scalar, std::size_t Vertices>
 std::optional<PlaceBetween<Scalar, Vertices>> place_between(
     const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
