@@ -203,9 +203,9 @@ Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& texts, int pieces)
   subject.points = mesh.points.size();
   subject.tetrahedra = mesh.tets.size();
   subject.vertices = result.surface.points.size();
-  subject.triangles = result.surface.triangles.size();
+  subject.cells = result.surface.triangles.size();
   subject.field_sha256 = field_sha256(mesh);
-  subject.surface_sha256 = surface_sha256(result.surface, mesh);
+  subject.output_sha256 = surface_sha256(result.surface, mesh);
   result.certificate =
       Json::parse(certificate_bytes(subject, levels, mesh, CertificateEncoding::json));
   result.mesh = std::move(mesh);
