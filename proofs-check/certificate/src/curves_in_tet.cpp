@@ -94,7 +94,8 @@ class ConicOrder {
 
 /// Points that are probably inside the conic, for others to prove: near the eigenvector of the one
 /// eigenvalue with a sign of its own, and beside it.
-std::vector<Vector3<mpz_class>> likely_insides(const Conic<mpz_class>& n) {
+/// @param sign  of the determinant, and of that eigenvalue, as the form is trace-free
+std::vector<Vector3<mpz_class>> likely_insides(const Conic<mpz_class>& n, int sign) {
   long shift = 0;
   for (const mpz_class& x : n.m)
     shift = std::max(shift, static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)));
@@ -102,8 +103,7 @@ std::vector<Vector3<mpz_class>> likely_insides(const Conic<mpz_class>& n) {
   for (std::size_t k = 0; k < 6; ++k) m[k] = ball_of(n.m[k], shift).value;
   const Eigen::Matrix3d matrix{{m[0], m[5], m[4]}, {m[5], m[1], m[3]}, {m[4], m[3], m[2]}};
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
-  const bool lowest = solver.eigenvalues()[1] > 0;
-  const Eigen::Index one = lowest ? 0 : 2;
+  const Eigen::Index one = sign < 0 ? 0 : 2;
   std::vector<Vector3<mpz_class>> result;
   for (const double aside : {0.0, 0.25, -0.125}) {
     const double size = std::sqrt(std::abs(solver.eigenvalues()[one] / solver.eigenvalues()[1]));
@@ -155,8 +155,7 @@ std::optional<std::vector<std::array<std::size_t, 2>>> joined_in_tet(
   const Conic<mpz_class>& n = forms.across[0];
   const int sign = sgn(n.determinant());
   if (forms.minor == 0 || sign == 0) return std::nullopt;
-  for (const Vector3<mpz_class>& c : likely_insides(n)) {
-    // The form is trace-free, so inside is where it has the sign of its determinant.
+  for (const Vector3<mpz_class>& c : likely_insides(n, sign)) {
     if (sgn(n(c, c)) != sign) continue;
     try {
       return pieces_seen_from(forms, c, rim, static_cast<int>(kind) * sgn(forms.minor));
