@@ -3,6 +3,7 @@
 // The degenerate curves of a field on a mesh, derived from the field alone.
 #pragma once
 
+#include "certificate_check/check_certificate.hpp"
 #include "curves_in_tet.hpp"
 #include "topology.hpp"
 

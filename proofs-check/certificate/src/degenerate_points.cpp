@@ -16,9 +16,10 @@ double bound_of_largest(const std::array<double, 6>& k) {
                         2 * (k[3] * k[3] + k[4] * k[4] + k[5] * k[5]);
   const double det = Conic<double>{k}.determinant();
   const double mode = std::clamp(std::sqrt(54.0) * det / (square * std::sqrt(square)), -1.0, 1.0);
-  // Less, and the minors below would drown in rounding where two eigenvalues are about equal.
-  constexpr double kMargin = 1 + 1e-5;
-  return kMargin * std::sqrt(square * 2 / 3) * std::cos(std::acos(mode) / 3);
+  // So that the minors below do not drown in rounding: where the two largest eigenvalues are about
+  // equal they are about the square of this.
+  const double margin = mode > 0 ? 1 + 1e-11 : 1 + 1e-5;
+  return margin * std::sqrt(square * 2 / 3) * std::cos(std::acos(mode) / 3);
 }
 
 }  // namespace
@@ -60,8 +61,8 @@ namespace {
 /// Another one is tried where p is on the conics, or q or r belong to a point sought.
 constexpr std::array<Basis, 4> kBases{{{{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}},
                                        {{{{1, 0, 0}, {5, 1, 2}, {-2, 0, 1}}}},
-                                       {{{{3, 1, -2}, {1, 0, 4}, {0, 0, 1}}}},
-                                       {{{{-2, 7, 1}, {1, 0, 3}, {0, 1, 0}}}}}};
+                                       {{{{3, 1, -2}, {1, -5, 4}, {2, 3, 7}}}},
+                                       {{{{-2, 7, 1}, {5, 11, -3}, {-4, 1, 6}}}}}};
 
 template <class N>
 std::array<Row<N>, 3> rows_of(const std::array<Tensor<N>, 3>& tensors) {
@@ -98,7 +99,7 @@ bool is_free_in_balls(const std::array<Corner, 3>& corners,
       rows_of<Ball>({*corners[0].ball, *corners[1].ball, *corners[2].ball}), columns);
   const int side = static_cast<int>(kind) * common_sign(std::array{forms.minor});
   if (side == 0) return false;
-  constexpr std::size_t kMostArcs = 48;
+  constexpr std::size_t kMostArcs = 300;
   for (const std::size_t b : {0U, 1U}) {
     const auto arcs = arcs_of(forms, kBases[b]);
     if (!arcs) continue;
@@ -119,6 +120,23 @@ bool is_free_in_balls(const std::array<Corner, 3>& corners,
   return false;
 }
 
+/// Is each part of a triangle free, cut in four so many times?
+bool is_free_in_parts(const std::array<Tensor<Ball>, 3>& corners, Kind kind, int depth) {
+  if (is_free(std::array<const Tensor<Ball>*, 3>{&corners[0], &corners[1], &corners[2]}, kind))
+    return true;
+  if (depth == 0) return false;
+  std::array<Tensor<Ball>, 3> middles;  // opposite to the corners
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t n = 0; n < 8; ++n)
+      middles[i][n] = Ball(0.5, 0) * (corners[(i + 1) % 3][n] + corners[(i + 2) % 3][n]);
+  if (!is_free_in_parts(middles, kind, depth - 1)) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!is_free_in_parts({corners[i], middles[(i + 1) % 3], middles[(i + 2) % 3]}, kind,
+                          depth - 1))
+      return false;
+  return true;
+}
+
 /// Changes of sign among coefficients; those that are zero do not count.
 int variations(const std::array<mpz_class, 5>& form) {
   int count = 0, last = 0;
@@ -136,11 +154,14 @@ bool has_one_zero(const std::array<mpz_class, 5>& form) {
 }
 
 /// Adds the points on an arc. False if it was cut too often.
-bool add_points(const Arc<mpz_class>& whole, int side, std::vector<FacePoint>& points) {
+/// @param budget  for how many arcs are looked at, of this and others
+bool add_points(const Arc<mpz_class>& whole, int side, std::vector<FacePoint>& points,
+                std::size_t& budget) {
   constexpr std::size_t kMostArcs = 400;
   std::vector<Arc<mpz_class>> open{whole};
   for (std::size_t count = 0; !open.empty(); ++count) {
-    if (count == kMostArcs) return false;
+    if (count == kMostArcs || budget == 0) return false;
+    --budget;
     const Arc<mpz_class> arc = std::move(open.back());
     open.pop_back();
     if (common_sign(arc.zero) != 0) continue;
@@ -244,13 +265,19 @@ FacePoints points_in_face(const std::array<Corner, 3>& corners, Kind kind) {
       rows_of<mpz_class>({corners[0].exact(), corners[1].exact(), corners[2].exact()}), columns);
   const int side = static_cast<int>(kind) * sgn(forms.minor);
   result.decided = false;
+  std::size_t budget = 800;
   for (std::size_t b = 0; b < kBases.size() && side != 0 && !result.decided; ++b) {
     const auto arcs = arcs_of(forms, kBases[b]);
     result.points.clear();
-    result.decided = arcs && add_points((*arcs)[0], side, result.points) &&
-                     add_points((*arcs)[1], side, result.points);
+    result.decided = arcs && add_points((*arcs)[0], side, result.points, budget) &&
+                     add_points((*arcs)[1], side, result.points, budget);
   }
-  if (!result.decided) result.points.clear();
+  if (result.decided) return result;
+  result.points.clear();
+  // What is special about the plane may be no concern of the triangle.
+  constexpr int kDepth = 8;
+  result.decided =
+      is_free_in_parts({*corners[0].ball, *corners[1].ball, *corners[2].ball}, kind, kDepth);
   return result;
 }
 
