@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certificate.hpp"
 
+#include <map>
+#include <string>
 #include <utility>
 
 #include "tensortopo/analysis/usage_error.hpp"
@@ -36,6 +38,20 @@ CertificateSubject subject_of(const ReadOptions& options, const ReadResult& read
   return subject;
 }
 
+using Kinds = std::map<std::string, std::size_t>;
+
+/// Claims by kind, as `claims` counts them.
+void count(const CertifiedLevel& level, Kinds& kinds) {
+  const LevelTopology& t = level.topology;
+  kinds["edges"] += t.edges.size(), kinds["faces"] += t.faces.size();
+  kinds["tetrahedra"] += t.tets.size(), kinds["cones"] += t.cones.size();
+  kinds["components"] += level.components.size(), kinds["distances"] += 1;
+}
+void count(const CertifiedCurves& kind, Kinds& kinds) {
+  kinds["faces"] += kind.faces.size(), kinds["tetrahedra"] += kind.tets.size();
+  kinds["curves"] += kind.curves.size(), kinds["no others"] += 1;
+}
+
 /// @param output  the surface, or the polylines
 /// @param levels  of it
 template <class Output, class Levels>
@@ -55,6 +71,7 @@ CertificateReport write_levels(const std::filesystem::path& file, CertificateSub
   report.bytes = bytes.size();
   for (const auto& level : levels) {
     report.certified += level.claims();
+    count(level, report.kinds);
     report.undecided_cells += level.undecided.size();
     for (const auto& cell : level.undecided) ++report.undecided[cell.reason];
   }
