@@ -115,8 +115,7 @@ const std::vector<CurveExhibit>& honest_curves() {
       TetMesh field = cube_mesh(cells);
       for (std::uint64_t seed = 1;; ++seed) {
         fill_with_normal_tensors(field, seed);
-        CurveExhibit e =
-            curve_exhibit(field, result.empty() ? both : std::vector{both[seed % 2]});
+        CurveExhibit e = curve_exhibit(field, result.empty() ? both : std::vector{both[seed % 2]});
         const Json& levels = e.certificate["levels"];
         if (!std::all_of(levels.begin(), levels.end(), wanted)) continue;
         result.push_back(std::move(e));

@@ -129,8 +129,9 @@ TEST(CertifiedCurves, InSpecialPositionAreNamedAndNeverRefuted) {
     const std::string found = verdict(court, e);
     ++tried;
     EXPECT_TRUE(found == "undecided" || found == "certified") << what << '\n' << court.report();
-    EXPECT_EQ(found == "certified", count(e, "undecided") == 0)
-        << what << '\n' << e.field_text() << '\n' << court.report();
+    EXPECT_EQ(found == "certified", count(e, "undecided") == 0) << what << '\n'
+                                                                << e.field_text() << '\n'
+                                                                << court.report();
     certified += found == "certified";
     open += court.report().find("no proof closes") != std::string::npos;
     for (const Json& level : e.certificate["levels"])
@@ -165,8 +166,7 @@ TEST(CertifiedCurves, InSpecialPositionAreNamedAndNeverRefuted) {
 }
 
 /// The checker's count for a face beside the extractor's.
-void compare_counts(const std::array<SymmetricTensor<double>, 3>& tensors,
-                    std::size_t& compared) {
+void compare_counts(const std::array<SymmetricTensor<double>, 3>& tensors, std::size_t& compared) {
   certificate::Input input;
   input.points.resize(3);
   TetMesh mesh;

@@ -76,7 +76,8 @@ TEST(ForgedCurves, PointsOfFaces) {
   CurveTrial trial("curve_faces");
   for_levels(trial, [](const Json& level, const Judge& judge) {
     alter_entries(level, "faces", judge);
-    for (std::size_t f = 0; f < level["faces"].size(); f += stride(level["faces"])) {
+    for (std::size_t f = 0; f < level["faces"].size(); ++f) {
+      if (f % stride(level["faces"]) != 0 && level["faces"][f].size() == 4) continue;
       for (std::size_t n = 3; n < level["faces"][f].size(); ++n) {
         const auto forge = [&](const char* what, const auto& alter) {
           Json forged = level;
@@ -86,7 +87,8 @@ TEST(ForgedCurves, PointsOfFaces) {
         for (const std::size_t entry : {1U, 2U})
           for (const int step : {-1000, -3, 3, 1000})
             forge("a box moved", [&](Json& p) { p[entry] = p[entry].get<std::int64_t>() + step; });
-        forge("a box elsewhere", [](Json& p) { std::swap(p[1], p[2]), p[1] = p[1].get<int>() / 2; });
+        forge("a box elsewhere",
+              [](Json& p) { std::swap(p[1], p[2]), p[1] = p[1].get<int>() / 2; });
         forge("a wider box elsewhere", [](Json& p) { p[3] = p[3].get<int>() - 1; });
         forge("a narrower box elsewhere", [](Json& p) { p[3] = p[3].get<int>() + 1; });
         forge("a wrong depth", [](Json& p) { p[3] = 61; });
@@ -230,7 +232,8 @@ TEST(ForgedCurves, Polylines) {
       forge("a sample elsewhere", [&](CurveMesh& c) { c.points[at(line[1])].z += 1.5; });
       forge("a sample left out", [&](CurveMesh& c) { c.lines[l].erase(c.lines[l].begin() + 1); });
       forge("ends in a sample", [&](CurveMesh& c) { c.lines[l].pop_back(); });
-      forge("a sample twice", [&](CurveMesh& c) { c.lines[l].insert(c.lines[l].begin(), line[1]); });
+      forge("a sample twice",
+            [&](CurveMesh& c) { c.lines[l].insert(c.lines[l].begin(), line[1]); });
     }
     if (honest.curves.lines.size() > 1)
       forge("ends exchanged", [&](CurveMesh& c) { std::swap(c.lines[0][0], c.lines[1][0]); });

@@ -134,9 +134,8 @@ std::vector<CertifiedCurves::Curve> components_of(const CurveMesh& curves) {
   }
   for (const auto& [v, end] : ends)
     if (end.second == 1) result[end.first].closed = false;
-  std::sort(result.begin(), result.end(), [](const auto& p, const auto& q) {
-    return p.first_vertex < q.first_vertex;
-  });
+  std::sort(result.begin(), result.end(),
+            [](const auto& p, const auto& q) { return p.first_vertex < q.first_vertex; });
   return result;
 }
 

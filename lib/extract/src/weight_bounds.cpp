@@ -72,9 +72,8 @@ std::optional<WeightBounds> weight_bounds(const std::array<ScaledTensor, 3>& ten
     for (std::size_t i = 0; i < 3; ++i)
       powers[i] = FastInterval(std::ldexp(1.0, tensors[i].exponent - largest));
     const auto columns = best_columns(coordinate_rows<double>(tensors));
-    const auto bounds =
-        bounds_in(field_forms(coordinate_rows<FastInterval>(tensors), columns),
-                  directions_in<FastInterval>(point.box), powers);
+    const auto bounds = bounds_in(field_forms(coordinate_rows<FastInterval>(tensors), columns),
+                                  directions_in<FastInterval>(point.box), powers);
     if (bounds && width_of(*bounds) < kNarrow) return bounds;
   }
   const LongFace face(tensors);

@@ -34,8 +34,8 @@ Answer holds(const CurveCase& c, const Box& box, const CurveFace& face, FacePoin
   long largest = c.field.exponent(face.vertices[0]);
   for (const Vertex v : face.vertices) largest = std::max(largest, c.field.exponent(v));
   for (std::size_t n = 0; n < 3; ++n)
-    scale[n] = mpz_class(1) << static_cast<unsigned long>(largest -
-                                                          c.field.exponent(face.vertices[n]));
+    scale[n] =
+        mpz_class(1) << static_cast<unsigned long>(largest - c.field.exponent(face.vertices[n]));
   constexpr int kMostCuts = 40;
   for (int cut = 0; cut < kMostCuts; ++cut, point.sharpen()) {
     bool inside = true, outside = false;
@@ -174,11 +174,12 @@ void compare_lines(const CurveCase& c, Ledger& ledger) {
       wrong = name + " in no tetrahedron";
       break;
     }
-    if (!c.left_out[tet])
-      found[c.curves.cells[l]].push_back(ascending(line.front(), line.back()));
+    if (!c.left_out[tet]) found[c.curves.cells[l]].push_back(ascending(line.front(), line.back()));
     for (std::size_t n = 0; n < line.size(); ++n) {
-      if (!is_of(c.vertices, line[n])) wrong = name + " with a vertex of other curves";
-      else if (!c.left_out[tet] && !is_near(c, line[n], tet)) wrong = name + " leaves its tetrahedron";
+      if (!is_of(c.vertices, line[n]))
+        wrong = name + " with a vertex of other curves";
+      else if (!c.left_out[tet] && !is_near(c, line[n], tet))
+        wrong = name + " leaves its tetrahedron";
       ++used[line[n]];
       if (n > 0 && n + 1 < line.size()) inner.insert(line[n]);
     }

@@ -3,9 +3,9 @@
 // The degenerate tensors of a linear field, as points of conics.
 //
 // A trace-free tensor with two equal eigenvalues is s (e e^T - |e|^2/3) for a vector e and s = 1
-// (linear, mode 1) or s = -1 (planar, mode -1). A linear functional of tensors is at e e^T - |e|^2/3
-// a quadratic form in e. So those in the span of some tensors are where the functionals that vanish
-// on the span do, and their weights are functionals as well.
+// (linear, mode 1) or s = -1 (planar, mode -1). A linear functional of tensors is at e e^T -
+// |e|^2/3 a quadratic form in e. So those in the span of some tensors are where the functionals
+// that vanish on the span do, and their weights are functionals as well.
 #pragma once
 
 #include <array>
@@ -20,8 +20,7 @@ using Vector3 = std::array<N, 3>;
 
 template <class N>
 Vector3<N> cross(const Vector3<N>& a, const Vector3<N>& b) {
-  return {N(a[1] * b[2] - a[2] * b[1]), N(a[2] * b[0] - a[0] * b[2]),
-          N(a[0] * b[1] - a[1] * b[0])};
+  return {N(a[1] * b[2] - a[2] * b[1]), N(a[2] * b[0] - a[0] * b[2]), N(a[0] * b[1] - a[1] * b[0])};
 }
 template <class N>
 N dot(const Vector3<N>& a, const Vector3<N>& b) {
@@ -93,7 +92,10 @@ std::array<std::size_t, 5> likely_columns(const std::array<Row<double>, V>& rows
     std::array<std::size_t, 5> order{};
     std::size_t first = 0, last = 5;
     for (std::size_t c = 0; c < 5 && last > 0; ++c)
-      if ((kept >> c & 1U) != 0 && first < 5) order[first++] = c; else order[--last] = c;
+      if ((kept >> c & 1U) != 0 && first < 5)
+        order[first++] = c;
+      else
+        order[--last] = c;
     if (first != V) continue;
     std::array<std::array<double, V>, V> minor;
     for (std::size_t i = 0; i < V; ++i)

@@ -51,9 +51,9 @@ CurveTet derive_tet(const CurveTopology& known, const Input& input, const Field&
 }  // namespace
 
 const CurveFace* CurveTopology::face(const std::array<Vertex, 3>& vertices) const {
-  const auto place = std::lower_bound(
-      faces.begin(), faces.end(), vertices,
-      [](const CurveFace& face, const auto& key) { return face.vertices < key; });
+  const auto place =
+      std::lower_bound(faces.begin(), faces.end(), vertices,
+                       [](const CurveFace& face, const auto& key) { return face.vertices < key; });
   return place == faces.end() || place->vertices != vertices ? nullptr : &*place;
 }
 

@@ -36,8 +36,8 @@ struct CurveTet {
   bool is_crossed() const { return !pieces.empty(); }
 };
 
-/// What holds in all tetrahedra but those left out. Faces and tetrahedra that are not listed hold no
-/// point that is degenerate of the kind; both lists ascend.
+/// What holds in all tetrahedra but those left out. Faces and tetrahedra that are not listed hold
+/// no point that is degenerate of the kind; both lists ascend.
 struct CurveTopology {
   std::vector<CurveFace> faces;
   std::vector<CurveTet> tets;

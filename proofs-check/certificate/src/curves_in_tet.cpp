@@ -12,8 +12,8 @@ namespace {
 /// A sign that stayed open.
 struct Open {};
 
-/// The rim points around the conic n(e, e) = 0 of a tetrahedron's degenerate tensors, as seen from a
-/// point c inside it.
+/// The rim points around the conic n(e, e) = 0 of a tetrahedron's degenerate tensors, as seen from
+/// a point c inside it.
 class ConicOrder {
  public:
   ConicOrder(const Conic<mpz_class>& n, const Vector3<mpz_class>& c, std::vector<RimPoint>& rim)
@@ -22,10 +22,11 @@ class ConicOrder {
     const int at_c = sgn(dot(c_, polar_));
     for (std::size_t i = 0; i < rim.size(); ++i)
       turns_.push_back(at_c * settled(i, i, [&] {
-        std::array<mpz_class, 3> values;
-        for (std::size_t k = 0; k < 3; ++k) values[k] = dot(rim_[i].point.arc().control(k), polar_);
-        return common_sign(values);
-      }));
+                         std::array<mpz_class, 3> values;
+                         for (std::size_t k = 0; k < 3; ++k)
+                           values[k] = dot(rim_[i].point.arc().control(k), polar_);
+                         return common_sign(values);
+                       }));
   }
 
   /// From the first one on, counter-clockwise: det(c, e, e') > 0 where e' is less than half a turn
@@ -44,7 +45,8 @@ class ConicOrder {
     return result;
   }
 
-  /// Does a form grow, 1, or fall, -1, at a rim point that is a zero of it, going counter-clockwise?
+  /// Does a form grow, 1, or fall, -1, at a rim point that is a zero of it, going
+  /// counter-clockwise?
   int slope(std::size_t i, const Conic<mpz_class>& form) {
     // The tangent there is n e x n c: det(c, e, n e x n c) = (c.n e)^2 - (c.n c)(e.n e) > 0.
     return settled(i, i, [&] {
@@ -65,14 +67,14 @@ class ConicOrder {
  private:
   int turn(std::size_t i, std::size_t k) {
     return turns_[i] * turns_[k] * settled(i, k, [&] {
-      std::vector<mpz_class> values;
-      for (std::size_t a = 0; a < 3; ++a) {
-        const auto plane = cross(c_, rim_[i].point.arc().control(a));
-        for (std::size_t b = 0; b < 3; ++b)
-          values.push_back(dot(plane, rim_[k].point.arc().control(b)));
-      }
-      return common_sign(values);
-    });
+             std::vector<mpz_class> values;
+             for (std::size_t a = 0; a < 3; ++a) {
+               const auto plane = cross(c_, rim_[i].point.arc().control(a));
+               for (std::size_t b = 0; b < 3; ++b)
+                 values.push_back(dot(plane, rim_[k].point.arc().control(b)));
+             }
+             return common_sign(values);
+           });
   }
   /// Asks with shorter and shorter arcs around two points.
   template <class Question>
@@ -121,8 +123,8 @@ std::vector<Vector3<mpz_class>> likely_insides(const Conic<mpz_class>& n, int si
   return result;
 }
 
-/// Where the curve enters the tetrahedron at a rim point, it leaves it at the next one: between them
-/// no weight changes its sign.
+/// Where the curve enters the tetrahedron at a rim point, it leaves it at the next one: between
+/// them no weight changes its sign.
 std::optional<std::vector<std::array<std::size_t, 2>>> pieces_seen_from(
     const SpanForms<mpz_class, 4>& forms, const Vector3<mpz_class>& c, std::vector<RimPoint>& rim,
     int side) {

@@ -12,8 +12,8 @@ namespace {
 
 /// An upper bound of the largest eigenvalue of K, up to doubles; K is about trace-free.
 double bound_of_largest(const std::array<double, 6>& k) {
-  const double square = k[0] * k[0] + k[1] * k[1] + k[2] * k[2] +
-                        2 * (k[3] * k[3] + k[4] * k[4] + k[5] * k[5]);
+  const double square =
+      k[0] * k[0] + k[1] * k[1] + k[2] * k[2] + 2 * (k[3] * k[3] + k[4] * k[4] + k[5] * k[5]);
   const double det = Conic<double>{k}.determinant();
   const double mode = std::clamp(std::sqrt(54.0) * det / (square * std::sqrt(square)), -1.0, 1.0);
   // So that the minors below do not drown in rounding: where the two largest eigenvalues are about
@@ -46,8 +46,7 @@ bool is_free(std::span<const Tensor<Ball>* const> corners, Kind kind) {
   if (common_sign(minors) != 1) return false;
   Tensor<Ball> test{};
   for (std::size_t n = 0; n < 6; ++n) test[n] = Ball(sign * k[n], 0);
-  const Ball three_l =
-      Ball(3) * Ball(largest, 0) - (Ball(k[0], 0) + Ball(k[1], 0) + Ball(k[2], 0));
+  const Ball three_l = Ball(3) * Ball(largest, 0) - (Ball(k[0], 0) + Ball(k[1], 0) + Ball(k[2], 0));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Ball t = trace(test, *corners[i]);
     if (common_sign(std::array{t, three_l, Ball(6) * t * t - three_l * three_l * squares[i]}) != 1)
@@ -236,8 +235,8 @@ void FacePoint::sharpen() {
   };
   cut(first + 4, true);
   // Of the part in front, first / (first + 4): by a dyadic number that is a little less.
-  const auto next = static_cast<long>(std::floor(static_cast<double>(first) /
-                                                 static_cast<double>(first + 4) * kAll));
+  const auto next = static_cast<long>(
+      std::floor(static_cast<double>(first) / static_cast<double>(first + 4) * kAll));
   cut(next, false);
   if (has_one_zero(part.zero)) {
     arc_ = std::move(part);

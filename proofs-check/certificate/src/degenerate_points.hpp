@@ -21,7 +21,9 @@ class FacePoint {
 
   const Arc<mpz_class>& arc() const { return arc_; }
   /// A coefficient of a weight on the arc; all are positive.
-  mpz_class weight(std::size_t corner, std::size_t k) const { return side_ * arc_.weight[corner][k]; }
+  mpz_class weight(std::size_t corner, std::size_t k) const {
+    return side_ * arc_.weight[corner][k];
+  }
   /// Takes a shorter arc: mostly by a factor of a million, at least half of it.
   void sharpen();
 

@@ -15,8 +15,8 @@ namespace tensortopo {
 /// A degenerate point inside a face, with a box that holds it and no other of its kind.
 struct FacePointClaim {
   CurveMesh::Index vertex = -1;
-  /// Its barycentric coordinates at the face's second and third vertex, the face's vertices being in
-  /// ascending order, are at most 2^-depth from place / 2^depth.
+  /// Its barycentric coordinates at the face's second and third vertex, the face's vertices being
+  /// in ascending order, are at most 2^-depth from place / 2^depth.
   std::array<std::uint64_t, 2> place{};
   int depth = 0;
 };
