@@ -99,6 +99,18 @@ TEST(CertifiedCurves, WithTensorsOfDifferentMagnitudesAreCertified) {
   EXPECT_GT(count(e, "tets"), 10u);
 }
 
+// Dominant eigenvectors of small integers, which are where the checker cuts its arcs first.
+TEST(CertifiedCurves, WhereTheCheckerCutsAreCertified) {
+  Court court("simple_directions");
+  const TetMesh mesh = reference_tet_mesh({{{1984, -4272, 2288, -848, -368, 432},
+                                            {-3264, 1728, 1536, -2048, -1808, 720},
+                                            {1536, -3264, 1728, 1504, -1264, -1024},
+                                            {0, 1344, -1344, 1120, 2576, 1792}}});
+  const CurveExhibit e = curve_exhibit(mesh, kBoth);
+  EXPECT_EQ(verdict(court, e), "certified") << court.report();
+  EXPECT_EQ(count(e, "faces"), 4u);
+}
+
 TEST(CertifiedCurves, WithoutAnyAreCertified) {
   Court court("no_curves");
   const SymmetricTensor<double> t{1, 0, -1, 0, 0, 0};

@@ -57,7 +57,7 @@ bool is_free(std::span<const Tensor<Ball>* const> corners, Kind kind) {
 
 namespace {
 
-/// Another one is tried where p is on the conics, or q or r belong to a point sought.
+/// Another one is tried where p is on the conics, or q or r are on lines to points sought.
 constexpr std::array<Basis, 4> kBases{{{{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}},
                                        {{{{1, 0, 0}, {5, 1, 2}, {-2, 0, 1}}}},
                                        {{{{3, 1, -2}, {1, -5, 4}, {2, 3, 7}}}},
@@ -152,11 +152,41 @@ bool has_one_zero(const std::array<mpz_class, 5>& form) {
   return sgn(form.front()) != 0 && sgn(form.back()) != 0 && variations(form) == 1;
 }
 
+/// The coefficients of a form on [0, 1] become those on [0, i / 2^k], or on the rest of it.
+template <std::size_t Count>
+void keep(std::array<mpz_class, Count>& form, const mpz_class& i, unsigned k, bool front) {
+  const mpz_class others = (mpz_class(1) << k) - i;
+  auto row = form;
+  for (std::size_t j = 0; j < Count; ++j) {
+    const std::size_t last = Count - 1 - j;
+    form[front ? j : last] = row[front ? 0 : last] << (k * last);
+    for (std::size_t n = 0; n < last; ++n) row[n] = others * row[n] + i * row[n + 1];
+  }
+}
+
+/// An arc without what is behind, or in front of, the parameter i / 2^k.
+Arc<mpz_class> part_of(Arc<mpz_class> arc, const mpz_class& i, unsigned k, bool front) {
+  for (auto& form : arc.e) keep(form, i, k, front);
+  keep(arc.zero, i, k, front);
+  for (auto& form : arc.weight) keep(form, i, k, front);
+  return arc;
+}
+
+/// An arc in two, not at a zero: each has its zeros inside.
+std::array<Arc<mpz_class>, 2> cut_apart(const Arc<mpz_class>& arc) {
+  auto parts = arc.halves();
+  // At most four places are zeros, or all.
+  for (int i = 3; i < 16 && parts[0].zero.back() == 0; i += 2)
+    parts = {part_of(arc, i, 4, true), part_of(arc, i, 4, false)};
+  return parts;
+}
+
 /// Adds the points on an arc. False if it was cut too often.
 /// @param budget  for how many arcs are looked at, of this and others
 bool add_points(const Arc<mpz_class>& whole, int side, std::vector<FacePoint>& points,
                 std::size_t& budget) {
   constexpr std::size_t kMostArcs = 400;
+  if (whole.zero.front() == 0 || whole.zero.back() == 0) return false;
   std::vector<Arc<mpz_class>> open{whole};
   for (std::size_t count = 0; !open.empty(); ++count) {
     if (count == kMostArcs || budget == 0) return false;
@@ -174,22 +204,10 @@ bool add_points(const Arc<mpz_class>& whole, int side, std::vector<FacePoint>& p
       point.sharpen();
       open.push_back(point.arc());
     } else {
-      for (Arc<mpz_class>& half : arc.halves()) open.push_back(std::move(half));
+      for (Arc<mpz_class>& part : cut_apart(arc)) open.push_back(std::move(part));
     }
   }
   return true;
-}
-
-/// The coefficients of a form on [0, 1] become those on [0, i / 2^k], or on the rest of it.
-template <std::size_t Count>
-void keep(std::array<mpz_class, Count>& form, const mpz_class& i, unsigned k, bool front) {
-  const mpz_class others = (mpz_class(1) << k) - i;
-  auto row = form;
-  for (std::size_t j = 0; j < Count; ++j) {
-    const std::size_t last = Count - 1 - j;
-    form[front ? j : last] = row[front ? 0 : last] << (k * last);
-    for (std::size_t n = 0; n < last; ++n) row[n] = others * row[n] + i * row[n + 1];
-  }
 }
 
 /// Where a form with one zero is about zero, in (0, 1).
@@ -226,24 +244,16 @@ void FacePoint::sharpen() {
   constexpr double kAll = 1 << kBits;
   const double near = std::floor(rough_zero(arc_.zero) * kAll);
   const auto first = static_cast<long>(std::clamp(near - 2, 0.0, kAll - 4));
-  Arc<mpz_class> part = arc_;
-  const auto cut = [&](long i, bool front) {
-    const auto one = [&](auto& form) { keep(form, i, kBits, front); };
-    for (auto& form : part.e) one(form);
-    one(part.zero);
-    for (auto& form : part.weight) one(form);
-  };
-  cut(first + 4, true);
+  Arc<mpz_class> part = part_of(arc_, first + 4, kBits, true);
   // Of the part in front, first / (first + 4): by a dyadic number that is a little less.
   const auto next = static_cast<long>(
       std::floor(static_cast<double>(first) / static_cast<double>(first + 4) * kAll));
-  cut(next, false);
+  part = part_of(std::move(part), next, kBits, false);
   if (has_one_zero(part.zero)) {
     arc_ = std::move(part);
   } else {
-    auto halves = arc_.halves();
-    if (sgn(halves[0].zero.back()) == 0) return;  // stays open for whoever asks
-    arc_ = std::move(has_one_zero(halves[0].zero) ? halves[0] : halves[1]);
+    auto parts = cut_apart(arc_);
+    arc_ = std::move(has_one_zero(parts[0].zero) ? parts[0] : parts[1]);
   }
   std::vector<mpz_class*> e, zero, weight;
   for (auto& form : arc_.e)
