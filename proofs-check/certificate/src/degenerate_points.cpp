@@ -58,10 +58,11 @@ bool is_free(std::span<const Tensor<Ball>* const> corners, Kind kind) {
 namespace {
 
 /// Another one is tried where p is on the conics, or q or r are on lines to points sought.
+/// The last ones have no simple place.
 constexpr std::array<Basis, 4> kBases{{{{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}},
                                        {{{{1, 0, 0}, {5, 1, 2}, {-2, 0, 1}}}},
-                                       {{{{3, 1, -2}, {1, -5, 4}, {2, 3, 7}}}},
-                                       {{{{-2, 7, 1}, {5, 11, -3}, {-4, 1, 6}}}}}};
+                                       {{{{113, -71, 29}, {-37, 101, 53}, {61, 43, -127}}}},
+                                       {{{{-59, 17, 97}, {83, 89, -31}, {19, -109, 47}}}}}};
 
 template <class N>
 std::array<Row<N>, 3> rows_of(const std::array<Tensor<N>, 3>& tensors) {
