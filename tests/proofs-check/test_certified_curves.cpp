@@ -211,8 +211,7 @@ RC_GTEST_PROP(CertifiedCurves, HaveAsManyPointsOnAFaceAsTheExtractorCounts, ()) 
   const TetSample sample = *rc::gen::oneOf(normal_tet(), small_integer_tet(2));
   const auto& t = sample.tensors;
   std::size_t compared = 0;
-  for (const auto& face : {std::array{t[0], t[1], t[2]}, std::array{t[1], t[2], t[3]}})
-    compare_counts(face, compared);
+  compare_counts({t[0], t[1], t[2]}, compared);
   RC_CLASSIFY(compared == 0, "all special");
 }
 

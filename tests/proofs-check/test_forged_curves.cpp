@@ -85,7 +85,7 @@ TEST(ForgedCurves, PointsOfFaces) {
           judge(forged, what);
         };
         for (const std::size_t entry : {1U, 2U})
-          for (const int step : {-1000, -3, 3, 1000})
+          for (const int step : {-3, 1000})
             forge("a box moved", [&](Json& p) { p[entry] = p[entry].get<std::int64_t>() + step; });
         forge("a box elsewhere",
               [](Json& p) { std::swap(p[1], p[2]), p[1] = p[1].get<int>() / 2; });
