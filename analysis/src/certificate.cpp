@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certificate.hpp"
 
+#include <map>
+#include <string>
+#include <utility>
+
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/io/number_hash.hpp"
@@ -24,6 +28,56 @@ std::string components_name(const ReadResult& read, const ReadOptions& options) 
   return "vtk";
 }
 
+CertificateSubject subject_of(const ReadOptions& options, const ReadResult& read) {
+  CertificateSubject subject;
+  subject.tensor = read.report.tensor_name;
+  subject.components = components_name(read, options);
+  subject.points = read.mesh.points.size();
+  subject.tetrahedra = read.mesh.tets.size();
+  subject.field_sha256 = field_sha256(read.mesh);
+  return subject;
+}
+
+using Kinds = std::map<std::string, std::size_t>;
+
+/// Claims by kind, as `claims` counts them.
+void count(const CertifiedLevel& level, Kinds& kinds) {
+  const LevelTopology& t = level.topology;
+  kinds["edges"] += t.edges.size(), kinds["faces"] += t.faces.size();
+  kinds["tetrahedra"] += t.tets.size(), kinds["cones"] += t.cones.size();
+  kinds["components"] += level.components.size(), kinds["distances"] += 1;
+}
+void count(const CertifiedCurves& kind, Kinds& kinds) {
+  kinds["faces"] += kind.faces.size(), kinds["tetrahedra"] += kind.tets.size();
+  kinds["curves"] += kind.curves.size(), kinds["no others"] += 1;
+}
+
+/// @param output  the surface, or the polylines
+/// @param levels  of it
+template <class Output, class Levels>
+CertificateReport write_levels(const std::filesystem::path& file, CertificateSubject subject,
+                               const ReadResult& read, const Output& output,
+                               const Levels& levels) {
+  subject.vertices = output.points.size();
+  for (const ArrayHash& array : array_hashes(output))
+    subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
+  const auto encoding = file.extension() == ".cbor" ? CertificateEncoding::cbor
+                                                    : CertificateEncoding::json;
+  const std::string bytes = certificate_bytes(subject, levels, read.mesh, encoding);
+  write_text(file, bytes);
+
+  CertificateReport report;
+  report.path = file;
+  report.bytes = bytes.size();
+  for (const auto& level : levels) {
+    report.certified += level.claims();
+    count(level, report.kinds);
+    report.undecided_cells += level.undecided.size();
+    for (const auto& cell : level.undecided) ++report.undecided[cell.reason];
+  }
+  return report;
+}
+
 }  // namespace
 
 void require_certifiable(const ReadOptions& options, const std::filesystem::path& output,
@@ -43,31 +97,19 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
                                     const ReadResult& read, const SurfaceMesh& surface,
                                     const std::vector<CertifiedLevel>& levels) {
-  CertificateSubject subject;
-  subject.tensor = read.report.tensor_name;
-  subject.components = components_name(read, options);
-  subject.points = read.mesh.points.size();
-  subject.tetrahedra = read.mesh.tets.size();
-  subject.field_sha256 = field_sha256(read.mesh);
-  subject.vertices = surface.points.size();
-  subject.triangles = surface.triangles.size();
-  subject.surface_sha256 = surface_sha256(surface, read.mesh);
-  for (const ArrayHash& array : array_hashes(surface))
-    subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
-  const auto encoding = file.extension() == ".cbor" ? CertificateEncoding::cbor
-                                                    : CertificateEncoding::json;
-  const std::string bytes = certificate_bytes(subject, levels, read.mesh, encoding);
-  write_text(file, bytes);
+  CertificateSubject subject = subject_of(options, read);
+  subject.cells = surface.triangles.size();
+  subject.output_sha256 = surface_sha256(surface, read.mesh);
+  return write_levels(file, std::move(subject), read, surface, levels);
+}
 
-  CertificateReport report;
-  report.path = file;
-  report.bytes = bytes.size();
-  for (const auto& level : levels) {
-    report.certified += level.claims();
-    report.undecided_cells += level.undecided.size();
-    for (const auto& cell : level.undecided) ++report.undecided[cell.reason];
-  }
-  return report;
+CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
+                                    const ReadResult& read, const CurveMesh& curves,
+                                    const std::vector<CertifiedCurves>& kinds) {
+  CertificateSubject subject = subject_of(options, read);
+  subject.cells = curves.lines.size();
+  subject.output_sha256 = curves_sha256(curves, read.mesh);
+  return write_levels(file, std::move(subject), read, curves, kinds);
 }
 
 }  // namespace tensortopo

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "tensortopo/analysis/certificate_report.hpp"
+#include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 
 namespace tensortopo {
@@ -22,5 +24,9 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
                                     const ReadResult& read, const SurfaceMesh& surface,
                                     const std::vector<CertifiedLevel>& levels);
+/// The same of degenerate curves.
+CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
+                                    const ReadResult& read, const CurveMesh& curves,
+                                    const std::vector<CertifiedCurves>& kinds);
 
 }  // namespace tensortopo

@@ -18,8 +18,11 @@ inline nlohmann::ordered_json certificate_json(
   if (!certificate) return nullptr;
   auto undecided = nlohmann::ordered_json::object();
   for (const auto& [reason, count] : certificate->undecided) undecided[reason] = count;
+  auto kinds = nlohmann::ordered_json::object();
+  for (const auto& [kind, count] : certificate->kinds) kinds[kind] = count;
   return {{"status", certificate->undecided.empty() ? "certified" : "undecided"},
           {"certified", certificate->certified},
+          {"kinds", std::move(kinds)},
           {"refuted", 0},
           {"undecided", std::move(undecided)},
           {"beyond_checker",

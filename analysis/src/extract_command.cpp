@@ -48,14 +48,15 @@ void tell(const Progress& progress, std::string_view stage, double fraction) {
 
 using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vector<ModeValue>>;
 
-/// Throws UsageError for surfaces that no proof is about.
-void require_proofs(const ExtractCommand& command) {
+/// Throws UsageError for surfaces that no proof is about, and for surfaces and curves in one file.
+void require_proofs(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
   if (command.other)
     throw UsageError(
         "--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
-  if (std::any_of(command.modes.begin(), command.modes.end(), is_degenerate))
-    throw UsageError("--certify: there are certificates of surfaces, not of degenerate curves "
-                     "(--mode 1 or -1)");
+  if (std::any_of(modes.begin(), modes.end(), is_degenerate) &&
+      !std::all_of(modes.begin(), modes.end(), is_degenerate))
+    throw UsageError("--certify: a certificate is of surfaces or of degenerate curves (--mode 1 or "
+                     "-1); extract them to files of their own");
 }
 
 /// Throws UsageError for options that do nothing for degenerate curves.
@@ -201,7 +202,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   const bool certifying = !command.certificate.empty();
   if (certifying) {
     require_certifiable(command.read, command.output, command.certificate);
-    require_proofs(command);
+    require_proofs(command, modes);
     require_folder(command.certificate);
   }
 
@@ -217,6 +218,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   CurveMesh curves;
   UnresolvedModes unresolved;
   std::vector<CertifiedLevel> certified;
+  std::vector<CertifiedCurves> certified_curves;
   double seconds_certify = 0;
   OtherMethod other(command);
   // What the modes have in common.
@@ -245,6 +247,12 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
         unresolved[{id, std::string(name_of(cell.obstacle))}].push_back(modes[i]);
       }
       report.curves.push_back(curve_report(modes[i], extraction));
+      if (certifying) {
+        tell(progress, "mode " + short_text(modes[i]) + ": certificate", 0);
+        const Clock certify_clock;
+        certified_curves.push_back(certify(read.mesh, kind, extraction));
+        seconds_certify += certify_clock.seconds();
+      }
       append_curves(curves, std::move(extraction.curves));
       continue;
     }
@@ -312,7 +320,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (certifying) {
     const Clock certify_clock;
     report.certificate =
-        write_certificate(command.certificate, command.read, read, surface, certified);
+        certified_curves.empty()
+            ? write_certificate(command.certificate, command.read, read, surface, certified)
+            : write_certificate(command.certificate, command.read, read, curves, certified_curves);
     report.certificate->seconds = seconds_certify + certify_clock.seconds();
     for (const SurfaceReport& s : report.surfaces) {
       report.certificate->tubes += s.statistics.sheets_tubes;

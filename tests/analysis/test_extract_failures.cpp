@@ -39,7 +39,7 @@ struct BadWords {
 TEST(ExtractFailures, BadUsageIsTwoAndLeavesNoFile) {
   const std::vector<BadWords> cases{
       {{"--mode", "0.5", "--no-such-option"}, "--no-such-option"},
-      {{"--mode", "1", "--certify", "c.json"}, "--certify"},
+      {{"--mode", "1", "--mode", "0.5", "--certify", "c.json"}, "degenerate curves"},
       {{"--mode", "0.5", "--method", "marching", "--certify", "c.json"}, "--certify"},
       {{"--mode", "0.5", "--max-error", "-1"}, "--max-error"},
       {{"--mode", "0.5", "--method", "no-such-method"}, "--method"},

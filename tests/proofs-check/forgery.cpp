@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 #include <type_traits>
 
 #include "certificate_writer.hpp"
@@ -16,6 +15,7 @@
 #include "support/witness_fields.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/io/number_hash.hpp"
+#include "vtk_text.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -23,61 +23,9 @@ namespace {
 using Json = nlohmann::json;
 using Index = SurfaceMesh::Index;
 
-/// An array of a VTK XML file, in text.
-template <class Numbers>
-void write_array(std::ostream& out, const std::string& type, const std::string& name, int width,
-                 const Numbers& numbers) {
-  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << width
-      << "\" format=\"ascii\">";
-  for (const auto& x : numbers) out << x << ' ';
-  out << "</DataArray>\n";
-}
-
-template <class Cells>
-void write_cells(std::ostream& out, const Cells& cells) {
-  std::vector<Index> connectivity, offsets;
-  for (const auto& cell : cells) {
-    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
-    offsets.push_back(static_cast<Index>(connectivity.size()));
-  }
-  write_array(out, "Int64", "connectivity", 1, connectivity);
-  write_array(out, "Int64", "offsets", 1, offsets);
-}
-
-void write_points(std::ostream& out, const std::vector<Vector3<double>>& points) {
-  std::vector<double> numbers;
-  for (const auto& p : points) numbers.insert(numbers.end(), {p.x, p.y, p.z});
-  out << "<Points>";
-  write_array(out, "Float64", "Points", 3, numbers);
-  out << "</Points>";
-}
-
-std::ostringstream text_stream(const char* type) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
-      << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"><" << type << '>';
-  return out;
-}
-
 }  // namespace
 
-std::string Exhibit::field_text() const {
-  std::ostringstream out = text_stream("UnstructuredGrid");
-  out << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfCells=\""
-      << mesh.tets.size() << "\"><PointData>";
-  std::vector<double> tensors;
-  for (const auto& t : mesh.tensors)
-    tensors.insert(tensors.end(), {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz});
-  write_array(out, "Float64", "stress", 6, tensors);
-  out << "</PointData>";
-  write_points(out, mesh.points);
-  out << "<Cells>";
-  write_cells(out, mesh.tets);
-  write_array(out, "UInt8", "types", 1, std::vector<int>(mesh.tets.size(), 10));
-  out << "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
-  return out.str();
-}
+std::string Exhibit::field_text() const { return test::field_text(mesh); }
 
 std::string Exhibit::surface_text() const {
   std::ostringstream out = text_stream("PolyData");
@@ -203,9 +151,9 @@ Exhibit exhibit(TetMesh mesh, const std::vector<std::string>& texts, int pieces)
   subject.points = mesh.points.size();
   subject.tetrahedra = mesh.tets.size();
   subject.vertices = result.surface.points.size();
-  subject.triangles = result.surface.triangles.size();
+  subject.cells = result.surface.triangles.size();
   subject.field_sha256 = field_sha256(mesh);
-  subject.surface_sha256 = surface_sha256(result.surface, mesh);
+  subject.output_sha256 = surface_sha256(result.surface, mesh);
   result.certificate =
       Json::parse(certificate_bytes(subject, levels, mesh, CertificateEncoding::json));
   result.mesh = std::move(mesh);

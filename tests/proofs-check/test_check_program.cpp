@@ -130,5 +130,54 @@ TEST(CheckProgram, CertifiesWhatExtractClaimsOfInvariants) {
   }
 }
 
+TEST(CheckProgram, CertifiesWhatExtractClaimsOfDegenerateCurves) {
+  const Folder folder;
+  for (const std::string name : {"c.json", "c.cbor"}) {
+    const std::vector<std::string> files{field("s4_slab"), folder / "s.vtp", folder / name};
+    const Outcome made = run_program({"extract", files[0], "-o", files[1], "--mode", "1",
+                                      "--generalized", "--certify", files[2], "--json"});
+    EXPECT_EQ(made.status, 0) << made.err;
+    const Json said = Json::parse(made.out).at("certificate");
+    EXPECT_EQ(said.at("status"), "certified");
+    std::size_t sum = 0;
+    for (const auto& [kind, count] : said.at("kinds").items()) sum += count.get<std::size_t>();
+    EXPECT_EQ(said.at("certified"), sum);
+    const Outcome checked = run_program({"check", files[0], files[1], files[2], "--json"});
+    EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+    const Json kinds = Json::parse(checked.out).at("kinds");
+    // Each list has a claim that it is complete, and lines one that they are the pieces.
+    EXPECT_EQ(kinds.at("faces").at("certified"), said.at("kinds").at("faces").get<int>() + 2);
+    EXPECT_EQ(kinds.at("curves").at("certified"), said.at("kinds").at("curves").get<int>() + 2);
+    // A certificate is of curves or of surfaces, as its file is.
+    const Outcome other = run_program({"extract", files[0], "-o", files[1], "--mode", "0.5"});
+    EXPECT_EQ(other.status, 0);
+    EXPECT_EQ(run_program({"check", files[0], files[1], files[2]}).status, 3);
+  }
+}
+
+/// Plane strain: what is special is named, and asked-for certainty is missing.
+TEST(CheckProgram, LeavesSpecialPositionsOfCurvesUndecided) {
+  const Folder folder;
+  TetMesh mesh = cube_mesh(2);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const auto& p = mesh.points[v];
+    mesh.tensors[v] = {p.x - 0.75, 0.75 - p.x, 4, p.y - 0.625, 0, 0};
+  }
+  write_mesh(mesh, folder / "m.vtu");
+  const Outcome made = run_program({"extract", folder / "m.vtu", "-o", folder / "s.vtp", "--mode",
+                                    "1", "--certify", folder / "c.json", "--json"});
+  EXPECT_EQ(made.status, 1);
+  const Json said = Json::parse(made.out).at("certificate");
+  EXPECT_EQ(said.at("status"), "undecided");
+  std::size_t sum = 0;
+  for (const auto& [reason, count] : said.at("undecided").items()) sum += count.get<std::size_t>();
+  const Outcome checked =
+      run_program({"check", folder / "m.vtu", folder / "s.vtp", folder / "c.json", "--json"});
+  EXPECT_EQ(checked.status, 1);
+  const Json report = Json::parse(checked.out);
+  EXPECT_EQ(report.at("refuted"), 0);
+  EXPECT_EQ(report.at("undecided"), sum);
+}
+
 }  // namespace
 }  // namespace tensortopo::test

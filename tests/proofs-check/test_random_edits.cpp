@@ -7,6 +7,7 @@
 #include <iostream>
 #include <random>
 
+#include "curve_exhibit.hpp"
 #include "forgery.hpp"
 
 namespace tensortopo::test {
@@ -60,35 +61,6 @@ void edit(Json& document, const std::vector<Json::json_pointer>& places, std::mt
   }
 }
 
-TEST(RandomEdits, OfTheCertificateAreNoticed) {
-  std::mt19937_64 random(kSeed);
-  Court court("edits");
-  std::size_t tried = 0, equivalent = 0;
-  for (const Exhibit& honest : honest_exhibits()) {
-    std::vector<Json::json_pointer> places;
-    find_values(honest.certificate, Json::json_pointer(), places);
-    // Reaches are many, and may be others.
-    std::erase_if(places, [&](const auto& at) {
-      return at.to_string().find("/reach/") != std::string::npos && random() % 16 != 0;
-    });
-    const std::string field = honest.field_text(), surface = honest.surface_text();
-    const std::size_t share = TENSORTOPO_EDITS * 3 / 4 / honest_exhibits().size();
-    for (std::size_t n = 0; n < share; ++n, ++tried) {
-      Json altered = honest.certificate;
-      while (altered == honest.certificate)
-        for (std::size_t k = random() % 4 == 0 ? 3 : 1; k > 0; --k) edit(altered, places, random);
-      const std::string text = altered.dump(-1, ' ', false, Json::error_handler_t::replace);
-      if (court.verdict(field, surface, text) != "certified") continue;
-      ++equivalent;
-      ASSERT_TRUE(may_be_true(honest.certificate, altered))
-          << "seed " << kSeed << '\n' << Json::diff(honest.certificate, altered);
-    }
-  }
-  std::cout << "seed " << kSeed << ": " << tried << " certificates, " << equivalent
-            << " that may be true\n";
-  EXPECT_LT(equivalent, tried / 8);
-}
-
 /// Where two texts differ in numbers, as doubles; elsewhere they may differ in names or comments.
 bool differ_in_numbers(const std::string& a, const std::string& b) {
   const auto numbers = [](const std::string& text) {
@@ -106,14 +78,52 @@ bool differ_in_numbers(const std::string& a, const std::string& b) {
   return numbers(a) != numbers(b);
 }
 
-TEST(RandomEdits, OfAnyByteNeitherCrashNorPass) {
+/// What an exhibit puts in its second file.
+std::string output_text(const Exhibit& e) { return e.surface_text(); }
+std::string output_text(const CurveExhibit& e) { return e.curve_text(); }
+
+/// @param may_be_true  as `tensortopo::test::may_be_true`
+template <class Exhibits, class MayBeTrue>
+void expect_edits_noticed(const Exhibits& exhibits, const MayBeTrue& may_be_true,
+                          std::size_t edits) {
+  std::mt19937_64 random(kSeed);
+  Court court("edits");
+  std::size_t tried = 0, equivalent = 0;
+  for (const auto& honest : exhibits) {
+    std::vector<Json::json_pointer> places;
+    find_values(honest.certificate, Json::json_pointer(), places);
+    // Reaches are many, and may be others.
+    std::erase_if(places, [&](const auto& at) {
+      return at.to_string().find("/reach/") != std::string::npos && random() % 16 != 0;
+    });
+    const std::string field = honest.field_text(), output = output_text(honest);
+    const std::size_t share = edits / exhibits.size();
+    for (std::size_t n = 0; n < share; ++n, ++tried) {
+      Json altered = honest.certificate;
+      while (altered == honest.certificate)
+        for (std::size_t k = random() % 4 == 0 ? 3 : 1; k > 0; --k) edit(altered, places, random);
+      const std::string text = altered.dump(-1, ' ', false, Json::error_handler_t::replace);
+      if (court.verdict(field, output, text) != "certified") continue;
+      ++equivalent;
+      ASSERT_TRUE(may_be_true(honest.certificate, altered))
+          << "seed " << kSeed << '\n' << Json::diff(honest.certificate, altered);
+    }
+  }
+  std::cout << "seed " << kSeed << ": " << tried << " certificates, " << equivalent
+            << " that may be true\n";
+  EXPECT_LT(equivalent, tried / 8);
+}
+
+template <class Exhibits, class MayBeTrue>
+void expect_bytes_noticed(const Exhibits& exhibits, const MayBeTrue& may_be_true,
+                          std::size_t edits) {
   std::mt19937_64 random(kSeed + 1);
   Court court("bytes");
   std::size_t tried = 0, refused = 0;
-  for (const Exhibit& honest : honest_exhibits()) {
-    const std::array<std::string, 3> files{honest.field_text(), honest.surface_text(),
+  for (const auto& honest : exhibits) {
+    const std::array<std::string, 3> files{honest.field_text(), output_text(honest),
                                            honest.certificate.dump()};
-    const std::size_t share = TENSORTOPO_EDITS / 4 / honest_exhibits().size();
+    const std::size_t share = edits / exhibits.size();
     for (std::size_t n = 0; n < share; ++n) {
       std::array<std::string, 3> altered = files;
       const std::size_t which = n % 3;
@@ -137,6 +147,24 @@ TEST(RandomEdits, OfAnyByteNeitherCrashNorPass) {
   }
   std::cout << "seed " << kSeed + 1 << ": " << tried << " files, " << refused << " refused\n";
   EXPECT_GT(refused, tried / 2);
+}
+
+constexpr std::size_t kEdits = TENSORTOPO_EDITS;
+
+TEST(RandomEdits, OfTheCertificateAreNoticed) {
+  expect_edits_noticed(honest_exhibits(), may_be_true, kEdits * 3 / 4);
+}
+
+TEST(RandomEdits, OfAnyByteNeitherCrashNorPass) {
+  expect_bytes_noticed(honest_exhibits(), may_be_true, kEdits / 4);
+}
+
+TEST(RandomEdits, OfCertificatesOfCurvesAreNoticed) {
+  expect_edits_noticed(honest_curves(), may_be_true_of_curves, kEdits / 8);
+}
+
+TEST(RandomEdits, OfAnyByteOfCurvesNeitherCrashNorPass) {
+  expect_bytes_noticed(honest_curves(), may_be_true_of_curves, kEdits / 16);
 }
 
 }  // namespace

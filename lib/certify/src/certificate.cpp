@@ -94,11 +94,15 @@ Json distance_json(const DistanceClaim& claim, const TetMesh& mesh) {
           {"coarse_bound", exact(claim.coarse_bound)}};
 }
 
+Json undecided_json(const std::vector<UndecidedCell>& cells, const TetMesh& mesh) {
+  Json undecided = Json::array();
+  for (const auto& cell : cells)
+    undecided.push_back(Json::array({mesh.cell_ids[as_size(cell.tet)], cell.reason}));
+  return undecided;
+}
+
 Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size_t first_triangle,
                 const TetMesh& mesh) {
-  Json undecided = Json::array();
-  for (const auto& cell : level.undecided)
-    undecided.push_back(Json::array({mesh.cell_ids[as_size(cell.tet)], cell.reason}));
   Json components = Json::array();
   for (const auto& c : level.components)
     components.push_back({{"euler_characteristic", c.euler_characteristic},
@@ -116,7 +120,7 @@ Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size
   json["vertices"] = {first_vertex, level.vertices};
   json["triangles"] = {first_triangle, level.triangles};
   json["on_level"] = level.on_level;
-  json["undecided"] = std::move(undecided);
+  json["undecided"] = undecided_json(level.undecided, mesh);
   json["edges"] = edges_json(level, first_vertex);
   json["faces"] = faces_json(level, first_vertex);
   json["tets"] = tets_json(level, first_vertex, mesh);
@@ -126,11 +130,51 @@ Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size
   return json;
 }
 
-}  // namespace
+Json curve_faces_json(const CertifiedCurves& kind, std::size_t first_vertex) {
+  Json faces = Json::array();
+  for (const auto& face : kind.faces) {
+    Json item{face.vertices[0], face.vertices[1], face.vertices[2]};
+    for (const auto& point : face.points)
+      item.push_back({first_vertex + as_size(point.vertex), point.place[0], point.place[1],
+                      point.depth});
+    faces.push_back(std::move(item));
+  }
+  return faces;
+}
 
-std::string certificate_bytes(const CertificateSubject& subject,
-                              std::span<const CertifiedLevel> levels, const TetMesh& mesh,
-                              CertificateEncoding encoding) {
+Json pieces_json(const CertifiedCurves& kind, std::size_t first_vertex, const TetMesh& mesh) {
+  Json tets = Json::array();
+  for (const auto& tet : kind.tets) {
+    Json item = Json::array({mesh.cell_ids[as_size(tet.tet)]});
+    for (const auto& [v, w] : tet.pieces)
+      item.push_back({first_vertex + as_size(v), first_vertex + as_size(w)});
+    tets.push_back(std::move(item));
+  }
+  return tets;
+}
+
+Json curves_json(const CertifiedCurves& kind, std::size_t first_vertex, std::size_t first_line,
+                 const TetMesh& mesh) {
+  Json curves = Json::array();
+  for (const auto& c : kind.curves)
+    curves.push_back({{"closed", c.closed},
+                      {"lines", c.lines},
+                      {"first_vertex", first_vertex + as_size(c.first_vertex)}});
+  Json json;
+  json["mode"] = kind.kind == Degeneracy::linear ? "1" : "-1";
+  json["vertices"] = {first_vertex, kind.vertices};
+  json["lines"] = {first_line, kind.lines};
+  json["undecided"] = undecided_json(kind.undecided, mesh);
+  json["faces"] = curve_faces_json(kind, first_vertex);
+  json["tets"] = pieces_json(kind, first_vertex, mesh);
+  json["curves"] = std::move(curves);
+  return json;
+}
+
+/// All but the levels.
+/// @param output  "surface" or "polylines"
+/// @param cells  "triangles" or "lines"
+Json head_json(const CertificateSubject& subject, const char* output, const char* cells) {
   Json json;
   json["format"] = "tensortopo certificate";
   json["version"] = 1;
@@ -139,23 +183,48 @@ std::string certificate_bytes(const CertificateSubject& subject,
                    {"points", subject.points},
                    {"tetrahedra", subject.tetrahedra},
                    {"sha256", subject.field_sha256}};
-  json["surface"] = {{"vertices", subject.vertices},
-                     {"triangles", subject.triangles},
-                     {"sha256", subject.surface_sha256}};
-  if (!subject.arrays.empty()) json["surface"]["arrays"] = Json::array();
+  Json& file = json[output];
+  file = {{"vertices", subject.vertices}, {cells, subject.cells}, {"sha256", subject.output_sha256}};
+  if (!subject.arrays.empty()) file["arrays"] = Json::array();
   for (const auto& array : subject.arrays)
-    json["surface"]["arrays"].push_back({array.of, array.name, array.components, array.sha256});
+    file["arrays"].push_back({array.of, array.name, array.components, array.sha256});
   json["levels"] = Json::array();
+  return json;
+}
+
+std::string bytes_of(const Json& json, CertificateEncoding encoding) {
+  if (encoding == CertificateEncoding::json) return json.dump() + '\n';
+  std::string bytes;
+  Json::to_cbor(json, bytes);
+  return bytes;
+}
+
+}  // namespace
+
+std::string certificate_bytes(const CertificateSubject& subject,
+                              std::span<const CertifiedLevel> levels, const TetMesh& mesh,
+                              CertificateEncoding encoding) {
+  Json json = head_json(subject, "surface", "triangles");
   std::size_t vertices = 0, triangles = 0;
   for (const auto& level : levels) {
     json["levels"].push_back(level_json(level, vertices, triangles, mesh));
     vertices += level.vertices;
     triangles += level.triangles;
   }
-  if (encoding == CertificateEncoding::json) return json.dump() + '\n';
-  std::string bytes;
-  Json::to_cbor(json, bytes);
-  return bytes;
+  return bytes_of(json, encoding);
+}
+
+std::string certificate_bytes(const CertificateSubject& subject,
+                              std::span<const CertifiedCurves> kinds, const TetMesh& mesh,
+                              CertificateEncoding encoding) {
+  Json json = head_json(subject, "polylines", "lines");
+  std::size_t vertices = 0, lines = 0;
+  for (const auto& kind : kinds) {
+    json["levels"].push_back(curves_json(kind, vertices, lines, mesh));
+    vertices += kind.vertices;
+    lines += kind.lines;
+  }
+  return bytes_of(json, encoding);
 }
 
 }  // namespace tensortopo

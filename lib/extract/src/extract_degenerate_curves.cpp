@@ -3,6 +3,7 @@
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "curve_assembly.hpp"
@@ -148,17 +149,24 @@ class CurveExtractor {
   void join_in_tets(const SpecialPositions& special) {
     const auto& complex = cells_.complex;
     std::vector<CellCurves> tets(complex.tets.size());
+    std::vector<std::optional<CurveObstacle>> reasons(tets.size());
     parallel_stage(options_, "tetrahedra", tets.size(), 256, [&](std::size_t t) {
       const auto& faces = complex.tet_faces[t];
-      const bool is_general =
-          std::none_of(faces.begin(), faces.end(), [&](Index f) { return special.is_special(f); });
-      if (is_general) tets[t] = join_in_tet(t);
-      if (!is_general || tets[t].obstacle) tets[t] = special.curve_in_tet(t);
+      const auto at =
+          std::find_if(faces.begin(), faces.end(), [&](Index f) { return special.is_special(f); });
+      if (at != faces.end()) {
+        reasons[t] = cells_.faces[as_size(*at)].obstacle;
+      } else {
+        tets[t] = join_in_tet(t);
+        reasons[t] = tets[t].obstacle;
+      }
+      if (reasons[t]) tets[t] = special.curve_in_tet(t);
     });
     const std::size_t shared = cells_.places.size();
     for (std::size_t t = 0; t < tets.size(); ++t) {
       auto& cell = tets[t];
       if (cell.obstacle) result_.unresolved.push_back({complex.tets[t], *cell.obstacle});
+      if (reasons[t] && !cell.obstacle) result_.special.push_back({complex.tets[t], *reasons[t]});
       result_.statistics.tets_crossed += !cell.links.empty();
       const std::size_t own = cells_.places.size() - shared;
       for (CurveLink& link : cell.links) {

@@ -80,6 +80,29 @@ std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh) {
   return hash.hex();
 }
 
+std::string curves_sha256(const CurveMesh& curves, const TetMesh& mesh) {
+  NumberHash hash;
+  hash.add_count(curves.points.size());
+  for (const auto& p : curves.points) hash.add(p);
+  hash.add_count(curves.lines.size());
+  for (const auto& line : curves.lines) {
+    hash.add_count(line.size());
+    for (const auto v : line) hash.add_id(v);
+  }
+  for (const auto t : curves.tet) hash.add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
+  return hash.hex();
+}
+
+std::vector<ArrayHash> array_hashes(const CurveMesh& curves) {
+  std::vector<ArrayHash> list;
+  add_array(list, "lines", "component", 1, curves.component);
+  add_array(list, "points", "dominant_eigenvector", 3, curves.dominant_eigenvector);
+  add_array(list, "points", "mode", 1, curves.mode);
+  add_array(list, "points", "residual", 1, curves.residual);
+  add_array(list, "points", "separation", 1, curves.separation);
+  return list;
+}
+
 std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface) {
   std::vector<ArrayHash> list;
   add_array(list, "points", "dominant_eigenvector", 3, surface.dominant_eigenvector);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "compare_arrays.hpp"
+#include "compare_curves.hpp"
 #include "compare_distance.hpp"
 
 namespace certificate {
@@ -11,10 +12,12 @@ namespace {
 Range range_of(const Json& value) { return {value[0].get<Number>(), value[1].get<Number>()}; }
 
 /// The tetrahedra about which a level claims nothing. False if there is no such tetrahedron.
-bool mark_left_out(const Json& claims, const Input& input, std::vector<bool>& left_out,
-                   Ledger& ledger) {
+/// @param reason_in  the reason that an entry gives
+template <class Reason>
+bool mark_left_out(const Json& claims, const Input& input, const Reason& reason_in,
+                   std::vector<bool>& left_out, Ledger& ledger) {
   for (const Json& entry : claims["undecided"]) {
-    const std::string reason = reason_of(entry[1]), name = "tetrahedron " + entry[0].dump();
+    const std::string reason = reason_in(entry[1]), name = "tetrahedron " + entry[0].dump();
     const std::size_t tet = input.tet_at(entry[0].get<Number>());
     if (tet == Input::kNone) return ledger.refute(name, reason, "no such tetrahedron"), false;
     left_out[tet] = true;
@@ -40,7 +43,7 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
                             claims["value"].get<std::string>()) + ", ";
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
-  if (!mark_left_out(claims, input, left_out, ledger)) return;
+  if (!mark_left_out(claims, input, reason_of, left_out, ledger)) return;
   const std::size_t left_open = ledger.open();
   const Topology topology = derive_topology(input, field, level, left_out, progress);
   const Range vertices_of_level = range_of(claims["vertices"]);
@@ -67,6 +70,25 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
   ledger.count(level.decided_by_balls(), level.decided_exactly());
 }
 
+void check_curves(const Json& claims, const Input& input, const Field& field,
+                  const Polylines& curves, Ledger& ledger, const Progress& progress) {
+  ledger.level = "mode " + claims["mode"].get<std::string>() + ", ";
+  std::vector<bool> left_out(input.tets.size());
+  ledger.begin("left out");
+  if (!mark_left_out(claims, input, curve_reason_of, left_out, ledger)) return;
+  const CurveTopology topology =
+      derive_curves(input, field, kind_of(claims["mode"]), left_out, progress);
+  const CurveCase c{input, field, curves, claims, range_of(claims["vertices"]),
+                    range_of(claims["lines"]), left_out, topology};
+  ledger.begin("faces");
+  const PointVertices vertices = compare_face_points(c, ledger);
+  ledger.begin("tetrahedra");
+  compare_pieces(c, vertices, ledger);
+  ledger.begin("curves");
+  compare_polylines(c, ledger);
+  ledger.count(topology.by_balls, topology.by_integers);
+}
+
 /// Do the levels' ranges follow each other, to the end?
 bool are_in_order(const Json& levels, const char* key, Number all) {
   Number next = 0;
@@ -78,43 +100,74 @@ bool are_in_order(const Json& levels, const char* key, Number all) {
   return next == all;
 }
 
-Report check(const std::string& input_file, const std::string& surface_file,
-             const Json& certificate, const Progress& progress) {
-  const Json &input_claims = certificate["input"], &surface_claims = certificate["surface"];
-  const Input input =
-      read_input(input_file, input_claims["tensor"], input_claims["components"]);
-  const Triangles surface = read_triangles(surface_file);
-  Report report;
-  Ledger ledger(report);
-  ledger.begin("files");
-  const auto compare = [&](const char* what, const Json& claimed, const Json& derived) {
-    ledger.settle(claimed == derived, what, claimed.dump(), derived.dump());
-  };
-  compare("points", input_claims["points"], input.points.size());
-  compare("tetrahedra", input_claims["tetrahedra"], input.tets.size());
-  compare("input's sha256", input_claims["sha256"], input.sha256());
-  compare("vertices", surface_claims["vertices"], surface.points.size());
-  compare("triangles", surface_claims["triangles"], surface.triangles.size());
-  compare("surface's sha256", surface_claims["sha256"], surface.sha256());
-  const Json& levels = certificate["levels"];
-  const bool are_levels_of_surface = are_in_order(levels, "vertices", surface.points.size()) &&
-                                     are_in_order(levels, "triangles", surface.triangles.size());
-  ledger.settle(are_levels_of_surface, "levels", "all of the surface, one after the other",
-                "they are not");
-  ledger.begin("arrays");
-  compare_hashes(surface_claims, surface, ledger);
-  if (are_levels_of_surface) compare_arrays(levels, surface, ledger);
-  if (report.refuted > 0) return report;  // of another field or surface nothing need be derived
+/// A certificate's files, and what it claims of them.
+class Checking {
+ public:
+  Checking(const std::string& input_file, const Json& certificate, const Progress& progress)
+      : certificate_(certificate),
+        progress_(progress),
+        input_(read_input(input_file, certificate["input"]["tensor"],
+                          certificate["input"]["components"])),
+        ledger_(report_) {}
 
-  std::optional<Field> field;  // levels mostly are about the same tensors
-  for (const Json& claims : levels) {
-    const Level level = level_of(claims);
-    if (!field || !(field->multiples() == level.multiples()))
-      field.emplace(input, level.multiples());
-    check_level(claims, level, input, *field, surface, ledger, progress);
+  Report of_surface(const std::string& file) {
+    const Json& levels = certificate_["levels"];
+    const Triangles surface = read_triangles(file);
+    if (!compare_files(surface, "surface", "triangles", surface.triangles.size())) return report_;
+    std::optional<Field> field;  // levels mostly are about the same tensors
+    for (const Json& claims : levels) {
+      const Level level = level_of(claims);
+      if (!field || !(field->multiples() == level.multiples()))
+        field.emplace(input_, level.multiples());
+      check_level(claims, level, input_, *field, surface, ledger_, progress_);
+    }
+    return report_;
   }
-  return report;
-}
+
+  Report of_curves(const std::string& file) {
+    const Polylines curves = read_polylines(file);
+    if (!compare_files(curves, "polylines", "lines", curves.lines.size())) return report_;
+    const Field field(input_, Multiples{});
+    for (const Json& claims : certificate_["levels"])
+      check_curves(claims, input_, field, curves, ledger_, progress_);
+    return report_;
+  }
+
+ private:
+  /// Are these the files that the certificate is about?
+  /// @param key  of the claims about the output
+  /// @param kind  of the output's cells
+  template <class Output>
+  bool compare_files(const Output& output, const char* key, const char* kind, std::size_t cells) {
+    const Json &input_claims = certificate_["input"], &claims = certificate_[key];
+    const auto compare = [&](const std::string& what, const Json& claimed, const Json& derived) {
+      ledger_.settle(claimed == derived, what, claimed.dump(), derived.dump());
+    };
+    ledger_.begin("files");
+    compare("points", input_claims["points"], input_.points.size());
+    compare("tetrahedra", input_claims["tetrahedra"], input_.tets.size());
+    compare("input's sha256", input_claims["sha256"], input_.sha256());
+    compare("vertices", claims["vertices"], output.points.size());
+    compare(kind, claims[kind], cells);
+    compare(std::string(key) + (*key == 's' ? "'s sha256" : "' sha256"), claims["sha256"],
+            output.sha256());
+    const Json& levels = certificate_["levels"];
+    const bool are_levels_of_output = are_in_order(levels, "vertices", output.points.size()) &&
+                                      are_in_order(levels, kind, cells);
+    ledger_.settle(are_levels_of_output, "levels", "all of the file, one after the other",
+                   "they are not");
+    ledger_.begin("arrays");
+    compare_hashes(claims, output.arrays, ledger_);
+    if (are_levels_of_output) compare_arrays(levels, output, ledger_);
+    return report_.refuted == 0;  // of another field or file nothing need be derived
+  }
+
+  const Json& certificate_;
+  const Progress& progress_;
+  Input input_;
+  Report report_;
+  Ledger ledger_;
+};
 
 }  // namespace
 
@@ -122,7 +175,9 @@ Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate, const Progress& progress) {
   const Json document = read_document(certificate);
   try {
-    return check(input, surface, document, progress);
+    Checking checking(input, document, progress);
+    return document.contains("polylines") ? checking.of_curves(surface)
+                                          : checking.of_surface(surface);
   } catch (const Malformed& error) {
     throw Malformed(error.file().empty() ? certificate : error.file(), error.problem());
   }

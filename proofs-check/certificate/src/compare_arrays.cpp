@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <utility>
@@ -17,8 +18,8 @@ using Name = std::pair<std::string, std::string>;
 
 std::string text_of(const Name& name) { return "array '" + name.second + "' of the " + name.first; }
 
-const Array* find(const Triangles& surface, const char* of, const char* name) {
-  for (const Array& array : surface.arrays)
+const Array* find(const std::vector<Array>& arrays, const char* of, const char* name) {
+  for (const Array& array : arrays)
     if (array.of == of && array.name == name && array.components == 1) return &array;
   return nullptr;
 }
@@ -48,23 +49,26 @@ void compare_numbers(const Array& array, const Json& range, const std::optional<
   ledger.certify();
 }
 
-/// Components are numbered in the order of their first triangles, those of a level after those of
-/// the levels before.
-void compare_components(const Array& array, const Json& levels, const Triangles& surface,
-                        Ledger& ledger) {
+/// Components are numbered in the order of their first cells, those of a level after those of the
+/// levels before.
+/// @param kind  of the cells: "triangles" or "lines"
+template <class Cells>
+void compare_components(const Array& array, const Json& levels, const char* kind,
+                        const Cells& cells, Ledger& ledger) {
   std::size_t next = 0;
   for (const Json& level : levels) {
-    const Number first = level["triangles"][0], end = first + level["triangles"][1].get<Number>();
+    const Number first = level[kind][0], end = first + level[kind][1].get<Number>();
     UnionFind joined;
     for (Number t = first; t < end; ++t)
-      for (const std::uint32_t v : surface.triangles[t]) joined.join(surface.triangles[t][0], v);
+      for (const std::uint32_t v : cells[t]) joined.join(cells[t][0], v);
     std::map<std::size_t, std::size_t> number;
     for (Number t = first; t < end; ++t) {
-      const std::size_t component = joined.find(surface.triangles[t][0]);
+      const std::size_t component = joined.find(cells[t][0]);
       const auto [it, is_new] = number.try_emplace(component, next);
       next += is_new ? 1 : 0;
       if (array.numbers[t] != static_cast<double>(it->second))
-        return ledger.refute("component of triangle " + std::to_string(t),
+        return ledger.refute("component of " + std::string(kind, std::strlen(kind) - 1) + ' ' +
+                                 std::to_string(t),
                              Json(array.numbers[t]).dump(), std::to_string(it->second));
     }
   }
@@ -73,19 +77,19 @@ void compare_components(const Array& array, const Json& levels, const Triangles&
 
 }  // namespace
 
-void compare_hashes(const Json& surface_claims, const Triangles& surface, Ledger& ledger) {
-  const auto claims = surface_claims.find("arrays");
-  if (claims == surface_claims.end()) {
-    if (!surface.arrays.empty())
-      ledger.leave_open(text_of({surface.arrays[0].of, surface.arrays[0].name}) +
-                            (surface.arrays.size() > 1 ? " and others" : ""),
+void compare_hashes(const Json& file_claims, const std::vector<Array>& arrays, Ledger& ledger) {
+  const auto claims = file_claims.find("arrays");
+  if (claims == file_claims.end()) {
+    if (!arrays.empty())
+      ledger.leave_open(
+          text_of({arrays[0].of, arrays[0].name}) + (arrays.size() > 1 ? " and others" : ""),
                         "arrays are not bound by this certificate");
     return;
   }
   std::map<Name, std::array<std::string, 2>> found;  // as claimed, as there
   for (const Json& claim : *claims)
     found[{claim[0], claim[1]}][0] = claim[2].dump() + " components, " + claim[3].dump();
-  for (const Array& array : surface.arrays)
+  for (const Array& array : arrays)
     found[{array.of, array.name}][1] =
         std::to_string(array.components) + " components, " + Json(array.sha256()).dump();
   for (auto& [name, texts] : found) {
@@ -96,8 +100,8 @@ void compare_hashes(const Json& surface_claims, const Triangles& surface, Ledger
 }
 
 void compare_arrays(const Json& levels, const Triangles& surface, Ledger& ledger) {
-  const Array* const modes = find(surface, "points", "mode");
-  const Array* const values = find(surface, "points", "value");
+  const Array* const modes = find(surface.arrays, "points", "mode");
+  const Array* const values = find(surface.arrays, "points", "value");
   for (const Json& level : levels) {
     std::optional<mpq_class> mode, value;
     if (level.contains("mode")) {
@@ -108,8 +112,16 @@ void compare_arrays(const Json& levels, const Triangles& surface, Ledger& ledger
     if (modes != nullptr) compare_numbers(*modes, level["vertices"], mode, ledger);
     if (values != nullptr) compare_numbers(*values, level["vertices"], value, ledger);
   }
-  if (const Array* components = find(surface, "triangles", "component"))
-    compare_components(*components, levels, surface, ledger);
+  if (const Array* components = find(surface.arrays, "triangles", "component"))
+    compare_components(*components, levels, "triangles", surface.triangles, ledger);
+}
+
+void compare_arrays(const Json& levels, const Polylines& curves, Ledger& ledger) {
+  if (const Array* const modes = find(curves.arrays, "points", "mode"))
+    for (const Json& level : levels)
+      compare_numbers(*modes, level["vertices"], static_cast<int>(kind_of(level["mode"])), ledger);
+  if (const Array* components = find(curves.arrays, "lines", "component"))
+    compare_components(*components, levels, "lines", curves.lines, ledger);
 }
 
 }  // namespace certificate

@@ -6,13 +6,10 @@
 #include <map>
 #include <unordered_map>
 
-#include "document.hpp"
-#include "ledger.hpp"
+#include "compare_list.hpp"
 #include "topology.hpp"
 
 namespace certificate {
-
-using Number = std::uint64_t;
 
 struct Range {
   Number first = 0, count = 0;

@@ -45,6 +45,23 @@ Json make_shape() {
   return result;
 }
 
+/// The same of degenerate curves.
+Json make_curve_shape() {
+  Json result = Json::parse(R"({
+    "polylines": {"vertices": "natural", "lines": "natural", "sha256": "text",
+                  "arrays or none": ["*2", ["text", "text", "natural", "text"]]},
+    "levels": ["*0", {
+      "mode": "text", "vertices": ["natural", "natural"], "lines": ["natural", "natural"],
+      "undecided": ["*1", ["natural", "text"]],
+      "faces": ["*3", ["natural", "natural", "natural",
+                       "*1", ["natural", "natural", "natural", "natural"]]],
+      "tets": ["*1", ["natural", "*2", ["natural", "natural"]]],
+      "curves": ["*1", {"closed": "boolean", "lines": "natural", "first_vertex": "natural"}]}]})");
+  const Json other = make_shape();
+  for (const char* key : {"format", "version", "input"}) result[key] = other[key];
+  return result;
+}
+
 bool is_natural(const Json& value) { return value.is_number_unsigned(); }
 bool is_integer(const Json& value) {
   return value.is_number_integer() &&
@@ -167,8 +184,10 @@ Json read_document(const std::string& file) {
   } catch (const Json::exception&) {
     throw Malformed(file, builder.problem);
   }
-  static const Json shape = make_shape();
-  if (const std::string wrong = misfit(document, shape); !wrong.empty())
+  static const Json surface_shape = make_shape(), curve_shape = make_curve_shape();
+  const bool is_of_curves = document.is_object() && document.contains("polylines");
+  if (const std::string wrong = misfit(document, is_of_curves ? curve_shape : surface_shape);
+      !wrong.empty())
     throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
   if (document["format"] != "tensortopo certificate" || document["version"] != 1)
     throw Malformed(file, "no certificate of version 1");
@@ -192,6 +211,12 @@ mpq_class mode_of(const Json& value) {
   const mpq_class mode = fraction_of(value);
   if (abs(mode) >= 1) throw Malformed("", "a mode that is not between -1 and 1");
   return mode;
+}
+
+Kind kind_of(const Json& mode) {
+  const std::string& text = text_of(mode);
+  if (text != "1" && text != "-1") throw Malformed("", "curves of a mode that is not 1 or -1");
+  return text == "1" ? Kind::linear : Kind::planar;
 }
 
 Invariant invariant_of(const Json& name) {
@@ -226,6 +251,16 @@ std::string reason_of(const Json& value) {
       "level_constant_on_edge", "critical_value_in_cell", "critical_value_on_face",
       "critical_value_on_edge", "budget_exhausted",       "inconsistent_samples",
       "zero_tensor"};
+  if (!reasons.contains(text_of(value))) throw Malformed("", "no such reason");
+  return text_of(value);
+}
+
+std::string curve_reason_of(const Json& value) {
+  static const std::set<std::string> reasons{
+      "zero_deviator_vertex",      "dependent_tensors_on_face", "degenerate_conic_on_face",
+      "coincident_points_on_face", "degenerate_point_on_edge",  "dependent_tensors_in_cell",
+      "neutral_characteristic",    "degenerate_on_a_surface",   "degenerate_throughout",
+      "no_deviator_in_cell",       "points_not_told_apart"};
   if (!reasons.contains(text_of(value))) throw Malformed("", "no such reason");
   return text_of(value);
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "degenerate_points.hpp"
 #include "invariant_rule.hpp"
 
 namespace certificate {
@@ -24,11 +25,13 @@ Json read_document(const std::string& file);
 
 /// Texts and numbers of a document. These throw Malformed, without the file's name.
 mpq_class mode_of(const Json& value);      ///< in lowest terms, between -1 and 1
+Kind kind_of(const Json& mode);           ///< of degenerate tensors, mode 1 or -1
 Invariant invariant_of(const Json& name);
 /// In lowest terms, positive, below 1 for an anisotropy.
 mpq_class value_of(const Json& value, Invariant invariant);
 double length_of(const Json& value);       ///< not negative, hexadecimal
-std::string reason_of(const Json& value);  ///< one of FORMAT.md's
+std::string reason_of(const Json& value);  ///< one of FORMAT.md's for surfaces
+std::string curve_reason_of(const Json& value);  ///< one of those for curves
 /// The ends of a crossing's interval [i / 2^k, (i + 1) / 2^k], in [0, 1].
 struct Interval {
   mpz_class i;

@@ -108,6 +108,16 @@ std::string Triangles::sha256() const {
       .hex();
 }
 
+std::string Polylines::sha256() const {
+  Digest digest;
+  digest.add(points.size()).add(points).add(lines.size());
+  for (const auto& line : lines) {
+    digest.add(line.size());
+    for (const std::uint64_t v : line) digest.add(v);
+  }
+  return digest.add(cells).hex();
+}
+
 std::string Array::sha256() const { return Digest().add(numbers).hex(); }
 
 namespace {
@@ -181,7 +191,7 @@ void add_arrays(const XmlFile& file, const char* section, const char* of, std::s
                 std::vector<Array>& arrays) {
   const std::size_t first = arrays.size();
   for (const auto& [name, components] : file.arrays(section)) {
-    if (of == std::string("triangles") && name == "tet") continue;
+    if (of != std::string("points") && name == "tet") continue;
     Array array{of, name, components, file.numbers(section, name, components)};
     if (components > 1000 || array.numbers.size() != components * count)
       file.fail("array '" + name + "' has not as many numbers as declared");
@@ -191,12 +201,17 @@ void add_arrays(const XmlFile& file, const char* section, const char* of, std::s
             [](const Array& a, const Array& b) { return a.name < b.name; });
 }
 
+void require_no_cells(const XmlFile& file, const std::array<const char*, 3>& others,
+                      const std::string& kind) {
+  for (const char* other : others)
+    if (file.count(other) != 0) file.fail("holds more than " + kind);
+}
+
 }  // namespace
 
 Triangles read_triangles(const std::string& name) {
   const XmlFile file(name, "PolyData");
-  for (const char* other : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"})
-    if (file.count(other) != 0) file.fail("holds more than triangles");
+  require_no_cells(file, {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"}, "triangles");
   Triangles result;
   result.points = grouped<3>({name}, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
   const std::size_t cells = file.count("NumberOfPolys");
@@ -211,6 +226,38 @@ Triangles read_triangles(const std::string& name) {
       {name}, file.naturals("Polys", "connectivity"), offsets, result.points.size(),
       [](std::size_t) { return true; },
       [&](std::size_t, const auto& corners) { result.triangles.push_back(corners); });
+  return result;
+}
+
+Polylines read_polylines(const std::string& name) {
+  const XmlFile file(name, "PolyData");
+  require_no_cells(file, {"NumberOfVerts", "NumberOfStrips", "NumberOfPolys"}, "lines");
+  Polylines result;
+  result.points = grouped<3>({name}, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
+  const std::size_t cells = file.count("NumberOfLines");
+  add_arrays(file, "PointData", "points", result.points.size(), result.arrays);
+  add_arrays(file, "CellData", "lines", cells, result.arrays);
+  if (cells == 0) return result;
+  result.cells = file.naturals("CellData", "tet");
+  if (result.cells.size() != cells) file.fail("not the lines that it declares");
+  const auto offsets = file.naturals("Lines", "offsets");
+  const auto connectivity = file.naturals("Lines", "connectivity");
+  if (offsets.size() != cells) file.fail("not the cells that it declares");
+  std::uint64_t first = 0;
+  for (std::size_t i = 0; i < cells; ++i) {
+    const std::string line = "line " + std::to_string(i);
+    if (offsets[i] < first + 2 || offsets[i] > connectivity.size())
+      file.fail(line + " has the wrong number of points");
+    auto& points = result.lines.emplace_back();
+    for (; first < offsets[i]; ++first) {
+      if (connectivity[first] >= result.points.size()) file.fail(line + " has a point that is none");
+      points.push_back(static_cast<std::uint32_t>(connectivity[first]));
+    }
+    auto sorted = points;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+      file.fail(line + " has a point twice");
+  }
   return result;
 }
 

@@ -24,12 +24,12 @@ struct Input {
   std::string sha256() const;
 };
 
-/// Numbers of each point or triangle of the output.
+/// Numbers of each point, triangle or line of the output.
 struct Array {
-  std::string of;  ///< "points" or "triangles"
+  std::string of;  ///< "points", "triangles" or "lines"
   std::string name;
   std::size_t components = 1;
-  std::vector<double> numbers;  ///< all of one point or triangle, then those of the next
+  std::vector<double> numbers;  ///< all of one point or cell, then those of the next
 
   std::string sha256() const;
 };
@@ -44,12 +44,23 @@ struct Triangles {
   std::string sha256() const;
 };
 
+/// The output: polylines, and the cell of the input that holds each.
+struct Polylines {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::vector<std::uint32_t>> lines;  ///< two or more different points each
+  std::vector<std::uint64_t> cells;
+  std::vector<Array> arrays;  ///< all others, ascending by `of` and `name`
+
+  std::string sha256() const;
+};
+
 /// Reads a .vtu of one piece (ascii, inline or appended, plain or zlib, of either byte order), or a
 /// legacy .vtk (ASCII or BINARY). Every number is finite and every index in range. Throws
 /// Malformed.
 Input read_input(const std::string& file, const std::string& tensor,
                  const std::string& components);
-/// The same of a .vtp with a cell array `tet`, and any others.
+/// The same of a .vtp with triangles only, or polylines only, a cell array `tet`, and any others.
 Triangles read_triangles(const std::string& file);
+Polylines read_polylines(const std::string& file);
 
 }  // namespace certificate

@@ -3,6 +3,7 @@
 // The topology of a level in a mesh, derived from the field alone.
 #pragma once
 
+#include "certificate_check/check_certificate.hpp"
 #include "field.hpp"
 #include "tet_level.hpp"
 

@@ -15,6 +15,7 @@ struct CertificateReport {
   std::filesystem::path path;
   std::uintmax_t bytes = 0;
   std::size_t certified = 0;  ///< claims: on edges, faces, tetrahedra, components, distances
+  std::map<std::string, std::size_t> kinds;      ///< the same by kind
   std::map<std::string, std::size_t> undecided;  ///< tetrahedra, over all modes, by reason
   std::size_t undecided_cells = 0;
   /// Proved by arguments that the checker does not have, which it may leave open: sheets that are

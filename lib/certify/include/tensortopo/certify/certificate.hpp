@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 
 namespace tensortopo {
@@ -16,12 +17,12 @@ struct CertificateSubject {
   std::string components;         ///< "vtk", "voigt", "abaqus" or "full"
   std::size_t points = 0, tetrahedra = 0;
   std::string field_sha256;
-  std::size_t vertices = 0, triangles = 0;  ///< of the surface
-  std::string surface_sha256;
+  std::size_t vertices = 0, cells = 0;  ///< of the surface, or polylines: triangles, or lines
+  std::string output_sha256;            ///< of the surface, or polylines
 
-  /// A further array of the surface's file.
+  /// A further array of the output's file.
   struct Array {
-    std::string of;  ///< "points" or "triangles"
+    std::string of;  ///< "points", "triangles" or "lines"
     std::string name;
     std::size_t components = 1;
     std::string sha256;
@@ -36,6 +37,10 @@ enum class CertificateEncoding { json, cbor };
 /// @param levels  in the order of the surface's vertices and triangles
 std::string certificate_bytes(const CertificateSubject& subject,
                               std::span<const CertifiedLevel> levels, const TetMesh& mesh,
+                              CertificateEncoding encoding);
+/// @param kinds  in the order of the polylines' vertices and lines
+std::string certificate_bytes(const CertificateSubject& subject,
+                              std::span<const CertifiedCurves> kinds, const TetMesh& mesh,
                               CertificateEncoding encoding);
 
 }  // namespace tensortopo

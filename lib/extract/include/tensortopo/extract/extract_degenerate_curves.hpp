@@ -36,6 +36,9 @@ struct CurveStatistics {
 struct CurveExtraction {
   CurveMesh curves;
   std::vector<UnresolvedCurve> unresolved;  ///< by tetrahedron
+  /// Other tetrahedra in which a curve may be in special position, settled in rationals, with what
+  /// is special; by tetrahedron.
+  std::vector<UnresolvedCurve> special;
   CurveStatistics statistics;
 };
 

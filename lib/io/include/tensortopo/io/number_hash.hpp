@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
@@ -20,9 +21,13 @@ std::string field_sha256(const TetMesh& mesh);
 /// vertices of each, and of each the id in the input of the tetrahedron that holds it.
 std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh);
 
+/// The same of polylines: the number of vertices, their coordinates, the number of lines, of each
+/// the number of its vertices and these, and of each the id of the tetrahedron that holds it.
+std::string curves_sha256(const CurveMesh& curves, const TetMesh& mesh);
+
 /// An array that `write_surface` puts beside the geometry, with the SHA-256 of its numbers.
 struct ArrayHash {
-  std::string of;  ///< "points" or "triangles"
+  std::string of;  ///< "points", "triangles" or "lines"
   std::string name;
   std::size_t components = 1;
   std::string sha256;  ///< of its numbers in their order, each as a double, little-endian
@@ -30,5 +35,7 @@ struct ArrayHash {
 
 /// All arrays of a surface in a .vtp without curves but `tet`, by `of` and `name`.
 std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface);
+/// All arrays of curves in a .vtp without a surface but `tet`, by `of` and `name`.
+std::vector<ArrayHash> array_hashes(const CurveMesh& curves);
 
 }  // namespace tensortopo

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tensortopo/certify/certified_level.hpp"
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
+
+namespace tensortopo {
+
+/// A degenerate point inside a face, with a box that holds it and no other of its kind.
+struct FacePointClaim {
+  CurveMesh::Index vertex = -1;
+  /// Its barycentric coordinates at the face's second and third vertex, the face's vertices being
+  /// in ascending order, are at most 2^-depth from place / 2^depth.
+  std::array<std::uint64_t, 2> place{};
+  int depth = 0;
+};
+
+/// Everything that a certificate claims about the degenerate curves of one kind: see proofs-check's
+/// description of the file for what each claim means.
+struct CertifiedCurves {
+  struct Face {
+    std::array<TetMesh::Index, 3> vertices{};  ///< ascending
+    std::vector<FacePointClaim> points;        ///< by vertex
+  };
+  struct Tet {
+    TetMesh::Index tet = -1;
+    /// The vertices that a piece of the curve joins, ascending; in order.
+    std::vector<std::array<CurveMesh::Index, 2>> pieces;
+  };
+  /// A connected component of the polylines.
+  struct Curve {
+    bool closed = false;  ///< no vertex is the end of one line only
+    std::size_t lines = 0;
+    CurveMesh::Index first_vertex = -1;  ///< the smallest
+  };
+
+  Degeneracy kind = Degeneracy::linear;
+  std::size_t vertices = 0, lines = 0;   ///< of the polylines
+  std::vector<UndecidedCell> undecided;  ///< ascending; special positions among them
+  std::vector<Face> faces;               ///< with points, of all other tetrahedra; ascending
+  std::vector<Tet> tets;                 ///< with pieces; ascending
+  std::vector<Curve> curves;             ///< by first vertex
+
+  /// Entities claimed: faces and tetrahedra that the curves meet, components, and that there are no
+  /// others.
+  std::size_t claims() const { return faces.size() + tets.size() + curves.size() + 1; }
+};
+
+/// The claims that an extraction supports: those of general position, its special positions being
+/// left undecided, each with its name. The points of faces are found again, with bounds.
+/// @param extraction  of this kind, made of `mesh`
+CertifiedCurves certify(const TetMesh& mesh, Degeneracy kind, const CurveExtraction& extraction);
+
+}  // namespace tensortopo

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// How the degenerate curve of a tetrahedron joins the points in which it meets the faces.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "degenerate_points.hpp"
+
+namespace certificate {
+
+/// A degenerate point of a tetrahedron's face.
+struct RimPoint {
+  std::size_t opposite;  ///< the vertex that is not of the face, a place in the tetrahedron
+  FacePoint point;
+};
+
+/// The pieces of the curve: which two rim points each joins, as positions in the list. Nothing if
+/// that stays open: the tensors are dependent, the curve crosses itself, or signs are not settled.
+/// @param rim  all points on the boundary that are degenerate of the kind, in decided faces
+std::optional<std::vector<std::array<std::size_t, 2>>> joined_in_tet(
+    const std::array<Corner, 4>& corners, std::vector<RimPoint> rim, Kind kind);
+
+}  // namespace certificate
