@@ -302,6 +302,22 @@ std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
+std::optional<std::array<std::int64_t, 2>>
+Refinement<Scalar, Vertices, Corners>::shares_towards_small_field(std::uint32_t u,
+                                                                  std::uint32_t v) const {
+  for (const auto c : cells_at_[u]) {
+    const auto& corners = cells_[c].vertices;
+    if (!cells_[c].alive || std::find(corners.begin(), corners.end(), v) == corners.end()) continue;
+    for (const auto w : corners)
+      if (w != u && w != v)
+        if (const auto shares =
+                detail::shares_opposite_to(vertices_[w], vertices_[u], vertices_[v]))
+          return shares;
+  }
+  return std::nullopt;
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
 bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint32_t v) {
   // The first cuts are off the middle. Real fields have symmetries, and middles would put sides
   // of cells on their axes and planes, where a level can touch a side exactly.
@@ -311,7 +327,10 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
   const int share = uneven ? thirty_seconds[cuts % thirty_seconds.size()] : 1;
   const auto [lower, upper] = std::minmax(u, v);
   const Vertex &first = vertices_[lower], &second = vertices_[upper];
-  const auto shares = detail::shares_of_cut(first, second, {share, uneven ? 32 - share : 1});
+  const std::array<std::int64_t, 2> usual{share, uneven ? 32 - share : 1};
+  auto shares = detail::shares_of_cut(first, second, usual);
+  if (shares == usual)
+    if (const auto opposite = shares_towards_small_field(lower, upper)) shares = *opposite;
   const auto middle = detail::place_between(*simplex_, *level_, shares, first, second);
   if (!middle) return false;
   const auto m = add_vertex(middle->vertex);

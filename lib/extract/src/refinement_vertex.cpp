@@ -21,6 +21,17 @@ constexpr int kCutBits = 50;
 /// A sum of tensors that is smaller than its terms by this factor is formed in the longer scalar.
 constexpr double kCancelled = 64;
 
+/// Tensors with a smaller squared sine of their angle span no plane to speak of, and a place of
+/// smaller weights is on the side of a triangle rather than inside.
+constexpr double kApart = 1.0 / 256, kInside = 1.0 / 64;
+
+/// Whole numbers in about this ratio: the finer, the smaller the sum of the tensors is there.
+std::array<std::int64_t, 2> whole_shares(double first, double second, double sum) {
+  const int bits = std::min(kCutBits, 6 - std::ilogb(std::max(sum, 0x1p-60)));
+  const double all = std::ldexp(1.0, bits), part = std::round(first / (first + second) * all);
+  return {static_cast<std::int64_t>(part), static_cast<std::int64_t>(all - part)};
+}
+
 /// The power of two that brings a norm form to [3, 12).
 int normalizing_exponent(double norm_form) { return -std::ilogb(std::sqrt(norm_form / 3)); }
 
@@ -77,10 +88,30 @@ std::array<std::int64_t, 2> shares_of_cut(const RefinementVertex<Scalar, Vertice
   if (!(sum < kNearlyOpposite)) return usual;
   const auto first = static_cast<double>(usual[0]), second = static_cast<double>(usual[1]);
   const double off = (first - second) / (first + second) / 2 * sum;
-  const double of_u = (0.5 + off) / s_norm, of_v = (0.5 - off) / t_norm;
-  const int bits = std::min(kCutBits, 6 - std::ilogb(std::max(sum, 0x1p-60)));
-  const double all = std::ldexp(1.0, bits), part = std::round(of_u / (of_u + of_v) * all);
-  return {static_cast<std::int64_t>(part), static_cast<std::int64_t>(all - part)};
+  return whole_shares((0.5 + off) / s_norm, (0.5 - off) / t_norm, sum);
+}
+
+template <class Scalar, std::size_t Vertices>
+std::optional<std::array<std::int64_t, 2>> shares_opposite_to(
+    const RefinementVertex<Scalar, Vertices>& w, const RefinementVertex<Scalar, Vertices>& u,
+    const RefinementVertex<Scalar, Vertices>& v) {
+  auto units = rounded(std::array{w.tensor, u.tensor, v.tensor});
+  std::array<double, 3> norms{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    norms[i] = std::sqrt(norm_form(units[i]));
+    if (!(norms[i] > 0)) return std::nullopt;
+    units[i] = (1 / norms[i]) * units[i];
+  }
+  // The smallest of c + x a + y b.
+  const auto& [c, a, b] = units;
+  const double ab = norm_form(a, b), ac = norm_form(a, c), bc = norm_form(b, c);
+  const double determinant = 1 - ab * ab;
+  if (!(determinant > kApart)) return std::nullopt;
+  const double x = (ab * bc - ac) / determinant, y = (ab * ac - bc) / determinant;
+  if (!(x > kInside) || !(y > kInside)) return std::nullopt;
+  const double sum = std::sqrt(norm_form(c + x * a + y * b)) / (1 + x + y);
+  if (!(sum < kNearlyOpposite)) return std::nullopt;
+  return whole_shares(x / norms[1], y / norms[2], sum);
 }
 
 #define TENSORTOPO_INSTANTIATE_VERTICES(Scalar, Vertices)                                          \
@@ -92,7 +123,10 @@ std::array<std::int64_t, 2> shares_of_cut(const RefinementVertex<Scalar, Vertice
       const RefinementVertex<Scalar, Vertices>&);                                                  \
   template std::array<std::int64_t, 2> shares_of_cut(const RefinementVertex<Scalar, Vertices>&,    \
                                                      const RefinementVertex<Scalar, Vertices>&,    \
-                                                     const std::array<std::int64_t, 2>&);
+                                                     const std::array<std::int64_t, 2>&);          \
+  template std::optional<std::array<std::int64_t, 2>> shares_opposite_to(                          \
+      const RefinementVertex<Scalar, Vertices>&, const RefinementVertex<Scalar, Vertices>&,        \
+      const RefinementVertex<Scalar, Vertices>&);
 #define TENSORTOPO_INSTANTIATE(Scalar)       \
   TENSORTOPO_INSTANTIATE_VERTICES(Scalar, 2) \
   TENSORTOPO_INSTANTIATE_VERTICES(Scalar, 3) \

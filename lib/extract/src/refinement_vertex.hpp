@@ -44,4 +44,12 @@ std::array<std::int64_t, 2> shares_of_cut(const RefinementVertex<Scalar, Vertice
                                           const RefinementVertex<Scalar, Vertices>& v,
                                           const std::array<std::int64_t, 2>& usual);
 
+/// The same for an edge whose ends are not nearly opposite, if the field nearly vanishes inside the
+/// triangle with w: the place opposite to w, so that the cut after the next goes where it does. The
+/// axis of a twisted shaft is like that.
+template <class Scalar, std::size_t Vertices>
+std::optional<std::array<std::int64_t, 2>> shares_opposite_to(
+    const RefinementVertex<Scalar, Vertices>& w, const RefinementVertex<Scalar, Vertices>& u,
+    const RefinementVertex<Scalar, Vertices>& v);
+
 }  // namespace tensortopo::detail

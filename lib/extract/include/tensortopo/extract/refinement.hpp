@@ -103,6 +103,9 @@ class Refinement {
                                                                std::uint32_t v) const;
   template <std::size_t Part>
   std::array<std::uint32_t, 2> longest_edge(const std::array<std::uint32_t, Part>& part) const;
+  /// Where to cut an edge if the field nearly vanishes in a triangle that has it.
+  std::optional<std::array<std::int64_t, 2>> shares_towards_small_field(std::uint32_t u,
+                                                                        std::uint32_t v) const;
   bool cut_edge(std::uint32_t u, std::uint32_t v);
   void add_child(const Cell& cell, std::size_t kept, std::size_t lost, std::uint32_t m,
                  const Scalar& a, const Scalar& b);
