@@ -42,8 +42,7 @@ struct Claims {
   std::map<int, std::size_t> cones;
 
   explicit Claims(const Json& level) {
-    for (const Json& e : level["edges"])
-      crossings[{e[0], e[1]}] = static_cast<int>(e.size()) - 2;
+    for (const Json& e : level["edges"]) crossings[{e[0], e[1]}] = static_cast<int>(e.size()) - 2;
     for (const Json& f : level["faces"])
       curves[{f[0], f[1], f[2]}] = {static_cast<int>(f[3].size()), static_cast<int>(f[4].size())};
     for (const Json& t : level["tets"]) {
@@ -99,10 +98,15 @@ void expect_claims_that_brute_force_sees(const std::string& mode, int count, std
       std::array<int, 3> vertices{};
       for (std::size_t k = 0, n = 0; k < 4; ++k)
         if (k != opposite) corners[n] = tensors[k], vertices[n++] = 4 * i + static_cast<int>(k);
-      const auto seen = brute_force_face_topology(corners_of(corners), level);
+      const FaceTopology claimed = claims.in_face(vertices);
+      auto seen = brute_force_face_topology(corners_of(corners), level);
+      if (seen && *seen != claimed) {  // two lattices alike can tear a strip at its neck
+        ++misled;
+        seen = brute_force_face_topology(corners_of(corners), level, finer);
+      }
       if (!seen) continue;
       ++faces;
-      EXPECT_EQ(claims.in_face(vertices), *seen);
+      EXPECT_EQ(claimed, *seen);
       if (is_cone) {
         EXPECT_EQ(claims.cones[i], static_cast<std::size_t>(seen->open_arcs + seen->closed_loops));
       }
@@ -118,8 +122,8 @@ void expect_claims_that_brute_force_sees(const std::string& mode, int count, std
     ++tets;
     EXPECT_EQ(claimed, *seen);
   }
-  std::cout << "mode " << mode << ": brute force decided " << tets << " tetrahedra, " << misled
-            << " only on its finest lattices, and " << faces << " faces of " << count << '\n';
+  std::cout << "mode " << mode << ": brute force decided " << tets << " tetrahedra and " << faces
+            << " faces of " << count << ", " << misled << " of them only on its finest lattices\n";
   EXPECT_LE(50 * misled, count + 50);
   EXPECT_GT(10 * tets, 6 * count);
   EXPECT_GT(faces, 2 * count);

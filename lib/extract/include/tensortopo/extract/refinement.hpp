@@ -45,8 +45,9 @@ struct RefinementVertex {
 /// between tensors, or the edge with several crossings that stands in the way; all cells around the
 /// edge are cut with it. An edge is cut where the angle is about halved: the tensors at its ends
 /// are brought to about the same norm and added. So cells have one size in angles everywhere, also
-/// where the field comes close to zero and all angles happen within a short way. For levels next to
-/// modes 1 and -1 cells are longer along the degenerate curve than across it.
+/// where the field comes close to zero and all angles happen within a short way; where it nearly
+/// vanishes on the edge, or in a triangle that has it, the cut goes there. For levels next to modes
+/// 1 and -1 cells are longer along the degenerate curve than across it.
 ///
 /// What is proved of the cells fixes the topology of the level in the simplex: it is the one that
 /// marching tetrahedra (triangles) give on the signs at the vertices.
