@@ -60,7 +60,8 @@ std::optional<PlaceBetween<Scalar, Vertices>> place_between(
   RefinementVertex<Scalar, Vertices> m;
   m.tensor = tensor_at(simplex.tensors, exact.high);
   const double norm = std::sqrt(static_cast<double>(norm_form(m.tensor)));
-  const bool is_cancelled = !exact.fits_in_doubles() || total > kCancelled * norm;
+  const bool is_cancelled = total > kCancelled * norm;
+  if (!is_cancelled && !exact.fits_in_doubles()) return std::nullopt;
   if (is_cancelled) m.tensor = tensor_by_longer_scalar(simplex, exact);
   const auto square = static_cast<double>(norm_form(m.tensor));
   if (!(square > 0)) return std::nullopt;

@@ -23,8 +23,9 @@ struct PlaceBetween {
   double a, b;
 };
 
-/// Nothing if its coordinates have too many bits, or if the deviator vanishes there: no part with
-/// such a corner is ever proved.
+/// Nothing if its coordinates have too many bits (more than doubles have where the field is not
+/// small: cells so small prove nothing there), or if the deviator vanishes there: no part with such
+/// a corner is ever proved.
 template <class Scalar, std::size_t Vertices>
 std::optional<PlaceBetween<Scalar, Vertices>> place_between(
     const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
