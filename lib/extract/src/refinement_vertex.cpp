@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "extractor_scalars.hpp"
+#include "thin_sheets.hpp"
 #include "tiers.hpp"
 
 namespace tensortopo::detail {
@@ -60,8 +61,9 @@ std::optional<PlaceBetween<Scalar, Vertices>> place_between(
   RefinementVertex<Scalar, Vertices> m;
   m.tensor = tensor_at(simplex.tensors, exact.high);
   const double norm = std::sqrt(static_cast<double>(norm_form(m.tensor)));
-  const bool is_cancelled = total > kCancelled * norm;
-  if (!is_cancelled && !exact.fits_in_doubles()) return std::nullopt;
+  // Cells so small are near zeros of the field, or, next to modes 1 and -1, without end.
+  if (is_thin(level) && !exact.fits_in_doubles() && total <= kCancelled * norm) return std::nullopt;
+  const bool is_cancelled = !exact.fits_in_doubles() || total > kCancelled * norm;
   if (is_cancelled) m.tensor = tensor_by_longer_scalar(simplex, exact);
   const auto square = static_cast<double>(norm_form(m.tensor));
   if (!(square > 0)) return std::nullopt;
