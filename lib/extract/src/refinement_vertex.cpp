@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "extractor_scalars.hpp"
-#include "thin_sheets.hpp"
 #include "tiers.hpp"
 
 namespace tensortopo::detail {
@@ -19,8 +18,16 @@ namespace {
 constexpr double kNearlyOpposite = 1.0 / 16;
 constexpr int kCutBits = 50;
 
+/// In a triangle unit tensors have a mean below this where the field nearly vanishes. (Around a
+/// zero in space all triangles come close to it; such cuts would only use up the bits.)
+constexpr double kNearlyVanishing = 1.0 / 1024;
+
 /// A sum of tensors that is smaller than its terms by this factor is formed in the longer scalar.
 constexpr double kCancelled = 64;
+
+/// Levels with 1 - mode^2 below this are tubes so thin that cells around them get small without
+/// end.
+constexpr double kSmallGap = 1e-3;
 
 /// Tensors with a smaller squared sine of their angle span no plane to speak of, and a place of
 /// smaller weights is on the side of a triangle rather than inside.
@@ -61,8 +68,9 @@ std::optional<PlaceBetween<Scalar, Vertices>> place_between(
   RefinementVertex<Scalar, Vertices> m;
   m.tensor = tensor_at(simplex.tensors, exact.high);
   const double norm = std::sqrt(static_cast<double>(norm_form(m.tensor)));
-  // Cells so small are near zeros of the field, or, next to modes 1 and -1, without end.
-  if (is_thin(level) && !exact.fits_in_doubles() && total <= kCancelled * norm) return std::nullopt;
+  const double gap = static_cast<double>(Scalar(1) - level.mu_squared);
+  if (gap < kSmallGap && !exact.fits_in_doubles() && total <= kCancelled * norm)
+    return std::nullopt;
   const bool is_cancelled = !exact.fits_in_doubles() || total > kCancelled * norm;
   if (is_cancelled) m.tensor = tensor_by_longer_scalar(simplex, exact);
   const auto square = static_cast<double>(norm_form(m.tensor));
@@ -113,7 +121,7 @@ std::optional<std::array<std::int64_t, 2>> shares_opposite_to(
   const double x = (ab * bc - ac) / determinant, y = (ab * ac - bc) / determinant;
   if (!(x > kInside) || !(y > kInside)) return std::nullopt;
   const double sum = std::sqrt(norm_form(c + x * a + y * b)) / (1 + x + y);
-  if (!(sum < kNearlyOpposite)) return std::nullopt;
+  if (!(sum < kNearlyVanishing)) return std::nullopt;
   return whole_shares(x / norms[1], y / norms[2], sum);
 }
 
