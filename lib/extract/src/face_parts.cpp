@@ -50,6 +50,8 @@ bool FaceParts<Scalar>::build(const LevelSimplex<Scalar, 3>& triangle, const Lev
   if (!refinement_.run(face_budget(Effort::great, level))) return false;
   beyond_is_above_ = level.sign > 0;
   const auto& vertices = refinement_.vertices();
+  for (const auto& v : vertices)
+    if (!v.exact().fits_in_doubles()) return false;
   parts_ = UnionFind(vertices.size());
   for (const auto& cell : refinement_.cells()) {
     if (!cell.alive) continue;
@@ -65,8 +67,6 @@ bool FaceParts<Scalar>::build(const LevelSimplex<Scalar, 3>& triangle, const Lev
 template <class Scalar>
 std::optional<std::uint32_t> FaceParts<Scalar>::part_of(const Weights& place) {
   const auto& vertices = refinement_.vertices();
-  for (const auto& v : vertices)
-    if (!v.exact().fits_in_doubles()) return std::nullopt;
   for (const auto& cell : refinement_.cells()) {
     if (!cell.alive) continue;
     bool inside = true;

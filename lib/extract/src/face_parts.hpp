@@ -22,7 +22,7 @@ class FaceParts {
  public:
   using Weights = std::array<double, 3>;
 
-  /// @return false if the cells cannot be proved simple
+  /// @return false if the cells cannot be proved simple, or their corners are not exact in doubles
   bool build(const LevelSimplex<Scalar, 3>& triangle, const Level<Scalar>& level);
 
   /// The part that a place beyond the level belongs to. Decided exactly.

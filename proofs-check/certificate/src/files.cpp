@@ -207,19 +207,29 @@ void require_no_cells(const XmlFile& file, const std::array<const char*, 3>& oth
     if (file.count(other) != 0) file.fail("holds more than " + kind);
 }
 
+/// What triangles and polylines have alike: points, arrays and the tetrahedra of the cells.
+/// @return how many cells; if none, there may be no array of tetrahedra
+template <class Drawn>
+std::size_t read_common(const XmlFile& file, const std::string& name, const char* counted,
+                        const char* kind, Drawn& drawn) {
+  drawn.points = grouped<3>({name}, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
+  const std::size_t cells = file.count(counted);
+  add_arrays(file, "PointData", "points", drawn.points.size(), drawn.arrays);
+  add_arrays(file, "CellData", kind, cells, drawn.arrays);
+  if (cells == 0) return 0;
+  drawn.cells = file.naturals("CellData", "tet");
+  if (drawn.cells.size() != cells) file.fail("not the " + std::string(kind) + " that it declares");
+  return cells;
+}
+
 }  // namespace
 
 Triangles read_triangles(const std::string& name) {
   const XmlFile file(name, "PolyData");
   require_no_cells(file, {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"}, "triangles");
   Triangles result;
-  result.points = grouped<3>({name}, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
-  const std::size_t cells = file.count("NumberOfPolys");
-  add_arrays(file, "PointData", "points", result.points.size(), result.arrays);
-  add_arrays(file, "CellData", "triangles", cells, result.arrays);
-  if (cells == 0) return result;  // then there may be no array of tetrahedra
-  result.cells = file.naturals("CellData", "tet");
-  if (result.cells.size() != cells) file.fail("not the triangles that it declares");
+  const std::size_t cells = read_common(file, name, "NumberOfPolys", "triangles", result);
+  if (cells == 0) return result;
   const auto offsets = file.naturals("Polys", "offsets");
   if (offsets.size() != cells) file.fail("not the cells that it declares");
   read_cells<3>(
@@ -233,13 +243,8 @@ Polylines read_polylines(const std::string& name) {
   const XmlFile file(name, "PolyData");
   require_no_cells(file, {"NumberOfVerts", "NumberOfStrips", "NumberOfPolys"}, "lines");
   Polylines result;
-  result.points = grouped<3>({name}, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
-  const std::size_t cells = file.count("NumberOfLines");
-  add_arrays(file, "PointData", "points", result.points.size(), result.arrays);
-  add_arrays(file, "CellData", "lines", cells, result.arrays);
+  const std::size_t cells = read_common(file, name, "NumberOfLines", "lines", result);
   if (cells == 0) return result;
-  result.cells = file.naturals("CellData", "tet");
-  if (result.cells.size() != cells) file.fail("not the lines that it declares");
   const auto offsets = file.naturals("Lines", "offsets");
   const auto connectivity = file.naturals("Lines", "connectivity");
   if (offsets.size() != cells) file.fail("not the cells that it declares");
