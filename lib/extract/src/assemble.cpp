@@ -182,6 +182,29 @@ void Pipeline<Scalar>::release_stages() {
           rim_position_, rim_medium_, rim_dominant_);
 }
 
+namespace {
+
+/// Where gradients cancel, or rounding hides them (the mode is constant but for that), the normal
+/// is the mean of those of the triangles around, by their areas.
+void normals_of_triangles(SurfaceMesh& surface) {
+  const auto is_unknown = [](const Vector3<double>& n) { return n.x == 0 && n.y == 0 && n.z == 0; };
+  std::vector<char> unknown(surface.normal.size());
+  std::transform(surface.normal.begin(), surface.normal.end(), unknown.begin(), is_unknown);
+  if (std::find(unknown.begin(), unknown.end(), 1) == unknown.end()) return;
+  for (const auto& triangle : surface.triangles)
+    for (const auto v : triangle) {
+      if (!unknown[as_size(v)]) continue;
+      const auto& [a, b, c] = triangle;
+      const auto& p = surface.points;
+      surface.normal[as_size(v)] +=
+          cross(p[as_size(b)] - p[as_size(a)], p[as_size(c)] - p[as_size(a)]);
+    }
+  for (std::size_t v = 0; v < unknown.size(); ++v)
+    if (unknown[v]) surface.normal[v] = unit_or_zero(surface.normal[v]);
+}
+
+}  // namespace
+
 /// What is known at each vertex of the surface.
 template <class Scalar>
 void Pipeline<Scalar>::describe_vertices(SurfaceMesh& surface,
@@ -253,6 +276,7 @@ void Pipeline<Scalar>::describe_vertices(SurfaceMesh& surface,
     surface.residual[id] = mode_difference(t, level);
     surface.dominant_eigenvector[id] = dominant_eigenvector(t, level);
   });
+  normals_of_triangles(surface);
 }
 
 template Extraction Pipeline<double>::assemble();

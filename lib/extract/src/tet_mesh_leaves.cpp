@@ -33,7 +33,9 @@ class LeafTriangles {
         level_(level),
         out_(out),
         crossings_(crossings_of_leaves(tet, plan)),
-        inner_(mesh_.nodes.size(), 0) {}
+        inner_(mesh_.nodes.size(), 0),
+        first_inner_(out.inner.size()),
+        first_triangle_(out.triangles.size()) {}
 
   bool add(const LeafMesh::Polygon& polygon) {
     std::vector<Corner> corners;
@@ -55,6 +57,29 @@ class LeafTriangles {
     while (corners.size() > 1 && corners.front().id == corners.back().id) corners.pop_back();
     if (corners.size() >= 3) cut(polygon, corners);  // else two rim samples were one
     return true;
+  }
+
+  /// Takes away the vertices inside whose polygons all had fewer than three corners, as samples of
+  /// the rim that they lie beside were one.
+  void drop_unused() {
+    std::vector<std::int32_t> kept(out_.inner.size() - first_inner_, 0);
+    const auto number = [&](std::int32_t corner) {
+      return static_cast<std::size_t>(-1 - corner) - first_inner_;
+    };
+    for (std::size_t i = first_triangle_; i < out_.triangles.size(); ++i)
+      for (const auto corner : out_.triangles[i])
+        if (corner < 0) kept[number(corner)] = 1;
+    auto count = first_inner_;
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      if (kept[k] == 0) continue;
+      out_.inner[count++] = out_.inner[first_inner_ + k];
+      kept[k] = -static_cast<std::int32_t>(count);
+    }
+    if (count == out_.inner.size()) return;
+    out_.inner.resize(count);
+    for (std::size_t i = first_triangle_; i < out_.triangles.size(); ++i)
+      for (auto& corner : out_.triangles[i])
+        if (corner < 0) corner = kept[number(corner)];
   }
 
  private:
@@ -272,6 +297,7 @@ class LeafTriangles {
   std::map<std::uint32_t, CrossingKey> crossings_;
   std::vector<std::int32_t> inner_;  ///< corner of a node inside, 0 if not made yet
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::int32_t> sides_;  ///< corner on a side
+  std::size_t first_inner_, first_triangle_;  ///< how many there were of other sheets
 };
 
 }  // namespace
@@ -284,6 +310,7 @@ bool mesh_from_leaves(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
   LeafTriangles<Scalar> triangles(plan, requests, tet, vertices, level, out);
   for (const auto& polygon : plan.leaves->mesh.polygons)
     if (polygon.component == sheet.component && !triangles.add(polygon)) return false;
+  triangles.drop_unused();
   return true;
 }
 
