@@ -34,7 +34,7 @@ class DrawnAsGraphs : public testing::TestWithParam<const char*> {};
 // Neighbours that are drawn on the manifold included: no seam, no hole, every vertex on the level.
 TEST_P(DrawnAsGraphs, SheetsOfRealFieldsAreFlawlessAndOfTheSameTopology) {
   const std::string mode = GetParam();
-  std::size_t graphs = 0;
+  std::size_t graphs = 0, rescued = 0;
   for (const auto& file : bundled_files()) {
     SCOPED_TRACE(file.filename().string() + " at " + mode);
     const TetMesh mesh = read(file);
@@ -43,11 +43,14 @@ TEST_P(DrawnAsGraphs, SheetsOfRealFieldsAreFlawlessAndOfTheSameTopology) {
     EXPECT_EQ(flaws(graph, mesh), "");
     EXPECT_EQ(summary(graph.surface), summary(manifold.surface));
     EXPECT_EQ(unresolved_text(graph), unresolved_text(manifold));
-    EXPECT_EQ(manifold.statistics.sheets_graph, 0u);
+    // There only where the chart would ask for many more samples.
+    EXPECT_LE(manifold.statistics.sheets_graph, graph.statistics.sheets_graph);
+    rescued += manifold.statistics.sheets_graph;
     EXPECT_LE(graph.statistics.sheets_manifold, manifold.statistics.sheets_manifold);
     graphs += graph.statistics.sheets_graph;
   }
-  EXPECT_GT(graphs, 0u);
+  EXPECT_GT(graphs, rescued);
+  EXPECT_GT(rescued, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, DrawnAsGraphs, testing::Values("0", "1/2"));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 // Fields that are one tensor times a scalar, but for a small rest: the stress of a bent beam.
-// Around the scalar's zeros, and only there, the rest decides.
+// Around the scalar's zeros, and only there, the rest decides. And the stress of a twisted shaft,
+// of rank two, with mode 0 throughout: there the rest decides on the neutral surface everywhere.
 #include <gtest/gtest.h>
 
 #include "extract_case.hpp"
@@ -52,6 +53,36 @@ TEST_P(BentBeam, HasTheSameTopologyInTwoPrecisions) {
     const Extraction plain = extract(mesh, GetParam()), precise = extract<Real50>(mesh, GetParam());
     EXPECT_EQ(unresolved_text(precise), "") << rest;
     EXPECT_EQ(summary(plain.surface), summary(precise.surface)) << rest;
+  }
+}
+
+/// A shaft along z that is twisted about an axis beside it, and the same small tensors besides,
+/// times `rest`.
+TetMesh twisted_shaft(int cubes, double rest, std::uint64_t seed) {
+  TetMesh mesh = cube_mesh(cubes);
+  Random random(seed);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const auto& p = mesh.points[v];
+    const SymmetricTensor<double> twist{0, 0, 0, 0, p.x + 0.43, -0.57 - p.y};
+    mesh.tensors[v] = twist + rest * random.tensor();
+  }
+  return mesh;
+}
+
+/// To first order in the rest the neutral surface does not depend on its size. Its medium
+/// eigenvectors do: they are that close to a curve.
+TEST(TwistedShaft, HasOneNeutralSurfaceHoweverSmallTheRest) {
+  constexpr std::uint64_t seed = 20241204;
+  SCOPED_TRACE(announce(seed));
+  const SurfaceMesh coarse = extract(twisted_shaft(2, 1e-3, seed), "0").surface;
+  EXPECT_GT(summary(coarse).on_edges, 20u);
+  for (const double rest : {1e-6, 1e-9, 1e-11}) {
+    const TetMesh mesh = twisted_shaft(2, rest, seed);
+    const Extraction extraction = extract(mesh, "0");
+    EXPECT_EQ(unresolved_text(extraction), "") << rest;
+    EXPECT_EQ(flaws(extraction, mesh, {.residuals = false}), "") << rest;
+    EXPECT_EQ(summary(extraction.surface), summary(coarse)) << rest;
+    EXPECT_LE(extraction.surface.triangles.size(), 2 * coarse.triangles.size()) << rest;
   }
 }
 

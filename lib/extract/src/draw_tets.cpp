@@ -24,6 +24,9 @@ namespace {
 
 constexpr int kAttemptsOnManifold = 3;
 
+/// More samples than this are a high price for drawing on the manifold.
+constexpr std::size_t kManySamples = 16;
+
 template <class Scalar>
 Effort effort_of_leaves(const Level<Scalar>& level) {
   return is_thin(level) ? Effort::great : Effort::usual;
@@ -40,7 +43,10 @@ void release_large_leaves(TetPlan<Scalar>& plan) {
 
 /// The method at hand failed: the manifold's comes next, with more samples if it has had a turn,
 /// then the chart of the dominant eigenvector, then the leaves of the proof, then these with fans
-/// for discs, and last the rims alone.
+/// for discs, and last the rims alone. Before either chart asks for many more samples the sheets
+/// are tried as graphs, once: where the field nearly has one mode throughout (a twisted shaft's
+/// neutral surface), the eigenvectors of a sheet are next to a curve, and no number of samples
+/// spreads it.
 template <class Scalar>
 void Pipeline<Scalar>::try_next_method(std::size_t t) {
   auto& state = tets_[t];
@@ -54,6 +60,16 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.method = Method::dominant;
     return;
   }
+  const auto try_as_graph = [&] {
+    if (!state.plan->direction || state.before_graph) return false;
+    state.before_graph = std::exchange(state.method, Method::graph);
+    return true;
+  };
+  if (state.method == Method::graph)
+    state.method = *state.before_graph;
+  else if ((state.method == Method::manifold && state.attempts == 2) ||
+           (state.method == Method::dominant && state.attempts <= kAttemptsOnManifold))
+    if (try_as_graph()) return;
   if (state.method == Method::manifold && state.manifold &&
       state.attempts < kAttemptsOnManifold) {
     auto vertices = arc_vertices(t, tet);
@@ -70,6 +86,10 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     const auto between =
         separating_samples<Scalar>(*state.manifold, tet, *state.plan, vertices, crossings, level);
     state.requests.insert(state.requests.end(), between.begin(), between.end());
+    if (state.requests.size() > kManySamples && try_as_graph()) {
+      --state.attempts;
+      state.requests.clear();
+    }
     return;
   }
   if (state.method == Method::manifold && state.manifold) {
@@ -259,6 +279,13 @@ bool Pipeline<Scalar>::draw_small_discs(std::size_t t, const TetWithCurves<Scala
 }
 
 template <class Scalar>
+bool Pipeline<Scalar>::draw_as_graph(std::size_t t, const TetWithCurves<Scalar>& tet) {
+  auto& state = tets_[t];
+  return state.plan->direction && mesh_as_graph<Scalar>(tet, *state.plan, arc_vertices(t, tet),
+                                                        level_of(t), sampling_in(t), state.drawn);
+}
+
+template <class Scalar>
 bool Pipeline<Scalar>::draw_one(std::size_t t) {
   auto& state = tets_[t];
   state.drawn = {};
@@ -267,14 +294,12 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     return true;
   }
   const auto tet = tet_with_curves(t);
+  if (state.method == Method::graph && state.before_graph) return draw_as_graph(t, tet);
   if (state.method == Method::small_disc || state.method == Method::graph) {
     state.method = Method::small_disc;
     if (draw_small_discs(t, tet)) return true;
     state.drawn = {};
-    if (options_.drawing != DrawingMethod::graph || !state.plan->direction) return false;
-    if (!mesh_as_graph<Scalar>(tet, *state.plan, arc_vertices(t, tet), level_of(t),
-                               sampling_in(t), state.drawn))
-      return false;
+    if (options_.drawing != DrawingMethod::graph || !draw_as_graph(t, tet)) return false;
     state.method = Method::graph;
     return true;
   }

@@ -42,6 +42,9 @@ class Pipeline {
     const Level<Scalar>* level = nullptr;  ///< of its plan and drawing, if not the extraction's
     Method method = Method::small_disc;
     int attempts = 0;  ///< in charts
+    /// Whose turn it was when the sheets were tried as graphs, if they were for want of another
+    /// way.
+    std::optional<Method> before_graph;
     int sheets = 0;        ///< how many the plan had
     bool refined = false;  ///< the plan was
     std::unique_ptr<TetManifold> manifold;     ///< if drawn there
@@ -79,6 +82,7 @@ class Pipeline {
   void thin_rims();
   bool move_from_vertices();
   bool draw_one(std::size_t t);
+  bool draw_as_graph(std::size_t t, const TetWithCurves<Scalar>& tet);
   bool draw_small_discs(std::size_t t, const TetWithCurves<Scalar>& tet);
   std::size_t small_rim(std::size_t t, const TetWithCurves<Scalar>& tet,
                         std::span<const RimPiece> loop, std::span<RimVertex> rim) const;

@@ -267,6 +267,10 @@ bool refine(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, Effort
   if (is_hopeless(tet, level)) return false;
   plan.refined = true;
   if (!add_leaves(tet, level, plan, effort)) return false;
+  // Longer numbers may have proved what doubles did not: a graph in the whole tetrahedron.
+  const auto& cells = plan.leaves->refinement.cells();
+  if (cells.size() == 1 && cells[0].proof.kind == SimplexProof<Scalar, 4>::Kind::monotone)
+    plan.direction = cells[0].proof.direction;
   // Hardly any sheet is drawn from its leaves, which are large.
   spare_leaves<Scalar>() = std::move(plan.leaves);
   return true;
