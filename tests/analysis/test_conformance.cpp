@@ -99,6 +99,46 @@ TEST(ConformanceOfAField, FindsNothingWrongWithOurOwnSurfaceInFloat32) {
   EXPECT_LE(crossings["unclear_edges"], 1);
 }
 
+// A file of several modes is as right for each as files of their own.
+TEST_F(Conformance, TakesTheModeAskedForFromAFileOfSeveral) {
+  const std::string file = folder / "several.vtp";
+  const Outcome extracted = run_program({"extract", mesh_file, "-o", file, "--mode", "1/2",
+                                         "--mode", "-3/10", "--mode", "1", "--json"});
+  ASSERT_EQ(extracted.status, 0) << extracted.err;
+  const Json surfaces = Json::parse(extracted.out)["surfaces"];
+  ASSERT_EQ(surfaces.size(), 2u);
+  for (const auto& [of, other] : {std::pair{0u, 1u}, std::pair{1u, 0u}}) {
+    const Outcome outcome = run_program({"conformance", "--surface", file, "--input", mesh_file,
+                                         "--mode", surfaces[of]["mode_exact"], "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["triangles"], surfaces[of]["triangles"]);
+    EXPECT_EQ(json["other_modes"], surfaces[other]["triangles"]);
+    EXPECT_EQ(json["components"]["matched"], surfaces[of]["components"]);
+  }
+  // A mode that the file does not have is missing from it.
+  const Outcome none = run_program(
+      {"conformance", "--surface", file, "--input", mesh_file, "--mode", "1/4", "--json"});
+  EXPECT_EQ(none.status, 1) << none.err;
+  EXPECT_EQ(Json::parse(none.out)["triangles"], 0);
+}
+
+// The level through a vertex exactly is a component of mu + 0 that no coordinates show.
+TEST(ConformanceOfAField, LeavesOutComponentsWithoutExtent) {
+  const Folder folder;
+  const std::string surface = folder / "s.vtp", mesh = folder / "f.vtu";
+  ASSERT_EQ(run_program({"generate", "nongeneric", "-o", mesh, "--mode", "4/5"}).status, 0);
+  ASSERT_EQ(run_program({"extract", mesh, "-o", surface, "--mode", "4/5"}).status, 0);
+  const Outcome outcome =
+      run_program({"conformance", "--surface", surface, "--input", mesh, "--mode", "4/5", "--truth",
+                   folder / "f.truth.json", "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["components"]["without_extent"], 1);
+  EXPECT_EQ(json["components"]["missed"].size(), 0u);
+  EXPECT_EQ(json["seam_edges"], 0);
+}
+
 TEST_F(Conformance, FindsAMissingComponent) {
   SurfaceMesh surface = right;
   surface.triangles.clear();
