@@ -12,6 +12,7 @@
 #include <map>
 
 #include "conformance/score_parts.hpp"
+#include "conformance/split_fans.hpp"
 #include "conformance/triangle_search.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
@@ -181,8 +182,9 @@ bool SurfaceScore::conforms() const {
          seam_edges == 0 && non_manifold_edges == 0 && non_manifold_vertices == 0 && edges.empty();
 }
 
-SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const GivenSurface& given,
+SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, GivenSurface given,
                            const ScoreOptions& options) {
+  split_fans(given, standard.surface);
   SurfaceScore score;
   score.triangles = given.surface.triangles.size();
   score.merged_points = given.merged_points;
@@ -194,7 +196,7 @@ SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const 
   const SurfaceInvariants truth = surface_invariants(standard.surface);
   const SurfaceInvariants known = surface_invariants(given.surface);
   score.consistently_oriented = known.consistently_oriented;
-  score_connectivity(mesh, given, options.touch, score);
+  score_connectivity(mesh, standard, given, options.touch, score);
   const auto crossings = score_crossings(mesh, standard, given, truth.component, known.component,
                                          options.touch, score);
 
