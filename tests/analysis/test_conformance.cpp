@@ -6,11 +6,13 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <set>
 
 #include "run_program.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
@@ -97,6 +99,85 @@ TEST(ConformanceOfAField, FindsNothingWrongWithOurOwnSurfaceInFloat32) {
   EXPECT_EQ(crossings["extra"], 0);
   EXPECT_EQ(crossings["missed"], 0);
   EXPECT_LE(crossings["unclear_edges"], 1);
+}
+
+// A file of several modes is as right for each as files of their own.
+TEST_F(Conformance, TakesTheModeAskedForFromAFileOfSeveral) {
+  const std::string file = folder / "several.vtp";
+  const Outcome extracted = run_program({"extract", mesh_file, "-o", file, "--mode", "1/2",
+                                         "--mode", "-3/10", "--mode", "1", "--json"});
+  ASSERT_EQ(extracted.status, 0) << extracted.err;
+  const Json surfaces = Json::parse(extracted.out)["surfaces"];
+  ASSERT_EQ(surfaces.size(), 2u);
+  for (const auto& [of, other] : {std::pair{0u, 1u}, std::pair{1u, 0u}}) {
+    const Outcome outcome = run_program({"conformance", "--surface", file, "--input", mesh_file,
+                                         "--mode", surfaces[of]["mode_exact"], "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["triangles"], surfaces[of]["triangles"]);
+    EXPECT_EQ(json["other_modes"], surfaces[other]["triangles"]);
+    EXPECT_EQ(json["components"]["matched"], surfaces[of]["components"]);
+  }
+  // A mode that the file does not have is missing from it.
+  const Outcome none = run_program(
+      {"conformance", "--surface", file, "--input", mesh_file, "--mode", "1/4", "--json"});
+  EXPECT_EQ(none.status, 1) << none.err;
+  EXPECT_EQ(Json::parse(none.out)["triangles"], 0);
+}
+
+// The level through a vertex exactly is a component of mu + 0 that no coordinates show.
+TEST(ConformanceOfAField, LeavesOutComponentsWithoutExtent) {
+  const Folder folder;
+  const std::string surface = folder / "s.vtp", mesh = folder / "f.vtu";
+  ASSERT_EQ(run_program({"generate", "nongeneric", "-o", mesh, "--mode", "4/5"}).status, 0);
+  ASSERT_EQ(run_program({"extract", mesh, "-o", surface, "--mode", "4/5"}).status, 0);
+  const Outcome outcome =
+      run_program({"conformance", "--surface", surface, "--input", mesh, "--mode", "4/5", "--truth",
+                   folder / "f.truth.json", "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["components"]["without_extent"], 1);
+  EXPECT_EQ(json["components"]["missed"].size(), 0u);
+  EXPECT_EQ(json["seam_edges"], 0);
+}
+
+// Fans that meet in a vertex without deviator are no pinch, and the surface may end beside
+// tetrahedra about which nothing is certified.
+TEST(ConformanceOfAField, FindsNothingWrongWithOurOwnSurfaceAroundZeroDeviators) {
+  const Folder folder;
+  const std::string surface = folder / "s.vtp", file = folder / "f.vtu";
+  std::size_t cones = 0, undecided = 0;
+  for (int seed = 0; seed < 6; ++seed) {
+    // Small integers on a cube of six tetrahedra, none of which has two of the vertices 3, 5, 6.
+    std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+    const auto digit = [&] { return static_cast<double>(static_cast<int>(random() % 3) - 1); };
+    TetMesh mesh;
+    for (int i = 0; i < 8; ++i) {
+      mesh.points.push_back({double(i & 1), double((i >> 1) & 1), double(i >> 2)});
+      const double xx = digit(), yy = digit(), zz = digit(), xy = random() % 2 == 0 ? 1 : -1;
+      mesh.tensors.push_back(i == 3 || i == 5 || i == 6
+                                 ? SymmetricTensor<double>{1, 1, 1, 0, 0, 0}
+                                 : SymmetricTensor<double>{xx, yy, zz, xy, 0, 0});
+    }
+    // With this the deviator vanishes on an edge, and two tetrahedra stay undecided.
+    if (seed % 2 == 1) mesh.tensors[1] = -1.0 * mesh.tensors[0];
+    for (const auto& [a, b] : {std::pair{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}})
+      mesh.tets.push_back({0, a, b, 7});
+    mesh.cell_ids = {0, 1, 2, 3, 4, 5};
+    write_mesh(mesh, file);
+    for (const char* mode : {"0", "1/2"}) {
+      const Outcome extracted =
+          run_program({"extract", file, "-o", surface, "--mode", mode, "--json"});
+      ASSERT_EQ(extracted.status, 0) << extracted.err;
+      cones += Json::parse(extracted.out)["statistics"]["sheets_cones"].get<std::size_t>();
+      const Outcome outcome = run_program(
+          {"conformance", "--surface", surface, "--input", file, "--mode", mode, "--json"});
+      EXPECT_EQ(outcome.status, 0) << seed << ' ' << mode << ": " << outcome.out << outcome.err;
+      undecided += Json::parse(outcome.out)["undecided_tetrahedra"].get<std::size_t>();
+    }
+  }
+  EXPECT_GT(cones, 10u);
+  EXPECT_GT(undecided, 0u);
 }
 
 TEST_F(Conformance, FindsAMissingComponent) {

@@ -42,3 +42,10 @@ if(CONFIGURE_ONLY)
 endif()
 run("${CMAKE_COMMAND}" --build "${build}" --target ${program})
 run("${build}/${program}")
+# The checker is installed, too, and finds a certificate right that was made from C++.
+if(HOW STREQUAL "find_package_with_io")
+  run("${CMAKE_COMMAND}" --build "${build}" --target consumer_certificate)
+  run("${build}/consumer_certificate" "${build}")
+  run("${prefix}/bin/tensortopo_check" "${build}/field.vtu" "${build}/surface.vtp"
+    "${build}/certificate.json")
+endif()

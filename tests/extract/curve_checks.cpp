@@ -104,6 +104,9 @@ class Checker {
       if (size != points) complain("an array has ", size, " entries for ", points, " points");
     for (const std::size_t size : {curves_.tet.size(), curves_.component.size()})
       if (size != lines) complain("an array has ", size, " entries for ", lines, " lines");
+    const std::set<Index> held(curves_.tet.begin(), curves_.tet.end());
+    if (extraction_.statistics.tets_crossed != held.size())
+      complain(extraction_.statistics.tets_crossed, " tetrahedra crossed, lines in ", held.size());
     for (const double m : curves_.mode)
       if (m != mode_) complain("mode ", m);
     for (const double s : curves_.separation)

@@ -81,8 +81,9 @@ ConformanceReport run_conformance(const ConformanceCommand& command, const Progr
   report.input = command.input;
   report.mode = command.mode;
   tell("reading");
-  const GivenSurface given = merge_points(read_triangles(command.surface), command.merge,
-                                          command.surface.extension() != ".stl");
+  const ReadTriangles triangles = read_triangles(command.surface, command.mode);
+  const GivenSurface given =
+      merge_points(triangles.surface, command.merge, command.surface.extension() != ".stl");
   const ReadResult read = read_mesh(command.input, command.read);
   report.notes = read.report.notes;
   tell("certifying");
@@ -91,6 +92,7 @@ ConformanceReport run_conformance(const ConformanceCommand& command, const Progr
     require_agreement(command.truth, read.mesh, command.mode, standard.level);
   tell("comparing");
   report.score = score_surface(read.mesh, standard, given);
+  report.score.other_modes = triangles.other_modes;
   return report;
 }
 
@@ -105,6 +107,7 @@ std::string to_json(const ConformanceReport& report) {
   json["components"] = {{"matched", s.matched.size()},
                         {"wrong_topology", s.wrong_topology()},
                         {"missed", json_of(s.missed)},
+                        {"without_extent", s.without_extent},
                         {"extra", json_of(s.extra)}};
   json["matches"] = Json::array();
   for (const auto& m : s.matched)
@@ -131,6 +134,7 @@ std::string to_json(const ConformanceReport& report) {
                       {"coarse_cells", s.coarse_cells},
                       {"coarse_bound", s.coarse_bound}};
   json["triangles"] = s.triangles;
+  json["other_modes"] = s.other_modes;
   json["merged_points"] = s.merged_points;
   json["collapsed_triangles"] = s.collapsed_triangles;
   json["undecided_tetrahedra"] = s.undecided;
@@ -150,6 +154,7 @@ std::string to_text(const ConformanceReport& report) {
   row("components matched", std::to_string(s.matched.size()));
   row("  of these of another topology", std::to_string(s.wrong_topology()));
   row("components missed", std::to_string(s.missed.size()));
+  if (s.without_extent > 0) row("  without extent, left out", std::to_string(s.without_extent));
   row("components extra", std::to_string(s.extra.size()));
   row("holes (edges)", fmt::format("{} ({})", s.holes, s.hole_edges));
   row("seam edges", std::to_string(s.seam_edges));
@@ -168,6 +173,7 @@ std::string to_text(const ConformanceReport& report) {
   if (s.merged_points + s.collapsed_triangles > 0)
     row("points merged, triangles dropped",
         fmt::format("{}, {}", s.merged_points, s.collapsed_triangles));
+  if (s.other_modes > 0) row("triangles of other modes, left out", std::to_string(s.other_modes));
   if (!s.consistently_oriented) row("orientation", "not consistent");
   if (s.undecided > 0) row("tetrahedra without truth", std::to_string(s.undecided));
   for (const auto& m : s.matched)

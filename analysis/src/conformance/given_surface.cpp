@@ -4,6 +4,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
+#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -18,12 +19,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
 
@@ -40,8 +44,46 @@ class Complaint : public vtkCommand {
   bool heard = false;
 };
 
+// The mode of each triangle, if an array has one for each and they are not all the same.
+std::vector<double> modes_of(const std::vector<std::array<Index, 3>>& triangles,
+                             vtkDataArray* modes) {
+  std::vector<double> result;
+  if (modes == nullptr || modes->GetNumberOfComponents() != 1) return result;
+  for (const auto& t : triangles) {
+    const double mode = modes->GetComponent(t[0], 0);
+    if (modes->GetComponent(t[1], 0) != mode || modes->GetComponent(t[2], 0) != mode) return {};
+    result.push_back(mode);
+  }
+  const bool several = std::any_of(result.begin(), result.end(),
+                                   [&](double mode) { return mode != result.front(); });
+  return several ? result : std::vector<double>{};
+}
+
+// Leaves the triangles of one mode, and the points that these use.
+void keep_mode(ReadTriangles& read, const std::vector<double>& modes, double mode) {
+  SurfaceMesh kept;
+  std::vector<Index> number(read.surface.points.size(), -1);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i] != mode && modes[i] != static_cast<double>(static_cast<float>(mode))) {
+      ++read.other_modes;
+      continue;
+    }
+    std::array<Index, 3> triangle = read.surface.triangles[i];
+    for (Index& v : triangle) {
+      Index& n = number[as_size(v)];
+      if (n < 0) {
+        n = static_cast<Index>(kept.points.size());
+        kept.points.push_back(read.surface.points[as_size(v)]);
+      }
+      v = n;
+    }
+    kept.triangles.push_back(triangle);
+  }
+  read.surface = std::move(kept);
+}
+
 template <class Reader>
-SurfaceMesh read_with(const std::filesystem::path& file, Reader& reader) {
+ReadTriangles read_with(const std::filesystem::path& file, Reader& reader, const ModeValue& mode) {
   vtkNew<Complaint> complaint;
   reader.AddObserver(vtkCommand::ErrorEvent, complaint);
   reader.AddObserver(vtkCommand::WarningEvent, complaint);
@@ -59,7 +101,8 @@ SurfaceMesh read_with(const std::filesystem::path& file, Reader& reader) {
   triangles->PassVertsOff();
   triangles->Update();
   vtkPolyData* data = triangles->GetOutput();
-  SurfaceMesh surface;
+  ReadTriangles read;
+  SurfaceMesh& surface = read.surface;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
     double p[3];
     data->GetPoint(i, p);
@@ -80,7 +123,9 @@ SurfaceMesh read_with(const std::filesystem::path& file, Reader& reader) {
     }
     surface.triangles.push_back(triangle);
   }
-  return surface;
+  const auto modes = modes_of(surface.triangles, data->GetPointData()->GetArray("mode"));
+  if (!modes.empty()) keep_mode(read, modes, mode.approx());
+  return read;
 }
 
 // A binary .stl of no triangles: a header and a count. VTK's readers take it, and an .obj of no
@@ -89,7 +134,8 @@ bool is_empty_stl(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::array<char, 85> bytes{};
   stream.read(bytes.data(), bytes.size());
-  return stream.gcount() == 84 && std::all_of(&bytes[80], &bytes[84], [](char c) { return c == 0; });
+  return stream.gcount() == 84 &&
+         std::all_of(&bytes[80], &bytes[84], [](char c) { return c == 0; });
 }
 
 // Zeros of both signs are one place.
@@ -101,10 +147,21 @@ Place place_of(const Vector3<double>& p, double distance) {
 }
 
 std::size_t count_seams(const SurfaceMesh& raw, const std::vector<Index>& place) {
-  std::map<std::array<Index, 2>, int> uses;
+  // Vertices at one place that a triangle's edge joins are one; such triangles are no more.
+  UnionFind joined(raw.points.size());
+  const auto unsigned_of = [](Index v) { return static_cast<std::uint32_t>(v); };
   for (const auto& t : raw.triangles)
     for (std::size_t i = 0; i < 3; ++i)
-      ++uses[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+      if (place[as_size(t[i])] == place[as_size(t[(i + 1) % 3])])
+        joined.unite(unsigned_of(t[i]), unsigned_of(t[(i + 1) % 3]));
+  std::map<std::array<Index, 2>, int> uses;
+  for (const auto& t : raw.triangles) {
+    std::array<Index, 3> v{};
+    for (std::size_t i = 0; i < 3; ++i) v[i] = static_cast<Index>(joined.find(unsigned_of(t[i])));
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;
+    for (std::size_t i = 0; i < 3; ++i)
+      ++uses[{std::min(v[i], v[(i + 1) % 3]), std::max(v[i], v[(i + 1) % 3])}];
+  }
   std::map<std::array<Index, 2>, std::size_t> at_place;
   for (const auto& [edge, count] : uses) {
     if (count != 1) continue;
@@ -118,20 +175,20 @@ std::size_t count_seams(const SurfaceMesh& raw, const std::vector<Index>& place)
 
 }  // namespace
 
-SurfaceMesh read_triangles(const std::filesystem::path& file) {
+ReadTriangles read_triangles(const std::filesystem::path& file, const ModeValue& mode) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw IoError(IoError::Kind::unreadable, file, "no such file");
   const auto extension = file.extension();
-  if (extension == ".vtp") return read_with(file, *vtkNew<vtkXMLPolyDataReader>());
-  if (extension == ".ply") return read_with(file, *vtkNew<vtkPLYReader>());
+  if (extension == ".vtp") return read_with(file, *vtkNew<vtkXMLPolyDataReader>(), mode);
+  if (extension == ".ply") return read_with(file, *vtkNew<vtkPLYReader>(), mode);
   if (extension == ".obj" && std::filesystem::file_size(file) == 0) return {};
-  if (extension == ".obj") return read_with(file, *vtkNew<vtkOBJReader>());
+  if (extension == ".obj") return read_with(file, *vtkNew<vtkOBJReader>(), mode);
   if (extension == ".stl") {
     if (is_empty_stl(file)) return {};
     vtkNew<vtkSTLReader> reader;
     reader->MergingOff();
-    return read_with(file, *reader);
+    return read_with(file, *reader, mode);
   }
   throw IoError(IoError::Kind::invalid, file, "the name must end in .vtp, .ply, .obj or .stl");
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tensortopo/mesh/surface_mesh.hpp"
+#include "tensortopo/tensor/mode_parameter.hpp"
 
 namespace tensortopo {
 
@@ -21,9 +22,18 @@ struct GivenSurface {
   std::size_t seam_edges = 0;  ///< pairs of boundary edges at one place that shared no vertices
 };
 
+/// What a file holds of one mode's surface.
+struct ReadTriangles {
+  SurfaceMesh surface;          ///< `points` and `triangles`
+  std::size_t other_modes = 0;  ///< triangles left out, being of other modes
+};
+
 /// The triangles of a .vtp, .ply, .stl or .obj file, by VTK's readers; polygons are triangulated.
+///
+/// Where the file holds the surfaces of several modes, told apart by its point data `mode` as in
+/// what `extract` writes, those of `mode` are taken, rounded to double or float32.
 /// Throws IoError.
-SurfaceMesh read_triangles(const std::filesystem::path& file);
+ReadTriangles read_triangles(const std::filesystem::path& file, const ModeValue& mode);
 
 /// Merges points: those of equal coordinates, or with `distance` > 0 those whose coordinates fall
 /// into one box of a lattice of that size. In order of first use.

@@ -12,6 +12,7 @@
 #include <map>
 
 #include "conformance/score_parts.hpp"
+#include "conformance/split_fans.hpp"
 #include "conformance/triangle_search.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
@@ -56,6 +57,22 @@ std::vector<ScoredComponent> components_of(const SurfaceMesh& surface,
   for (std::size_t i = surface.triangles.size(); i-- > 0;)
     list[as_size(known.component[i])].place = centroid(corners(surface, i));
   return list;
+}
+
+// The components all of whose triangles have a side that is as good as nothing.
+std::vector<char> without_extent(const TetMesh& mesh, const SurfaceMesh& surface,
+                                 const SurfaceInvariants& known, const GivenSurface& given,
+                                 double touch) {
+  std::vector<char> result(known.parts.size(), 1);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    char& so_far = result[as_size(known.component[i])];
+    if (so_far == 0) continue;
+    const auto t = corners(surface, i);
+    const double shortest =
+        std::min({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
+    so_far = shortest <= touch_distance(mesh, given, longest_edge(mesh, surface.tet[i]), touch);
+  }
+  return result;
 }
 
 // Which part of each component's area is nearest to which component of the other surface, and near.
@@ -165,8 +182,9 @@ bool SurfaceScore::conforms() const {
          seam_edges == 0 && non_manifold_edges == 0 && non_manifold_vertices == 0 && edges.empty();
 }
 
-SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const GivenSurface& given,
+SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, GivenSurface given,
                            const ScoreOptions& options) {
+  split_fans(given, standard.surface);
   SurfaceScore score;
   score.triangles = given.surface.triangles.size();
   score.merged_points = given.merged_points;
@@ -178,7 +196,7 @@ SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const 
   const SurfaceInvariants truth = surface_invariants(standard.surface);
   const SurfaceInvariants known = surface_invariants(given.surface);
   score.consistently_oriented = known.consistently_oriented;
-  score_connectivity(mesh, given, options.touch, score);
+  score_connectivity(mesh, standard, given, options.touch, score);
   const auto crossings = score_crossings(mesh, standard, given, truth.component, known.component,
                                          options.touch, score);
 
@@ -204,6 +222,7 @@ SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const 
   }
   const auto true_list = components_of(standard.surface, truth);
   const auto given_list = components_of(given.surface, known);
+  const auto nothing = without_extent(mesh, standard.surface, truth, given, options.touch);
   std::vector<char> taken(given_list.size(), 0);
   for (std::size_t c = 0; c < true_list.size(); ++c) {
     const Index other = of_truth.favourite(static_cast<Index>(c));
@@ -212,6 +231,8 @@ SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const 
     if (mutual && (common > 0 || has_crossings[c] == 0)) {
       taken[as_size(other)] = 1;
       score.matched.push_back({true_list[c], given_list[as_size(other)], common});
+    } else if (nothing[c] != 0) {
+      ++score.without_extent;
     } else {
       score.missed.push_back(true_list[c]);
     }

@@ -48,11 +48,15 @@ struct EdgeScore {
 /// What is wrong with a surface that claims to be the level's.
 struct SurfaceScore {
   std::size_t triangles = 0, merged_points = 0, collapsed_triangles = 0;
+  std::size_t other_modes = 0;  ///< triangles of the file that are of other modes
 
   std::vector<MatchedComponent> matched;
   std::vector<ScoredComponent> missed, extra;
+  /// True components that are not there, and whose triangles have no extent to speak of: a level
+  /// that runs through a vertex of the mesh exactly, and is mu + 0 only beside it.
+  std::size_t without_extent = 0;
 
-  std::size_t hole_edges = 0;  ///< edges with one triangle, inside the domain
+  std::size_t hole_edges = 0;  ///< edges with one triangle where the level does not end
   std::size_t holes = 0;       ///< connected pieces of them
   std::size_t seam_edges = 0;  ///< coincident edges whose vertices are not one
   std::size_t non_manifold_edges = 0, non_manifold_vertices = 0;
@@ -88,7 +92,7 @@ struct ScoreOptions {
 /// longest edge of the mesh's tetrahedron there, and if they share a crossing of a mesh edge
 /// (should the true one have any). Distances are sampled: at each vertex, edge midpoint and
 /// centroid of the triangles.
-SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, const GivenSurface& given,
+SurfaceScore score_surface(const TetMesh& mesh, const Standard& standard, GivenSurface given,
                            const ScoreOptions& options = {});
 
 }  // namespace tensortopo

@@ -8,6 +8,7 @@
 #include "conformance/triangle_search.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 #include "tensortopo/mesh/union_find.hpp"
+#include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
 
@@ -16,16 +17,27 @@ namespace {
 using Index = SurfaceMesh::Index;
 using Edge = std::array<Index, 2>;
 
-// The faces of the mesh that have one tetrahedron.
-SurfaceMesh domain_boundary(const TetMesh& mesh) {
+// The faces in which a surface may end: those with one tetrahedron, or with one about which there
+// is truth, and those without deviator.
+SurfaceMesh ends_of_domain(const TetMesh& mesh, const std::vector<UndecidedCell>& undecided) {
   std::vector<Index> all(mesh.tets.size());
   std::iota(all.begin(), all.end(), 0);
+  std::vector<char> known(all.size(), 1);
+  for (const auto& cell : undecided) known[as_size(cell.tet)] = 0;
+  const auto is_zero = [&](Index v) {
+    return deviator(mesh.tensors[as_size(v)]) == Deviator<double>{};
+  };
   const TetComplex complex = tet_complex(mesh, all);
-  SurfaceMesh boundary;
-  boundary.points = mesh.points;
-  for (std::size_t f = 0; f < complex.faces.size(); ++f)
-    if (complex.face_tets[f][1] < 0) boundary.triangles.push_back(complex.faces[f]);
-  return boundary;
+  SurfaceMesh ends;
+  ends.points = mesh.points;
+  for (std::size_t f = 0; f < complex.faces.size(); ++f) {
+    const auto [one, other] = complex.face_tets[f];
+    const auto& face = complex.faces[f];
+    if (other < 0 || known[as_size(one)] != known[as_size(other)] ||
+        std::all_of(face.begin(), face.end(), is_zero))
+      ends.triangles.push_back(face);
+  }
+  return ends;
 }
 
 // Number of connected pieces of a graph, by union of its vertices.
@@ -87,8 +99,8 @@ double touch_distance(const TetMesh& mesh, const GivenSurface& given, double len
   return std::max(touch * length, (given.is_single_precision ? 0x1p-22 : 0x1p-48) * largest);
 }
 
-void score_connectivity(const TetMesh& mesh, const GivenSurface& given, double touch,
-                        SurfaceScore& score) {
+void score_connectivity(const TetMesh& mesh, const Standard& standard, const GivenSurface& given,
+                        double touch, SurfaceScore& score) {
   const SurfaceMesh& surface = given.surface;
   std::map<Edge, int> uses;
   for (const auto& t : surface.triangles)
@@ -100,18 +112,15 @@ void score_connectivity(const TetMesh& mesh, const GivenSurface& given, double t
     mean += length(d) / static_cast<double>(mesh.tets.size());
   }
   const double eps = touch_distance(mesh, given, mean, touch);
-  const SurfaceMesh boundary = domain_boundary(mesh);
-  const TriangleSearch search(boundary);
-  const auto on_boundary = [&](const Vector3<double>& p) {
-    return search.nearest(p).distance <= eps;
-  };
+  const TriangleSearch search(ends_of_domain(mesh, standard.level.undecided));
+  const auto may_end = [&](const Vector3<double>& p) { return search.nearest(p).distance <= eps; };
   std::vector<Edge> holes, ends;
   for (const auto& [edge, count] : uses) {
     if (count > 2) ++score.non_manifold_edges;
     if (count != 1) continue;
     ends.push_back(edge);
     const auto &p = surface.points[as_size(edge[0])], &q = surface.points[as_size(edge[1])];
-    if (!on_boundary(p) || !on_boundary(q) || !on_boundary(0.5 * (p + q))) holes.push_back(edge);
+    if (!may_end(p) || !may_end(q) || !may_end(0.5 * (p + q))) holes.push_back(edge);
   }
   score.hole_edges = holes.size();
   score.holes = pieces(holes);

@@ -8,9 +8,11 @@
 
 namespace tensortopo {
 
-/// Fills in holes, seams and non-manifold places.
-void score_connectivity(const TetMesh& mesh, const GivenSurface& given, double touch,
-                        SurfaceScore& score);
+/// Fills in holes, seams and non-manifold places. An edge with one triangle is no hole where the
+/// level may end: on the domain's boundary, beside tetrahedra about which there is no truth, and in
+/// faces without deviator.
+void score_connectivity(const TetMesh& mesh, const Standard& standard, const GivenSurface& given,
+                        double touch, SurfaceScore& score);
 
 /// A crossing of a mesh edge by a component.
 struct ComponentCrossing {

@@ -18,6 +18,11 @@ namespace {
 
 using Index = TetMesh::Index;
 
+std::size_t count_different(std::vector<Index> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
+}
+
 class CurveExtractor {
  public:
   CurveExtractor(const TetMesh& mesh, Degeneracy kind, const ExtractOptions& options)
@@ -33,6 +38,7 @@ class CurveExtractor {
     join_in_tets(special);
     result_.statistics.seconds_tets = watch.lap();
     result_.curves = assemble_curves(mesh_, field_, kind_, cells_.places, links_, options_);
+    result_.statistics.tets_crossed = count_different(result_.curves.tet);
     result_.statistics.seconds_stitch = watch.lap();
     return std::move(result_);
   }
@@ -167,7 +173,6 @@ class CurveExtractor {
       auto& cell = tets[t];
       if (cell.obstacle) result_.unresolved.push_back({complex.tets[t], *cell.obstacle});
       if (reasons[t] && !cell.obstacle) result_.special.push_back({complex.tets[t], *reasons[t]});
-      result_.statistics.tets_crossed += !cell.links.empty();
       const std::size_t own = cells_.places.size() - shared;
       for (CurveLink& link : cell.links) {
         for (std::size_t& end : link.ends)

@@ -38,7 +38,8 @@ void check(const SurfaceMesh& s, const TetMesh& mesh) {
     for (const auto v : t)
       require(below(v, points), "a triangle names a point that does not exist");
   for (const auto t : s.tet)
-    require(below(t, mesh.cell_ids.size()), "a triangle names a tetrahedron that does not exist");
+    require(below(t, mesh.cell_ids.size()),
+            "a triangle names a tetrahedron that has no entry in the mesh's cell_ids");
 }
 
 void check(const CurveMesh& c, std::size_t surface_points, const TetMesh& mesh) {
@@ -59,7 +60,8 @@ void check(const CurveMesh& c, std::size_t surface_points, const TetMesh& mesh) 
     for (const auto v : line) require(below(v, points), "a line names a point that does not exist");
   }
   for (const auto t : c.tet)
-    require(below(t, mesh.cell_ids.size()), "a line names a tetrahedron that does not exist");
+    require(below(t, mesh.cell_ids.size()),
+            "a line names a tetrahedron that has no entry in the mesh's cell_ids");
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ struct UnresolvedCurve {
 /// What the extraction did, for reports.
 struct CurveStatistics {
   std::size_t tets_screened_out = 0;  ///< proved empty by Lode angles
-  std::size_t tets_crossed = 0;       ///< hold lines
+  /// Hold lines; of those around a line along an edge or in a face, one.
+  std::size_t tets_crossed = 0;
   std::size_t faces = 0;              ///< counted without screening
   std::size_t faces_exact = 0;        ///< of these, left to more digits
   std::size_t face_points = 0;        ///< found on them

@@ -17,6 +17,10 @@ enum class Carrier : std::uint8_t { edge, face, tet, vertex };
 /// An extracted surface: triangles over shared vertices, with what is known at each vertex.
 /// Vertices are one for each point: two tetrahedra that meet use the same vertex.
 ///
+/// Where the level runs through a vertex of the tetrahedral mesh exactly, each edge from there to
+/// larger modes is crossed at its end: these vertices of the surface are different ones at one
+/// place, and triangles between them have no area.
+///
 /// Where triangles would form several fans each has a vertex of its own: at crossings of an edge in
 /// which parts of the mesh touch, or which left-out tetrahedra part; where the mode is undefined,
 /// at vertices of the mesh without deviator and between two of them. At the latter both
