@@ -40,7 +40,8 @@ struct SurfaceMesh {
   std::vector<std::array<Index, 4>> carrier_vertices;
   std::vector<Vector3<double>> medium_eigenvector;     ///< unit, sign arbitrary
   std::vector<Vector3<double>> dominant_eigenvector;   ///< unit, sign arbitrary
-  std::vector<Vector3<double>> normal;                 ///< unit gradient of the mode
+  /// Unit gradient of the mode; where gradients cancel, the mean of the triangles around.
+  std::vector<Vector3<double>> normal;
   std::vector<double> mode;                            ///< the mode asked for
   std::vector<double> residual;  ///< mode (or other invariant) of the field there less `mode`
   /// Of surfaces of another invariant than the mode, which have no `mode` and no eigenvectors: the
