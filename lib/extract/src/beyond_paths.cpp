@@ -8,9 +8,11 @@
 #include <numeric>
 #include <optional>
 
+#include "arc_loops.hpp"
 #include "closed_curves.hpp"
 #include "degenerate_offset.hpp"
 #include "extractor_scalars.hpp"
+#include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/tensor/mode.hpp"
 #include "tiers.hpp"
 
@@ -126,25 +128,35 @@ std::optional<Weights> place_next_to(const TetWithCurves<Scalar>& tet, const Lev
 
 template <class Scalar>
 std::vector<int> loops_joined_beyond(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-                                     const std::vector<std::vector<RimPiece>>& loops) {
-  const Paths<Scalar> paths(tet.simplex, level);
+                                     const std::vector<std::vector<RimPiece>>& loops, int parts) {
   std::vector<int> part(loops.size());
   std::iota(part.begin(), part.end(), 0);
-  std::vector<std::optional<Weights>> places;
-  for (const auto& loop : loops) places.push_back(place_next_to(tet, level, loop[0]));
+  auto left = static_cast<int>(loops.size());
+  const auto unite = [&](std::size_t i, std::size_t j) {
+    if (part[i] == part[j]) return;
+    const int kept = std::min(part[i], part[j]), gone = std::max(part[i], part[j]);
+    std::replace(part.begin(), part.end(), gone, kept);
+    --left;
+  };
+  for (const auto& joined : arcs_between_loops(tet, level, loops))
+    unite(as_size(joined.loops[0]), as_size(joined.loops[1]));
+  const Paths<Scalar> paths(tet.simplex, level);
+  std::vector<std::optional<Weights>> places(loops.size());
+  if (left > parts)
+    for (std::size_t i = 0; i < loops.size(); ++i)
+      places[i] = place_next_to(tet, level, loops[i][0]);
   for (std::size_t i = 0; i < loops.size(); ++i)
-    for (std::size_t j = i + 1; j < loops.size(); ++j) {
+    for (std::size_t j = i + 1; j < loops.size() && left > parts; ++j) {
       if (!places[i] || !places[j] || part[i] == part[j]) continue;
-      if (paths.join(paths.at(*places[i]), paths.at(*places[j])))
-        std::replace(part.begin(), part.end(), part[j], int{part[i]});
+      if (paths.join(paths.at(*places[i]), paths.at(*places[j]))) unite(i, j);
     }
   return part;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                              \
-  template std::vector<int> loops_joined_beyond(                    \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,           \
-      const std::vector<std::vector<RimPiece>>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                    \
+  template std::vector<int> loops_joined_beyond(          \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, \
+      const std::vector<std::vector<RimPiece>>&, int);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

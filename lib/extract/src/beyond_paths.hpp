@@ -9,12 +9,13 @@
 namespace tensortopo::detail {
 
 /// Which boundary loops of a thin level border one and the same part of the tetrahedron beyond the
-/// level, as far as paths between them show it: chains of straight segments along the degenerate
-/// curve, each of them proved not to meet the level.
+/// level, as far as paths between them show it: arcs of the degenerate curve, and chains of straight
+/// segments along it, each of them proved not to meet the level.
 ///
+/// @param parts  no more paths are looked for when loops are joined to so many parts
 /// @return for each loop a number; two loops with the same number certainly border the same part
 template <class Scalar>
 std::vector<int> loops_joined_beyond(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-                                     const std::vector<std::vector<RimPiece>>& loops);
+                                     const std::vector<std::vector<RimPiece>>& loops, int parts);
 
 }  // namespace tensortopo::detail

@@ -25,6 +25,17 @@ bool has_mode_of_sign(const LevelSimplex<Scalar, 4>& tet, int sign) {
                              norm) == Verdict::positive;
 }
 
+/// How many tubes there are around the other degenerate curve, of mode -1 for levels next to 1.
+/// Nothing if that may come close to an edge.
+template <class Scalar>
+std::optional<int> tubes_of_other_curve(const LevelSimplex<Scalar, 4>& tet,
+                                        const std::array<SymmetricTensor<double>, 4>& tensors,
+                                        const Level<Scalar>& level) {
+  if (has_mode_of_sign(tet, level.sign)) return 0;
+  const auto arcs = degenerate_arcs(tensors, tet.exponents, level.value.opposite());
+  return arcs ? std::optional(static_cast<int>(arcs->size())) : std::nullopt;
+}
+
 SheetTopology sheet_of(std::vector<int> loops, int euler_characteristic) {
   SheetTopology sheet;
   sheet.loops = std::move(loops);
@@ -62,7 +73,7 @@ std::optional<std::vector<SheetTopology>> joined_sheets(
   if (nearer.boundary != 2 - n) return std::nullopt;
   const int beyond = 1 - nearer.inside + nearer.level();
   if (beyond < 1 || beyond > n) return std::nullopt;
-  const auto part = loops_joined_beyond(tet, level, loops);
+  const auto part = loops_joined_beyond(tet, level, loops, beyond);
   std::map<int, std::vector<int>> parts;
   for (int l = 0; l < n; ++l) parts[part[static_cast<std::size_t>(l)]].push_back(l);
   if (static_cast<int>(parts.size()) != beyond) return std::nullopt;
@@ -81,8 +92,10 @@ std::optional<std::vector<SheetTopology>> counted_sheets(
   std::array<SymmetricTensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
   // Away from the degenerate curve next to the level there is most often no other.
-  if (has_mode_of_sign(tet.simplex, level.sign))
-    if (const auto count = count_level(tensors, level.value, -level.sign)) {
+  if (const auto tubes = tubes_of_other_curve(tet.simplex, tensors, level))
+    if (auto count = count_level(tensors, level.value, -level.sign)) {
+      // Balls that meet the boundary in two discs.
+      count->inside += *tubes, count->boundary += 2 * *tubes;
       if (auto sheets = sheets_of(loops.size(), *count)) return sheets;
       if (auto sheets = joined_sheets(tet, level, loops, *count)) return sheets;
     }
