@@ -83,9 +83,9 @@ std::vector<ArcBetweenLoops> arcs_between_loops(const TetWithCurves<Scalar>& tet
   return result;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                          \
-  template std::vector<ArcBetweenLoops> arcs_between_loops(     \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,       \
+#define TENSORTOPO_INSTANTIATE(Scalar)                      \
+  template std::vector<ArcBetweenLoops> arcs_between_loops( \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,   \
       const std::vector<std::vector<RimPiece>>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

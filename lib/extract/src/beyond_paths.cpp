@@ -290,7 +290,8 @@ std::optional<Weights> place_next_to(const TetWithCurves<Scalar>& tet, const Lev
 
 template <class Scalar>
 std::vector<int> loops_joined_beyond(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-                                     const std::vector<std::vector<RimPiece>>& loops, int parts) {
+                                     const std::vector<std::vector<RimPiece>>& loops, int parts,
+                                     Search search) {
   std::vector<int> part(loops.size());
   std::iota(part.begin(), part.end(), 0);
   auto left = static_cast<int>(loops.size());
@@ -300,8 +301,9 @@ std::vector<int> loops_joined_beyond(const TetWithCurves<Scalar>& tet, const Lev
     std::replace(part.begin(), part.end(), gone, kept);
     --left;
   };
-  for (const auto& joined : arcs_between_loops(tet, level, loops))
-    unite(as_size(joined.loops[0]), as_size(joined.loops[1]));
+  if (search == Search::everything)
+    for (const auto& joined : arcs_between_loops(tet, level, loops))
+      unite(as_size(joined.loops[0]), as_size(joined.loops[1]));
   const Paths<Scalar> paths(tet.simplex, level);
   std::vector<std::optional<Weights>> places(loops.size());
   if (left > parts)
@@ -312,7 +314,7 @@ std::vector<int> loops_joined_beyond(const TetWithCurves<Scalar>& tet, const Lev
       if (!places[i] || !places[j] || part[i] == part[j]) continue;
       if (paths.join(paths.at(*places[i]), paths.at(*places[j]))) unite(i, j);
     }
-  if (left == parts) return part;
+  if (left == parts || search == Search::chords) return part;
   std::vector<std::vector<typename Paths<Scalar>::Place>> walks(loops.size());
   for (std::size_t i = 0; i < loops.size(); ++i)
     if (places[i]) walks[i] = paths.walk(paths.at(*places[i]));
@@ -326,7 +328,7 @@ std::vector<int> loops_joined_beyond(const TetWithCurves<Scalar>& tet, const Lev
 #define TENSORTOPO_INSTANTIATE(Scalar)                    \
   template std::vector<int> loops_joined_beyond(          \
       const TetWithCurves<Scalar>&, const Level<Scalar>&, \
-      const std::vector<std::vector<RimPiece>>&, int);
+      const std::vector<std::vector<RimPiece>>&, int, Search);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -27,17 +27,6 @@ bool has_mode_of_sign(const LevelSimplex<Scalar, 4>& tet, int sign) {
                              norm) == Verdict::positive;
 }
 
-/// How many tubes there are around the other degenerate curve, of mode -1 for levels next to 1.
-/// Nothing if that may come close to an edge.
-template <class Scalar>
-std::optional<int> tubes_of_other_curve(const LevelSimplex<Scalar, 4>& tet,
-                                        const std::array<SymmetricTensor<double>, 4>& tensors,
-                                        const Level<Scalar>& level) {
-  if (has_mode_of_sign(tet, level.sign)) return 0;
-  const auto arcs = degenerate_arcs(tensors, tet.exponents, level.value.opposite());
-  return arcs ? std::optional(static_cast<int>(arcs->size())) : std::nullopt;
-}
-
 SheetTopology sheet_of(std::vector<int> loops, int euler_characteristic) {
   SheetTopology sheet;
   sheet.loops = std::move(loops);
@@ -69,13 +58,13 @@ std::optional<std::vector<SheetTopology>> sheets_of(std::size_t loops, const Lev
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> joined_sheets(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops, const LevelCount& nearer) {
+    const std::vector<std::vector<RimPiece>>& loops, const LevelCount& nearer, Search search) {
   const int n = static_cast<int>(loops.size());
   // On the boundary, a sphere, the other side is one piece with n holes.
   if (nearer.boundary != 2 - n) return std::nullopt;
   const int beyond = 1 - nearer.inside + nearer.level();
   if (beyond < 1 || beyond > n) return std::nullopt;
-  const auto part = loops_joined_beyond(tet, level, loops, beyond);
+  const auto part = loops_joined_beyond(tet, level, loops, beyond, search);
   std::map<int, std::vector<int>> parts;
   for (int l = 0; l < n; ++l) parts[part[static_cast<std::size_t>(l)]].push_back(l);
   if (static_cast<int>(parts.size()) != beyond) return std::nullopt;
@@ -146,16 +135,19 @@ std::optional<LevelCount> counted_from_afar(const TetWithCurves<Scalar>& tet,
 }  // namespace
 
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> sheets_counted_from_afar(
+std::optional<std::vector<SheetTopology>> sheets_counted_with_effort(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
     const std::vector<std::vector<RimPiece>>& loops) {
   std::array<SymmetricTensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
-  auto count = counted_from_afar(tet, tensors, level);
+  std::optional<LevelCount> count;
+  if (has_mode_of_sign(tet.simplex, level.sign))
+    count = count_level(tensors, level.value, -level.sign);
+  if (!count) count = counted_from_afar(tet, tensors, level);
   if (!count) return std::nullopt;
   count->bridges = 1;  // for all that is known
   if (auto sheets = sheets_of(loops.size(), *count)) return sheets;
-  return joined_sheets(tet, level, loops, *count);
+  return joined_sheets(tet, level, loops, *count, Search::everything);
 }
 
 template <class Scalar>
@@ -165,24 +157,22 @@ std::optional<std::vector<SheetTopology>> counted_sheets(
   std::array<SymmetricTensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
   // Away from the degenerate curve next to the level there is most often no other.
-  if (const auto tubes = tubes_of_other_curve(tet.simplex, tensors, level))
-    if (auto count = count_level(tensors, level.value, -level.sign)) {
-      // Balls that meet the boundary in two discs.
-      count->inside += *tubes, count->boundary += 2 * *tubes;
+  if (has_mode_of_sign(tet.simplex, level.sign))
+    if (const auto count = count_level(tensors, level.value, -level.sign)) {
       if (auto sheets = sheets_of(loops.size(), *count)) return sheets;
-      if (auto sheets = joined_sheets(tet, level, loops, *count)) return sheets;
+      if (auto sheets = joined_sheets(tet, level, loops, *count, Search::chords)) return sheets;
     }
   if (!degenerate_arcs(tensors, tet.simplex.exponents, level.value)) return std::nullopt;
   const auto count = count_level(tensors, level.value, level.sign);
   return count ? sheets_of(loops.size(), *count) : std::nullopt;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                         \
-  template std::optional<std::vector<SheetTopology>> counted_sheets(           \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                      \
-      const std::vector<std::vector<RimPiece>>&);                              \
-  template std::optional<std::vector<SheetTopology>> sheets_counted_from_afar( \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                      \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                           \
+  template std::optional<std::vector<SheetTopology>> counted_sheets(             \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,                        \
+      const std::vector<std::vector<RimPiece>>&);                                \
+  template std::optional<std::vector<SheetTopology>> sheets_counted_with_effort( \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,                        \
       const std::vector<std::vector<RimPiece>>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

@@ -120,8 +120,9 @@ std::vector<Rim> rims_of(const TetPlan<Scalar>& plan, const SheetTopology& sheet
 /// way to the next one, and then half as far, so often at most.
 constexpr int kCollarHalvings = 40;
 
-/// Steps of Newton's method to the level, and how far they may lead, in heights above the face. What
-/// it finds is on the level if its mode is, to within this part of what is left to 1 and roundings.
+/// Steps of Newton's method to the level, and how far they may lead, in heights above the face.
+/// What it finds is on the level if its mode is, to within this part of what is left to 1 and
+/// roundings.
 constexpr int kCollarSteps = 12;
 constexpr double kCollarSlant = 8, kCollarResidual = 1e-4, kCollarRounding = 1e-14;
 
@@ -161,8 +162,7 @@ class Collars {
     const auto start = coordinates(v);
     std::array<double, 4> free{};  // moves between these keep the height
     double raised = 0, others = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      (v.faces >> i & 1 ? raised : others) += 1;
+    for (std::size_t i = 0; i < 4; ++i) (v.faces >> i & 1 ? raised : others) += 1;
     std::array<Scalar, 4> x;
     for (std::size_t i = 0; i < 4; ++i) {
       free[i] = v.faces >> i & 1 ? 0 : 1;
@@ -174,8 +174,8 @@ class Collars {
       std::array<Scalar, 4> gradient;
       Scalar mean(0), square(0);
       for (std::size_t i = 0; i < 4; ++i) {
-        gradient[i] = free[i] > 0 ? scales_[i] * inner(at.slope, thrice(tet_.simplex.tensors[i]))
-                                  : Scalar(0);
+        gradient[i] =
+            free[i] > 0 ? scales_[i] * inner(at.slope, thrice(tet_.simplex.tensors[i])) : Scalar(0);
         mean = mean + gradient[i] / Scalar(others);
       }
       for (std::size_t i = 0; i < 4; ++i) {
@@ -195,8 +195,8 @@ class Collars {
     const auto norm = static_cast<double>(norm_form(vertex.tensor));
     const auto value = static_cast<double>(level_slope(vertex.tensor, level_).value);
     const auto gap = static_cast<double>(Scalar(1) - level_.mu_squared);
-    const bool is_found = std::abs(value) < (kCollarResidual * gap + kCollarRounding) * norm *
-                                                std::sqrt(norm);
+    const bool is_found =
+        std::abs(value) < (kCollarResidual * gap + kCollarRounding) * norm * std::sqrt(norm);
     return is_found ? std::optional(vertex) : std::nullopt;
   }
 
@@ -276,11 +276,11 @@ bool mesh_with_collars(const TetWithCurves<Scalar>& tet, const TetPlan<Scalar>& 
   return true;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                       \
-  template bool mesh_from_rims(const TetPlan<Scalar>&, const SheetTopology&,                 \
-                               const FaceArcVertices&, TetTriangles<Scalar>&);               \
-  template bool mesh_with_collars(const TetWithCurves<Scalar>&, const TetPlan<Scalar>&,      \
-                                  const SheetTopology&, const FaceArcVertices&,              \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                  \
+  template bool mesh_from_rims(const TetPlan<Scalar>&, const SheetTopology&,            \
+                               const FaceArcVertices&, TetTriangles<Scalar>&);          \
+  template bool mesh_with_collars(const TetWithCurves<Scalar>&, const TetPlan<Scalar>&, \
+                                  const SheetTopology&, const FaceArcVertices&,         \
                                   const Level<Scalar>&, TetTriangles<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

@@ -26,13 +26,14 @@ std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
     if (auto sheets = detail::tubes(tet, level, loops)) return sheets;
   if (auto sheets = detail::counted_sheets(tet, level, loops))
     return ThinSheets{std::move(*sheets), {}};
-  if (gaps)
-    if (auto sheets =
-            detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort))
-      return ThinSheets{std::move(*sheets), {}};
-  if (auto sheets = detail::sheets_counted_from_afar(tet, level, loops))
-    return ThinSheets{std::move(*sheets), {}};
-  return std::nullopt;
+  std::optional<std::vector<SheetTopology>> sheets;
+  // Elsewhere a refinement comes first.
+  if (is_effort_spent(Effort::great, level))
+    sheets = detail::sheets_counted_with_effort(tet, level, loops);
+  if (!sheets && gaps)
+    sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort);
+  if (!sheets) return std::nullopt;
+  return ThinSheets{std::move(*sheets), {}};
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                     \

@@ -202,8 +202,8 @@ bool mesh_tube(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                const Sampling& sampling, TetTriangles<Scalar>& out) {
   if (sheet.loops.size() != 2 || sheet.euler_characteristic != 0) return false;
   for (auto& [arc, loops] : detail::arcs_between_loops(tet, level, plan.loops)) {
-    if (loops[0] == loops[1] || !std::is_permutation(loops.begin(), loops.end(),
-                                                     sheet.loops.begin(), sheet.loops.end()))
+    if (loops[0] == loops[1] ||
+        !std::is_permutation(loops.begin(), loops.end(), sheet.loops.begin(), sheet.loops.end()))
       continue;
     SheetTopology along = sheet;
     along.loops = {loops[0], loops[1]};
