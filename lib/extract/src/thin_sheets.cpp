@@ -27,11 +27,10 @@ std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
   if (auto sheets = detail::counted_sheets(tet, level, loops))
     return ThinSheets{std::move(*sheets), {}};
   std::optional<std::vector<SheetTopology>> sheets;
+  if (gaps) sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort);
   // Elsewhere a refinement comes first.
-  if (is_effort_spent(Effort::great, level))
+  if (!sheets && is_effort_spent(Effort::great, level))
     sheets = detail::sheets_counted_with_effort(tet, level, loops);
-  if (!sheets && gaps)
-    sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort);
   if (!sheets) return std::nullopt;
   return ThinSheets{std::move(*sheets), {}};
 }
