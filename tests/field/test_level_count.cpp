@@ -37,5 +37,35 @@ TEST(LevelCount, HasOneLevelFromBothSides) {
   EXPECT_GT(other_than_a_disc, 100);
 }
 
+// What critical points between two levels change is what tells their counts apart.
+TEST(LevelCount, ChangesByWhatIsBetweenTwoLevels) {
+  const std::uint64_t seed = 20250571;
+  SCOPED_TRACE(seed);
+  Random random(seed);
+  int compared = 0, changed = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const TetTensors tensors = random.tet_tensors();
+    const auto half = ModeValue::parse("1/2"), near = ModeValue::parse("-99/100"),
+               far = ModeValue::parse("-1/3");
+    for (const int side : {1, -1})
+      for (const auto& mode : {near, far}) {
+        const auto& from = side > 0 ? half : mode;
+        const auto& to = side > 0 ? mode : half;
+        const auto first = count_level(tensors, from, side), last = count_level(tensors, to, side);
+        const auto change = count_change(tensors, from, to, side);
+        if (!first || !last) continue;
+        ++compared;
+        ASSERT_TRUE(change) << exact_text(tensors);
+        changed += change->inside != 0 || change->boundary != 0 ? 1 : 0;
+        EXPECT_EQ(first->inside + change->inside, last->inside) << exact_text(tensors);
+        EXPECT_EQ(first->boundary + change->boundary, last->boundary) << exact_text(tensors);
+        EXPECT_EQ(first->bridges + change->bridges, last->bridges) << exact_text(tensors);
+      }
+  }
+  std::cout << compared << " compared, " << changed << " changed\n";
+  EXPECT_GT(compared, 400);
+  EXPECT_GT(changed, 100);
+}
+
 }  // namespace
 }  // namespace tensortopo::test

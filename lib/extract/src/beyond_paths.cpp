@@ -7,10 +7,13 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
+#include "arc_loops.hpp"
 #include "closed_curves.hpp"
 #include "degenerate_offset.hpp"
 #include "extractor_scalars.hpp"
+#include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/tensor/mode.hpp"
 #include "tiers.hpp"
 
@@ -24,7 +27,71 @@ constexpr int kDepth = 9;
 /// Steps of Newton's method towards the degenerate curve.
 constexpr int kNewtonSteps = 4;
 
+/// A walk along the curve: the longest and the shortest step, in weights of the tetrahedron, how
+/// many there are at most, and how far outside the tetrahedron the curve may run. (Rounding puts a
+/// curve in a plane of symmetry to either side of a face.)
+constexpr double kLongestStep = 1.0 / 16, kShortestStep = 1e-6;
+constexpr std::size_t kMostSteps = 600;
+constexpr double kOutside = 1e-6;
+constexpr int kDepthOfStep = 2;
+
+/// Steps of Newton's method on a walk, each halved so often at most: where curves nearly cross it
+/// has no direction to speak of.
+constexpr int kCarefulSteps = 12, kHalvings = 6;
+
+/// How often two walks are made denser where they come closest.
+constexpr int kRounds = 12;
+
 using Weights = std::array<double, 4>;
+
+double sum(const Weights& w) { return std::accumulate(w.begin(), w.end(), 0.0); }
+
+double dot(const Weights& u, const Weights& v) {
+  return std::inner_product(u.begin(), u.end(), v.begin(), 0.0);
+}
+
+Weights scaled_sum(const Weights& u, double factor, const Weights& v) {
+  Weights w;
+  for (std::size_t i = 0; i < 4; ++i) w[i] = u[i] + factor * v[i];
+  return w;
+}
+
+Weights normalized(Weights w) {
+  const double total = sum(w);
+  for (double& x : w) x /= total;
+  return w;
+}
+
+/// Where the two other eigenvalues are the same, if their plane is given: two linear equations.
+struct CurveEquations {
+  Weights f, g;  ///< without their means, so that steps along them keep the sum of the weights
+  double f0 = 0, g0 = 0;
+
+  double square() const { return f0 * f0 + g0 * g0; }
+
+  /// The shortest step to the solution, to be subtracted.
+  std::optional<Weights> step() const {
+    const double ff = dot(f, f), fg = dot(f, g), gg = dot(g, g);
+    const double det = ff * gg - fg * fg;
+    const double a = (gg * f0 - fg * g0) / det, b = (ff * g0 - fg * f0) / det;
+    if (!std::isfinite(a) || !std::isfinite(b)) return std::nullopt;
+    return scaled_sum(scaled_sum({}, a, f), b, g);
+  }
+
+  /// Along the curve, of length one: across f, g and the sum of the weights.
+  std::optional<Weights> tangent() const {
+    Weights t;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t j = (i + 1) % 4, k = (i + 2) % 4, l = (i + 3) % 4;
+      t[i] = (f[j] * (g[k] - g[l]) + f[k] * (g[l] - g[j]) + f[l] * (g[j] - g[k])) *
+             (i % 2 == 0 ? 1 : -1);
+    }
+    const double length = std::sqrt(dot(t, t));
+    if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+    for (double& x : t) x /= length;
+    return t;
+  }
+};
 
 template <class Scalar>
 class Paths {
@@ -50,6 +117,36 @@ class Paths {
            reach(a, b, kDepth, true) && reach(b, to, kDepth, false);
   }
 
+  /// Places along the curve next to one beyond the level, both ways to where it leaves the
+  /// tetrahedron. From each to the next there is a path beyond the level, and to the place given.
+  std::vector<Place> walk(const Place& from) const {
+    Place start = from;
+    if (const auto near = on_curve(from.weights)) {
+      const Place p = at(*near);
+      if (is_beyond(p) && reach(from, p, kDepth, false)) start = p;
+    }
+    const auto along = equations(start.weights).tangent();
+    std::vector<Place> line{start};
+    if (!along) return line;
+    walk_on(line, *along);
+    std::reverse(line.begin(), line.end());
+    walk_on(line, scaled_sum({}, -1, *along));
+    return line;
+  }
+
+  /// Whether two walks are joined where they come closest, which are made denser there.
+  bool meet(std::vector<Place> first, std::vector<Place> second) const {
+    for (int round = 0; round < kRounds; ++round) {
+      const auto [i, j] = closest(first, second);
+      if (reach(first[i], second[j], kDepthOfStep, true)) return true;
+      const std::size_t before = first.size() + second.size();
+      make_denser(first, i);
+      make_denser(second, j);
+      if (first.size() + second.size() == before) return false;
+    }
+    return false;
+  }
+
  private:
   /// Whether what is between two places beyond the level is beyond as well, or a path bent towards
   /// the curve.
@@ -58,49 +155,116 @@ class Paths {
                                   level_))
       return true;
     if (depth == 0) return false;
-    Weights middle;
-    const double s = sum(from.weights), t = sum(to.weights);
-    for (std::size_t i = 0; i < 4; ++i) middle[i] = from.weights[i] / s + to.weights[i] / t;
+    const auto middle = between(from, to);
     const Place m = bent ? center(middle) : at(middle);
     return is_beyond(m) && reach(from, m, depth - 1, bent) && reach(m, to, depth - 1, bent);
   }
 
-  static double sum(const Weights& w) { return std::accumulate(w.begin(), w.end(), 0.0); }
+  static Weights between(const Place& from, const Place& to) {
+    return scaled_sum(normalized(from.weights), 1, normalized(to.weights));
+  }
 
-  /// The point of the degenerate curve next to a place, about, or of the tetrahedron next to that:
-  /// where the two other eigenvalues are the same, two linear equations if their plane is given.
+  CurveEquations equations(const Weights& w) const {
+    const auto e = simple_eigenvector(tensor_at(about_, w), level_.sign);
+    const Vector3<double> axis =
+        std::abs(e.x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0};
+    const auto u = unit(cross(e, axis)), v = cross(e, u);
+    CurveEquations c;
+    double f_mean = 0, g_mean = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto m = thrice(about_[i]);
+      const auto mu = m * u, mv = m * v;
+      c.f[i] = tensortopo::dot(u, mu) - tensortopo::dot(v, mv);
+      c.g[i] = 2 * tensortopo::dot(u, mv);
+      c.f0 += w[i] * c.f[i], c.g0 += w[i] * c.g[i];
+      f_mean += c.f[i] / 4, g_mean += c.g[i] / 4;
+    }
+    for (std::size_t i = 0; i < 4; ++i) c.f[i] -= f_mean, c.g[i] -= g_mean;
+    return c;
+  }
+
+  /// The point of the degenerate curve next to a place, about, or of the tetrahedron next to that.
   Place center(Weights w) const {
     for (int step = 0; step < kNewtonSteps; ++step) {
-      const double total = sum(w);
-      for (double& x : w) x /= total;
-      const auto e = simple_eigenvector(tensor_at(about_, w), level_.sign);
-      const Vector3<double> axis =
-          std::abs(e.x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0};
-      const auto u = unit(cross(e, axis)), v = cross(e, u);
-      Weights f, g;
-      double f0 = 0, g0 = 0, f_mean = 0, g_mean = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const auto m = thrice(about_[i]);
-        const auto mu = m * u, mv = m * v;
-        f[i] = dot(u, mu) - dot(v, mv);
-        g[i] = 2 * dot(u, mv);
-        f0 += w[i] * f[i], g0 += w[i] * g[i];
-        f_mean += f[i] / 4, g_mean += g[i] / 4;
-      }
-      double ff = 0, fg = 0, gg = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        f[i] -= f_mean, g[i] -= g_mean;
-        ff += f[i] * f[i], fg += f[i] * g[i], gg += g[i] * g[i];
-      }
-      const double det = ff * gg - fg * fg;
-      const double a = (gg * f0 - fg * g0) / det, b = (ff * g0 - fg * f0) / det;
-      if (!std::isfinite(a) || !std::isfinite(b)) break;
+      w = normalized(w);
+      const auto back = equations(w).step();
+      if (!back) break;
       Weights next;
-      for (std::size_t i = 0; i < 4; ++i) next[i] = std::max(0.0, w[i] - a * f[i] - b * g[i]);
+      for (std::size_t i = 0; i < 4; ++i) next[i] = std::max(0.0, w[i] - (*back)[i]);
       if (!(sum(next) > 0)) break;
       w = next;
     }
     return at(w);
+  }
+
+  /// The same with steps that come closer, and nothing if it is outside.
+  std::optional<Weights> on_curve(const Weights& near) const {
+    Weights w = normalized(near);
+    auto here = equations(w);
+    for (int step = 0; step < kCarefulSteps && here.square() > 0; ++step) {
+      const auto back = here.step();
+      if (!back) break;
+      double part = 1;
+      Weights next = scaled_sum(w, -part, *back);
+      auto there = equations(next);
+      for (int k = 0; k < kHalvings && !(there.square() < here.square()); ++k) {
+        part /= 2;
+        next = scaled_sum(w, -part, *back);
+        there = equations(next);
+      }
+      if (!(there.square() < here.square())) break;
+      w = next, here = there;
+    }
+    for (double& x : w) {
+      if (!(x > -kOutside)) return std::nullopt;
+      x = std::max(0.0, x);
+    }
+    return w;
+  }
+
+  /// From the last place of a line on, in a direction.
+  void walk_on(std::vector<Place>& line, Weights along) const {
+    double step = kLongestStep;
+    const std::size_t most = line.size() + kMostSteps;
+    while (step > kShortestStep && line.size() < most) {
+      const Weights w = normalized(line.back().weights);
+      const Weights guess = scaled_sum(w, step, along);
+      const auto found = on_curve(guess);
+      step /= 2;
+      if (!found) continue;
+      const Weights off = scaled_sum(*found, -1, guess);
+      if (dot(off, off) > step * step) continue;
+      const Place next = at(*found);
+      if (!is_beyond(next) || !reach(line.back(), next, kDepthOfStep, true)) continue;
+      line.push_back(next);
+      if (const auto tangent = equations(*found).tangent())
+        along = scaled_sum({}, dot(*tangent, along) < 0 ? -1 : 1, *tangent);
+      step = std::min(4 * step, kLongestStep);
+    }
+  }
+
+  static std::pair<std::size_t, std::size_t> closest(const std::vector<Place>& first,
+                                                     const std::vector<Place>& second) {
+    double least = HUGE_VAL;
+    std::pair<std::size_t, std::size_t> best{0, 0};
+    for (std::size_t i = 0; i < first.size(); ++i)
+      for (std::size_t j = 0; j < second.size(); ++j) {
+        const auto off =
+            scaled_sum(normalized(first[i].weights), -1, normalized(second[j].weights));
+        if (const double square = dot(off, off); square < least) least = square, best = {i, j};
+      }
+    return best;
+  }
+
+  /// Places between one of a line and its neighbours.
+  void make_denser(std::vector<Place>& line, std::size_t i) const {
+    const auto add = [&](std::size_t k) {  // between k and k + 1
+      const Place m = center(between(line[k], line[k + 1]));
+      if (is_beyond(m) && reach(line[k], m, kDepthOfStep, true))
+        line.insert(line.begin() + static_cast<std::ptrdiff_t>(k) + 1, m);
+    };
+    if (i + 1 < line.size()) add(i);
+    if (i > 0) add(i - 1);
   }
 
   const LevelSimplex<Scalar, 4>& tet_;
@@ -126,25 +290,45 @@ std::optional<Weights> place_next_to(const TetWithCurves<Scalar>& tet, const Lev
 
 template <class Scalar>
 std::vector<int> loops_joined_beyond(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-                                     const std::vector<std::vector<RimPiece>>& loops) {
-  const Paths<Scalar> paths(tet.simplex, level);
+                                     const std::vector<std::vector<RimPiece>>& loops, int parts,
+                                     Search search) {
   std::vector<int> part(loops.size());
   std::iota(part.begin(), part.end(), 0);
-  std::vector<std::optional<Weights>> places;
-  for (const auto& loop : loops) places.push_back(place_next_to(tet, level, loop[0]));
+  auto left = static_cast<int>(loops.size());
+  const auto unite = [&](std::size_t i, std::size_t j) {
+    if (part[i] == part[j]) return;
+    const int kept = std::min(part[i], part[j]), gone = std::max(part[i], part[j]);
+    std::replace(part.begin(), part.end(), gone, kept);
+    --left;
+  };
+  if (search == Search::everything)
+    for (const auto& joined : arcs_between_loops(tet, level, loops))
+      unite(as_size(joined.loops[0]), as_size(joined.loops[1]));
+  const Paths<Scalar> paths(tet.simplex, level);
+  std::vector<std::optional<Weights>> places(loops.size());
+  if (left > parts)
+    for (std::size_t i = 0; i < loops.size(); ++i)
+      places[i] = place_next_to(tet, level, loops[i][0]);
   for (std::size_t i = 0; i < loops.size(); ++i)
-    for (std::size_t j = i + 1; j < loops.size(); ++j) {
+    for (std::size_t j = i + 1; j < loops.size() && left > parts; ++j) {
       if (!places[i] || !places[j] || part[i] == part[j]) continue;
-      if (paths.join(paths.at(*places[i]), paths.at(*places[j])))
-        std::replace(part.begin(), part.end(), part[j], int{part[i]});
+      if (paths.join(paths.at(*places[i]), paths.at(*places[j]))) unite(i, j);
     }
+  if (left == parts || search == Search::chords) return part;
+  std::vector<std::vector<typename Paths<Scalar>::Place>> walks(loops.size());
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (places[i]) walks[i] = paths.walk(paths.at(*places[i]));
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    for (std::size_t j = i + 1; j < loops.size() && left > parts; ++j)
+      if (places[i] && places[j] && part[i] != part[j] && paths.meet(walks[i], walks[j]))
+        unite(i, j);
   return part;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                              \
-  template std::vector<int> loops_joined_beyond(                    \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,           \
-      const std::vector<std::vector<RimPiece>>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                    \
+  template std::vector<int> loops_joined_beyond(          \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, \
+      const std::vector<std::vector<RimPiece>>&, int, Search);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

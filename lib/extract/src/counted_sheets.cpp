@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "beyond_paths.hpp"
@@ -56,13 +58,13 @@ std::optional<std::vector<SheetTopology>> sheets_of(std::size_t loops, const Lev
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> joined_sheets(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<RimPiece>>& loops, const LevelCount& nearer) {
+    const std::vector<std::vector<RimPiece>>& loops, const LevelCount& nearer, Search search) {
   const int n = static_cast<int>(loops.size());
   // On the boundary, a sphere, the other side is one piece with n holes.
   if (nearer.boundary != 2 - n) return std::nullopt;
   const int beyond = 1 - nearer.inside + nearer.level();
   if (beyond < 1 || beyond > n) return std::nullopt;
-  const auto part = loops_joined_beyond(tet, level, loops);
+  const auto part = loops_joined_beyond(tet, level, loops, beyond, search);
   std::map<int, std::vector<int>> parts;
   for (int l = 0; l < n; ++l) parts[part[static_cast<std::size_t>(l)]].push_back(l);
   if (static_cast<int>(parts.size()) != beyond) return std::nullopt;
@@ -72,7 +74,81 @@ std::optional<std::vector<SheetTopology>> joined_sheets(
   return sheets;
 }
 
+/// Euler characteristics of what is on one side of a level in a refined tetrahedron, and on its
+/// boundary. Cells, their faces and edges are simple: what is on that side of one of them is all of
+/// it, nothing, or a ball that the rest of its boundary meets in a ball. So only those with all
+/// vertices on that side count.
+template <class Scalar>
+LevelCount counted_by_cells(const Refinement<Scalar, 4>& refinement, bool above) {
+  const auto& vertices = refinement.vertices();
+  std::set<std::vector<std::uint32_t>> simplices;
+  for (const auto& cell : refinement.cells()) {
+    if (!cell.alive) continue;
+    std::vector<std::uint32_t> kept;
+    for (const auto v : cell.vertices)
+      if (vertices[v].above == above) kept.push_back(v);
+    std::sort(kept.begin(), kept.end());
+    for (unsigned chosen = 1; chosen < 1u << kept.size(); ++chosen) {
+      std::vector<std::uint32_t> simplex;
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        if (chosen >> i & 1) simplex.push_back(kept[i]);
+      simplices.insert(std::move(simplex));
+    }
+  }
+  LevelCount count;
+  for (const auto& simplex : simplices) {
+    const int cell = simplex.size() % 2 == 1 ? 1 : -1;
+    count.inside += cell;
+    for (std::size_t f = 0; f < 4; ++f)
+      if (std::all_of(simplex.begin(), simplex.end(),
+                      [&](auto v) { return vertices[v].weights[f] == 0; })) {
+        count.boundary += cell;
+        break;
+      }
+  }
+  return count;
+}
+
+/// What is on the side of the level without its curve, from what a refinement finds at a level far
+/// from all curves and the critical points between the two.
+template <class Scalar>
+std::optional<LevelCount> counted_from_afar(const TetWithCurves<Scalar>& tet,
+                                            const std::array<SymmetricTensor<double>, 4>& tensors,
+                                            const Level<Scalar>& level) {
+  const auto afar = ModeValue::parse(level.sign < 0 ? "-1/2" : "1/2");
+  auto count = count_change(tensors, afar, level.value, -level.sign);
+  if (!count) return std::nullopt;
+  const auto far_level = make_level<Scalar>(afar);
+  auto simplex = tet.simplex;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::array<double, 4> corner{};
+    corner[i] = 1;
+    simplex.above[i] = is_above(tet.simplex, tet.simplex.tensors[i], corner, far_level);
+  }
+  Refinement<Scalar, 4> refinement(simplex, far_level);
+  if (!refinement.run(tet_budget(Effort::usual, far_level))) return std::nullopt;
+  const auto there = counted_by_cells(refinement, level.sign < 0);
+  count->inside += there.inside, count->boundary += there.boundary;
+  return count;
+}
+
 }  // namespace
+
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> sheets_counted_with_effort(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops) {
+  std::array<SymmetricTensor<double>, 4> tensors;
+  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  std::optional<LevelCount> count;
+  if (has_mode_of_sign(tet.simplex, level.sign))
+    count = count_level(tensors, level.value, -level.sign);
+  if (!count) count = counted_from_afar(tet, tensors, level);
+  if (!count) return std::nullopt;
+  count->bridges = 1;  // for all that is known
+  if (auto sheets = sheets_of(loops.size(), *count)) return sheets;
+  return joined_sheets(tet, level, loops, *count, Search::everything);
+}
 
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> counted_sheets(
@@ -84,16 +160,19 @@ std::optional<std::vector<SheetTopology>> counted_sheets(
   if (has_mode_of_sign(tet.simplex, level.sign))
     if (const auto count = count_level(tensors, level.value, -level.sign)) {
       if (auto sheets = sheets_of(loops.size(), *count)) return sheets;
-      if (auto sheets = joined_sheets(tet, level, loops, *count)) return sheets;
+      if (auto sheets = joined_sheets(tet, level, loops, *count, Search::chords)) return sheets;
     }
   if (!degenerate_arcs(tensors, tet.simplex.exponents, level.value)) return std::nullopt;
   const auto count = count_level(tensors, level.value, level.sign);
   return count ? sheets_of(loops.size(), *count) : std::nullopt;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                             \
-  template std::optional<std::vector<SheetTopology>> counted_sheets( \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,           \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                           \
+  template std::optional<std::vector<SheetTopology>> counted_sheets(             \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,                        \
+      const std::vector<std::vector<RimPiece>>&);                                \
+  template std::optional<std::vector<SheetTopology>> sheets_counted_with_effort( \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&,                        \
       const std::vector<std::vector<RimPiece>>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

@@ -12,6 +12,7 @@
 #include "parallel_stage.hpp"
 #include "pipeline.hpp"
 #include "release.hpp"
+#include "rim_collars.hpp"
 #include "sheet_check.hpp"
 #include "tensortopo/extract/polygon.hpp"
 #include "tensortopo/extract/position.hpp"
@@ -321,7 +322,11 @@ bool Pipeline<Scalar>::draw_one(std::size_t t) {
     return false;
   const auto draw = [&](const SheetTopology& sheet) {
     if (state.method == Method::rims)
-      return mesh_from_rims<Scalar>(*state.plan, sheet, vertices, state.drawn);
+      return mesh_from_rims<Scalar>(*state.plan, sheet, vertices, state.drawn) ||
+             (state.manifold &&
+              mesh_tube<Scalar>(*state.manifold, tet, *state.plan, sheet, vertices, level_of(t),
+                                sampling_in(t), state.drawn)) ||
+             mesh_with_collars<Scalar>(tet, *state.plan, sheet, vertices, level_of(t), state.drawn);
     if (state.method == Method::fan && sheet.euler_characteristic == 1)
       return mesh_as_fan<Scalar>(*state.plan, sheet, vertices, level_of(t), state.drawn);
     return mesh_from_leaves<Scalar>(*state.plan, sheet, state.requests, tet, vertices, level_of(t),

@@ -1,9 +1,15 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "extractor_scalars.hpp"
+#include "rim_collars.hpp"
+#include "tensortopo/extract/position.hpp"
+#include "tensortopo/extract/tet_geometry.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 
 namespace tensortopo {
@@ -47,7 +53,8 @@ std::vector<Bridge> shortest_bridges(const Rim& first, const Rim& second) {
 using Triangles = std::vector<std::array<std::int32_t, 3>>;
 
 /// One closed way along both rims and the sides of the bridge, with each vertex once. The diagonal
-/// of the bridge must not be drawn again: its ends share a mark that stands for a face.
+/// of the bridge and its edges of the rims must not be drawn again: their ends share a mark that
+/// stands for a face, if not a face itself.
 Rim joined(const Rim& first, const Rim& second, const Bridge& bridge, std::uint8_t mark,
            Triangles& triangles) {
   Rim way;
@@ -59,7 +66,10 @@ Rim joined(const Rim& first, const Rim& second, const Bridge& bridge, std::uint8
   auto &next = way.front(), &a = way[first.size() - 1], &w = way[first.size()], &last = way.back();
   triangles.push_back({a.id, next.id, last.id});
   triangles.push_back({a.id, last.id, w.id});
+  const bool next_apart = (a.faces & next.faces) == 0, w_apart = (last.faces & w.faces) == 0;
   a.faces |= mark, last.faces |= mark;
+  if (next_apart) next.faces |= mark;
+  if (w_apart) w.faces |= mark;
   return way;
 }
 
@@ -79,17 +89,10 @@ bool join_nearest(Rim& way, std::vector<Rim>& others, std::size_t skipped, Trian
   return true;
 }
 
-}  // namespace
-
+/// Triangles between rims without a vertex inside.
 template <class Scalar>
-bool mesh_from_rims(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
-                    const FaceArcVertices& vertices, TetTriangles<Scalar>& out) {
-  const auto loops = static_cast<int>(sheet.loops.size());
-  if (loops == 0 || sheet.euler_characteristic != 2 - loops) return false;
-  std::vector<Rim> rims;
-  for (const int loop : sheet.loops)
-    rims.push_back(loop_vertices(plan.loops[static_cast<std::size_t>(loop)], vertices));
-  for (std::size_t skipped = 0; skipped < (loops > 1 ? kBridges : 1); ++skipped) {
+bool mesh_between(const std::vector<Rim>& rims, TetTriangles<Scalar>& out) {
+  for (std::size_t skipped = 0; skipped < (rims.size() > 1 ? kBridges : 1); ++skipped) {
     TetTriangles<Scalar> drawn;
     std::vector<Rim> others(rims.begin() + 1, rims.end());
     Rim way = rims[0];
@@ -102,9 +105,183 @@ bool mesh_from_rims(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
   return false;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                       \
-  template bool mesh_from_rims(const TetPlan<Scalar>&, const SheetTopology&, \
-                               const FaceArcVertices&, TetTriangles<Scalar>&);
+template <class Scalar>
+std::vector<Rim> rims_of(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
+                         const FaceArcVertices& vertices) {
+  const auto loops = static_cast<int>(sheet.loops.size());
+  if (loops == 0 || sheet.euler_characteristic != 2 - loops) return {};
+  std::vector<Rim> rims;
+  for (const int loop : sheet.loops)
+    rims.push_back(loop_vertices(plan.loops[static_cast<std::size_t>(loop)], vertices));
+  return rims;
+}
+
+/// How far a vertex of a collar is from the faces, in weights: at first as far as from half of the
+/// way to the next one, and then half as far, so often at most.
+constexpr int kCollarHalvings = 40;
+
+/// Steps of Newton's method to the level, and how far they may lead, in heights above the face.
+/// What it finds is on the level if its mode is, to within this part of what is left to 1 and
+/// roundings.
+constexpr int kCollarSteps = 12;
+constexpr double kCollarSlant = 8, kCollarResidual = 1e-4, kCollarRounding = 1e-14;
+
+/// Vertices on the level next to those of rims.
+template <class Scalar>
+class Collars {
+ public:
+  Collars(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level)
+      : tet_(tet), level_(level), geometry_(tet.points, tet.simplex.exponents) {
+    using std::ldexp;
+    const auto& exponents = tet.simplex.exponents;
+    const int least = *std::min_element(exponents.begin(), exponents.end());
+    for (std::size_t i = 0; i < 4; ++i) scales_[i] = ldexp(Scalar(1), least - exponents[i]);
+  }
+
+  std::optional<InnerVertex<Scalar>> next_to(const RimVertex& v, double height) const {
+    for (int k = 0; k < kCollarHalvings; ++k, height /= 2)
+      if (auto vertex = at_height(v, height)) return vertex;
+    return std::nullopt;
+  }
+
+  Vector3<double> position(const InnerVertex<Scalar>& v) const {
+    return position_at(v.weights, tet_.simplex.exponents, tet_.points);
+  }
+
+  /// Barycentric coordinates, which are those of the tensors given rather than of the scaled ones.
+  std::array<double, 4> coordinates(const RimVertex& v) const {
+    std::array<double, 4> x;
+    for (std::size_t i = 0; i < 4; ++i)
+      x[i] = v.faces >> i & 1 ? 0 : geometry_.weight(i, v.position);
+    return x;
+  }
+
+ private:
+  /// On the level and so far from the faces on which the vertex is; the other coordinates follow.
+  std::optional<InnerVertex<Scalar>> at_height(const RimVertex& v, double height) const {
+    const auto start = coordinates(v);
+    std::array<double, 4> free{};  // moves between these keep the height
+    double raised = 0, others = 0;
+    for (std::size_t i = 0; i < 4; ++i) (v.faces >> i & 1 ? raised : others) += 1;
+    std::array<Scalar, 4> x;
+    for (std::size_t i = 0; i < 4; ++i) {
+      free[i] = v.faces >> i & 1 ? 0 : 1;
+      x[i] = Scalar(start[i] + (free[i] > 0 ? -height * raised / others : height));
+    }
+    for (int step = 0; step < kCollarSteps; ++step) {
+      const auto vertex = vertex_at(x);
+      const auto at = level_slope(vertex.tensor, level_);
+      std::array<Scalar, 4> gradient;
+      Scalar mean(0), square(0);
+      for (std::size_t i = 0; i < 4; ++i) {
+        gradient[i] =
+            free[i] > 0 ? scales_[i] * inner(at.slope, thrice(tet_.simplex.tensors[i])) : Scalar(0);
+        mean = mean + gradient[i] / Scalar(others);
+      }
+      for (std::size_t i = 0; i < 4; ++i) {
+        gradient[i] = free[i] > 0 ? gradient[i] - mean : Scalar(0);
+        square = square + gradient[i] * gradient[i];
+      }
+      if (!(square > Scalar(0))) return std::nullopt;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Scalar by = at.value / square * gradient[i];
+        x[i] = x[i] - by;
+        if (!(x[i] > Scalar(0))) return std::nullopt;
+        if (!(std::abs(static_cast<double>(x[i]) - start[i]) < kCollarSlant * height))
+          return std::nullopt;
+      }
+    }
+    const auto vertex = vertex_at(x);
+    const auto norm = static_cast<double>(norm_form(vertex.tensor));
+    const auto value = static_cast<double>(level_slope(vertex.tensor, level_).value);
+    const auto gap = static_cast<double>(Scalar(1) - level_.mu_squared);
+    const bool is_found =
+        std::abs(value) < (kCollarResidual * gap + kCollarRounding) * norm * std::sqrt(norm);
+    return is_found ? std::optional(vertex) : std::nullopt;
+  }
+
+  InnerVertex<Scalar> vertex_at(const std::array<Scalar, 4>& x) const {
+    InnerVertex<Scalar> vertex;
+    for (std::size_t i = 0; i < 4; ++i) vertex.weights[i] = scales_[i] * x[i];
+    vertex.tensor = tensor_at(tet_.simplex.tensors, vertex.weights);
+    return vertex;
+  }
+
+  const TetWithCurves<Scalar>& tet_;
+  const Level<Scalar>& level_;
+  TetGeometry geometry_;
+  std::array<Scalar, 4> scales_;  ///< weights of the scaled tensors over coordinates
+};
+
+double largest_difference(const std::array<double, 4>& u, const std::array<double, 4>& v) {
+  double largest = 0;
+  for (std::size_t i = 0; i < 4; ++i) largest = std::max(largest, std::abs(u[i] - v[i]));
+  return largest;
+}
+
+/// The strip between a rim and its collar, which takes the rim's place.
+template <class Scalar>
+bool add_collar(const Collars<Scalar>& collars, Rim& rim, TetTriangles<Scalar>& out) {
+  const std::size_t n = rim.size();
+  Rim inner(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto here = collars.coordinates(rim[i]);
+    const double height =
+        std::min(largest_difference(here, collars.coordinates(rim[(i + 1) % n])),
+                 largest_difference(here, collars.coordinates(rim[(i + n - 1) % n]))) /
+        2;
+    const auto vertex = collars.next_to(rim[i], height);
+    if (!vertex) return false;
+    out.inner.push_back(*vertex);
+    inner[i] = rim[i];
+    inner[i].id = -static_cast<std::int32_t>(out.inner.size());
+    inner[i].faces = 0;
+    inner[i].position = collars.position(*vertex);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto &a = rim[i], &b = rim[(i + 1) % n], &c = inner[i], &d = inner[(i + 1) % n];
+    if (length(d.position - a.position) < length(b.position - c.position)) {
+      out.triangles.push_back({a.id, b.id, d.id});
+      out.triangles.push_back({a.id, d.id, c.id});
+    } else {
+      out.triangles.push_back({a.id, b.id, c.id});
+      out.triangles.push_back({b.id, d.id, c.id});
+    }
+  }
+  rim = std::move(inner);
+  return true;
+}
+
+}  // namespace
+
+template <class Scalar>
+bool mesh_from_rims(const TetPlan<Scalar>& plan, const SheetTopology& sheet,
+                    const FaceArcVertices& vertices, TetTriangles<Scalar>& out) {
+  const auto rims = rims_of(plan, sheet, vertices);
+  return !rims.empty() && mesh_between(rims, out);
+}
+
+template <class Scalar>
+bool mesh_with_collars(const TetWithCurves<Scalar>& tet, const TetPlan<Scalar>& plan,
+                       const SheetTopology& sheet, const FaceArcVertices& vertices,
+                       const Level<Scalar>& level, TetTriangles<Scalar>& out) {
+  auto rims = rims_of(plan, sheet, vertices);
+  if (rims.empty()) return false;
+  const Collars<Scalar> collars(tet, level);
+  TetTriangles<Scalar> drawn = out;
+  for (auto& rim : rims)
+    if (!add_collar(collars, rim, drawn)) return false;
+  if (!mesh_between(rims, drawn)) return false;
+  out = std::move(drawn);
+  return true;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                  \
+  template bool mesh_from_rims(const TetPlan<Scalar>&, const SheetTopology&,            \
+                               const FaceArcVertices&, TetTriangles<Scalar>&);          \
+  template bool mesh_with_collars(const TetWithCurves<Scalar>&, const TetPlan<Scalar>&, \
+                                  const SheetTopology&, const FaceArcVertices&,         \
+                                  const Level<Scalar>&, TetTriangles<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -314,7 +314,13 @@ std::optional<TetPlan<Scalar>> plan_tet_by(const SimplexProof<Scalar, 4>* known,
       plan->refined = true;
       return plan;
     }
-  if (is_effort_spent(effort, level) || !refine(tet, level, effort, *plan)) return std::nullopt;
+  if (is_effort_spent(effort, level)) return std::nullopt;
+  if (refine(tet, level, effort, *plan)) return plan;
+  if (effort == Effort::usual || !is_thin(level)) return std::nullopt;
+  auto sheets = detail::sheets_counted_with_effort(tet, level, plan->loops);
+  if (!sheets) return std::nullopt;
+  plan->sheets = std::move(*sheets);
+  plan->leaves.reset();
   return plan;
 }
 

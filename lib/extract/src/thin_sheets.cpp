@@ -26,8 +26,11 @@ std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
     if (auto sheets = detail::tubes(tet, level, loops)) return sheets;
   if (auto sheets = detail::counted_sheets(tet, level, loops))
     return ThinSheets{std::move(*sheets), {}};
-  if (!gaps) return std::nullopt;
-  auto sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort);
+  std::optional<std::vector<SheetTopology>> sheets;
+  if (gaps) sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort);
+  // Elsewhere a refinement comes first.
+  if (!sheets && is_effort_spent(Effort::great, level))
+    sheets = detail::sheets_counted_with_effort(tet, level, loops);
   if (!sheets) return std::nullopt;
   return ThinSheets{std::move(*sheets), {}};
 }

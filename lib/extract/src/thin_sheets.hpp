@@ -49,6 +49,15 @@ std::optional<std::vector<SheetTopology>> counted_sheets(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
     const std::vector<std::vector<RimPiece>>& loops);
 
+/// The same with more effort. Where critical points next to the ends of the mode are not certain,
+/// or a curve follows an edge, what is on the side without the level's curve is counted from a
+/// level far away, at which a refinement is short; and loops are joined beyond the level by whole
+/// arcs of the degenerate curve and by walks along it.
+template <class Scalar>
+std::optional<std::vector<SheetTopology>> sheets_counted_with_effort(
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const std::vector<std::vector<RimPiece>>& loops);
+
 /// The sheets, known from another level of the same sign from which there is no critical value to
 /// this one. Isotopies keep edges and faces: crossings of an edge correspond in their order, arcs
 /// by their ends, and a closed curve to the one that bounds the same part of its face.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "arc_loops.hpp"
 #include "extractor_scalars.hpp"
 #include "inner_vertices.hpp"
 #include "sheet_check.hpp"
@@ -91,7 +92,6 @@ class TubeDrawing {
     return are_planned_sheets(out_.triangles, rims_, plan_.sheets);
   }
 
- private:
   bool draw_tube(const SheetTopology& sheet, const DegenerateArc& arc) {
     const auto& first_rim = rims_[static_cast<std::size_t>(sheet.loops[0])];
     auto last_rim = rims_[static_cast<std::size_t>(sheet.loops[1])];
@@ -130,6 +130,7 @@ class TubeDrawing {
     return true;
   }
 
+ private:
   /// A rim with its angles, which are mirrored if it runs clockwise.
   std::optional<Ring> rim_ring(const std::vector<RimVertex>& rim, const Frame& frame,
                                bool& clockwise) const {
@@ -194,10 +195,35 @@ bool mesh_tubes(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
   return true;
 }
 
+template <class Scalar>
+bool mesh_tube(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+               const TetPlan<Scalar>& plan, const SheetTopology& sheet,
+               const FaceArcVertices& vertices, const Level<Scalar>& level,
+               const Sampling& sampling, TetTriangles<Scalar>& out) {
+  if (sheet.loops.size() != 2 || sheet.euler_characteristic != 0) return false;
+  for (auto& [arc, loops] : detail::arcs_between_loops(tet, level, plan.loops)) {
+    if (loops[0] == loops[1] ||
+        !std::is_permutation(loops.begin(), loops.end(), sheet.loops.begin(), sheet.loops.end()))
+      continue;
+    SheetTopology along = sheet;
+    along.loops = {loops[0], loops[1]};
+    TetTriangles<Scalar> drawn = out;
+    if (!TubeDrawing<Scalar>(manifold, tet, plan, vertices, level, sampling, drawn)
+             .draw_tube(along, arc))
+      continue;
+    out = std::move(drawn);
+    return true;
+  }
+  return false;
+}
+
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                           \
   template bool mesh_tubes(const TetManifold&, const TetWithCurves<Scalar>&,                     \
                            const TetPlan<Scalar>&, const FaceArcVertices&, const Level<Scalar>&, \
-                           const Sampling&, TetTriangles<Scalar>&);
+                           const Sampling&, TetTriangles<Scalar>&);                              \
+  template bool mesh_tube(const TetManifold&, const TetWithCurves<Scalar>&,                      \
+                          const TetPlan<Scalar>&, const SheetTopology&, const FaceArcVertices&,  \
+                          const Level<Scalar>&, const Sampling&, TetTriangles<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

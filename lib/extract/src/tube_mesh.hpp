@@ -19,4 +19,14 @@ bool mesh_tubes(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                 const TetPlan<Scalar>& plan, const FaceArcVertices& vertices,
                 const Level<Scalar>& level, const Sampling& sampling, TetTriangles<Scalar>& out);
 
+/// Triangles for one annulus of a plan that is a tube around an arc of the degenerate curve, in the
+/// same way, added to those there are. Nothing is checked.
+///
+/// @return false as above, or if no arc is known to join its loops
+template <class Scalar>
+bool mesh_tube(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+               const TetPlan<Scalar>& plan, const SheetTopology& sheet,
+               const FaceArcVertices& vertices, const Level<Scalar>& level,
+               const Sampling& sampling, TetTriangles<Scalar>& out);
+
 }  // namespace tensortopo

@@ -139,12 +139,6 @@ inline IntervalTensor critical_tensor(const SymmetricTensor<Range>& m, const Ran
   return deviator(p * square(m) - q * m);
 }
 
-inline Range enclosure(const Rational& x) {
-  if (x == 0) return Range(0);
-  const double about = static_cast<double>(x);
-  return {std::nextafter(about, -HUGE_VAL), std::nextafter(about, HUGE_VAL)};
-}
-
 /// Divided by a number such that the largest component is 1.
 inline Deviator<Rational> normalized(const Deviator<Rational>& t) {
   Rational largest = 0;

@@ -9,6 +9,7 @@
 
 #include "minors.hpp"
 #include "tensortopo/scalar/interval.hpp"
+#include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/mode.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
 
@@ -98,11 +99,16 @@ inline Range degenerate_gap(const IntervalTensor& t) {
   return Range(54) * discriminant_form(t) / (p * p * p);
 }
 
-/// 1 - mode^2 of a mode.
+inline Range enclosure(const Rational& x) {
+  if (x == 0) return Range(0);
+  const double about = static_cast<double>(x);
+  return {std::nextafter(about, -HUGE_VAL), std::nextafter(about, HUGE_VAL)};
+}
+
+/// 1 - mode^2 of a mode. (From an interval around the mode it would hold 0 at the modes next to 1.)
 inline Range gap_of(const ModeValue& mode) {
-  const auto mu = to_scalar<Interval>(mode);
-  const Range enclosure(mu.inf(), mu.sup());
-  return (Range(1) - enclosure) * (Range(1) + enclosure);
+  const auto mu = to_scalar<Rational>(mode);
+  return enclosure(Rational((1 - mu) * (1 + mu)));
 }
 
 }  // namespace detail

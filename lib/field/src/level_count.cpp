@@ -16,7 +16,10 @@ using Tensors = std::array<SymmetricTensor<double>, 4>;
 
 class Count {
  public:
-  Count(const ModeValue& mode, int side) : mode_(to_scalar<Interval>(mode)), side_(side) {}
+  Count(const ModeValue& mode, int side, const ModeValue* from = nullptr)
+      : mode_(to_scalar<Interval>(mode)), side_(side) {
+    if (from != nullptr) from_ = to_scalar<Interval>(*from);
+  }
 
   const LevelCount& result() const { return result_; }
 
@@ -25,13 +28,16 @@ class Count {
   bool add(const CriticalPoint& point, int dimension) {
     const bool is_larger = point.low > mode_.sup(), is_smaller = point.high < mode_.inf();
     if (side_ > 0 ? is_smaller : is_larger) return true;
+    if (from_ && (side_ > 0 ? point.low > from_->sup() : point.high < from_->inf())) return true;
+    const bool may_be_beyond =
+        from_ && !(side_ > 0 ? point.high < from_->inf() : point.low > from_->sup());
     std::size_t up = 0, down = 0;
     for (const Verdict v : point.towards) {
       up += v == (side_ > 0 ? Verdict::positive : Verdict::negative);
       down += v == (side_ > 0 ? Verdict::negative : Verdict::positive);
     }
     if (up > 0 && down > 0) return true;  // nothing changes there
-    if (!(side_ > 0 ? is_larger : is_smaller) || !point.is_certain ||
+    if (!(side_ > 0 ? is_larger : is_smaller) || may_be_beyond || !point.is_certain ||
         up + down < point.towards.size())
       return false;
     const int growing = side_ > 0 ? dimension - point.index : point.index;
@@ -54,14 +60,12 @@ class Count {
 
  private:
   Interval mode_;
+  std::optional<Interval> from_;
   int side_;
   LevelCount result_;
 };
 
-}  // namespace
-
-std::optional<LevelCount> count_level(const Tensors& t, const ModeValue& mode, int side) {
-  Count count(mode, side);
+std::optional<LevelCount> counted(Count count, const Tensors& t) {
   for (std::size_t i = 0; i < 4; ++i)
     if (!count.add(
             critical_vertex(t[i], std::array{t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4]}), 0))
@@ -80,6 +84,17 @@ std::optional<LevelCount> count_level(const Tensors& t, const ModeValue& mode, i
       return std::nullopt;
   if (!count.add(critical_points_in_tet(t), 3)) return std::nullopt;
   return count.result();
+}
+
+}  // namespace
+
+std::optional<LevelCount> count_level(const Tensors& t, const ModeValue& mode, int side) {
+  return counted(Count(mode, side), t);
+}
+
+std::optional<LevelCount> count_change(const Tensors& t, const ModeValue& from,
+                                       const ModeValue& mode, int side) {
+  return counted(Count(mode, side, &from), t);
 }
 
 }  // namespace tensortopo

@@ -45,4 +45,18 @@ struct LevelCount {
 std::optional<LevelCount> count_level(const std::array<SymmetricTensor<double>, 4>& tensors,
                                       const ModeValue& mode, int side);
 
+/// By how much the counts change from one level to another: what the critical points between the
+/// two add, those of `count_level` on one side of the one less those of the other.
+///
+/// With what is known of a level far from the degenerate curves this gives the count of one next
+/// to a curve, where that side's own curve, or an edge or a plane of symmetry that it follows,
+/// leaves `count_level` without an answer.
+///
+/// @param from  closer to the end of the side than `mode` is
+/// @param side  as above
+/// @pre the deviator vanishes nowhere in the tetrahedron
+/// @return nothing if some critical point is not certain; `bridges` of those between only
+std::optional<LevelCount> count_change(const std::array<SymmetricTensor<double>, 4>& tensors,
+                                       const ModeValue& from, const ModeValue& mode, int side);
+
 }  // namespace tensortopo
