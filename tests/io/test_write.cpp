@@ -19,6 +19,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "field_files.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/io/write_text.hpp"
@@ -241,6 +242,13 @@ TEST(WriteSurface, SameSurfaceGivesTheSameBytes) {
     EXPECT_EQ(slurp(temporary("one" + extension)), slurp(temporary("two" + extension)))
         << extension;
   }
+}
+
+TEST(LowerExtension, IsWhatTellsTheFormat) {
+  EXPECT_EQ(lower_extension("some.Folder/S.x.VTP"), ".vtp");
+  EXPECT_EQ(lower_extension("s.vtp"), ".vtp");
+  EXPECT_EQ(lower_extension("VTP"), "");
+  EXPECT_EQ(lower_extension("S.\xC3\x89"), ".\xC3\x89");  // not ASCII: as it is
 }
 
 TEST(WriteSurface, EmptySurfacesAreWritten) {

@@ -27,6 +27,7 @@
 #include <utility>
 
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
@@ -90,11 +91,12 @@ ReadTriangles read_with(const std::filesystem::path& file, Reader& reader, const
   reader.SetFileName(file.string().c_str());
   reader.Update();
   // Text that is none is a file without points to readers of .obj and .stl.
-  const bool may_be_text = file.extension() == ".obj" || file.extension() == ".stl";
+  const std::string extension = lower_extension(file);
+  const bool may_be_text = extension == ".obj" || extension == ".stl";
   if (complaint->heard || reader.GetErrorCode() != vtkErrorCode::NoError ||
       (may_be_text && reader.GetOutput()->GetNumberOfPoints() == 0))
     throw IoError(IoError::Kind::invalid, file,
-                  "is no readable " + file.extension().string() + " file of triangles");
+                  "is no readable " + extension + " file of triangles");
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(reader.GetOutputPort());
   triangles->PassLinesOff();
@@ -179,7 +181,7 @@ ReadTriangles read_triangles(const std::filesystem::path& file, const ModeValue&
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw IoError(IoError::Kind::unreadable, file, "no such file");
-  const auto extension = file.extension();
+  const std::string extension = lower_extension(file);
   if (extension == ".vtp") return read_with(file, *vtkNew<vtkXMLPolyDataReader>(), mode);
   if (extension == ".ply") return read_with(file, *vtkNew<vtkPLYReader>(), mode);
   if (extension == ".obj" && std::filesystem::file_size(file) == 0) return {};

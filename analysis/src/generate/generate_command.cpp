@@ -19,6 +19,7 @@
 #include "tensortopo/certify/reference_points.hpp"
 #include "tensortopo/families/kuhn_mesh.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/number_hash.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
@@ -163,7 +164,7 @@ Sheet all_members(const GenerateCommand& command, const FamilyRequest& first) {
 }  // namespace
 
 GenerateReport run_generate(const GenerateCommand& command, const Progress& progress) {
-  if (command.output.extension() != ".vtu")
+  if (lower_extension(command.output) != ".vtu")
     throw UsageError(command.output.string() + ": the name must end in .vtu");
   for (const ModeValue& mode : command.modes)
     if (is_degenerate(mode))

@@ -17,6 +17,7 @@
 #include "render/render_command.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -33,7 +34,7 @@ struct RenderOptions {
 RenderCommand command_of(const RenderOptions& options) {
   RenderCommand command = options.command;
   if (!options.mesh.empty()) command.mesh = options.mesh;
-  if (options.input.extension() == ".vtp") {
+  if (lower_extension(options.input) == ".vtp") {
     command.surfaces.insert(command.surfaces.begin(), options.input);
   } else if (command.mesh) {
     throw UsageError(options.input.string() + ": --mesh names the mesh, so this must be a .vtp");

@@ -15,6 +15,7 @@
 
 #include "render/surface_file.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -45,7 +46,7 @@ double depth_in(const TetMesh& mesh, SurfaceMesh::Index tet, const Vector3<doubl
 }  // namespace
 
 SurfaceInput read_surface(const std::filesystem::path& file) {
-  if (file.extension() != ".vtp") fail(file, "must be a surface in .vtp");
+  if (lower_extension(file) != ".vtp") fail(file, "must be a surface in .vtp");
   SurfaceInput input;
   input.file = read_poly_data(file);
   vtkPolyData& data = *input.file;

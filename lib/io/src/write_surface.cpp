@@ -3,7 +3,6 @@
 #include "tensortopo/io/write_surface.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "atomic_file.hpp"
 #include "surface_formats.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -80,9 +80,7 @@ WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, c
       {".ply", detail::to_ply},
       {".stl", [](const SurfaceMesh& s, const CurveMesh&) { return detail::to_stl(s); }},
       {".vtp", nullptr}};
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_extension(file);
   const auto format = formats.find(extension);
   if (format == formats.end()) {
     std::string known;
