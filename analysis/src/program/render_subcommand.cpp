@@ -63,6 +63,8 @@ ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
   bar.erase();
   const std::string output = command.output.string();
   if (command.mesh) say_notes(*command.mesh, report.mesh_notes, common.quiet);
+  for (const auto& file : report.empty)
+    say_notes(file, {"holds no triangles and no lines, so nothing is drawn of it"}, common.quiet);
   say_notes(options.input, report.notes, common.quiet);
   if (common.json) {
     nlohmann::ordered_json json{{"output", {{"path", output}, {"bytes", report.bytes}}},
@@ -79,6 +81,7 @@ ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
       json["frames"] = nlohmann::ordered_json::array();
       for (const auto& file : report.frames) json["frames"].push_back(file.string());
     }
+    for (const auto& file : report.empty) json["empty"].push_back(file.string());
     if (!report.notes.empty()) json["notes"] = report.notes;
     print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   } else {

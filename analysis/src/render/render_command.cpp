@@ -140,6 +140,7 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
   RenderSubject subject(command);
   RenderReport report;
   report.mesh_notes = subject.mesh_notes();
+  report.empty = subject.empty();
   const std::size_t count = command.frames.empty() ? 1 : command.frames.size();
   std::vector<std::string> pictures;
   try {

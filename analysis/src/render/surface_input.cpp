@@ -57,7 +57,8 @@ SurfaceInput read_surface(const std::filesystem::path& file) {
     surface.points.push_back({p[0], p[1], p[2]});
   }
   vtkCellArray* const polygons = data.GetPolys();
-  if (polygons->GetNumberOfCells() == 0) fail(file, "holds no triangles");
+  if (polygons->GetNumberOfCells() == 0 && data.GetNumberOfPoints() > 0)
+    fail(file, "holds no triangles");
   vtkIdType size = 0;
   const vtkIdType* corners = nullptr;
   for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i) {
@@ -88,7 +89,8 @@ SurfaceInput read_surface(const std::filesystem::path& file) {
 }
 
 void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const std::filesystem::path& file) {
-  if (input.cell_ids.empty()) fail(file, "has no cell data 'tet'");
+  if (input.cell_ids.empty() && !input.surface.triangles.empty())
+    fail(file, "has no cell data 'tet'");
   std::unordered_map<std::int64_t, SurfaceMesh::Index> index;
   for (std::size_t i = 0; i < mesh.cell_ids.size(); ++i)
     index.emplace(mesh.cell_ids[i], static_cast<SurfaceMesh::Index>(i));
