@@ -315,7 +315,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   give_back_memory();
   FileGroup files;
   const Clock write_clock;
-  report.bytes = write_surface(surface, curves, read.mesh, command.output).bytes;
+  OutputKinds kinds;
+  for (const ModeValue& mode : modes)
+    (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
+  report.bytes = write_surface(surface, curves, read.mesh, command.output, kinds).bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
   if (certifying) {

@@ -92,6 +92,28 @@ TEST(Usage, ExtensionsMayBeInCapitals) {
               "degenerate curves");
 }
 
+// Its arrays have no numbers, so there is nothing in them that a certificate could bind.
+TEST(Usage, WhatTheFieldDoesNotHaveIsCertifiedAndHasArraysAllTheSame) {
+  const Folder folder;
+  const std::string in = folder / "in.vtu", out = folder / "out.vtp", proof = folder / "c.json";
+  ASSERT_EQ(run_program({"generate", "linear", "-o", in, "--field-only"}).status, 0);
+  const std::vector<std::vector<std::string>> cases{
+      {"\"normal\"", "--mode", "0.999"},
+      {"\"separation\"", "--mode", "1"},
+      {"\"value\"", "--invariant", "magnitude", "--value", "1000"}};
+  for (auto words : cases) {
+    const std::string array = words[0];
+    words.erase(words.begin());
+    words.insert(words.begin(), {"extract", in, "-o", out, "--certify", proof});
+    const Outcome run = run_program(words);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(contents(out).find("NumberOfPoints=\"0\""), std::string::npos) << array;
+    EXPECT_NE(contents(out).find(array), std::string::npos) << array;
+    const Outcome check = run_program({"check", in, out, proof});
+    EXPECT_EQ(check.status, 0) << check.out << check.err;
+  }
+}
+
 TEST(Usage, OptionsWithoutEffectAreRefused) {
   const std::vector<std::vector<std::string>> cases{
       {"--improve", "--mode", "1"},

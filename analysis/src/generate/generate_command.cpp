@@ -114,7 +114,8 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
   for (const ModeValue& mode : modes)
     truth.levels.push_back(truth_of(sheet, mode, command, field, references));
   if (!references.points.empty()) {
-    write_surface(references.surface, mesh, with_suffix(field, ".reference.vtp"));
+    write_surface(references.surface, mesh, with_suffix(field, ".reference.vtp"),
+                  {.mode_surfaces = true});
     write_text(with_suffix(field, ".reference.json"), references.points.dump(0) + '\n');
   }
   const Path file = with_suffix(field, ".truth.json");

@@ -67,12 +67,12 @@ void check(const CurveMesh& c, std::size_t surface_points, const TetMesh& mesh) 
 }  // namespace
 
 WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
-                          const std::filesystem::path& file) {
-  return write_surface(surface, CurveMesh{}, mesh, file);
+                          const std::filesystem::path& file, const OutputKinds& kinds) {
+  return write_surface(surface, CurveMesh{}, mesh, file, kinds);
 }
 
 WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
-                          const std::filesystem::path& file) {
+                          const std::filesystem::path& file, const OutputKinds& kinds) {
   using Format = std::string (*)(const SurfaceMesh&, const CurveMesh&);
   static const std::map<std::string, Format> formats{
       {".obj", detail::to_obj},
@@ -97,7 +97,7 @@ WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, c
   std::string bytes;
   try {
     bytes = format->second != nullptr ? format->second(surface, curves)
-                                      : detail::to_vtp(surface, curves, mesh, report.arrays);
+                                      : detail::to_vtp(surface, curves, mesh, kinds, report.arrays);
   } catch (const std::range_error& error) {
     throw IoError(IoError::Kind::unwritable, file,
                   std::string("cannot be written: ") + error.what());
