@@ -8,6 +8,7 @@
 
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/certificate.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/number_hash.hpp"
 #include "tensortopo/io/write_text.hpp"
 
@@ -61,8 +62,8 @@ CertificateReport write_levels(const std::filesystem::path& file, CertificateSub
   subject.vertices = output.points.size();
   for (const ArrayHash& array : array_hashes(output))
     subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
-  const auto encoding = file.extension() == ".cbor" ? CertificateEncoding::cbor
-                                                    : CertificateEncoding::json;
+  const auto encoding =
+      lower_extension(file) == ".cbor" ? CertificateEncoding::cbor : CertificateEncoding::json;
   const std::string bytes = certificate_bytes(subject, levels, read.mesh, encoding);
   write_text(file, bytes);
 
@@ -82,12 +83,14 @@ CertificateReport write_levels(const std::filesystem::path& file, CertificateSub
 
 void require_certifiable(const ReadOptions& options, const std::filesystem::path& output,
                          const std::filesystem::path& certificate) {
-  if (certificate.extension() != ".json" && certificate.extension() != ".cbor")
+  const std::string encoding = lower_extension(certificate);
+  if (encoding != ".json" && encoding != ".cbor")
     throw UsageError(certificate.string() +
                      ": a certificate's name (--certify) must end in .json or .cbor");
-  if (output.extension() != ".vtp")
-    throw UsageError("--certify: the certificate names vertices and tetrahedra of the surface, "
-                     "which only a .vtp keeps; give -o a name in .vtp");
+  if (lower_extension(output) != ".vtp")
+    throw UsageError(
+        "--certify: the certificate names vertices and tetrahedra of the surface, "
+        "which only a .vtp keeps; give -o a name in .vtp");
   if (options.cell_to_point || options.tetrahedralize)
     throw UsageError(
         "--certify: the certificate is about the numbers in one file as they are; "

@@ -26,6 +26,7 @@
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
@@ -165,12 +166,13 @@ std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool g
 
 void require_surface_extension(const std::filesystem::path& output, bool curves) {
   constexpr std::array<std::string_view, 5> known{".vtp", ".ply", ".obj", ".off", ".stl"};
-  if (std::find(known.begin(), known.end(), output.extension().string()) == known.end()) {
+  const std::string extension = lower_extension(output);
+  if (std::find(known.begin(), known.end(), extension) == known.end()) {
     throw UsageError(output.string() +
                      ": the name must end in .vtp, .ply, .obj, .off or .stl (no format for '" +
                      output.extension().string() + "')");
   }
-  if (curves && (output.extension() == ".off" || output.extension() == ".stl")) {
+  if (curves && (extension == ".off" || extension == ".stl")) {
     throw UsageError(output.string() +
                      ": degenerate curves (--mode 1 or -1) need a name in .vtp, .ply or .obj");
   }
@@ -178,8 +180,7 @@ void require_surface_extension(const std::filesystem::path& output, bool curves)
 
 ExtractReport run_extract(const ExtractCommand& command, const Progress& progress) {
   const std::vector<ModeValue> modes = modes_to_extract(command.modes, command.generalized);
-  require_surface_extension(command.output,
-                            std::any_of(modes.begin(), modes.end(), is_degenerate));
+  require_surface_extension(command.output, std::any_of(modes.begin(), modes.end(), is_degenerate));
   if (!(command.sampling.resolution > 0) || command.sampling.resolution > kLargestResolution) {
     throw UsageError(fmt::format("--resolution: must be a positive number, at most {}",
                                  kLargestResolution));
@@ -314,7 +315,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   give_back_memory();
   FileGroup files;
   const Clock write_clock;
-  report.bytes = write_surface(surface, curves, read.mesh, command.output).bytes;
+  OutputKinds kinds;
+  for (const ModeValue& mode : modes)
+    (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
+  report.bytes = write_surface(surface, curves, read.mesh, command.output, kinds).bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
   if (certifying) {

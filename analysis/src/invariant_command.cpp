@@ -93,7 +93,8 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   if (progress) progress("writing", 0);
   FileGroup files;
   auto start = Clock::now();
-  report.bytes = write_surface(surface, read.mesh, command.output).bytes;
+  report.bytes =
+      write_surface(surface, read.mesh, command.output, {.invariant_surfaces = true}).bytes;
   report.written = true;
   report.seconds_write = seconds_since(start);
   if (certifying) {

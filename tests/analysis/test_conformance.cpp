@@ -74,7 +74,8 @@ class Conformance : public testing::Test {
 };
 
 TEST_F(Conformance, FindsNothingWrongWithOurOwnSurface) {
-  for (const char* extension : {".vtp", ".ply", ".obj", ".stl"}) {  // .stl rounds to float32
+  for (const char* extension :
+       {".vtp", ".ply", ".obj", ".off", ".stl"}) {  // .stl rounds to float32
     const Outcome outcome = run(right, extension, {"--truth", folder / "field.truth.json"});
     EXPECT_EQ(outcome.status, 0) << extension << ": " << outcome.out << outcome.err;
     const Json json = Json::parse(outcome.out);
@@ -84,6 +85,45 @@ TEST_F(Conformance, FindsNothingWrongWithOurOwnSurface) {
     EXPECT_GT(json["crossings"]["truth"], 20);
     EXPECT_LT(json["distance"]["sampled_to_truth"], 0.1);
     EXPECT_LT(json["distance"]["sampled_from_truth"], 0.1);
+  }
+}
+
+// An .off keeps all that counts: doubles and shared vertices.
+TEST_F(Conformance, ScoresAnOffFileAsTheSameInAVtp) {
+  SurfaceMesh spoilt = right;
+  spoilt.triangles.erase(spoilt.triangles.begin() + static_cast<std::ptrdiff_t>(inner));
+  const auto score_of = [&](const char* extension) {
+    Json json = score(spoilt, extension);
+    json.erase("surface");
+    return json;
+  };
+  EXPECT_EQ(score_of(".off"), score_of(".vtp"));
+}
+
+TEST_F(Conformance, ReadsOffFilesOfOthersAndRefusesWhatIsNone) {
+  const auto outcome_of = [&](const std::string& text) {
+    std::ofstream(folder / "o.off") << text;
+    return run_program({"conformance", "--surface", folder / "o.off", "--input", mesh_file,
+                        "--mode", "1/2", "--json"});
+  };
+  // Comments, counts on the first line, Windows' ends of lines, colours, a polygon, a line.
+  const Outcome read = outcome_of(
+      "COFF 4 2 0 # by hand\r\n\r\n0 0 0 9 9 9\r\n.1 0 0 9 9 9\r\n.1 1e-1 0 9 9 9\r\n"
+      "0 .1 0 9 9 9 # the last\r\n4 0 1 2 3 1 0 0\r\n2 0 2\r\n");
+  EXPECT_EQ(read.status, 1) << read.err;
+  const Json matches = Json::parse(read.out).at("matches");
+  ASSERT_EQ(matches.size(), 1u);
+  EXPECT_EQ(matches[0].at("given").at("triangles"), 2);
+  for (const std::string text :
+       {"", "# OFF\n", "0 0 0\n", "4OFF\n0 0 0\n", "OFF BINARY\n", "OFF\n1\n", "OFF\n-1 0 0\n",
+        "OFF\n1 0 0\n", "OFF\n1 0 0\n0 0\n", "OFF\n1 0 0\n0 0 x\n", "OFF\n1 0 0\n0 0 1e999\n",
+        "OFF\n1 0 0\n0 0 nan\n", "OFF\n99999999999999 1 0\n0 0 0\n", "OFF\n1e3 0 0\n",
+        "OFF\n1 1 0\n0 0 0\n", "OFF\n1 1 0\n0 0 0\n3 0 0\n", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n",
+        "OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", "OFF\n1 1 0\n0 0 0\n0\n"}) {
+    const Outcome run = outcome_of(text);
+    EXPECT_EQ(run.status, 3) << text;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   }
 }
 
@@ -198,7 +238,7 @@ TEST_F(Conformance, FindsEverythingMissing) {
   SurfaceMesh surface = right;
   surface.triangles.clear();
   surface.points.clear();
-  for (const char* extension : {".vtp", ".ply", ".obj", ".stl"}) {
+  for (const char* extension : {".vtp", ".ply", ".obj", ".off", ".stl"}) {
     const Json json = score(surface, extension);
     EXPECT_EQ(json["components"]["missed"].size(), known.parts.size()) << extension;
     EXPECT_EQ(json["crossings"]["missed"], json["crossings"]["truth"]) << extension;

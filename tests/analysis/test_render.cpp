@@ -158,6 +158,56 @@ TEST(Render, NamesThePackageWhereThereIsNoXServer) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+// A script over many modes goes on where the field has no such surface.
+TEST(Render, DrawsWhatIsBesidesAFileThatHoldsNothing) {
+  const Folder folder;
+  const std::string mesh = folder / "g.vtu";
+  ASSERT_EQ(run_program({"generate", "linear", "-o", mesh, "--field-only"}).status, 0);
+  for (const std::string mode : {"0.999", "1"}) {  // a surface, a curve
+    const std::string none = folder / mode + ".vtp", png = folder / mode + ".png";
+    ASSERT_EQ(run_program({"extract", mesh, "-o", none, "--mode", mode, "--quiet"}).status, 0);
+    const auto render = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), {"render", none, "-o", png, "--size", "200x150"});
+      const Outcome run = run_program(more);
+      EXPECT_EQ(run.status, 0) << run.err;
+      EXPECT_EQ(run.err, "tensortopo: " + none +
+                             ": holds no triangles and no lines, so nothing is drawn of it\n");
+      return look_at(png);
+    };
+    EXPECT_EQ(render({}).white, 200u * 150u);
+    for (const auto& more : std::vector<std::vector<std::string>>{{}, {"--texture", "major"}}) {
+      std::vector<std::string> words{"--mesh", mesh};
+      words.insert(words.end(), more.begin(), more.end());
+      const Picture outline = render(words);
+      EXPECT_GT(outline.dark, 100u);
+      EXPECT_EQ(outline.teal + outline.gold + outline.green, 0u);
+    }
+  }
+  // Nor does it change the picture of another surface.
+  const std::string some = folder / "some.vtp";
+  ASSERT_EQ(run_program({"extract", mesh, "-o", some, "--mode", "-1", "--quiet"}).status, 0);
+  const std::vector<std::string> view{"--size", "200x150", "-o"};
+  std::vector<std::string> alone{"render", some},
+      both{"render", some, "--surface", folder / "1.vtp"};
+  for (auto* words : {&alone, &both}) words->insert(words->end(), view.begin(), view.end());
+  alone.push_back(folder / "alone.png"), both.push_back(folder / "both.png");
+  EXPECT_EQ(run_program(alone).status, 0);
+  EXPECT_EQ(run_program(both).status, 0);
+  EXPECT_EQ(contents(folder / "alone.png"), contents(folder / "both.png"));
+  EXPECT_GT(look_at(folder / "alone.png").gold, 50u);
+}
+
+TEST(Render, DrawsCurvesBesideAModeThatTheFieldDoesNotHave) {
+  const Folder folder;
+  const std::string mesh = folder / "g.vtu", png = folder / "g.png";
+  ASSERT_EQ(run_program({"generate", "linear", "-o", mesh, "--field-only"}).status, 0);
+  const Outcome run = run_program(
+      {"render", mesh, "--mode", "-1", "--mode", "0.999", "-o", png, "--size", "400x300"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const Picture picture = look_at(png);
+  EXPECT_GT(picture.gold, 200u);  // of which less than 100 are the legend's
+}
+
 TEST(Render, RefusesWhatItCannotDraw) {
   const Folder folder;
   std::ofstream(folder / "bad.vtp") << "no surface\n";

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
@@ -183,6 +184,49 @@ TEST(InvariantSurface, ReportsItsValuesAndRefusesTheModesCurvature) {
   const Outcome curved = run_program({"analyze", surface, "--mesh", field("s4_slab")});
   EXPECT_EQ(curved.status, 3);
   EXPECT_NE(curved.err.find("another invariant"), std::string::npos) << curved.err;
+}
+
+// A script over many modes goes on where the field has no such surface.
+TEST(EmptySurface, IsAnalysed) {
+  const Folder folder;
+  const std::string mesh = folder / "g.vtu", none = folder / "none.vtp", some = folder / "some.vtp",
+                    output = folder / "curved.vtp", ridges = folder / "ridges.vtp";
+  ASSERT_EQ(run_program({"generate", "linear", "-o", mesh, "--field-only"}).status, 0);
+  ASSERT_EQ(run_program({"extract", mesh, "-o", none, "--mode", "0.999"}).status, 0);
+  ASSERT_EQ(run_program({"extract", mesh, "-o", some, "--mode", "0.1"}).status, 0);
+  std::vector<std::string> words{"analyze",  none,   "--mesh",    mesh, "--smooth", "--recover",
+                                 "--ridges", ridges, "--against", some, "-o",       output};
+  const Outcome text = run_program(words);
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("0 triangles"), std::string::npos) << text.out;
+  EXPECT_EQ(text.out.find("nan"), std::string::npos) << text.out;
+  words.push_back("--json");
+  const Outcome run = run_program(words);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json.at("surface").at("triangles"), 0);
+  EXPECT_EQ(json.at("surface").at("area"), 0);
+  EXPECT_TRUE(json.at("components").empty());
+  EXPECT_TRUE(json.at("quality").at("least_angle").is_null());
+  EXPECT_EQ(json.at("curvature").at("vertices"), 0);
+  EXPECT_TRUE(json.at("umbilics").empty());
+  for (const char* name : {"forth", "back", "hausdorff"})
+    EXPECT_TRUE(json.at("distance").at(name).is_null()) << name;
+  // What is written is a surface again.
+  for (const std::string& file : {output, ridges})
+    EXPECT_EQ(run_program({"analyze", file}).status, 0) << file;
+  const Outcome back = run_program({"analyze", some, "--against", none, "--json"});
+  ASSERT_EQ(back.status, 0) << back.err;
+  EXPECT_TRUE(Json::parse(back.out).at("distance").at("forth").is_null());
+}
+
+TEST(EmptySurface, IsNotAFileOfCurvesNorOneThatIsNone) {
+  const Folder folder;
+  const std::string curves = folder / "curves.vtp", none = folder / "none.vtp";
+  ASSERT_EQ(run_program({"extract", field("s4_slab"), "-o", curves, "--mode", "1"}).status, 0);
+  std::ofstream(folder / "none.vtp") << "no surface\n";
+  for (const std::string& file : {curves, none})
+    EXPECT_EQ(run_program({"analyze", file}).status, 3) << file;
 }
 
 TEST_F(SurfaceProgram, RefusesAMeshThatIsNotItsOwn) {

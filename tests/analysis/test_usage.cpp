@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "run_program.hpp"
 
@@ -51,6 +52,66 @@ TEST(Usage, ACertificateIsNamedJsonOrCbor) {
     expect_line(run_program(words), 2, "c.txt");
   }
   EXPECT_TRUE(folder.files().empty());
+}
+
+// VTK, meshing programs and Windows write either; the bytes are those of the usual names.
+TEST(Usage, ExtensionsMayBeInCapitals) {
+  const Folder folder;
+  const std::string in = folder / "in.VTU", surface = folder / "s.VTP";
+  ASSERT_EQ(run_program({"generate", "complex", "-o", in, "--field-only"}).status, 0);
+  const auto extract = [&](const std::string& output, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"extract", in, "-o", output, "--mode", "0.5"});
+    const Outcome run = run_program(more);
+    EXPECT_EQ(run.status, 0) << output << ": " << run.err;
+    return contents(output);
+  };
+  for (const auto& [small, large] : {std::pair{".vtp", ".VTP"},
+                                     {".ply", ".Ply"},
+                                     {".obj", ".OBJ"},
+                                     {".off", ".OFF"},
+                                     {".stl", ".STL"}})
+    EXPECT_EQ(extract((folder / "a") + small), extract((folder / "b") + large));
+  for (const auto& [small, large] : {std::pair{".json", ".JSON"}, {".cbor", ".CBOR"}}) {
+    const std::string one = (folder / "c") + small, other = (folder / "d") + large;
+    extract(folder / "s.vtp", {"--certify", one});
+    extract(surface, {"--certify", other});
+    EXPECT_EQ(contents(one), contents(other));
+    const Outcome check = run_program({"check", in, surface, other});
+    EXPECT_EQ(check.status, 0) << check.err;
+  }
+  const std::vector<std::vector<std::string>> commands{
+      {"analyze", surface, "--smooth", "-o", folder / "curved.VTP"},
+      {"analyze", in, "--sweep", "0.1:0.2:2", "-o", folder / "sweep.PNG"},
+      {"render", surface, "--size", "40x30", "-o", folder / "picture.PNG"},
+      {"conformance", "--surface", folder / "b.STL", "--input", in, "--mode", "0.5"}};
+  for (const auto& words : commands) {
+    const Outcome run = run_program(words);
+    EXPECT_EQ(run.status, 0) << words[0] << ": " << run.err;
+  }
+  expect_line(run_program({"extract", in, "-o", folder / "c.OFF", "--mode", "1"}), 2,
+              "degenerate curves");
+}
+
+// Its arrays have no numbers, so there is nothing in them that a certificate could bind.
+TEST(Usage, WhatTheFieldDoesNotHaveIsCertifiedAndHasArraysAllTheSame) {
+  const Folder folder;
+  const std::string in = folder / "in.vtu", out = folder / "out.vtp", proof = folder / "c.json";
+  ASSERT_EQ(run_program({"generate", "linear", "-o", in, "--field-only"}).status, 0);
+  const std::vector<std::vector<std::string>> cases{
+      {"\"normal\"", "--mode", "0.999"},
+      {"\"separation\"", "--mode", "1"},
+      {"\"value\"", "--invariant", "magnitude", "--value", "1000"}};
+  for (auto words : cases) {
+    const std::string array = words[0];
+    words.erase(words.begin());
+    words.insert(words.begin(), {"extract", in, "-o", out, "--certify", proof});
+    const Outcome run = run_program(words);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(contents(out).find("NumberOfPoints=\"0\""), std::string::npos) << array;
+    EXPECT_NE(contents(out).find(array), std::string::npos) << array;
+    const Outcome check = run_program({"check", in, out, proof});
+    EXPECT_EQ(check.status, 0) << check.out << check.err;
+  }
 }
 
 TEST(Usage, OptionsWithoutEffectAreRefused) {

@@ -19,6 +19,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "field_files.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/io/write_text.hpp"
@@ -241,6 +242,58 @@ TEST(WriteSurface, SameSurfaceGivesTheSameBytes) {
     EXPECT_EQ(slurp(temporary("one" + extension)), slurp(temporary("two" + extension)))
         << extension;
   }
+}
+
+// Whoever reads arrays by name finds those that any other file of the kind has.
+TEST(WriteSurface, AnEmptyVtpHasTheArraysOfItsKind) {
+  SurfaceMesh s = surface_of_two(), of_value = surface_of_two();
+  of_value.value = of_value.mode;
+  of_value.mode.clear(), of_value.medium_eigenvector.clear();
+  of_value.dominant_eigenvector.clear();
+  const struct {
+    OutputKinds kinds;
+    SurfaceMesh surface;
+    CurveMesh curves;
+  } cases[]{{{.mode_surfaces = true}, s, {}},
+            {{.invariant_surfaces = true}, of_value, {}},
+            {{.degenerate_curves = true}, {}, curve_of_three()},
+            {{.mode_surfaces = true, .degenerate_curves = true}, s, curve_of_three()}};
+  for (const auto& [kinds, surface, curves] : cases) {
+    const auto full = write_surface(surface, curves, mesh_of_two(), temporary("full.vtp"), kinds);
+    EXPECT_EQ(full.arrays,
+              write_surface(surface, curves, mesh_of_two(), temporary("full.vtp")).arrays);
+    const auto file = temporary("empty.vtp");
+    EXPECT_EQ(write_surface({}, {}, mesh_of_two(), file, kinds).arrays, full.arrays);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    vtkPolyData* const data = reader->GetOutput();
+    EXPECT_EQ(data->GetNumberOfPoints(), 0);
+    EXPECT_EQ(data->GetPointData()->GetNumberOfArrays() + data->GetCellData()->GetNumberOfArrays(),
+              static_cast<int>(full.arrays.size()));
+    vtkNew<vtkXMLPolyDataReader> other;
+    other->SetFileName(temporary("full.vtp").c_str());
+    other->Update();
+    for (const std::string& name : full.arrays) {
+      vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
+      vtkDataArray* like = other->GetOutput()->GetPointData()->GetArray(name.c_str());
+      if (like == nullptr) {
+        array = data->GetCellData()->GetArray(name.c_str());
+        like = other->GetOutput()->GetCellData()->GetArray(name.c_str());
+      }
+      ASSERT_TRUE(array != nullptr && like != nullptr) << name;
+      EXPECT_EQ(array->GetNumberOfTuples(), 0) << name;
+      EXPECT_EQ(array->GetNumberOfComponents(), like->GetNumberOfComponents()) << name;
+      EXPECT_EQ(array->GetDataType(), like->GetDataType()) << name;
+    }
+  }
+}
+
+TEST(LowerExtension, IsWhatTellsTheFormat) {
+  EXPECT_EQ(lower_extension("some.Folder/S.x.VTP"), ".vtp");
+  EXPECT_EQ(lower_extension("s.vtp"), ".vtp");
+  EXPECT_EQ(lower_extension("VTP"), "");
+  EXPECT_EQ(lower_extension("S.\xC3\x89"), ".\xC3\x89");  // not ASCII: as it is
 }
 
 TEST(WriteSurface, EmptySurfacesAreWritten) {

@@ -13,6 +13,7 @@
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -96,7 +97,7 @@ void add_curvature(vtkPolyData& data, const std::string& prefix, const Curvature
 
 void require_sense(const SurfaceCommand& command) {
   for (const auto& file : {command.output, command.ridges})
-    if (!file.empty() && file.extension() != ".vtp")
+    if (!file.empty() && lower_extension(file) != ".vtp")
       throw UsageError(file.string() + ": the name must end in .vtp");
   if ((!command.ridges.empty() || command.recover) && command.mesh.empty())
     throw UsageError("--ridges and --recover need the field's derivatives (--mesh)");

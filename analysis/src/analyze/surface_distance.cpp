@@ -28,6 +28,7 @@ vtkNew<vtkPolyData> poly_data(const SurfaceMesh& surface) {
 }  // namespace
 
 SampledDistance sampled_distance(const SurfaceMesh& from, const SurfaceMesh& to) {
+  if (to.triangles.empty()) return {};
   const auto target = poly_data(to);
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(target);

@@ -39,7 +39,7 @@ struct SampledDistance {
 };
 
 /// From the vertices of a surface, the middles of its edges and of its triangles to the nearest
-/// points of another one. Both have triangles.
+/// points of another one. No samples if one of them has no triangles.
 SampledDistance sampled_distance(const SurfaceMesh& from, const SurfaceMesh& to);
 
 }  // namespace tensortopo

@@ -46,11 +46,17 @@ Json json_of(const CurvatureReport& report) {
 }
 
 Json json_of(const SampledDistance& distance) {
+  if (distance.samples == 0) return nullptr;
   return {{"samples", distance.samples},
           {"largest", distance.largest},
           {"mean", distance.mean},
           {"root_mean_square", distance.root_mean_square},
           {"where", json_of(distance.where)}};
+}
+
+Json hausdorff_of(const SampledDistance& forth, const SampledDistance& back) {
+  if (forth.samples == 0 || back.samples == 0) return nullptr;
+  return std::max(forth.largest, back.largest);
 }
 
 Json json_of(const std::vector<Umbilic>& umbilics) {
@@ -139,7 +145,8 @@ std::string text_of(const std::string& title, const Histogram& histogram, std::s
   std::string text = title + '\n';
   double from = histogram.bounds.front() > 1 ? 1 : 0;
   for (std::size_t i = 0; i < histogram.bounds.size(); ++i) {
-    const double share = static_cast<double>(histogram.counts[i]) / static_cast<double>(all);
+    const double share =
+        all == 0 ? 0 : static_cast<double>(histogram.counts[i]) / static_cast<double>(all);
     const double to = histogram.bounds[i];
     const std::string range =
         std::isfinite(to) ? fmt::format("{:g} to {:g}", from, to) : fmt::format("over {:g}", from);
@@ -151,6 +158,7 @@ std::string text_of(const std::string& title, const Histogram& histogram, std::s
 }
 
 std::string text_of(const std::string& title, const SampledDistance& d) {
+  if (d.samples == 0) return fmt::format("  {:<6} none: a surface has no triangles\n", title);
   return fmt::format("  {:<6} largest {:.6g}, mean {:.6g}, root mean square {:.6g} ({} samples)\n",
                      title, d.largest, d.mean, d.root_mean_square, d.samples);
 }
@@ -176,11 +184,15 @@ std::string to_json(const SurfaceAnalysis& analysis) {
     json["components"].push_back(std::move(row));
   }
   const TriangleQuality& quality = analysis.quality;
-  json["quality"] = {{"least_angle", quality.least_angle},
-                     {"median_angle", quality.median_angle},
+  // Of no triangles there is no median.
+  const auto of_triangles = [&](double x) {
+    return analysis.triangles == 0 ? Json(nullptr) : number(x);
+  };
+  json["quality"] = {{"least_angle", of_triangles(quality.least_angle)},
+                     {"median_angle", of_triangles(quality.median_angle)},
                      {"smallest_angle", json_of(quality.smallest_angle)},
-                     {"median_aspect_ratio", number(quality.median_aspect_ratio)},
-                     {"largest_aspect_ratio", number(quality.largest_aspect_ratio)},
+                     {"median_aspect_ratio", of_triangles(quality.median_aspect_ratio)},
+                     {"largest_aspect_ratio", of_triangles(quality.largest_aspect_ratio)},
                      {"aspect_ratio", json_of(quality.aspect_ratio)},
                      {"flat", quality.flat}};
   if (analysis.curvature) {
@@ -199,7 +211,7 @@ std::string to_json(const SurfaceAnalysis& analysis) {
     json["distance"] = {{"against", analysis.against.string()},
                         {"forth", json_of(*analysis.forth)},
                         {"back", json_of(*analysis.back)},
-                        {"hausdorff", std::max(analysis.forth->largest, analysis.back->largest)}};
+                        {"hausdorff", hausdorff_of(*analysis.forth, *analysis.back)}};
   if (!analysis.output.empty()) json["output"] = analysis.output.string();
   json["seconds"] = analysis.seconds;
   return json.dump(2, ' ', false, Json::error_handler_t::replace);

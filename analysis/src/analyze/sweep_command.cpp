@@ -13,6 +13,7 @@
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_text.hpp"
 
 namespace tensortopo {
@@ -56,7 +57,7 @@ void parse_sweep(std::string_view text, SweepOptions& options) {
 
 SweepReport run_sweep(const SweepCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  if (!command.picture.empty() && command.picture.extension() != ".png")
+  if (!command.picture.empty() && lower_extension(command.picture) != ".png")
     throw UsageError(command.picture.string() + ": the name must end in .png");
   if (!command.picture.empty()) require_folder(command.picture);
   if (progress) progress("reading", 0);

@@ -13,6 +13,7 @@
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/number_hash.hpp"
 
 namespace tensortopo {
@@ -83,7 +84,7 @@ ConformanceReport run_conformance(const ConformanceCommand& command, const Progr
   tell("reading");
   const ReadTriangles triangles = read_triangles(command.surface, command.mode);
   const GivenSurface given =
-      merge_points(triangles.surface, command.merge, command.surface.extension() != ".stl");
+      merge_points(triangles.surface, command.merge, lower_extension(command.surface) != ".stl");
   const ReadResult read = read_mesh(command.input, command.read);
   report.notes = read.report.notes;
   tell("certifying");

@@ -14,7 +14,7 @@ namespace tensortopo {
 
 /// A surface that somebody's program made of a field, to be compared with the certified one.
 struct ConformanceCommand {
-  std::filesystem::path surface;  ///< .vtp, .ply, .stl or .obj
+  std::filesystem::path surface;  ///< .vtp, .ply, .stl, .obj or .off
   std::filesystem::path input;    ///< the mesh
   std::filesystem::path truth;    ///< of `generate`; may be empty
   ModeValue mode;

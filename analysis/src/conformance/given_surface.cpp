@@ -26,7 +26,9 @@
 #include <tuple>
 #include <utility>
 
+#include "conformance/off_file.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
@@ -82,21 +84,10 @@ void keep_mode(ReadTriangles& read, const std::vector<double>& modes, double mod
   read.surface = std::move(kept);
 }
 
-template <class Reader>
-ReadTriangles read_with(const std::filesystem::path& file, Reader& reader, const ModeValue& mode) {
-  vtkNew<Complaint> complaint;
-  reader.AddObserver(vtkCommand::ErrorEvent, complaint);
-  reader.AddObserver(vtkCommand::WarningEvent, complaint);
-  reader.SetFileName(file.string().c_str());
-  reader.Update();
-  // Text that is none is a file without points to readers of .obj and .stl.
-  const bool may_be_text = file.extension() == ".obj" || file.extension() == ".stl";
-  if (complaint->heard || reader.GetErrorCode() != vtkErrorCode::NoError ||
-      (may_be_text && reader.GetOutput()->GetNumberOfPoints() == 0))
-    throw IoError(IoError::Kind::invalid, file,
-                  "is no readable " + file.extension().string() + " file of triangles");
+ReadTriangles triangles_of(const std::filesystem::path& file, vtkPolyData* polygons,
+                           const ModeValue& mode) {
   vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(reader.GetOutputPort());
+  triangles->SetInputData(polygons);
   triangles->PassLinesOff();
   triangles->PassVertsOff();
   triangles->Update();
@@ -126,6 +117,23 @@ ReadTriangles read_with(const std::filesystem::path& file, Reader& reader, const
   const auto modes = modes_of(surface.triangles, data->GetPointData()->GetArray("mode"));
   if (!modes.empty()) keep_mode(read, modes, mode.approx());
   return read;
+}
+
+template <class Reader>
+ReadTriangles read_with(const std::filesystem::path& file, Reader& reader, const ModeValue& mode) {
+  vtkNew<Complaint> complaint;
+  reader.AddObserver(vtkCommand::ErrorEvent, complaint);
+  reader.AddObserver(vtkCommand::WarningEvent, complaint);
+  reader.SetFileName(file.string().c_str());
+  reader.Update();
+  // Text that is none is a file without points to readers of .obj and .stl.
+  const std::string extension = lower_extension(file);
+  const bool may_be_text = extension == ".obj" || extension == ".stl";
+  if (complaint->heard || reader.GetErrorCode() != vtkErrorCode::NoError ||
+      (may_be_text && reader.GetOutput()->GetNumberOfPoints() == 0))
+    throw IoError(IoError::Kind::invalid, file,
+                  "is no readable " + extension + " file of triangles");
+  return triangles_of(file, reader.GetOutput(), mode);
 }
 
 // A binary .stl of no triangles: a header and a count. VTK's readers take it, and an .obj of no
@@ -179,7 +187,7 @@ ReadTriangles read_triangles(const std::filesystem::path& file, const ModeValue&
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw IoError(IoError::Kind::unreadable, file, "no such file");
-  const auto extension = file.extension();
+  const std::string extension = lower_extension(file);
   if (extension == ".vtp") return read_with(file, *vtkNew<vtkXMLPolyDataReader>(), mode);
   if (extension == ".ply") return read_with(file, *vtkNew<vtkPLYReader>(), mode);
   if (extension == ".obj" && std::filesystem::file_size(file) == 0) return {};
@@ -190,7 +198,9 @@ ReadTriangles read_triangles(const std::filesystem::path& file, const ModeValue&
     reader->MergingOff();
     return read_with(file, *reader, mode);
   }
-  throw IoError(IoError::Kind::invalid, file, "the name must end in .vtp, .ply, .obj or .stl");
+  if (extension == ".off") return triangles_of(file, read_off(file), mode);
+  throw IoError(IoError::Kind::invalid, file,
+                "the name must end in .vtp, .ply, .obj, .off or .stl");
 }
 
 GivenSurface merge_points(const SurfaceMesh& triangles, double distance, bool shares_vertices) {

@@ -19,6 +19,7 @@
 #include "tensortopo/certify/reference_points.hpp"
 #include "tensortopo/families/kuhn_mesh.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/number_hash.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
@@ -113,7 +114,8 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
   for (const ModeValue& mode : modes)
     truth.levels.push_back(truth_of(sheet, mode, command, field, references));
   if (!references.points.empty()) {
-    write_surface(references.surface, mesh, with_suffix(field, ".reference.vtp"));
+    write_surface(references.surface, mesh, with_suffix(field, ".reference.vtp"),
+                  {.mode_surfaces = true});
     write_text(with_suffix(field, ".reference.json"), references.points.dump(0) + '\n');
   }
   const Path file = with_suffix(field, ".truth.json");
@@ -163,7 +165,7 @@ Sheet all_members(const GenerateCommand& command, const FamilyRequest& first) {
 }  // namespace
 
 GenerateReport run_generate(const GenerateCommand& command, const Progress& progress) {
-  if (command.output.extension() != ".vtu")
+  if (lower_extension(command.output) != ".vtu")
     throw UsageError(command.output.string() + ": the name must end in .vtu");
   for (const ModeValue& mode : command.modes)
     if (is_degenerate(mode))

@@ -10,6 +10,7 @@
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -60,7 +61,7 @@ ExitStatus surface(const AnalyzeOptions& options, const CommonOptions& common) {
 }
 
 ExitStatus analyze(const AnalyzeOptions& options, const CommonOptions& common) {
-  const bool is_surface = options.input.extension() == ".vtp";
+  const bool is_surface = lower_extension(options.input) == ".vtp";
   if (is_surface && !options.sweep.empty())
     throw UsageError(options.input.string() + ": --sweep takes a mesh, not a surface");
   if (!is_surface && options.sweep.empty())

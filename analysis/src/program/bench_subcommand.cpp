@@ -16,6 +16,7 @@
 #include "require_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_text.hpp"
 
 namespace tensortopo {
@@ -59,7 +60,7 @@ std::filesystem::path bundled_field() {
     for (const char* data : {"examples/data", "share/tensortopo/data"})
       for (const auto& file : std::filesystem::directory_iterator(folder / data, error)) {
         const auto size = file.file_size(error);
-        if (error || file.path().extension() != ".vtu") continue;
+        if (error || lower_extension(file.path()) != ".vtu") continue;
         if (smallest.empty() || size < least) smallest = file.path(), least = size;
       }
   if (smallest.empty())
@@ -70,7 +71,8 @@ std::filesystem::path bundled_field() {
 /// Throws UsageError or IoError for a chart that could not be written, before anything is timed.
 void require_picture(const std::filesystem::path& file) {
   if (file.empty()) return;
-  if (file.extension() != ".png") throw UsageError(file.string() + ": the name must end in .png");
+  if (lower_extension(file) != ".png")
+    throw UsageError(file.string() + ": the name must end in .png");
   require_folder(file);
 }
 

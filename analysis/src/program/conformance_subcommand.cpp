@@ -60,7 +60,7 @@ void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action
   const auto options = std::make_shared<ConformanceOptions>();
   ConformanceCommand& command = options->command;
   options->app = &app;
-  app.add_option("--surface", command.surface, "Triangles to score: .vtp, .ply, .stl or .obj")
+  app.add_option("--surface", command.surface, "Triangles to score: .vtp, .ply, .stl, .obj or .off")
       ->type_name("FILE");
   app.add_option("--input", command.input, "Tetrahedral mesh with tensors that they were made from")
       ->type_name("MESH");

@@ -17,6 +17,7 @@
 #include "render/render_command.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -33,7 +34,7 @@ struct RenderOptions {
 RenderCommand command_of(const RenderOptions& options) {
   RenderCommand command = options.command;
   if (!options.mesh.empty()) command.mesh = options.mesh;
-  if (options.input.extension() == ".vtp") {
+  if (lower_extension(options.input) == ".vtp") {
     command.surfaces.insert(command.surfaces.begin(), options.input);
   } else if (command.mesh) {
     throw UsageError(options.input.string() + ": --mesh names the mesh, so this must be a .vtp");
@@ -62,6 +63,8 @@ ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
   bar.erase();
   const std::string output = command.output.string();
   if (command.mesh) say_notes(*command.mesh, report.mesh_notes, common.quiet);
+  for (const auto& file : report.empty)
+    say_notes(file, {"holds no triangles and no lines, so nothing is drawn of it"}, common.quiet);
   say_notes(options.input, report.notes, common.quiet);
   if (common.json) {
     nlohmann::ordered_json json{{"output", {{"path", output}, {"bytes", report.bytes}}},
@@ -78,6 +81,7 @@ ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
       json["frames"] = nlohmann::ordered_json::array();
       for (const auto& file : report.frames) json["frames"].push_back(file.string());
     }
+    for (const auto& file : report.empty) json["empty"].push_back(file.string());
     if (!report.notes.empty()) json["notes"] = report.notes;
     print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   } else {

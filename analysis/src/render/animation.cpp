@@ -19,6 +19,7 @@
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/temporary_folder.hpp"
 #include "tensortopo/io/write_text.hpp"
 #include "tensortopo/scalar/rational.hpp"
@@ -37,7 +38,7 @@ constexpr int kExecFailed = 127;
   dup2(nowhere, STDERR_FILENO);
   std::vector<std::string> words{"ffmpeg", "-y", "-f", "image2pipe", "-c:v",
                                  "png",    "-r", "12", "-i",         "-"};
-  if (file.extension() == ".gif") {
+  if (lower_extension(file) == ".gif") {
     // One palette for all frames; grains between its colours would only make the file larger.
     words.insert(words.end(),
                  {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none"});
@@ -100,7 +101,8 @@ std::filesystem::path frame_file(const std::filesystem::path& picture, std::size
 }
 
 bool is_film(const std::filesystem::path& file) {
-  return file.extension() == ".gif" || file.extension() == ".mp4";
+  const std::string extension = lower_extension(file);
+  return extension == ".gif" || extension == ".mp4";
 }
 
 void require_ffmpeg(const std::filesystem::path& file) {

@@ -21,6 +21,7 @@
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_text.hpp"
 
 namespace tensortopo {
@@ -65,13 +66,8 @@ void check(const RenderCommand& command) {
     if (!condition) throw UsageError(problem);
   };
   const bool modes = !command.modes.empty(), frames = !command.frames.empty();
-  if (frames) {
-    need(command.output.extension() == ".png" || is_film(command.output),
-         command.output.string() + ": the name must end in .png, .gif or .mp4");
-  } else {
-    need(command.output.extension() == ".png",
-         command.output.string() + ": the name must end in .png");
-  }
+  need(lower_extension(command.output) == ".png" || (frames && is_film(command.output)),
+       command.output.string() + ": the name must end in .png" + (frames ? ", .gif or .mp4" : ""));
   need(!command.surfaces.empty() || command.mesh, "nothing to draw");
   need(std::isfinite(command.view.zoom) && command.view.zoom >= 0.1 && command.view.zoom <= 1000,
        "--zoom: must be from 0.1 to 1000");
@@ -144,6 +140,7 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
   RenderSubject subject(command);
   RenderReport report;
   report.mesh_notes = subject.mesh_notes();
+  report.empty = subject.empty();
   const std::size_t count = command.frames.empty() ? 1 : command.frames.size();
   std::vector<std::string> pictures;
   try {

@@ -52,9 +52,10 @@ struct RenderReport {
   /// sqrt(1 - mode^2) of the characteristic tensor.
   std::optional<double> bifurcation_mode;
   std::vector<MarkedPoint> marked;
-  std::vector<std::string> notes;       ///< what is not drawn, and why
-  std::vector<std::string> mesh_notes;  ///< of reading the mesh
-  std::uintmax_t bytes = 0;             ///< of all files
+  std::vector<std::filesystem::path> empty;  ///< surfaces without triangles and without lines
+  std::vector<std::string> notes;            ///< what is not drawn, and why
+  std::vector<std::string> mesh_notes;       ///< of reading the mesh
+  std::uintmax_t bytes = 0;                  ///< of all files
   double seconds = 0;
 };
 

@@ -88,6 +88,7 @@ RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
     auto sheets = command.texture == Texture::none
                       ? read_sheets(file)
                       : textured_sheets(file, mesh_, command.texture, command.recover);
+    if (sheets.empty()) empty_.push_back(file);
     for (Sheet& sheet : sheets) sheets_.push_back(std::move(sheet));
   }
 }

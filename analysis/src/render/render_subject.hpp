@@ -5,6 +5,7 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ class RenderSubject {
   /// What there is to say of reading the mesh.
   const std::vector<std::string>& mesh_notes() const { return mesh_notes_; }
 
+  /// The surfaces that hold neither triangles nor lines.
+  const std::vector<std::filesystem::path>& empty() const { return empty_; }
+
   /// One picture; adds to the report's modes and notes. Needs a display. Throws IoError where a
   /// tetrahedron has no manifold, std::runtime_error where nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture(const std::vector<ModeValue>& modes, RenderReport& report);
@@ -33,6 +37,7 @@ class RenderSubject {
   TetMesh mesh_;
   std::vector<std::string> mesh_notes_;
   std::vector<Sheet> sheets_;
+  std::vector<std::filesystem::path> empty_;
   vtkSmartPointer<vtkPolyData> domain_;
   std::size_t tet_ = 0;
 };

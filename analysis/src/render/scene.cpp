@@ -3,6 +3,7 @@
 #include "render/scene.hpp"
 
 #include <fmt/format.h>
+#include <vtkMath.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,9 @@ vtkSmartPointer<vtkImageData> draw(std::vector<Sheet> sheets, vtkPolyData* domai
 
   if (domain != nullptr) add_domain(*renderer, domain, line);
   double size = domain != nullptr ? diagonal(domain->GetBounds()) : 0;
-  for (const Sheet& sheet : sheets) size = std::max(size, diagonal(sheet.shape->GetBounds()));
+  for (const Sheet& sheet : sheets)
+    if (sheet.shape->GetNumberOfPoints() > 0)  // else its bounds are none
+      size = std::max(size, diagonal(sheet.shape->GetBounds()));
   const double cell = kGrain * size / view.height / view.zoom;
   for (const Sheet& sheet : sheets) {
     const Look look = sheet.value        ? look_of_value(*sheet.value, values)
@@ -66,6 +69,8 @@ vtkSmartPointer<vtkImageData> draw(std::vector<Sheet> sheets, vtkPolyData* domai
   }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
+  if (vtkMath::AreBoundsInitialized(bounds) == 0)  // nothing is visible
+    for (int k = 0; k < 3; ++k) bounds[2 * k] = 0, bounds[2 * k + 1] = 1;
   add_legend(*renderer, legend, unit);
   aim(*renderer, bounds, view, {static_cast<double>(view.width) / view.height, 0, 0, {}});
   return grab({renderer}, view.width, view.height);

@@ -57,9 +57,6 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
   if (complaint->heard || reader->GetErrorCode() != vtkErrorCode::NoError) {
     throw IoError(IoError::Kind::invalid, file, "is no readable .vtp file");
   }
-  if (reader->GetOutput()->GetNumberOfPoints() == 0) {
-    throw IoError(IoError::Kind::invalid, file, "holds no points");
-  }
   return reader->GetOutput();
 }
 
@@ -68,6 +65,7 @@ std::vector<Sheet> read_sheets(const std::filesystem::path& file) {
 }
 
 std::vector<Sheet> sheets_of(vtkPolyData* all) {
+  if (all->GetNumberOfPolys() + all->GetNumberOfLines() == 0) return {};
   vtkPointData* const data = all->GetPointData();
   if (vtkDataArray* const normals = data->GetArray("normal");
       normals != nullptr && normals->GetNumberOfComponents() == 3) {

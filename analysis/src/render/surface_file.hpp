@@ -20,14 +20,14 @@ struct Sheet {
   std::optional<double> ridge_kind = {};  ///< or `kind`: 1 ridges, -1 valleys
 };
 
-/// What a .vtp file holds, one point at least. Throws IoError.
+/// What a .vtp file holds; nothing, where a field has no such surface. Throws IoError.
 vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file);
 
 /// The sheets of a .vtp file, by ascending mode (or value, or kind), with the normals that the file
 /// gives. Throws IoError.
 std::vector<Sheet> read_sheets(const std::filesystem::path& file);
 
-/// The same from what a file holds.
+/// The same from what a file holds; none if that is neither triangles nor lines.
 std::vector<Sheet> sheets_of(vtkPolyData* all);
 
 }  // namespace tensortopo

@@ -15,6 +15,7 @@
 
 #include "render/surface_file.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -45,7 +46,7 @@ double depth_in(const TetMesh& mesh, SurfaceMesh::Index tet, const Vector3<doubl
 }  // namespace
 
 SurfaceInput read_surface(const std::filesystem::path& file) {
-  if (file.extension() != ".vtp") fail(file, "must be a surface in .vtp");
+  if (lower_extension(file) != ".vtp") fail(file, "must be a surface in .vtp");
   SurfaceInput input;
   input.file = read_poly_data(file);
   vtkPolyData& data = *input.file;
@@ -56,7 +57,8 @@ SurfaceInput read_surface(const std::filesystem::path& file) {
     surface.points.push_back({p[0], p[1], p[2]});
   }
   vtkCellArray* const polygons = data.GetPolys();
-  if (polygons->GetNumberOfCells() == 0) fail(file, "holds no triangles");
+  if (polygons->GetNumberOfCells() == 0 && data.GetNumberOfPoints() > 0)
+    fail(file, "holds no triangles");
   vtkIdType size = 0;
   const vtkIdType* corners = nullptr;
   for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i) {
@@ -87,7 +89,8 @@ SurfaceInput read_surface(const std::filesystem::path& file) {
 }
 
 void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const std::filesystem::path& file) {
-  if (input.cell_ids.empty()) fail(file, "has no cell data 'tet'");
+  if (input.cell_ids.empty() && !input.surface.triangles.empty())
+    fail(file, "has no cell data 'tet'");
   std::unordered_map<std::int64_t, SurfaceMesh::Index> index;
   for (std::size_t i = 0; i < mesh.cell_ids.size(); ++i)
     index.emplace(mesh.cell_ids[i], static_cast<SurfaceMesh::Index>(i));

@@ -21,7 +21,8 @@ struct SurfaceInput {
   std::vector<std::int64_t> cell_ids;  ///< of each triangle: the file's array `tet`; may be empty
 };
 
-/// Throws IoError: no file, not a .vtp, cells other than triangles and lines, no triangles.
+/// Throws IoError: no file, not a .vtp, cells other than triangles and lines, points or lines
+/// without triangles. An empty file is the surface of a mode that the field does not have.
 SurfaceInput read_surface(const std::filesystem::path& file);
 
 /// Fills `surface.tet` from the ids, and makes sure that each triangle is in its tetrahedron.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/io/read_mesh.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <memory>
 #include <new>
@@ -20,6 +18,7 @@
 #include "sha256.hpp"
 #include "tensor_array.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/mesh/validate.hpp"
 #include "torn_faces.hpp"
 
@@ -27,13 +26,6 @@ namespace tensortopo {
 namespace {
 
 using namespace detail;
-
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 std::vector<RawGrid> read_pieces(const std::shared_ptr<const InputFile>& index, Sha256& sum) {
   std::vector<RawGrid> grids;

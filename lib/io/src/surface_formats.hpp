@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
@@ -18,8 +19,8 @@ std::string to_off(const SurfaceMesh& surface);
 /// Throws std::range_error if a coordinate is too large for float32.
 std::string to_stl(const SurfaceMesh& surface);
 
-/// Geometry and arrays, whose names it appends to `names`.
+/// Geometry and arrays, whose names it appends to `names`; without points those of `kinds`.
 std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
-                   std::vector<std::string>& names);
+                   const OutputKinds& kinds, std::vector<std::string>& names);
 
 }  // namespace tensortopo::detail

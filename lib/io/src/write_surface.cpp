@@ -3,7 +3,6 @@
 #include "tensortopo/io/write_surface.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "atomic_file.hpp"
 #include "surface_formats.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -67,12 +67,12 @@ void check(const CurveMesh& c, std::size_t surface_points, const TetMesh& mesh) 
 }  // namespace
 
 WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
-                          const std::filesystem::path& file) {
-  return write_surface(surface, CurveMesh{}, mesh, file);
+                          const std::filesystem::path& file, const OutputKinds& kinds) {
+  return write_surface(surface, CurveMesh{}, mesh, file, kinds);
 }
 
 WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
-                          const std::filesystem::path& file) {
+                          const std::filesystem::path& file, const OutputKinds& kinds) {
   using Format = std::string (*)(const SurfaceMesh&, const CurveMesh&);
   static const std::map<std::string, Format> formats{
       {".obj", detail::to_obj},
@@ -80,9 +80,7 @@ WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, c
       {".ply", detail::to_ply},
       {".stl", [](const SurfaceMesh& s, const CurveMesh&) { return detail::to_stl(s); }},
       {".vtp", nullptr}};
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_extension(file);
   const auto format = formats.find(extension);
   if (format == formats.end()) {
     std::string known;
@@ -99,7 +97,7 @@ WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, c
   std::string bytes;
   try {
     bytes = format->second != nullptr ? format->second(surface, curves)
-                                      : detail::to_vtp(surface, curves, mesh, report.arrays);
+                                      : detail::to_vtp(surface, curves, mesh, kinds, report.arrays);
   } catch (const std::range_error& error) {
     throw IoError(IoError::Kind::unwritable, file,
                   std::string("cannot be written: ") + error.what());

@@ -20,9 +20,10 @@ namespace {
 
 using Arrays = std::vector<std::string>;
 
-void add(vtkDataSetAttributes& data, Arrays& names, const char* name,
+// Without values an array is written only if it is `expected`.
+void add(vtkDataSetAttributes& data, Arrays& names, const char* name, bool expected,
          const std::vector<Vector3<double>>& values) {
-  if (values.empty()) return;
+  if (values.empty() && !expected) return;
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
@@ -34,9 +35,9 @@ void add(vtkDataSetAttributes& data, Arrays& names, const char* name,
 }
 
 template <class Array, class Values, class Convert>
-void add(vtkDataSetAttributes& data, Arrays& names, const char* name, const Values& values,
-         const Convert& convert) {
-  if (values.empty()) return;
+void add(vtkDataSetAttributes& data, Arrays& names, const char* name, bool expected,
+         const Values& values, const Convert& convert) {
+  if (values.empty() && !expected) return;
   vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
@@ -76,7 +77,7 @@ std::vector<SurfaceMesh::Index> components(const SurfaceMesh& surface, const Cur
 }  // namespace
 
 std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
-                   Arrays& names) {
+                   const OutputKinds& kinds, Arrays& names) {
   vtkNew<vtkPolyData> data;
   data->SetPoints(vtk_points(chain(surface.points, curves.points)));
   data->SetPolys(vtk_cells(surface.triangles));
@@ -88,21 +89,28 @@ std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const Te
                                         const std::vector<Value>& of_curves) {
     return joined(of_surface, before, of_curves, after);
   };
+  const bool is_empty = before + after == 0;
+  const bool of_modes = is_empty && kinds.mode_surfaces,
+             of_values = is_empty && kinds.invariant_surfaces,
+             of_curves = is_empty && kinds.degenerate_curves;
+  const bool of_any = of_modes || of_values || of_curves;
   vtkDataSetAttributes& points = *data->GetPointData();
-  add<vtkDoubleArray>(points, names, "mode", of_both(surface.mode, curves.mode), same);
-  add<vtkDoubleArray>(points, names, "value", of_both(surface.value, {}), same);
-  add(points, names, "medium_eigenvector", of_both(surface.medium_eigenvector, {}));
-  add(points, names, "dominant_eigenvector",
+  add<vtkDoubleArray>(points, names, "mode", of_modes || of_curves,
+                      of_both(surface.mode, curves.mode), same);
+  add<vtkDoubleArray>(points, names, "value", of_values, of_both(surface.value, {}), same);
+  add(points, names, "medium_eigenvector", of_modes, of_both(surface.medium_eigenvector, {}));
+  add(points, names, "dominant_eigenvector", of_modes || of_curves,
       of_both(surface.dominant_eigenvector, curves.dominant_eigenvector));
-  add(points, names, "normal", of_both(surface.normal, {}));
-  add<vtkDoubleArray>(points, names, "separation",
+  add(points, names, "normal", of_modes || of_values, of_both(surface.normal, {}));
+  add<vtkDoubleArray>(points, names, "separation", of_curves,
                       joined<double>({}, before, curves.separation, after), same);
-  add<vtkDoubleArray>(points, names, "residual", of_both(surface.residual, curves.residual), same);
+  add<vtkDoubleArray>(points, names, "residual", of_any, of_both(surface.residual, curves.residual),
+                      same);
   vtkDataSetAttributes& cells = *data->GetCellData();
   add<vtkTypeInt64Array>(
-      cells, names, "tet", chain(curves.tet, surface.tet),
+      cells, names, "tet", of_any, chain(curves.tet, surface.tet),
       [&](SurfaceMesh::Index t) { return mesh.cell_ids[static_cast<std::size_t>(t)]; });
-  add<vtkTypeInt32Array>(cells, names, "component", components(surface, curves), same);
+  add<vtkTypeInt32Array>(cells, names, "component", of_any, components(surface, curves), same);
 
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);

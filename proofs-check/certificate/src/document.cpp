@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "document.hpp"
 
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -172,10 +173,19 @@ std::string file_bytes(const std::string& file) {
   if (!stream.is_open() || stream.bad()) throw Malformed(file, "cannot be read");
   return bytes;
 }
+namespace {
+
+bool is_cbor(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name.ends_with(".cbor");
+}
+
+}  // namespace
+
 
 Json read_document(const std::string& file) {
   const std::string bytes = file_bytes(file);
-  const bool cbor = file.ends_with(".cbor");
+  const bool cbor = is_cbor(file);
   const auto format = cbor ? Json::input_format_t::cbor : Json::input_format_t::json;
   Json document;
   Builder builder(document);

@@ -186,7 +186,8 @@ Input read_input(const std::string& name, const std::string& tensor,
 
 namespace {
 
-/// Adds the arrays of a section, but the tetrahedra, by name.
+/// Adds the arrays of a section, but the tetrahedra, by name. Of no points or cells there is nothing
+/// to add: an array without numbers says nothing.
 void add_arrays(const XmlFile& file, const char* section, const char* of, std::size_t count,
                 std::vector<Array>& arrays) {
   const std::size_t first = arrays.size();
@@ -195,7 +196,7 @@ void add_arrays(const XmlFile& file, const char* section, const char* of, std::s
     Array array{of, name, components, file.numbers(section, name, components)};
     if (components > 1000 || array.numbers.size() != components * count)
       file.fail("array '" + name + "' has not as many numbers as declared");
-    arrays.push_back(std::move(array));
+    if (count > 0) arrays.push_back(std::move(array));
   }
   std::sort(arrays.begin() + static_cast<std::ptrdiff_t>(first), arrays.end(),
             [](const Array& a, const Array& b) { return a.name < b.name; });

@@ -19,6 +19,11 @@ struct WriteReport {
   std::vector<std::string> arrays;  ///< data arrays besides the geometry (.vtp only)
 };
 
+/// What a file is to hold, whether there is any of it or not.
+struct OutputKinds {
+  bool mode_surfaces = false, invariant_surfaces = false, degenerate_curves = false;
+};
+
 /// Writes a surface in the format that the file's extension names.
 ///
 /// | extension | holds                                              | coordinates               |
@@ -29,7 +34,8 @@ struct WriteReport {
 ///
 /// The arrays of a .vtp are point data `mode`, `value`, `medium_eigenvector`,
 /// `dominant_eigenvector`, `normal`, `residual` and cell data `tet` (id of the cell in the input,
-/// from `mesh.cell_ids`), `component`; those that are empty in `surface` are left out.
+/// from `mesh.cell_ids`), `component`; those that are empty in `surface` are left out. Where there are no
+/// points, the arrays that `kinds` have are written, of no values, for readers by name.
 ///
 /// Laws      (1) equal surfaces give equal bytes; (2) the file appears whole or not at all: it is
 ///           written under another name beside its own, then renamed; (3) on failure nothing is
@@ -37,7 +43,7 @@ struct WriteReport {
 /// Requires  each array empty or of full length, and indices in range.
 /// Throws    IoError (`unwritable`; an unknown extension is one), std::invalid_argument.
 WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
-                          const std::filesystem::path& file);
+                          const std::filesystem::path& file, const OutputKinds& kinds = {});
 
 /// The same with curves, as polylines of their own vertices after those of the surface.
 ///
@@ -48,6 +54,6 @@ WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
 ///
 /// Throws    also IoError if there are curves and the format holds no polylines.
 WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
-                          const std::filesystem::path& file);
+                          const std::filesystem::path& file, const OutputKinds& kinds = {});
 
 }  // namespace tensortopo
