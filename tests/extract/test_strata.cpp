@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -342,6 +343,31 @@ TEST(TangentEdge, IsNotCrossedFromBelowAndTwiceFromAbove) {
 
 INSTANTIATE_TEST_SUITE_P(All, Strata, testing::ValuesIn(all_strata()),
                          [](const auto& tested) { return name_of(tested.param); });
+
+// With a common eigenvector the neutral level is straight lines in a face, which may join corners
+// of the subdivision: an edge between them is on the level from end to end.
+TEST(CommonEigenvector, IsTheSameInAnyNumbering) {
+  const std::array<SymmetricTensor<double>, 4> tensors{
+      {{1, -1, 1, -1, 0, 0}, {0, 1, -1, -1, 0, 0}, {-1, -1, -1, 1, 0, 0}, {-1, 0, -1, 1, 0, 0}}};
+  const auto corners = reference_tet_mesh(tensors).points;
+  std::array<std::size_t, 4> order{0, 1, 2, 3};
+  std::optional<SurfaceSummary> expected;
+  do {
+    TetTensors permuted;
+    for (std::size_t i = 0; i < 4; ++i) permuted[i] = tensors[order[i]];
+    TetMesh mesh = reference_tet_mesh(permuted);
+    for (std::size_t i = 0; i < 4; ++i) mesh.points[i] = corners[order[i]];
+    const Vector3<double> a = mesh.points[1] - mesh.points[0], b = mesh.points[2] - mesh.points[0],
+                          c = mesh.points[3] - mesh.points[0];
+    if (dot(cross(a, b), c) < 0) std::swap(mesh.tets[0][2], mesh.tets[0][3]);
+    const Extraction extraction = extract(mesh, "0");
+    const std::string numbering = "order " + std::to_string(order[0]) + std::to_string(order[1]) +
+                                  std::to_string(order[2]) + std::to_string(order[3]);
+    EXPECT_EQ(unresolved_text(extraction), "") << numbering;
+    if (!expected) expected = summary(extraction.surface);
+    EXPECT_EQ(summary(extraction.surface), *expected) << numbering;
+  } while (std::next_permutation(order.begin(), order.end()));
+}
 
 // Antiplane shear has mode 0 throughout; off by a rounding, only that decides. Samples of a rim
 // fall together there, polygons beside them lose their corners, and gradients cancel.

@@ -123,6 +123,7 @@ void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Ver
   edges_.clear();
   faces_.clear();
   face_cells_ = 0;
+  first_cut_ = 0;
   Cell root;
   for (std::size_t i = 0; i < Corners; ++i) root.vertices[i] = add_vertex(corners[i]);
   add_cell(root);
@@ -164,9 +165,23 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
     auto cut = edge_to_cut(cells_[c]);
     if (!cut) continue;
     while (const auto longer = much_longer_edge((*cut)[0], (*cut)[1])) cut = longer;
-    if (cells_.size() + face_cells_ / 4 > budget || !cut_edge((*cut)[0], (*cut)[1])) return false;
+    if (cells_.size() + face_cells_ / 4 > budget) return false;
+    if (!cut_edge((*cut)[0], (*cut)[1])) return restart() && run(budget);
     if (cells_[c].alive) waiting.emplace(kLongest, c);
   }
+}
+
+/// Begins again with other first cuts, once: by chance a side of a cell may touch the level
+/// exactly, and stays however small its parts. (Next to modes 1 and -1 cells are small for other
+/// reasons.)
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::restart() {
+  if (first_cut_ != 0 || is_thin(*level_)) return false;
+  std::array<Vertex, Corners> corners;
+  std::copy_n(vertices_.begin(), Corners, corners.begin());
+  reset(*simplex_, *level_, corners);
+  first_cut_ = 1;
+  return true;
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
@@ -324,7 +339,7 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
   constexpr std::array<int, 5> thirty_seconds{13, 17, 15, 19, 14};
   const std::size_t cuts = vertices_.size() - Vertices;
   const bool uneven = cuts < (is_hidden_in_double(*level_) ? kUnevenCutsOfThin : kUnevenCuts);
-  const int share = uneven ? thirty_seconds[cuts % thirty_seconds.size()] : 1;
+  const int share = uneven ? thirty_seconds[(first_cut_ + cuts) % thirty_seconds.size()] : 1;
   const auto [lower, upper] = std::minmax(u, v);
   const Vertex &first = vertices_[lower], &second = vertices_[upper];
   const std::array<std::int64_t, 2> usual{share, uneven ? 32 - share : 1};

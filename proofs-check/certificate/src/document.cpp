@@ -173,6 +173,7 @@ std::string file_bytes(const std::string& file) {
   if (!stream.is_open() || stream.bad()) throw Malformed(file, "cannot be read");
   return bytes;
 }
+
 namespace {
 
 bool is_cbor(std::string name) {
@@ -181,7 +182,6 @@ bool is_cbor(std::string name) {
 }
 
 }  // namespace
-
 
 Json read_document(const std::string& file) {
   const std::string bytes = file_bytes(file);

@@ -87,6 +87,7 @@ class Refinement {
  private:
   std::uint32_t add_vertex(const Vertex& v);
   void add_cell(const Cell& cell);
+  bool restart();
   /// The edge to cut next if the cell is not proved simple.
   std::optional<std::array<std::uint32_t, 2>> edge_to_cut(Cell& cell);
   bool is_simple_edge(std::uint32_t u, std::uint32_t v);
@@ -120,6 +121,7 @@ class Refinement {
   std::vector<std::vector<std::uint32_t>> cells_at_;
   KnownSimple edges_, faces_;
   std::size_t face_cells_ = 0;  ///< made for faces of cells
+  std::size_t first_cut_ = 0;   ///< with which of the uneven cuts to begin
 };
 
 /// Side of the level for the field of a simplex at exact homogeneous weights; all tiers.
