@@ -149,8 +149,8 @@ TEST(Extraction, StatisticsAddUp) {
     const auto& s = extraction.statistics;
     EXPECT_LE(s.tets_screened_out + s.tets_crossed, mesh.tets.size());
     EXPECT_EQ(s.tets_crossed, s.tets_monotone + s.tets_refined);
-    EXPECT_GE(s.sheets_small + s.sheets_tubes + s.sheets_manifold + s.sheets_dominant +
-                  s.sheets_leaves,
+    EXPECT_GE(s.sheets_small + s.sheets_tubes + s.sheets_graph + s.sheets_manifold +
+                  s.sheets_dominant + s.sheets_leaves + s.sheets_rims,
               s.tets_crossed);
     std::vector<SurfaceMesh::Index> tets = extraction.surface.tet;
     tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
