@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include "count_predicate.hpp"
+#include "exact_tensors.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/exact_side.hpp"
 #include "tensortopo/extract/refinement.hpp"
@@ -20,8 +21,7 @@ bool is_above(const LevelSimplex<Scalar, Vertices>& simplex, const Deviator<Scal
   }
   count_predicate(tier);
   if (verdict != Verdict::unknown) return verdict == Verdict::positive;
-  std::array<SymmetricTensor<double>, Vertices> exact;
-  for (std::size_t i = 0; i < Vertices; ++i) exact[i] = *simplex.exact[i];
+  const auto exact = detail::exact_tensors(simplex);
   // The level is mu + 0: a point exactly on mu counts as below.
   return exact_side_of_level(exact, simplex.exponents, place.high, place.low, level.value) ==
          Sign::positive;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "closed_curves.hpp"
+#include "exact_tensors.hpp"
 #include "extractor_scalars.hpp"
 
 namespace tensortopo::detail {
@@ -59,8 +60,7 @@ template <class Scalar>
 std::vector<ArcBetweenLoops> arcs_between_loops(const TetWithCurves<Scalar>& tet,
                                                 const Level<Scalar>& level,
                                                 const std::vector<std::vector<RimPiece>>& loops) {
-  std::array<SymmetricTensor<double>, 4> tensors;
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  const auto tensors = detail::exact_tensors(tet.simplex);
   auto arcs = degenerate_arcs(tensors, tet.simplex.exponents, level.value);
   if (!arcs) return {};
   std::array<std::vector<int>, 4> loop_of_arc;

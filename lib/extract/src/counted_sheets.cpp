@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "beyond_paths.hpp"
+#include "exact_tensors.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/simple_simplex.hpp"
 #include "tensortopo/field/degenerate_arcs.hpp"
@@ -138,8 +139,7 @@ template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_counted_with_effort(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
     const std::vector<std::vector<RimPiece>>& loops) {
-  std::array<SymmetricTensor<double>, 4> tensors;
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  const auto tensors = detail::exact_tensors(tet.simplex);
   std::optional<LevelCount> count;
   if (has_mode_of_sign(tet.simplex, level.sign))
     count = count_level(tensors, level.value, -level.sign);
@@ -154,8 +154,7 @@ template <class Scalar>
 std::optional<std::vector<SheetTopology>> counted_sheets(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
     const std::vector<std::vector<RimPiece>>& loops) {
-  std::array<SymmetricTensor<double>, 4> tensors;
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  const auto tensors = detail::exact_tensors(tet.simplex);
   // Away from the degenerate curve next to the level there is most often no other.
   if (has_mode_of_sign(tet.simplex, level.sign))
     if (const auto count = count_level(tensors, level.value, -level.sign)) {

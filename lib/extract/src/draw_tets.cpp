@@ -66,11 +66,11 @@ void Pipeline<Scalar>::try_next_method(std::size_t t) {
     state.before_graph = std::exchange(state.method, Method::graph);
     return true;
   };
-  if (state.method == Method::graph)
-    state.method = *state.before_graph;
-  else if ((state.method == Method::manifold && state.attempts == 2) ||
-           (state.method == Method::dominant && state.attempts <= kAttemptsOnManifold))
-    if (try_as_graph()) return;
+  const bool asks_for_many =
+      (state.method == Method::manifold && state.attempts == 2) ||
+      (state.method == Method::dominant && state.attempts <= kAttemptsOnManifold);
+  if (asks_for_many && try_as_graph()) return;
+  if (state.method == Method::graph) state.method = *state.before_graph;
   if (state.method == Method::manifold && state.manifold &&
       state.attempts < kAttemptsOnManifold) {
     auto vertices = arc_vertices(t, tet);

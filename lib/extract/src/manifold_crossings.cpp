@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "exact_tensors.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/extract/manifold_sheets.hpp"
 
@@ -88,8 +89,7 @@ MediumEigenvectorManifold<double> manifold_with_ovals(CharacteristicTensor<doubl
 template <class Scalar>
 std::unique_ptr<TetManifold> tet_manifold(const TetWithCurves<Scalar>& tet,
                                           const Level<Scalar>& level) {
-  std::array<SymmetricTensor<double>, 4> exact;
-  for (std::size_t i = 0; i < 4; ++i) exact[i] = *tet.simplex.exact[i];
+  const auto exact = detail::exact_tensors(tet.simplex);
   if (exact_rank(exact) < 4) return nullptr;
   TetrahedronField<double> field;
   field.vertex = rounded(tet.simplex.tensors);

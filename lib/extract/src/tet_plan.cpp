@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "exact_tensors.hpp"
 #include "extractor_scalars.hpp"
 #include "graph_sheets.hpp"
 #include "level_strata.hpp"
@@ -206,8 +207,7 @@ bool is_hopeless(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level) {
   const bool may_vanish = may_have_zero_inside(corners),
              may_be_critical = may_be_level_at_saddle(corners, level.parameter.mu);
   if (!may_vanish && !may_be_critical) return false;
-  std::array<SymmetricTensor<double>, 4> tensors;
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  const auto tensors = detail::exact_tensors(tet.simplex);
   return (may_vanish && has_zero_inside(tensors)) ||
          (may_be_critical && is_level_at_saddle(tensors, level.value));
 }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "exact_tensors.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
 
@@ -19,8 +20,7 @@ std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
                                                const Level<Scalar>& level,
                                                const std::vector<std::vector<RimPiece>>& loops,
                                                Effort effort) {
-  std::array<SymmetricTensor<double>, 4> tensors;
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  const auto tensors = detail::exact_tensors(tet.simplex);
   const auto gaps = critical_gaps(tensors, level.value, detail::widest_gap());
   if (gaps && gaps->none_beyond)
     if (auto sheets = detail::tubes(tet, level, loops)) return sheets;
@@ -28,8 +28,8 @@ std::optional<ThinSheets> sheets_of_thin_level(const TetWithCurves<Scalar>& tet,
     return ThinSheets{std::move(*sheets), {}};
   std::optional<std::vector<SheetTopology>> sheets;
   if (gaps) sheets = detail::sheets_of_thicker_level(tet, level, loops, gaps->open_until, effort);
-  // Elsewhere a refinement comes first.
-  if (!sheets && is_effort_spent(Effort::great, level))
+  // Elsewhere a refinement comes first; with great effort this has been tried.
+  if (!sheets && effort == Effort::usual && is_effort_spent(Effort::great, level))
     sheets = detail::sheets_counted_with_effort(tet, level, loops);
   if (!sheets) return std::nullopt;
   return ThinSheets{std::move(*sheets), {}};

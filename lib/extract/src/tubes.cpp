@@ -3,6 +3,7 @@
 #include <array>
 
 #include "closed_curves.hpp"
+#include "exact_tensors.hpp"
 #include "extractor_scalars.hpp"
 #include "tensortopo/field/degenerate_arcs.hpp"
 #include "thin_sheets.hpp"
@@ -21,8 +22,7 @@ std::optional<ThinSheets> tubes(const TetWithCurves<Scalar>& tet, const Level<Sc
     if (!tet.arcs[f][a].closed) return std::nullopt;
     loop_of_arc[f][a] = static_cast<int>(l);
   }
-  std::array<SymmetricTensor<double>, 4> tensors;
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = *tet.simplex.exact[i];
+  const auto tensors = detail::exact_tensors(tet.simplex);
   auto arcs = degenerate_arcs(tensors, tet.simplex.exponents, level.value);
   if (!arcs) return std::nullopt;
   std::array<std::size_t, 4> ends{};

@@ -174,18 +174,14 @@ std::string file_bytes(const std::string& file) {
   return bytes;
 }
 
-namespace {
-
-bool is_cbor(std::string name) {
+bool has_extension(std::string name, std::string_view extension) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name.ends_with(".cbor");
+  return name.ends_with(extension);
 }
-
-}  // namespace
 
 Json read_document(const std::string& file) {
   const std::string bytes = file_bytes(file);
-  const bool cbor = is_cbor(file);
+  const bool cbor = has_extension(file, ".cbor");
   const auto format = cbor ? Json::input_format_t::cbor : Json::input_format_t::json;
   Json document;
   Builder builder(document);

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "degenerate_points.hpp"
 #include "invariant_rule.hpp"
@@ -17,6 +18,9 @@ using Json = nlohmann::json;
 
 /// All bytes of a file. Throws Malformed.
 std::string file_bytes(const std::string& file);
+
+/// Whether a file's name ends so, in capitals or not.
+bool has_extension(std::string name, std::string_view extension);
 
 /// Reads a certificate, JSON or CBOR (.cbor), of bounded depth and without keys given twice. Throws
 /// Malformed unless it has the keys, types, lengths and order that the format asks for; what

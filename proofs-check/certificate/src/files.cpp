@@ -5,10 +5,10 @@
 #include <openssl/sha.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "certificate_check/check_certificate.hpp"
+#include "document.hpp"
 #include "grid.hpp"
 #include "vtk_legacy.hpp"
 #include "vtk_xml.hpp"
@@ -133,11 +133,6 @@ Grid read_xml_grid(const std::string& name, const std::string& tensor, std::size
   return grid;
 }
 
-bool is_legacy(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name.ends_with(".vtk");
-}
-
 }  // namespace
 
 Input read_input(const std::string& name, const std::string& tensor,
@@ -152,8 +147,8 @@ Input read_input(const std::string& name, const std::string& tensor,
   if (order == orders.end())  // the certificate's fault, not this file's
     throw Malformed("", "/input/components: unknown order of components");
   const std::size_t width = components == "full" ? 9 : 6;
-  const Grid grid =
-      is_legacy(name) ? read_legacy_grid(name, tensor, width) : read_xml_grid(name, tensor, width);
+  const Grid grid = has_extension(name, ".vtk") ? read_legacy_grid(name, tensor, width)
+                                                : read_xml_grid(name, tensor, width);
   Input input;
   input.points = grouped<3>(file, grid.points, grid.points.size() / 3);
   const auto read = [&]<std::size_t Width>() {
