@@ -15,6 +15,11 @@ namespace {
 
 using Weights = ExactWeights<4>;
 
+std::optional<Weights> combination(std::int64_t a, const Weights& u, std::int64_t b,
+                                   const Weights& v) {
+  return Weights::combination(std::array{a, b}, std::array{u, v});
+}
+
 // A place reached from the corners by a chain of cuts, as far as 104 bits go.
 Weights random_place() {
   std::vector<Weights> places;
@@ -23,7 +28,7 @@ Weights random_place() {
     const auto &u = places[*rc::gen::inRange<std::size_t>(0, places.size())],
                &v = places[*rc::gen::inRange<std::size_t>(0, places.size())];
     const int share = *rc::gen::inRange(1, 32);
-    if (const auto m = Weights::combination(share, u, 32 - share, v))
+    if (const auto m = combination(share, u, 32 - share, v))
       places.push_back(m->scaled(*rc::gen::inRange(-3, 4)));
   }
   return places.back();
@@ -37,7 +42,7 @@ Rational coordinate(const Weights& w, std::size_t i) {
 RC_GTEST_PROP(ExactWeights, CombinationsAreExact, ()) {
   const auto u = random_place(), v = random_place();
   const int a = *rc::gen::inRange(1, 32), b = *rc::gen::inRange(1, 32);
-  const auto m = Weights::combination(a, u, b, v);
+  const auto m = combination(a, u, b, v);
   RC_PRE(m.has_value());
   for (std::size_t i = 0; i < 4; ++i)
     RC_ASSERT(coordinate(*m, i) == a * coordinate(u, i) + b * coordinate(v, i));
@@ -51,7 +56,7 @@ RC_GTEST_PROP(ExactWeights, HighPartsAreTheNearestDoubles, ()) {
 // What is refused has a coordinate that does not fit in 104 bits beside the others.
 RC_GTEST_PROP(ExactWeights, OnlyLongCombinationsAreRefused, ()) {
   const auto u = random_place(), v = random_place();
-  const auto m = Weights::combination(1, u, 1, v);
+  const auto m = combination(1, u, 1, v);
   Rational largest = 0, smallest = 0;  // smallest: lowest set bit
   for (std::size_t i = 0; i < 4; ++i) {
     const Rational sum = coordinate(u, i) + coordinate(v, i);
@@ -74,7 +79,7 @@ RC_GTEST_PROP(ExactWeights, OnlyLongCombinationsAreRefused, ()) {
 RC_GTEST_PROP(ExactWeights, OrderAlongAnEdgeIsThatOfTheRatio, ()) {
   const auto on_edge = [] {
     const int a = *rc::gen::inRange(0, 4000), b = *rc::gen::inRange(1, 4000);
-    auto place = *Weights::combination(a, Weights::at_corner(1), b, Weights::at_corner(3));
+    auto place = *combination(a, Weights::at_corner(1), b, Weights::at_corner(3));
     return place.scaled(*rc::gen::inRange(-3, 4));
   };
   const auto u = on_edge(), v = on_edge();

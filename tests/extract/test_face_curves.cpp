@@ -160,8 +160,8 @@ TEST(FaceCurves, PointsOnArcsAreFoundAgain) {
       const double place = random.uniform() * static_cast<double>(arc.pieces.size());
       const auto point = point_on_arc(arc, face.simplex.tensors, place, face.level);
       EXPECT_NEAR(mode_at(face, point.weights), -0.5, 1e-11);
-      const auto [found, where] =
-          locate_on_arcs(std::span<const FaceArc<double>>(*curves.arcs), point.weights);
+      const auto [found, where] = locate_on_arcs(std::span<const FaceArc<double>>(*curves.arcs),
+                                                 face.simplex.tensors, point.weights, point.tensor);
       EXPECT_EQ(found, static_cast<int>(a));
       EXPECT_NEAR(where, place, 1e-6) << "trial " << trial;
     }

@@ -176,32 +176,72 @@ CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>& arc,
   return point;
 }
 
+namespace {
+
+template <class Scalar>
+Scalar determinant(const std::array<std::array<Scalar, 3>, 3>& rows) {
+  const auto& [x, y, z] = rows;
+  return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) +
+         x[2] * (y[0] * z[1] - y[1] * z[0]);
+}
+
+/// Barycentric coordinates of a place in a triangle by Cramer's rule, from its weights in the face
+/// and those of the corners, or from the scalar products of its tensor with theirs. Where the field
+/// nearly vanishes triangles are too small for weights to tell places in them apart, but the
+/// tensors do; where these nearly depend on each other it is the other way round.
+template <class Scalar>
+std::array<Scalar, 3> coordinates_in(const ArcPiece<Scalar>& piece,
+                                     const std::array<Deviator<Scalar>, 3>& face,
+                                     const std::array<Scalar, 3>& weights,
+                                     const Deviator<Scalar>& tensor) {
+  using Rows = std::array<std::array<Scalar, 3>, 3>;
+  const auto& corners = piece.corners();
+  const auto& tensors = piece.tensors(face);
+  Rows rows, products;
+  std::array<Scalar, 3> right = weights;
+  Scalar size(1), norms(1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      rows[i][k] = Scalar(corners[i][k]);
+      products[i][k] = norm_form(tensors[i], tensors[k]);
+    }
+    size = size * (rows[i][0] + rows[i][1] + rows[i][2]);
+    norms = norms * products[i][i];
+  }
+  const Scalar area = determinant(rows);
+  if (determinant(products) * size > (area < Scalar(0) ? Scalar(-area) : area) * norms) {
+    rows = products;
+    for (std::size_t k = 0; k < 3; ++k) right[k] = norm_form(tensor, tensors[k]);
+  }
+  std::array<Scalar, 3> local;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Rows changed = rows;
+    changed[i] = right;
+    local[i] = determinant(changed);
+  }
+  const Scalar whole = local[0] + local[1] + local[2];
+  for (auto& l : local) l = l / whole;
+  return local;
+}
+
+}  // namespace
+
 template <class Scalar>
 std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
-                                      const std::array<Scalar, 3>& weights) {
+                                      const std::array<Deviator<Scalar>, 3>& face,
+                                      const std::array<Scalar, 3>& weights,
+                                      const Deviator<Scalar>& tensor) {
   int best_arc = -1;
   Scalar best_place(0), best_margin(0);
   for (std::size_t a = 0; a < arcs.size(); ++a)
     for (std::size_t p = 0; p < arcs[a].pieces.size(); ++p) {
       const auto& piece = arcs[a].pieces[p];
-      // Barycentric coordinates in the monotone triangle, by Cramer's rule.
-      std::array<std::array<Scalar, 3>, 3> c;
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k) c[i][k] = Scalar(piece.corners()[i][k]);
-      const auto det = [](const std::array<Scalar, 3>& x, const std::array<Scalar, 3>& y,
-                          const std::array<Scalar, 3>& z) {
-        return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) +
-               x[2] * (y[0] * z[1] - y[1] * z[0]);
-      };
-      std::array<Scalar, 3> local{det(weights, c[1], c[2]), det(c[0], weights, c[2]),
-                                  det(c[0], c[1], weights)};
-      const Scalar whole = local[0] + local[1] + local[2];
-      for (auto& l : local) l = l / whole;
+      const auto local = coordinates_in(piece, face, weights, tensor);
       Scalar margin = std::min(local[0], std::min(local[1], local[2]));
       // Across the direction, how far along from begin to end: begin + f (end - begin), the
       // direction and the place are in one line.
-      const Scalar at_begin = det(local, piece.begin, piece.direction);
-      const Scalar at_end = det(local, piece.end, piece.direction);
+      const Scalar at_begin = determinant<Scalar>({local, piece.begin, piece.direction});
+      const Scalar at_end = determinant<Scalar>({local, piece.end, piece.direction});
       if (at_begin == at_end) continue;
       Scalar f = at_begin / (at_begin - at_end);
       // Several arcs may cross one triangle side by side: it is the one that the line meets.
@@ -215,14 +255,15 @@ std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
   return {best_arc, best_place};
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                        \
-  template void sample_arc(FaceArc<Scalar>&, const std::array<Deviator<Scalar>, 3>&,          \
-                           const Level<Scalar>&, const Sampling&);                            \
-  template CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>&,                            \
-                                           const std::array<Deviator<Scalar>, 3>&,            \
-                                           const Scalar&, const Level<Scalar>&);              \
-  template std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>>,            \
-                                                 const std::array<Scalar, 3>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                            \
+  template void sample_arc(FaceArc<Scalar>&, const std::array<Deviator<Scalar>, 3>&,              \
+                           const Level<Scalar>&, const Sampling&);                                \
+  template CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>&,                                \
+                                           const std::array<Deviator<Scalar>, 3>&, const Scalar&, \
+                                           const Level<Scalar>&);                                 \
+  template std::pair<int, Scalar> locate_on_arcs(                                                 \
+      std::span<const FaceArc<Scalar>>, const std::array<Deviator<Scalar>, 3>&,                   \
+      const std::array<Scalar, 3>&, const Deviator<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -184,12 +184,28 @@ void Pipeline<Scalar>::release_stages() {
 
 namespace {
 
+bool is_zero(const Vector3<double>& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// Where triangles have no area either (a sheet smaller than coordinates tell), vertices without a
+/// normal take that of a vertex next to them, in as many rounds as it takes.
+void take_normals_of_neighbours(SurfaceMesh& surface) {
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (const auto& triangle : surface.triangles)
+      for (const auto v : triangle)
+        for (const auto w : triangle) {
+          if (!is_zero(surface.normal[as_size(v)]) || is_zero(surface.normal[as_size(w)])) continue;
+          surface.normal[as_size(v)] = surface.normal[as_size(w)];
+          has_changed = true;
+        }
+  }
+}
+
 /// Where gradients cancel, or rounding hides them (the mode is constant but for that), the normal
 /// is the mean of those of the triangles around, by their areas.
 void normals_of_triangles(SurfaceMesh& surface) {
-  const auto is_unknown = [](const Vector3<double>& n) { return n.x == 0 && n.y == 0 && n.z == 0; };
   std::vector<char> unknown(surface.normal.size());
-  std::transform(surface.normal.begin(), surface.normal.end(), unknown.begin(), is_unknown);
+  std::transform(surface.normal.begin(), surface.normal.end(), unknown.begin(), is_zero);
   if (std::find(unknown.begin(), unknown.end(), 1) == unknown.end()) return;
   for (const auto& triangle : surface.triangles)
     for (const auto v : triangle) {
@@ -201,6 +217,7 @@ void normals_of_triangles(SurfaceMesh& surface) {
     }
   for (std::size_t v = 0; v < unknown.size(); ++v)
     if (unknown[v]) surface.normal[v] = unit_or_zero(surface.normal[v]);
+  take_normals_of_neighbours(surface);
 }
 
 }  // namespace

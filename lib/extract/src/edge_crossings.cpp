@@ -8,6 +8,7 @@
 
 #include "extractor_scalars.hpp"
 #include "refinement_vertex.hpp"
+#include "small_field.hpp"
 #include "tensortopo/extract/segment_root.hpp"
 #include "tiers.hpp"
 
@@ -69,7 +70,7 @@ bool collect_around_small(const LevelSimplex<Scalar, 2>& edge, const Level<Scala
   }
   if (depth == kDeepest) return false;
   const auto shares = detail::shares_of_cut(from, to, {1, 1});
-  const auto middle = detail::place_between(edge, level, shares, from, to);
+  const auto middle = detail::place_among<Scalar, 2, 2>(edge, level, shares, {&from, &to});
   return middle && collect_around_small(edge, level, from, middle->vertex, depth + 1, crossings) &&
          collect_around_small(edge, level, middle->vertex, to, depth + 1, crossings);
 }
@@ -81,7 +82,7 @@ std::optional<std::vector<EdgeCrossing<Scalar>>> edge_crossings(const LevelSimpl
                                                                 const Level<Scalar>& level) {
   std::vector<EdgeCrossing<Scalar>> crossings;
   const auto from = detail::corner_vertex(edge, 0), to = detail::corner_vertex(edge, 1);
-  if (detail::shares_of_cut(from, to, {1, 1}) != std::array<std::int64_t, 2>{1, 1}) {
+  if (detail::shares_of_cut(from, to, {1, 1}) != detail::Shares<2>{1, 1}) {
     if (!collect_around_small(edge, level, from, to, 0, crossings)) return std::nullopt;
     return crossings;
   }

@@ -14,7 +14,7 @@ using Whole = boost::multiprecision::uint128_t;
 
 /// What is kept is the sum of two doubles, of 53 bits each.
 constexpr int kBits = 104;
-/// Sums of two such numbers stay below 2^128.
+/// Sums of four such numbers stay below 2^128.
 constexpr int kBitsOnTheWay = 126;
 
 Whole joined(std::uint64_t high, std::uint64_t low) { return Whole(high) << 64 | low; }
@@ -36,20 +36,20 @@ ExactWeights<Vertices> ExactWeights<Vertices>::at_corner(std::size_t corner) {
 }
 
 template <std::size_t Vertices>
-std::optional<ExactWeights<Vertices>> ExactWeights<Vertices>::combination(std::int64_t a,
-                                                                          const ExactWeights& u,
-                                                                          std::int64_t b,
-                                                                          const ExactWeights& v) {
+std::optional<ExactWeights<Vertices>> ExactWeights<Vertices>::combination(
+    std::span<const std::int64_t> factors, std::span<const ExactWeights> places) {
   ExactWeights result;
-  const int exponent = std::min(u.exponent_, v.exponent_);
+  int exponent = places[0].exponent_;
+  for (const auto& w : places) exponent = std::min(exponent, w.exponent_);
   std::array<Whole, Vertices> sums{};
   Whole all = 0;
   for (std::size_t i = 0; i < Vertices; ++i) {
-    for (const auto& [factor, w] : {std::pair{a, &u}, std::pair{b, &v}}) {
-      const Whole digits = joined(w->digits_[i].high, w->digits_[i].low);
-      const Whole share = static_cast<std::uint64_t>(factor);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const auto& w = places[k];
+      const Whole digits = joined(w.digits_[i].high, w.digits_[i].low);
+      const Whole share = static_cast<std::uint64_t>(factors[k]);
       if (digits == 0 || share == 0) continue;
-      const int shift = w->exponent_ - exponent;
+      const int shift = w.exponent_ - exponent;
       if (width_of(digits) + width_of(share) + shift > kBitsOnTheWay) return std::nullopt;
       sums[i] += digits * share << shift;
     }

@@ -11,6 +11,7 @@
 #include "extractor_scalars.hpp"
 #include "longer_level.hpp"
 #include "refinement_vertex.hpp"
+#include "small_field.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 #include "thin_sheets.hpp"
 #include "tiers.hpp"
@@ -55,6 +56,15 @@ std::uint64_t face_key(std::uint32_t u, std::uint32_t v, std::uint32_t w) {
   const auto least = std::min({u, v, w}), largest = std::max({u, v, w});
   const auto between = u + v + w - least - largest;
   return std::uint64_t{least} << 42 | std::uint64_t{between} << 21 | largest;
+}
+
+/// A face of a cell.
+std::array<std::uint32_t, 3> without(const std::array<std::uint32_t, 4>& cell,
+                                     std::size_t omitted) {
+  std::array<std::uint32_t, 3> face;
+  for (std::size_t i = 0, k = 0; i < 4; ++i)
+    if (i != omitted) face[k++] = cell[i];
+  return face;
 }
 
 /// The first vertices of a simplex.
@@ -142,6 +152,15 @@ std::uint32_t Refinement<Scalar, Vertices, Corners>::add_vertex(const Vertex& v)
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
+template <std::size_t Part>
+auto Refinement<Scalar, Vertices, Corners>::pointers_to(
+    const std::array<std::uint32_t, Part>& part) const -> std::array<const Vertex*, Part> {
+  std::array<const Vertex*, Part> pointers;
+  for (std::size_t i = 0; i < Part; ++i) pointers[i] = &vertices_[part[i]];
+  return pointers;
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
 void Refinement<Scalar, Vertices, Corners>::add_cell(const Cell& cell) {
   for (const auto v : cell.vertices)
     cells_at_[v].push_back(static_cast<std::uint32_t>(cells_.size()));
@@ -162,11 +181,13 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
     const auto c = waiting.top().second;
     waiting.pop();
     if (!cells_[c].alive) continue;
-    auto cut = edge_to_cut(cells_[c]);
-    if (!cut) continue;
-    while (const auto longer = much_longer_edge((*cut)[0], (*cut)[1])) cut = longer;
+    auto edge = edge_to_cut(cells_[c]);
+    if (!edge) continue;
     if (cells_.size() + face_cells_ / 4 > budget) return false;
-    if (!cut_edge((*cut)[0], (*cut)[1])) return restart() && run(budget);
+    while (const auto longer = much_longer_edge((*edge)[0], (*edge)[1])) edge = longer;
+    auto is_cut = cut_at_small_field((*edge)[0], (*edge)[1]);
+    if (!is_cut) is_cut = cut_edge((*edge)[0], (*edge)[1]);
+    if (!*is_cut) return restart() && run(budget);
     if (cells_[c].alive) waiting.emplace(kLongest, c);
   }
 }
@@ -200,12 +221,8 @@ std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners
       return std::array<std::uint32_t, 2>{u, v};
     }
   if constexpr (Corners == 4)
-    for (std::size_t omitted = 0; omitted < 4; ++omitted) {
-      std::array<std::uint32_t, 3> face;
-      for (std::size_t i = 0, k = 0; i < 4; ++i)
-        if (i != omitted) face[k++] = cell.vertices[i];
-      if (!is_simple_face(face)) return longest;
-    }
+    for (std::size_t omitted = 0; omitted < 4; ++omitted)
+      if (!is_simple_face(without(cell.vertices, omitted))) return longest;
   return std::nullopt;
 }
 
@@ -232,7 +249,8 @@ int Refinement<Scalar, Vertices, Corners>::crossings_between(const Vertex& u, co
                                        *level_, std::max(u.total, v.total)))
     return u.above != v.above ? 1 : 0;
   if (depth == kEdgeDepth) return 2;
-  const auto middle = detail::place_between(*simplex_, *level_, {1, 1}, u, v);
+  const auto middle =
+      detail::place_among<Scalar, Vertices, 2>(*simplex_, *level_, {1, 1}, {&u, &v});
   if (!middle) return 2;
   const auto& m = middle->vertex;
   const int first = crossings_between(u, m, depth + 1);
@@ -316,20 +334,30 @@ std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners
   return std::nullopt;
 }
 
+/// Where the field nearly vanishes in a cell around an edge or in a face around it, a vertex is put
+/// there before the edge is cut.
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-std::optional<std::array<std::int64_t, 2>>
-Refinement<Scalar, Vertices, Corners>::shares_towards_small_field(std::uint32_t u,
-                                                                  std::uint32_t v) const {
+std::optional<bool> Refinement<Scalar, Vertices, Corners>::cut_at_small_field(std::uint32_t u,
+                                                                              std::uint32_t v) {
   for (const auto c : cells_at_[u]) {
-    const auto& corners = cells_[c].vertices;
-    if (!cells_[c].alive || std::find(corners.begin(), corners.end(), v) == corners.end()) continue;
-    for (const auto w : corners)
-      if (w != u && w != v)
-        if (const auto shares =
-                detail::shares_opposite_to(vertices_[w], vertices_[u], vertices_[v]))
-          return shares;
+    const auto cell = cells_[c].vertices;
+    if (!cells_[c].alive || std::find(cell.begin(), cell.end(), v) == cell.end()) continue;
+    if (const auto shares = shares_of_small_field(cell)) return cut(cell, *shares);
+    if constexpr (Corners == 4)
+      for (const auto w : cell) {
+        if (w == u || w == v) continue;
+        const std::array<std::uint32_t, 3> face{u, v, w};
+        if (const auto shares = shares_of_small_field(face)) return cut(face, *shares);
+      }
   }
   return std::nullopt;
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+template <std::size_t Part>
+std::optional<detail::Shares<Part>> Refinement<Scalar, Vertices, Corners>::shares_of_small_field(
+    const std::array<std::uint32_t, Part>& part) const {
+  return detail::shares_of_small_field<Scalar, Vertices, Part>(pointers_to(part));
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
@@ -341,60 +369,72 @@ bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint3
   const bool uneven = cuts < (is_hidden_in_double(*level_) ? kUnevenCutsOfThin : kUnevenCuts);
   const int share = uneven ? thirty_seconds[(first_cut_ + cuts) % thirty_seconds.size()] : 1;
   const auto [lower, upper] = std::minmax(u, v);
-  const Vertex &first = vertices_[lower], &second = vertices_[upper];
-  const std::array<std::int64_t, 2> usual{share, uneven ? 32 - share : 1};
-  auto shares = detail::shares_of_cut(first, second, usual);
-  if (shares == usual)
-    if (const auto opposite = shares_towards_small_field(lower, upper)) shares = *opposite;
-  const auto middle = detail::place_between(*simplex_, *level_, shares, first, second);
-  if (!middle) return false;
-  const auto m = add_vertex(middle->vertex);
-  const Scalar of_u(u == lower ? middle->a : middle->b), of_v(u == lower ? middle->b : middle->a);
-  if (edges_[edge_key(u, v)] > 0) {
-    edges_[edge_key(u, m)] = 1;
-    edges_[edge_key(m, v)] = 1;
-  }
-  // All cells around the edge at once: none is ever left with a vertex on its side.
-  const auto around = std::move(cells_at_[u]);
-  cells_at_[u].clear();
+  const detail::Shares<2> usual{share, uneven ? 32 - share : 1};
+  auto shares = detail::shares_of_cut(vertices_[lower], vertices_[upper], usual);
+  if (u != lower) std::swap(shares[0], shares[1]);
+  return cut<2>({u, v}, shares);
+}
+
+/// Puts a vertex into an edge, a face or a cell. All cells that have it are cut at once: none is
+/// ever left with a vertex on its side.
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+template <std::size_t Part>
+bool Refinement<Scalar, Vertices, Corners>::cut(const std::array<std::uint32_t, Part>& part,
+                                                const detail::Shares<Part>& shares) {
+  const auto place =
+      detail::place_among<Scalar, Vertices, Part>(*simplex_, *level_, shares, pointers_to(part));
+  if (!place) return false;
+  const auto m = add_vertex(place->vertex);
+  // What is proved of an edge or a face is proved of its parts.
+  if constexpr (Part == 2)
+    if (edges_[edge_key(part[0], part[1])] > 0)
+      for (const auto u : part) edges_[edge_key(u, m)] = 1;
+  if constexpr (Part == 3)
+    if (faces_[face_key(part[0], part[1], part[2])] > 0)
+      for (std::size_t lost = 0; lost < 3; ++lost)
+        faces_[face_key(m, part[(lost + 1) % 3], part[(lost + 2) % 3])] = 1;
+  auto& list = cells_at_[part[0]];
+  const auto around = std::move(list);
+  list.clear();
   for (const auto c : around) {
     if (!cells_[c].alive) continue;
     const Cell cell = cells_[c];
-    const auto at = [&](std::uint32_t w) {
-      return static_cast<std::size_t>(std::find(cell.vertices.begin(), cell.vertices.end(), w) -
-                                      cell.vertices.begin());
-    };
-    const auto i = at(u), j = at(v);
-    if (j == Corners) {
-      cells_at_[u].push_back(c);
+    std::array<std::size_t, Part> at;
+    for (std::size_t i = 0; i < Part; ++i)
+      at[i] = static_cast<std::size_t>(
+          std::find(cell.vertices.begin(), cell.vertices.end(), part[i]) - cell.vertices.begin());
+    if (*std::max_element(at.begin(), at.end()) == Corners) {
+      cells_at_[part[0]].push_back(c);
       continue;
     }
     cells_[c].alive = false;
-    if constexpr (Corners == 4)
+    if constexpr (Corners == 4 && Part == 2)
       for (const auto w : cell.vertices) {
-        if (w == u || w == v) continue;
-        if (faces_[face_key(u, v, w)] <= 0) continue;
-        faces_[face_key(u, m, w)] = 1;
-        faces_[face_key(m, v, w)] = 1;
+        if (w == part[0] || w == part[1]) continue;
+        if (faces_[face_key(part[0], part[1], w)] <= 0) continue;
+        for (const auto u : part) faces_[face_key(u, m, w)] = 1;
       }
-    add_child(cell, i, j, m, of_u, of_v);
-    add_child(cell, j, i, m, of_v, of_u);
+    for (std::size_t lost = Part; lost-- > 0;) add_child(cell, at, lost, m, place->parts);
   }
   return true;
 }
 
-/// The part of a cell that keeps its corner `kept` and has the place m = a kept + b lost for its
-/// corner `lost`. What is proved of the cell is proved of its parts.
+/// The part of a cell that has the place m instead of corner at[lost], where m is the sum of its
+/// corners `at` times `parts`. What is proved of the cell is proved of its parts.
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell, std::size_t kept,
+template <std::size_t Part>
+void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell,
+                                                      const std::array<std::size_t, Part>& at,
                                                       std::size_t lost, std::uint32_t m,
-                                                      const Scalar& a, const Scalar& b) {
+                                                      const std::array<double, Part>& parts) {
   Cell child = cell;
   child.alive = true;
-  child.vertices[lost] = m;
+  child.vertices[at[lost]] = m;
   auto& d = child.proof.direction;
-  d[kept] = d[kept] - d[lost] * (a / b);
-  d[lost] = d[lost] / b;
+  const Scalar share(parts[lost]), of_lost = d[at[lost]];
+  for (std::size_t i = 0; i < Part; ++i)
+    if (i != lost) d[at[i]] = d[at[i]] - of_lost * (Scalar(parts[i]) / share);
+  d[at[lost]] = of_lost / share;
   Scalar largest(0);
   for (const auto& x : d) largest = std::max(largest, x < Scalar(0) ? Scalar(-x) : x);
   if (largest > Scalar(0))

@@ -16,41 +16,24 @@ template <class Scalar, std::size_t Vertices>
 RefinementVertex<Scalar, Vertices> corner_vertex(const LevelSimplex<Scalar, Vertices>& simplex,
                                                  std::size_t i);
 
-/// The place a u + b v, and a and b as scaled for it.
-template <class Scalar, std::size_t Vertices>
-struct PlaceBetween {
+/// A place inside an edge, triangle or tetrahedron, and how much of each of its corners that is.
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+struct PlaceAmong {
   RefinementVertex<Scalar, Vertices> vertex;
-  double a, b;
+  std::array<double, Corners> parts;  ///< the vertex is the sum of the corners times these
 };
+
+/// How much of each corner a place has, up to a common factor: whole numbers, not negative.
+template <std::size_t Corners>
+using Shares = std::array<std::int64_t, Corners>;
 
 /// Nothing if its coordinates have too many bits (more than doubles have where the field is not
 /// small: cells so small prove nothing there), or if the deviator vanishes there: no part with such
 /// a corner is ever proved.
-template <class Scalar, std::size_t Vertices>
-std::optional<PlaceBetween<Scalar, Vertices>> place_between(
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+std::optional<PlaceAmong<Scalar, Vertices, Corners>> place_among(
     const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
-    const std::array<std::int64_t, 2>& shares, const RefinementVertex<Scalar, Vertices>& u,
-    const RefinementVertex<Scalar, Vertices>& v);
-
-/// How much of each end the place has at which an edge is cut: as given, or where the ends' tensors
-/// are nearly opposite so much that the field is about as small there as it is on the edge.
-///
-/// All that happens on such an edge happens there. Halving would come close to it as well, but in
-/// as many cuts as the closeness has bits, and for each edge of each cell anew: in a bent beam's
-/// neutral layer, where the stress is of rank one but for a small rest, in their third power.
-///
-/// @param usual  whole numbers below 2^53, not negative; which of them is larger is kept
-template <class Scalar, std::size_t Vertices>
-std::array<std::int64_t, 2> shares_of_cut(const RefinementVertex<Scalar, Vertices>& u,
-                                          const RefinementVertex<Scalar, Vertices>& v,
-                                          const std::array<std::int64_t, 2>& usual);
-
-/// The same for an edge whose ends are not nearly opposite, if the field nearly vanishes inside the
-/// triangle with w: the place opposite to w, so that the cut after the next goes where it does. The
-/// axis of a twisted shaft is like that.
-template <class Scalar, std::size_t Vertices>
-std::optional<std::array<std::int64_t, 2>> shares_opposite_to(
-    const RefinementVertex<Scalar, Vertices>& w, const RefinementVertex<Scalar, Vertices>& u,
-    const RefinementVertex<Scalar, Vertices>& v);
+    const Shares<Corners>& shares,
+    const std::array<const RefinementVertex<Scalar, Vertices>*, Corners>& corners);
 
 }  // namespace tensortopo::detail

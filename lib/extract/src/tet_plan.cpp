@@ -138,8 +138,12 @@ std::pair<int, Scalar> locate(const TetWithCurves<Scalar>& tet, int face,
                               const InnerVertex<Scalar>& point) {
   const auto f = static_cast<std::size_t>(face);
   std::array<Scalar, 3> weights;
-  for (std::size_t i = 0; i < 3; ++i) weights[i] = point.weights[tet.face_vertices[f][i]];
-  return locate_on_arcs(tet.arcs[f], weights);
+  std::array<Deviator<Scalar>, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    weights[i] = point.weights[tet.face_vertices[f][i]];
+    corners[i] = tet.simplex.tensors[tet.face_vertices[f][i]];
+  }
+  return locate_on_arcs(tet.arcs[f], corners, weights, point.tensor);
 }
 
 int face_of(std::uint8_t faces) {

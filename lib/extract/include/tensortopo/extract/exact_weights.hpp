@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace tensortopo {
 
@@ -35,10 +36,10 @@ class ExactWeights {
   /// Vertex `corner` of the simplex, with weight one.
   static ExactWeights at_corner(std::size_t corner);
 
-  /// The coordinates a u + b v; nothing if they need more bits.
-  /// @pre a and b are not negative
-  static std::optional<ExactWeights> combination(std::int64_t a, const ExactWeights& u,
-                                                 std::int64_t b, const ExactWeights& v);
+  /// The sum of the places' coordinates, each times its factor; nothing if that needs more bits.
+  /// @pre as many places as factors, 4 at most; no factor is negative
+  static std::optional<ExactWeights> combination(std::span<const std::int64_t> factors,
+                                                 std::span<const ExactWeights> places);
 
   /// These times 2^e: the same place.
   ExactWeights scaled(int e) const;

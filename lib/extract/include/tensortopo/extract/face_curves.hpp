@@ -103,11 +103,15 @@ CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>& arc,
                                 const std::array<Deviator<Scalar>, 3>& face, const Scalar& place,
                                 const Level<Scalar>& level);
 
-/// The place on one of the arcs nearest to a point of the level given by its weights.
+/// The place on one of the arcs nearest to a point of the level given by its weights and by the
+/// field there.
+/// @param face the tensors at the corners of the arcs' face
 /// @return index of the arc, and the place; -1 if there is none
 template <class Scalar>
 std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
-                                      const std::array<Scalar, 3>& weights);
+                                      const std::array<Deviator<Scalar>, 3>& face,
+                                      const std::array<Scalar, 3>& weights,
+                                      const Deviator<Scalar>& tensor);
 
 /// The cosine of the angle between two lines, in [0, 1].
 template <class Scalar>

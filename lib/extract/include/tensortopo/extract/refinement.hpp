@@ -45,9 +45,10 @@ struct RefinementVertex {
 /// between tensors, or the edge with several crossings that stands in the way; all cells around the
 /// edge are cut with it. An edge is cut where the angle is about halved: the tensors at its ends
 /// are brought to about the same norm and added. So cells have one size in angles everywhere, also
-/// where the field comes close to zero and all angles happen within a short way; where it nearly
-/// vanishes on the edge, or in a triangle that has it, the cut goes there. For levels next to modes
-/// 1 and -1 cells are longer along the degenerate curve than across it.
+/// where the field comes close to zero and all angles happen within a short way. Where it nearly
+/// vanishes on the edge, the cut goes there; where it does inside a face or a cell, a vertex is put
+/// there. For levels next to modes 1 and -1 cells are longer along the degenerate curve than across
+/// it.
 ///
 /// What is proved of the cells fixes the topology of the level in the simplex: it is the one that
 /// marching tetrahedra (triangles) give on the signs at the vertices.
@@ -105,12 +106,21 @@ class Refinement {
                                                                std::uint32_t v) const;
   template <std::size_t Part>
   std::array<std::uint32_t, 2> longest_edge(const std::array<std::uint32_t, Part>& part) const;
-  /// Where to cut an edge if the field nearly vanishes in a triangle that has it.
-  std::optional<std::array<std::int64_t, 2>> shares_towards_small_field(std::uint32_t u,
-                                                                        std::uint32_t v) const;
+  /// How much of its corners the place has where the field nearly vanishes in a part of a cell.
+  template <std::size_t Part>
+  std::optional<std::array<std::int64_t, Part>> shares_of_small_field(
+      const std::array<std::uint32_t, Part>& part) const;
+  /// Nothing if the field does not nearly vanish around the edge; else whether it could be cut.
+  std::optional<bool> cut_at_small_field(std::uint32_t u, std::uint32_t v);
   bool cut_edge(std::uint32_t u, std::uint32_t v);
-  void add_child(const Cell& cell, std::size_t kept, std::size_t lost, std::uint32_t m,
-                 const Scalar& a, const Scalar& b);
+  template <std::size_t Part>
+  bool cut(const std::array<std::uint32_t, Part>& part,
+           const std::array<std::int64_t, Part>& shares);
+  template <std::size_t Part>
+  void add_child(const Cell& cell, const std::array<std::size_t, Part>& at, std::size_t lost,
+                 std::uint32_t m, const std::array<double, Part>& parts);
+  template <std::size_t Part>
+  std::array<const Vertex*, Part> pointers_to(const std::array<std::uint32_t, Part>& part) const;
 
   const LevelSimplex<Scalar, Vertices>* simplex_ = nullptr;
   const Level<Scalar>* level_ = nullptr;
