@@ -317,7 +317,10 @@ bool Pipeline<Scalar>::plan_one(std::size_t t, const SimplexProof<Scalar, 4>* pr
   const auto take = [&](std::optional<TetPlan<Scalar>> plan) {
     if (plan) state.plan = std::make_unique<TetPlan<Scalar>>(std::move(*plan));
   };
-  if (!moved) take(plan_tet_by(proof, tet, level_));
+  const auto plan_here = [&](Effort effort) {
+    take(plan_tet_by<Scalar>(proof, tet, level_, nullptr, effort));
+  };
+  if (!moved) plan_here(is_thin(level_) ? Effort::usual : Effort::little);
   if (!state.plan) {
     const auto tensors = tensors_of(vertices_of(t));
     if (moved || nearby_levels_.is_close_to_critical(tensors))
@@ -325,8 +328,10 @@ bool Pipeline<Scalar>::plan_one(std::size_t t, const SimplexProof<Scalar, 4>* pr
     if (state.level != nullptr)
       take(plan_tet(tet, *state.level, nearby_levels_.far_level_for(tensors)));
   }
-  if (!state.plan && !moved && state.level == nullptr && is_thin(level_))
-    take(plan_tet_by<Scalar>(proof, tet, level_, nullptr, Effort::great));
+  if (!state.plan && !moved && (state.level == nullptr || !is_thin(level_))) {
+    plan_here(is_thin(level_) ? Effort::great : Effort::usual);
+    if (state.plan) state.level = nullptr;
+  }
   if (!state.plan) state.unresolved = unproved(t);
   if (state.plan && !state.plan->tubes.empty()) {
     state.manifold = tet_manifold(tet, level_of(t));

@@ -8,10 +8,11 @@
 
 namespace tensortopo {
 
-/// How many cells the refinement of a simplex of the mesh may take: the usual number settles nearly
-/// everything, and where the level is next to a critical value none would. Great effort is for
-/// thin tubes, next to modes 1 and -1, whose cells are across them as small as they are thin.
-enum class Effort { usual, great };
+/// How many cells the refinement of a simplex of the mesh may take: a little settles nearly
+/// everything, and where the level is next to a critical value no number would, so that is looked
+/// at before the usual one is spent. Great effort is for thin tubes, next to modes 1 and -1, whose
+/// cells are across them as small as they are thin.
+enum class Effort { little, usual, great };
 
 /// A tube along the whole of a face takes some 100 (1 - mode^2)^(-1/4) cells: at the modes next to
 /// 1 and -1, whose signs take 50 digits, this is given up.
@@ -19,7 +20,7 @@ template <class Scalar>
 std::size_t face_budget(Effort effort, const Level<Scalar>& level) {
   constexpr double kThinnest = 1e-15;
   const bool in_reach = static_cast<double>(Scalar(1) - level.mu_squared) > kThinnest;
-  return effort == Effort::usual ? 5000 : in_reach ? 1000000 : 10000;
+  return effort != Effort::great ? 5000 : in_reach ? 1000000 : 10000;
 }
 
 /// Levels so thin that the greater number has been of no use get the usual one, and those at which
@@ -30,6 +31,7 @@ std::size_t tet_budget(Effort effort, const Level<Scalar>& level) {
   constexpr double kThinnest = 2e-7, kThinnestOfUsual = 1e-13;
   const auto gap = static_cast<double>(Scalar(1) - level.mu_squared);
   if (!(gap > kThinnestOfUsual)) return 5000;
+  if (effort == Effort::little) return 10000;
   return effort == Effort::usual || !(gap > kThinnest) ? 50000 : 500000;
 }
 

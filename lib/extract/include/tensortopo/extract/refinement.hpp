@@ -104,8 +104,7 @@ class Refinement {
   /// An edge of a cell around (u, v) that should be cut before it.
   std::optional<std::array<std::uint32_t, 2>> much_longer_edge(std::uint32_t u,
                                                                std::uint32_t v) const;
-  template <std::size_t Part>
-  std::array<std::uint32_t, 2> longest_edge(const std::array<std::uint32_t, Part>& part) const;
+  std::array<std::uint32_t, 2> longest_edge(const std::array<std::uint32_t, Corners>& cell) const;
   /// How much of its corners the place has where the field nearly vanishes in a part of a cell.
   template <std::size_t Part>
   std::optional<std::array<std::int64_t, Part>> shares_of_small_field(
