@@ -21,17 +21,6 @@ namespace {
 
 constexpr std::array<const char*, 5> kModes{"0", "1e-6", "1/2", "-9/10", "99/100"};
 
-/// Tensors of whole numbers whose field vanishes somewhere, and others times `rest`; exact for
-/// rests down to 2^-36.
-TetTensors nearly_vanishing(Stratum stratum, double rest, std::uint64_t seed) {
-  Random random(seed);
-  TetTensors tensors = stratum_tensors(stratum, random);
-  for (auto& t : tensors)
-    for (double* entry : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz})
-      *entry += rest * random.integer(-8, 8);
-  return tensors;
-}
-
 class NearlyVanishing : public testing::TestWithParam<Stratum> {};
 
 /// Seen from as near as the field is small it is always the same field.
@@ -44,7 +33,7 @@ TEST_P(NearlyVanishing, HasOneTopologyHoweverSmallTheRest) {
     Outcome first;
     for (const double rest : {0x1p-10, 0x1p-23, 0x1p-36}) {
       const auto tensors =
-          nearly_vanishing(GetParam(), rest, seed + static_cast<std::uint64_t>(trial));
+          nearly_in_stratum(GetParam(), rest, seed + static_cast<std::uint64_t>(trial));
       SCOPED_TRACE("trial " + std::to_string(trial) + " at " + mode + '\n' + exact_text(tensors));
       const TetMesh mesh = reference_tet_mesh(tensors);
       const Extraction extraction = extract(mesh, mode);
@@ -66,7 +55,7 @@ TEST_P(NearlyVanishing, HasTheSameTopologyInTwoPrecisions) {
   SCOPED_TRACE(announce(seed));
   for (int trial = 0; trial < trials(2); ++trial) {
     const auto tensors =
-        nearly_vanishing(GetParam(), 0x1p-36, seed + static_cast<std::uint64_t>(trial));
+        nearly_in_stratum(GetParam(), 0x1p-36, seed + static_cast<std::uint64_t>(trial));
     const TetMesh mesh = reference_tet_mesh(tensors);
     EXPECT_EQ(outcome(extract(mesh, "1/2")), outcome(extract<Real50>(mesh, "1/2")))
         << exact_text(tensors);
@@ -118,7 +107,7 @@ TEST_P(NearlyVanishing, IsCutIntoCellsThatFillTheTetrahedron) {
   SCOPED_TRACE(announce(seed));
   for (int trial = 0; trial < trials(5); ++trial) {
     const SimplexCase<double, 4> tet(
-        nearly_vanishing(GetParam(), 0x1p-36, seed + static_cast<std::uint64_t>(trial)),
+        nearly_in_stratum(GetParam(), 0x1p-36, seed + static_cast<std::uint64_t>(trial)),
         ModeValue::parse("1/2"));
     Refinement<double, 4> refinement(tet.simplex, tet.level);
     ASSERT_TRUE(refinement.run(50000));
@@ -155,8 +144,8 @@ TEST(SmallField, IsSmallestWhereTheSharesSay) {
   for (int trial = 0; trial < trials(100); ++trial) {
     Random random(seed + static_cast<std::uint64_t>(trial));
     const double rest = std::ldexp(1.0, -random.integer(16, 36));
-    const auto tensors =
-        nearly_vanishing(Stratum::cone_apex_inside, rest, seed + static_cast<std::uint64_t>(trial));
+    const auto tensors = nearly_in_stratum(Stratum::cone_apex_inside, rest,
+                                           seed + static_cast<std::uint64_t>(trial));
     SCOPED_TRACE(exact_text(tensors));
     const SimplexCase<double, 4> tet(tensors, ModeValue::parse("1/2"));
     std::array<RefinementVertex<double, 4>, 4> corners;

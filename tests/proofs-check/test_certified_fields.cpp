@@ -129,6 +129,20 @@ TEST(CertifiedFields, ABentBeamIsCertified) {
   }
 }
 
+/// Next to a zero inside, on a face or on an edge both programs go straight to it, each in its way.
+TEST(CertifiedFields, FieldsThatNearlyVanishAreCertified) {
+  Court court("small");
+  for (const auto stratum :
+       {Stratum::cone_apex_inside, Stratum::zero_on_face, Stratum::zero_on_edge})
+    for (std::uint64_t seed = 20241301; seed < 20241309; ++seed) {
+      const auto tensors = nearly_in_stratum(stratum, 0x1p-36, seed);
+      const Exhibit e = exhibit(reference_tet_mesh(tensors), {"1/2", "-9/10", "99/100"});
+      EXPECT_EQ(court.verdict(e), "certified")
+          << name_of(stratum) << ' ' << exact_text(tensors) << '\n'
+          << court.report();
+    }
+}
+
 /// The field of diag(1 - s, 2 s, -1 - s), s = x + y / 100 - 0.3: the levels are planes, which the
 /// triangles hit but for rounding. Far from the origin coordinates are rounded by more.
 TEST(CertifiedFields, PlanesAreProvedToBeNear) {

@@ -247,4 +247,13 @@ TetTensors stratum_tensors(Stratum stratum, Random& random) {
   return t;
 }
 
+TetTensors nearly_in_stratum(Stratum stratum, double rest, std::uint64_t seed) {
+  Random random(seed);
+  TetTensors tensors = stratum_tensors(stratum, random);
+  for (auto& t : tensors)
+    for (double* entry : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz})
+      *entry += rest * random.integer(-8, 8);
+  return tensors;
+}
+
 }  // namespace tensortopo::test

@@ -51,4 +51,8 @@ std::string special_mode(Stratum stratum);
 /// Tensors of the stratum with small integer entries.
 TetTensors stratum_tensors(Stratum stratum, Random& random);
 
+/// Tensors in a stratum and others of small whole numbers times `rest`. What is in the stratum has
+/// few bits: with rests of powers of two down to 2^-36 nothing is rounded.
+TetTensors nearly_in_stratum(Stratum stratum, double rest, std::uint64_t seed);
+
 }  // namespace tensortopo::test

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refinement.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +11,13 @@ namespace {
 
 constexpr std::size_t kMaxCells = 40000;
 /// Proofs that doubles do not decide are asked for in parts around a point where the level is
-/// singular, without end; levels that are proved elsewhere take a few dozen.
-constexpr std::size_t kMaxByIntegers = 500;
+/// singular, without end; levels that are proved elsewhere take a few dozen, next to a zero of the
+/// field some hundreds.
+constexpr std::size_t kMaxByIntegers = 2000;
 
-/// Tensors whose angle has at most this cosine are nearly opposite.
-constexpr double kNearlyOpposite = -1 + 0x1p-9;
+/// Tensors whose angle has at most this cosine are nearly opposite; a mean of unit tensors that is
+/// at most this large nearly vanishes.
+constexpr double kNearlyOpposite = -1 + 0x1p-9, kNearlyVanishing = 0x1p-10;
 
 double entry_weight(std::size_t i) { return i < 3 || i > 5 ? 1 : 2; }
 
@@ -132,42 +135,80 @@ void Refinement::wait(std::size_t c, Waiting& waiting) const {
   waiting.push(longest);
 }
 
-/// How much of p and of q there is in the point in which their edge is cut. That is about half way
-/// in the angle between the tensors, for these are of similar size, because balls are; a little off
-/// the middle, for planes of symmetry lie there. The sum of nearly opposite tensors is to be about
-/// as small as it can be: all that happens on such an edge happens there, and cuts elsewhere come
-/// near in as many steps as the closeness has bits, for each edge of each cell anew.
-std::array<double, 2> Refinement::shares(Id p, Id q) const {
-  if (!(closeness(p, q) < kNearlyOpposite)) return {17, 15};
-  const Point &a = points_[p], &b = points_[q];
-  double square = 0;
-  for (std::size_t i = 0; i < a.ball.size(); ++i) {
-    const double sum = a.ball[i].value / a.length + b.ball[i].value / b.length;
-    square += entry_weight(i) * sum * sum;
+/// So much of each point, in whole numbers: the finer, the smaller the sum of the tensors is.
+void Refinement::round(Place& place) const {
+  double square = 0, total = 0, all = 0;
+  for (std::size_t k = 0; k < points_[0].ball.size(); ++k) {
+    double sum = 0;
+    for (std::size_t i = 0; i < place.size; ++i)
+      sum += place.shares[i] * points_[place.points[i]].ball[k].value /
+             points_[place.points[i]].length;
+    square += entry_weight(k) * sum * sum;
   }
-  const double small = std::max(std::sqrt(square), 0x1p-44);
-  const double all = std::ldexp(1.0, 6 - std::ilogb(small));
-  const double of_a = (0.5 + small / 32) / a.length, of_b = (0.5 - small / 32) / b.length;
-  const double part = std::round(of_a / (of_a + of_b) * all);
-  return {part, all - part};
+  for (std::size_t i = 0; i < place.size; ++i) {
+    total += place.shares[i];
+    all += place.shares[i] /= points_[place.points[i]].length;
+  }
+  place.smallness = std::sqrt(square) / total;
+  const int bits = 6 - std::ilogb(std::max(place.smallness, 0x1p-44));
+  for (double& share : place.shares) share = std::round(std::ldexp(share / all, bits));
 }
 
-Refinement::Id Refinement::middle(Id a, Id b) {
-  const Point &p = points_[a], &q = points_[b];
-  const auto [of_p, of_q] = shares(a, b);
+/// Where an edge is cut: about half way in the angle between the tensors, for these are of similar
+/// size, because balls are; a little off the middle, for planes of symmetry lie there. The sum of
+/// nearly opposite tensors is to be about as small as it can be: all that happens on such an edge
+/// happens there, and cuts elsewhere come near in as many steps as the closeness has bits, for each
+/// edge of each cell anew.
+Refinement::Place Refinement::place_on(Id a, Id b) const {
+  Place place{2, {a, b}, {17, 15}};
+  const double cosine = closeness(a, b);
+  if (!(cosine < kNearlyOpposite)) return place;
+  const double off = std::sqrt(std::max(1 + cosine, 0x1p-88)) / 32;
+  place.shares = {0.5 + off, 0.5 - off};
+  round(place);
+  return place;
+}
+
+/// The point of a face or a cell where the field is smallest, if it nearly vanishes there, for the
+/// same reason. It is the least sum of the first point's unit tensor and multiples of the others'.
+std::optional<Refinement::Place> Refinement::small_field(std::span<const Id> part) const {
+  Place place{part.size(), {}, {1}};
+  std::copy(part.begin(), part.end(), place.points.begin());
+  const auto others = static_cast<Eigen::Index>(part.size()) - 1;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram(others, others);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> right(others);
+  const auto at = [&](Eigen::Index i) { return part[static_cast<std::size_t>(i) + 1]; };
+  for (Eigen::Index i = 0; i < others; ++i) {
+    right(i) = -closeness(at(i), part[0]);
+    for (Eigen::Index j = 0; j < others; ++j) gram(i, j) = i == j ? 1 : closeness(at(i), at(j));
+  }
+  if (!(gram.determinant() > 0x1p-8)) return std::nullopt;
+  right = gram.llt().solve(right).eval();
+  if (!(std::min(1.0, right.minCoeff()) > (1 + right.sum()) / 64)) return std::nullopt;
+  std::copy(right.begin(), right.end(), place.shares.begin() + 1);
+  round(place);
+  if (!(place.smallness < kNearlyVanishing)) return std::nullopt;
+  return place;
+}
+
+Refinement::Id Refinement::add_point(const Place& place) {
   Point m;
-  const long shift = std::max(p.shift, q.shift);
-  for (std::size_t i = 0; i < corners(); ++i) {
-    m.weights[i] =
-        (mpz_class(mpz_class(of_p) * p.weights[i]) << static_cast<unsigned long>(shift - p.shift)) +
-        (mpz_class(mpz_class(of_q) * q.weights[i]) << static_cast<unsigned long>(shift - q.shift));
+  long shift = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < place.size; ++i)
+    shift = std::max(shift, points_[place.points[i]].shift);
+  for (std::size_t i = 0; i < place.size; ++i) {
+    const Point& p = points_[place.points[i]];
+    const mpz_class share = mpz_class(place.shares[i])
+                            << static_cast<unsigned long>(shift - p.shift);
+    for (std::size_t k = 0; k < corners(); ++k) m.weights[k] += share * p.weights[k];
+    for (std::size_t k = 0; k < m.ball.size(); ++k)
+      m.ball[k] = m.ball[k] + Ball(place.shares[i], 0) * p.ball[k];
+    m.support |= p.support;
+    all += place.shares[i];
   }
-  m.support = p.support | q.support;
   double size = 0;
-  for (std::size_t k = 0; k < m.ball.size(); ++k) {
-    m.ball[k] = Ball(of_p, 0) * p.ball[k] + Ball(of_q, 0) * q.ball[k];
-    size = std::max(size, std::abs(m.ball[k].value));
-  }
+  for (const Ball& x : m.ball) size = std::max(size, std::abs(x.value));
   int scale = 0;
   if (size > 0 && size < HUGE_VAL) std::frexp(size, &scale);
   const Ball factor(std::ldexp(1.0, -scale), 0);
@@ -176,7 +217,7 @@ Refinement::Id Refinement::middle(Id a, Id b) {
   const Id id = static_cast<Id>(points_.size());
   points_.push_back(std::move(m));
   Point& stored = points_.back();
-  if (of_p + of_q > 32) {  // errors of doubles are not small compared with such a sum
+  if (all > 32) {  // errors of doubles are not small compared with such a sum
     const Tensor<mpz_class> sum = exact(id);
     stored.shift = largest_exponent(sum);
     for (std::size_t k = 0; k < sum.size(); ++k) stored.ball[k] = ball_of(sum[k], stored.shift);
@@ -186,28 +227,52 @@ Refinement::Id Refinement::middle(Id a, Id b) {
   return id;
 }
 
-void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
-  const Id m = middle(edge[0], edge[1]);
-  if (const auto place = proofs_.find(key(edge[0], edge[1]));
-      place != proofs_.end() && place->second != Proof::open) {
-    const Proof proof = place->second;  // holds for the parts as well
-    for (const Id end : edge) proofs_[key(end, m)] = proof;
+/// Puts a point into an edge, a face or a cell, and so into all cells that have it.
+void Refinement::cut(const Place& place, Waiting& waiting) {
+  const Id m = add_point(place);
+  const std::span part(place.points.begin(), place.size);
+  if (const auto known = place.size == 2 ? proofs_.find(key(part)) : proofs_.end();
+      known != proofs_.end() && known->second != Proof::open) {
+    const Proof proof = known->second;  // holds for the parts as well
+    for (const Id end : part) proofs_[key(end, m)] = proof;
   }
   const std::size_t before = cells_.size();
   for (std::size_t c = 0; c < before; ++c) {
-    if (cells_[c].cut || cells_[c].proof == Proof::empty) continue;
+    if (!has(cells_[c], part)) continue;
     const Cell cell = cells_[c];
-    const auto end = cell.points.begin() + static_cast<std::ptrdiff_t>(corners());
-    const auto has = [&](Id id) { return std::find(cell.points.begin(), end, id) != end; };
-    if (!has(edge[0]) || !has(edge[1])) continue;
     cells_[c].cut = true;
-    for (const Id old : edge) {
-      Cell part = cell;
-      std::replace(part.points.begin(), part.points.begin() + (end - cell.points.begin()), old, m);
-      cells_.push_back(part);
+    for (const Id old : part) {
+      Cell child = cell;
+      std::replace(child.points.begin(),
+                   child.points.begin() + static_cast<std::ptrdiff_t>(corners()), old, m);
+      cells_.push_back(child);
       wait(cells_.size() - 1, waiting);
     }
   }
+}
+
+/// Is it to be cut with this edge, face or cell?
+bool Refinement::has(const Cell& cell, std::span<const Id> part) const {
+  if (cell.cut || cell.proof == Proof::empty) return false;
+  const auto end = cell.points.begin() + static_cast<std::ptrdiff_t>(corners());
+  return std::all_of(part.begin(), part.end(),
+                     [&](Id id) { return std::find(cell.points.begin(), end, id) != end; });
+}
+
+/// Cuts an edge, or first what is around it where the field nearly vanishes.
+void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
+  for (const Cell& cell : cells_) {
+    if (corners() == 2 || !has(cell, edge)) continue;
+    std::optional<Place> place;
+    for (std::size_t size = corners(); size > 2 && !place; --size)
+      for_subsets(corners(), size, [&](const auto& members) {
+        std::array<Id, 4> part{};
+        for (std::size_t i = 0; i < size; ++i) part[i] = cell.points[members[i]];
+        if (!place) place = small_field(std::span(part.begin(), size));
+      });
+    if (place) return cut(*place, waiting);
+  }
+  cut(place_on(edge[0], edge[1]), waiting);
 }
 
 /// The cell with the longest edge of all comes first: so each open cell is cut through its own

@@ -76,6 +76,13 @@ class Refinement : public ExactTensors {
     bool operator<(const Longest& other) const { return cosine > other.cosine; }
   };
   using Waiting = std::priority_queue<Longest>;
+  /// Where to put a point into an edge, a face or a cell: so much of each of its points.
+  struct Place {
+    std::size_t size;
+    std::array<Id, 4> points;
+    std::array<double, 4> shares;
+    double smallness = 1;  ///< of the tensor there, compared with its terms
+  };
 
   template <std::size_t V>
   void note(Cell& cell, const Proved<V>& proved);
@@ -85,8 +92,12 @@ class Refinement : public ExactTensors {
   std::optional<std::size_t> longest(Waiting& waiting, std::array<Id, 2>& edge) const;
   void wait(std::size_t cell, Waiting& waiting) const;
   double closeness(Id a, Id b) const;
-  std::array<double, 2> shares(Id p, Id q) const;
-  Id middle(Id a, Id b);
+  void round(Place& place) const;
+  Place place_on(Id a, Id b) const;
+  std::optional<Place> small_field(std::span<const Id> part) const;
+  Id add_point(const Place& place);
+  bool has(const Cell& cell, std::span<const Id> part) const;
+  void cut(const Place& place, Waiting& waiting);
   void bisect(const std::array<Id, 2>& edge, Waiting& waiting);
 
   const Level& level_;
