@@ -7,16 +7,10 @@
 #include "field_files.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/write_text.hpp"
+#include "write_case.hpp"
 
 namespace tensortopo::test {
 namespace {
-
-std::size_t files_beside(const std::filesystem::path& file) {
-  std::size_t count = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
-    ++count;
-  return count;
-}
 
 TEST(FileGroups, FilesAppearTogether) {
   const auto first = temporary("group_a.json"), second = put("group_b.json", "before");
