@@ -48,6 +48,19 @@ RC_GTEST_PROP(ExactWeights, CombinationsAreExact, ()) {
     RC_ASSERT(coordinate(*m, i) == a * coordinate(u, i) + b * coordinate(v, i));
 }
 
+RC_GTEST_PROP(ExactWeights, CombinationsOfFourAreExact, ()) {
+  const std::array places{random_place(), random_place(), random_place(), random_place()};
+  std::array<std::int64_t, 4> factors;
+  for (auto& factor : factors) factor = *rc::gen::inRange<std::int64_t>(0, 1 << 20);
+  const auto m = Weights::combination(factors, places);
+  RC_PRE(m.has_value());
+  for (std::size_t i = 0; i < 4; ++i) {
+    Rational sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) sum += Rational(factors[k]) * coordinate(places[k], i);
+    RC_ASSERT(coordinate(*m, i) == sum);
+  }
+}
+
 RC_GTEST_PROP(ExactWeights, HighPartsAreTheNearestDoubles, ()) {
   const auto w = random_place().values();
   for (std::size_t i = 0; i < 4; ++i) RC_ASSERT(w.high[i] + w.low[i] == w.high[i]);
