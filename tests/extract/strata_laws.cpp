@@ -12,9 +12,6 @@
 
 namespace tensortopo::test {
 
-namespace {
-
-// Every entry off by up to so much of the largest; a factor of 0 leaves them as they are.
 void perturb(TetTensors& tensors, double factor, Random& random) {
   if (factor == 0) return;
   for (auto& t : tensors) {
@@ -25,8 +22,6 @@ void perturb(TetTensors& tensors, double factor, Random& random) {
       *entry += factor * largest * (2 * random.uniform() - 1);
   }
 }
-
-}  // namespace
 
 Outcome outcome(const Extraction& extraction) {
   if (!extraction.unresolved.empty())

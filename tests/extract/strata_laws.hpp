@@ -23,6 +23,9 @@ struct Outcome {
 Outcome outcome(const Extraction& extraction);
 std::ostream& operator<<(std::ostream& out, const Outcome& o);
 
+/// Every entry off by up to so much of the largest; a factor of 0 leaves them as they are.
+void perturb(TetTensors& tensors, double factor, Random& random);
+
 /// The levels at which the strata are extracted: the special one first, if there is one.
 std::vector<std::string> modes_for(Stratum stratum);
 

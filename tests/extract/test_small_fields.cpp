@@ -69,13 +69,7 @@ TEST_P(NearlyVanishing, HasSurfacesWithoutFlawsNextToTheZero) {
   for (int trial = 0; trial < trials(40); ++trial) {
     Random random(seed + static_cast<std::uint64_t>(trial));
     TetTensors tensors = stratum_tensors(GetParam(), random);
-    for (auto& t : tensors) {
-      double largest = 0;
-      for (const double entry : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
-        largest = std::max(largest, std::abs(entry));
-      for (double* entry : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz})
-        *entry += 0x1p-53 * largest * (2 * random.uniform() - 1);
-    }
+    perturb(tensors, 0x1p-53, random);
     SCOPED_TRACE("trial " + std::to_string(trial) + '\n' + exact_text(tensors));
     const TetMesh mesh = reference_tet_mesh(tensors);
     const Extraction extraction =

@@ -259,18 +259,19 @@ bool Refinement::has(const Cell& cell, std::span<const Id> part) const {
                      [&](Id id) { return std::find(cell.points.begin(), end, id) != end; });
 }
 
-/// Cuts an edge, or first what is around it where the field nearly vanishes.
+/// Cuts an edge, or first a cell or a face around it in which the field nearly vanishes.
 void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
   for (const Cell& cell : cells_) {
-    if (corners() == 2 || !has(cell, edge)) continue;
-    std::optional<Place> place;
-    for (std::size_t size = corners(); size > 2 && !place; --size)
-      for_subsets(corners(), size, [&](const auto& members) {
-        std::array<Id, 4> part{};
-        for (std::size_t i = 0; i < size; ++i) part[i] = cell.points[members[i]];
-        if (!place) place = small_field(std::span(part.begin(), size));
-      });
-    if (place) return cut(*place, waiting);
+    if (corners() == 2) break;
+    if (!has(cell, edge)) continue;
+    if (const auto place = small_field(std::span(cell.points.begin(), corners())))
+      return cut(*place, waiting);
+    if (corners() == 3) continue;
+    for (const Id other : cell.points) {
+      if (other == edge[0] || other == edge[1]) continue;
+      if (const auto place = small_field(std::array{edge[0], edge[1], other}))
+        return cut(*place, waiting);
+    }
   }
   cut(place_on(edge[0], edge[1]), waiting);
 }
