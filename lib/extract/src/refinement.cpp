@@ -105,6 +105,7 @@ void Refinement<Scalar, Vertices, Corners>::reset(const LevelSimplex<Scalar, Ver
   faces_.clear();
   face_cells_ = 0;
   first_cut_ = 0;
+  by_bends_ = false;
   Cell root;
   for (std::size_t i = 0; i < Corners; ++i) root.vertices[i] = add_vertex(corners[i]);
   add_cell(root);
@@ -130,28 +131,47 @@ void Refinement<Scalar, Vertices, Corners>::add_cell(const Cell& cell) {
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
+bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget, double smallest) {
   // The largest first: a large cell must not be worn down from its sides by cuts of small ones.
   std::priority_queue<std::pair<double, std::uint32_t>> waiting;
   std::size_t next = 0;
   while (true) {
-    for (; next < cells_.size(); ++next) {
-      const auto longest = longest_edge(cells_[next].vertices);
-      waiting.emplace(squared_length(longest[0], longest[1]), static_cast<std::uint32_t>(next));
-    }
+    for (; next < cells_.size(); ++next)
+      waiting.emplace(longest_edge(cells_[next].vertices).squared_length,
+                      static_cast<std::uint32_t>(next));
     if (waiting.empty()) return true;
-    const auto c = waiting.top().second;
+    const auto [size, c] = waiting.top();
     waiting.pop();
     if (!cells_[c].alive) continue;
-    auto edge = edge_to_cut(cells_[c]);
-    if (!edge) continue;
-    if (cells_.size() + face_cells_ / 4 > budget) return false;
-    while (const auto longer = much_longer_edge((*edge)[0], (*edge)[1])) edge = longer;
-    auto is_cut = cut_at_small_field((*edge)[0], (*edge)[1]);
-    if (!is_cut) is_cut = cut_edge((*edge)[0], (*edge)[1]);
-    if (!*is_cut) return restart() && run(budget);
+    const auto in_the_way = edge_to_cut(cells_[c]);
+    if (!in_the_way) continue;
+    if (cells_.size() + face_cells_ / 4 > budget || size < smallest) return false;
+    auto edge = longest_and(cells_[c].vertices, (*in_the_way)[0], (*in_the_way)[1])[1];
+    while (const auto longer = much_longer_edge(edge)) edge = *longer;
+    auto is_cut = cut_at_small_field(edge.ends[0], edge.ends[1]);
+    if (!is_cut) is_cut = cut_edge(edge.ends[0], edge.ends[1]);
+    if (!*is_cut) return restart() && run(budget, smallest);
     if (cells_[c].alive) waiting.emplace(std::numeric_limits<double>::infinity(), c);
   }
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::run_along_saddles(
+    std::size_t budget,
+    std::span<const std::array<std::int64_t, 4>> saddles) requires(Vertices == 4 && Corners == 4) {
+  by_bends_ = true;
+  const auto cut_at = [&]<std::size_t Part>(const std::array<std::int64_t, 4>& place) {
+    std::array<std::uint32_t, Part> part;
+    detail::Shares<Part> shares;
+    for (std::uint32_t i = 0, k = 0; i < 4; ++i)
+      if (place[i] != 0) part[k] = i, shares[k++] = place[i];
+    return cut<Part>(part, shares);
+  };
+  for (const auto& place : saddles)
+    if (!(std::count(place.begin(), place.end(), 0) == 2 ? cut_at.template operator()<2>(place)
+                                                         : cut_at.template operator()<3>(place)))
+      return false;
+  return run(budget);
 }
 
 /// Begins again with other first cuts, once: by chance a side of a cell may touch the level
@@ -159,7 +179,7 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget) {
 /// reasons.)
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 bool Refinement<Scalar, Vertices, Corners>::restart() {
-  if (first_cut_ != 0 || is_thin(*level_)) return false;
+  if (first_cut_ != 0 || by_bends_ || is_thin(*level_)) return false;
   std::array<Vertex, Corners> corners;
   std::copy_n(vertices_.begin(), Corners, corners.begin());
   reset(*simplex_, *level_, corners);
@@ -173,13 +193,14 @@ std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners
   using Kind = typename SimplexProof<Scalar, Corners>::Kind;
   if (cell.proof.kind == Kind::none) cell.proof = prove(cell.vertices);
   if (cell.proof.kind == Kind::empty) return std::nullopt;
-  const auto longest = longest_edge(cell.vertices);
+  const auto longest = longest_edge(cell.vertices).ends;
   if (cell.proof.kind == Kind::none) return longest;
   for (std::size_t i = 0; i < Corners; ++i)
     for (std::size_t j = i + 1; j < Corners; ++j) {
       const auto u = cell.vertices[i], v = cell.vertices[j];
       if (is_simple_edge(u, v)) continue;
-      if (kLonger * squared_length(u, v) < squared_length(longest[0], longest[1])) return longest;
+      const auto [most, own] = longest_and(cell.vertices, u, v);
+      if (kLonger * own.squared_length < most.squared_length) return longest;
       return std::array<std::uint32_t, 2>{u, v};
     }
   if constexpr (Corners == 4)

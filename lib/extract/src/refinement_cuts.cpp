@@ -8,9 +8,11 @@
 
 #include "extractor_scalars.hpp"
 #include "longer_level.hpp"
+#include "mode_bends.hpp"
 #include "refinement_vertex.hpp"
 #include "small_field.hpp"
 #include "tensortopo/extract/refinement.hpp"
+#include "tensortopo/mesh/tet_complex.hpp"
 
 namespace tensortopo {
 
@@ -58,28 +60,39 @@ double Refinement<Scalar, Vertices, Corners>::squared_length(std::uint32_t u,
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-std::array<std::uint32_t, 2> Refinement<Scalar, Vertices, Corners>::longest_edge(
-    const std::array<std::uint32_t, Corners>& cell) const {
-  std::array<std::uint32_t, 2> longest{cell[0], cell[1]};
-  double best = -1;
+auto Refinement<Scalar, Vertices, Corners>::longest_and(
+    const std::array<std::uint32_t, Corners>& cell, std::uint32_t u, std::uint32_t v) const
+    -> std::array<Edge, 2> {
+  Edge longest{{cell[0], cell[1]}, -1}, own{{u, v}, 0};
+  const auto take = [&](std::size_t i, std::size_t j, double length) {
+    if (length > longest.squared_length) longest = {{cell[i], cell[j]}, length};
+    if (edge_key(cell[i], cell[j]) == edge_key(u, v)) own.squared_length = length;
+  };
+  if constexpr (Corners == 4 && Vertices == 4)
+    if (by_bends_) {
+      const auto lengths = detail::bends_of_edges<Scalar>(pointers_to(cell));
+      for (std::size_t e = 0; e < 6; ++e)
+        take(static_cast<std::size_t>(kTetEdges[e][0]), static_cast<std::size_t>(kTetEdges[e][1]),
+             lengths[e]);
+      return {longest, own};
+    }
   for (std::size_t i = 0; i < Corners; ++i)
-    for (std::size_t j = i + 1; j < Corners; ++j)
-      if (const double a = squared_length(cell[i], cell[j]); a > best)
-        best = a, longest = {cell[i], cell[j]};
-  return longest;
+    for (std::size_t j = i + 1; j < Corners; ++j) take(i, j, squared_length(cell[i], cell[j]));
+  return {longest, own};
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners>::much_longer_edge(
-    std::uint32_t u, std::uint32_t v) const {
-  const double limit = kMuchLonger * squared_length(u, v);
+auto Refinement<Scalar, Vertices, Corners>::much_longer_edge(const Edge& edge) const
+    -> std::optional<Edge> {
+  const auto [u, v] = edge.ends;
   for (const auto c : cells_at_[u]) {
     const auto& cell = cells_[c];
     if (!cell.alive ||
         std::find(cell.vertices.begin(), cell.vertices.end(), v) == cell.vertices.end())
       continue;
     const auto longest = longest_edge(cell.vertices);
-    if (squared_length(longest[0], longest[1]) > limit) return longest;
+    // Lengths grow on the way, also where each cell measures them in its own way.
+    if (longest.squared_length > kMuchLonger * edge.squared_length) return longest;
   }
   return std::nullopt;
 }
@@ -195,13 +208,18 @@ void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell,
 #define TENSORTOPO_INSTANTIATE_CUTS(Scalar, Vertices, Corners)                                     \
   template double Refinement<Scalar, Vertices, Corners>::squared_length(std::uint32_t,             \
                                                                         std::uint32_t) const;      \
-  template std::array<std::uint32_t, 2> Refinement<Scalar, Vertices, Corners>::longest_edge(       \
-      const std::array<std::uint32_t, Corners>&) const;                                            \
-  template std::optional<std::array<std::uint32_t, 2>>                                             \
-      Refinement<Scalar, Vertices, Corners>::much_longer_edge(std::uint32_t, std::uint32_t) const; \
+  template std::array<Refinement<Scalar, Vertices, Corners>::Edge, 2>                              \
+  Refinement<Scalar, Vertices, Corners>::longest_and(const std::array<std::uint32_t, Corners>&,    \
+                                                     std::uint32_t, std::uint32_t) const;          \
+  template std::optional<Refinement<Scalar, Vertices, Corners>::Edge>                              \
+  Refinement<Scalar, Vertices, Corners>::much_longer_edge(const Edge&) const;                      \
   template std::optional<bool> Refinement<Scalar, Vertices, Corners>::cut_at_small_field(          \
       std::uint32_t, std::uint32_t);                                                               \
-  template bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t, std::uint32_t);
+  template bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t, std::uint32_t);     \
+  template bool Refinement<Scalar, Vertices, Corners>::cut<3>(const std::array<std::uint32_t, 3>&, \
+                                                              const detail::Shares<3>&);           \
+  template bool Refinement<Scalar, Vertices, Corners>::cut<2>(const std::array<std::uint32_t, 2>&, \
+                                                              const detail::Shares<2>&);
 #define TENSORTOPO_INSTANTIATE(Scalar)      \
   TENSORTOPO_INSTANTIATE_CUTS(Scalar, 3, 3) \
   TENSORTOPO_INSTANTIATE_CUTS(Scalar, 4, 4) \

@@ -9,6 +9,7 @@
 #include "graph_sheets.hpp"
 #include "level_strata.hpp"
 #include "plan_by_leaves.hpp"
+#include "refine_tet.hpp"
 #include "tensortopo/extract/segment_root.hpp"
 #include "tensortopo/extract/tet_sheets.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
@@ -231,8 +232,7 @@ bool add_leaves(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, Te
   if (plan.leaves) return true;
   auto& spare = spare_leaves<Scalar>();
   plan.leaves = spare ? std::move(spare) : std::make_unique<typename TetPlan<Scalar>::Leaves>();
-  plan.leaves->refinement.reset(tet.simplex, level);
-  if (!plan.leaves->refinement.run(tet_budget(effort, level))) {
+  if (!detail::refine_tet(plan.leaves->refinement, tet.simplex, level, effort)) {
     spare = std::move(plan.leaves);
     return false;
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -79,8 +80,20 @@ class Refinement {
 
   /// Refines until every cell is simple; false if that takes more than `budget` cells, where four
   /// in the refinement of a face of a cell count as one, or cells too small for the coordinates of
-  /// their corners to be exact.
-  bool run(std::size_t budget);
+  /// their corners to be exact. May be called again, to go on with a greater budget.
+  ///
+  /// @param smallest  squared angle: also false where the largest cell not yet proved has none as
+  ///     large, which is so around a single point at which no size is small enough
+  bool run(std::size_t budget, double smallest = 0);
+
+  /// The same, where the level may come close to one that crosses itself along a line: vertices are
+  /// put where such a line meets the faces, and edges are as long as the mode bends along them, so
+  /// that cells are long along the line. Of a refinement that has just begun.
+  ///
+  /// @param saddles  places in edges and faces: shares of the corners, 0 for those they are without
+  bool run_along_saddles(
+      std::size_t budget,
+      std::span<const std::array<std::int64_t, 4>> saddles) requires(Vertices == 4 && Corners == 4);
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<Cell>& cells() const { return cells_; }
@@ -101,10 +114,18 @@ class Refinement {
   /// Of the chord between the unit tensors at two vertices, or next to the degenerate curve of
   /// what counts there.
   double squared_length(std::uint32_t u, std::uint32_t v) const;
-  /// An edge of a cell around (u, v) that should be cut before it.
-  std::optional<std::array<std::uint32_t, 2>> much_longer_edge(std::uint32_t u,
-                                                               std::uint32_t v) const;
-  std::array<std::uint32_t, 2> longest_edge(const std::array<std::uint32_t, Corners>& cell) const;
+  struct Edge {
+    std::array<std::uint32_t, 2> ends;
+    double squared_length;
+  };
+  /// The longest edge of a cell and the length of one of its edges.
+  std::array<Edge, 2> longest_and(const std::array<std::uint32_t, Corners>& cell, std::uint32_t u,
+                                  std::uint32_t v) const;
+  Edge longest_edge(const std::array<std::uint32_t, Corners>& cell) const {
+    return longest_and(cell, cell[0], cell[1])[0];
+  }
+  /// An edge of a cell around this one that should be cut before it.
+  std::optional<Edge> much_longer_edge(const Edge& edge) const;
   /// How much of its corners the place has where the field nearly vanishes in a part of a cell.
   template <std::size_t Part>
   std::optional<std::array<std::int64_t, Part>> shares_of_small_field(
@@ -131,6 +152,7 @@ class Refinement {
   KnownSimple edges_, faces_;
   std::size_t face_cells_ = 0;  ///< made for faces of cells
   std::size_t first_cut_ = 0;   ///< with which of the uneven cuts to begin
+  bool by_bends_ = false;       ///< `run_along_saddles`
 };
 
 /// Side of the level for the field of a simplex at exact homogeneous weights; all tiers.
