@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "extract_case.hpp"
@@ -38,8 +37,7 @@ Weights between(const Weights& a, const Weights& b, double t) {
 }
 
 double mode_at(const LevelSimplex<double, 4>& simplex, const Weights& weights) {
-  const auto t = tensor_at(simplex.tensors, weights);
-  return std::sqrt(2.0) * determinant_form(t) / std::pow(norm_form(t), 1.5);
+  return mode(tensor_at(simplex.tensors, weights));
 }
 
 /// Runs with the places of each field that a line of saddles crosses.

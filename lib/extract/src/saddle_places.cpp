@@ -102,12 +102,9 @@ std::vector<std::array<std::int64_t, 4>> saddle_places(const LevelSimplex<Scalar
       order[k] = static_cast<std::size_t>(kTetEdges[k < 2 ? e : 5 - e][k % 2]);
     if (const auto place = flat_place_in<2>(corners, order, mu)) places.push_back(*place);
   }
-  const std::size_t on_edges = places.size();
   for (std::size_t f = 0; f < 4; ++f) {
     const auto in_face = [&](const auto& place) { return place[f] == 0; };
-    if (std::any_of(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(on_edges),
-                    in_face))
-      continue;
+    if (std::any_of(places.begin(), places.end(), in_face)) continue;  // on an edge of it
     const std::array<std::size_t, 4> order{(f + 1) % 4, (f + 2) % 4, (f + 3) % 4, f};
     if (const auto place = flat_place_in<3>(corners, order, mu)) places.push_back(*place);
   }
