@@ -94,24 +94,41 @@ TEST_P(Strata, AreTheSameAtFiftyDigits) {
   });
 }
 
+// What is of the level asked for throughout has no surface: it is named, never left out silently.
+TEST(LevelThroughout, IsNamed) {
+  for (const Stratum stratum : {Stratum::antiplane_shear, Stratum::constant_edge,
+                                Stratum::constant_face, Stratum::constant_cell})
+    for (int trial = 0; trial < trials(6); ++trial) {
+      Random random(20241217 + static_cast<std::uint64_t>(trial));
+      const TetTensors tensors = stratum_tensors(stratum, random);
+      SCOPED_TRACE(name_of(stratum) + '\n' + exact_text(tensors));
+      const std::string mode = special_mode(stratum);
+      const std::string reason = outcome(extract(reference_tet_mesh(tensors), mode)).reason;
+      EXPECT_TRUE(reasons_of(stratum, true).contains(reason)) << reason;
+    }
+}
+
+class StrataAtTheirMode : public testing::TestWithParam<Stratum> {};
+
 // The level is mu + 0. None of these tetrahedra has another critical value so close to its own.
-TEST_P(Strata, HaveTheTopologyOfASlightlyLargerMode) {
+TEST_P(StrataAtTheirMode, HaveTheTopologyOfASlightlyLargerMode) {
   const std::string special = special_mode(GetParam());
-  if (special.empty()) GTEST_SKIP() << "no mode is special";
   const std::string larger = special == "0"         ? "1/100000000"
                              : special == "4/5"     ? "0.80000001"
                              : special == "143/343" ? "0.41690963"
                                                     : "-0.41690961";
+  int compared = 0;
   for (int trial = 0; trial < trials(6); ++trial) {
     Random random(20241210 + static_cast<std::uint64_t>(trial));
     const TetTensors tensors = stratum_tensors(GetParam(), random);
     SCOPED_TRACE(exact_text(tensors));
     const TetMesh mesh = reference_tet_mesh(tensors);
     const Outcome at = outcome(extract(mesh, special)), after = outcome(extract(mesh, larger));
-    if (at.reason.empty() && after.reason.empty()) {
-      EXPECT_EQ(at, after);
-    }
+    if (!at.reason.empty() || !after.reason.empty()) continue;
+    EXPECT_EQ(at, after);
+    ++compared;
   }
+  EXPECT_GT(compared, 0);
 }
 
 // Turning all tensors, scaling each by its own power of two, moving the points by an affine map:
@@ -342,6 +359,12 @@ TEST(TangentEdge, IsNotCrossedFromBelowAndTwiceFromAbove) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Strata, testing::ValuesIn(all_strata()),
+                         [](const auto& tested) { return name_of(tested.param); });
+INSTANTIATE_TEST_SUITE_P(All, StrataAtTheirMode,
+                         testing::Values(Stratum::uniaxial_complement, Stratum::vertex_on_level,
+                                         Stratum::tangent_edge, Stratum::face_saddle,
+                                         Stratum::tet_saddle, Stratum::face_minimum,
+                                         Stratum::face_maximum),
                          [](const auto& tested) { return name_of(tested.param); });
 
 // With a common eigenvector the neutral level is straight lines in a face, which may join corners
