@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "curve_checks.hpp"
 #include "strata_laws.hpp"
@@ -16,16 +17,32 @@ namespace {
 
 using Index = TetMesh::Index;
 
-// The number of closed curves in faces that the extraction proves.
-std::size_t loops_in_faces(const TetMesh& mesh, const std::string& mode) {
+// What is proved of the faces, in an extraction without flaw.
+std::vector<LevelTopology::Face> proved_faces(const TetMesh& mesh, const std::string& mode) {
   ExtractOptions options;
   options.keep_topology = true;
   const auto extraction = extract_mode_surface<double>(mesh, ModeValue::parse(mode), options);
   EXPECT_EQ(unresolved_text(extraction), "");
   EXPECT_EQ(flaws(extraction, mesh), "");
+  return extraction.topology.faces;
+}
+
+// The number of closed curves in faces that the extraction proves.
+std::size_t loops_in_faces(const TetMesh& mesh, const std::string& mode) {
   std::size_t loops = 0;
-  for (const auto& face : extraction.topology.faces) loops += face.loops.size();
+  for (const auto& face : proved_faces(mesh, mode)) loops += face.loops.size();
   return loops;
+}
+
+// How often a surface crosses an edge of the mesh.
+int crossings_of(const std::array<Index, 2>& edge, const SurfaceMesh& surface) {
+  int crossings = 0;
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    const auto& on = surface.carrier_vertices[i];
+    crossings += surface.carrier[i] == Carrier::edge &&
+                 std::minmax(on[0], on[1]) == std::minmax(edge[0], edge[1]);
+  }
+  return crossings;
 }
 
 // By the rule mu + 0 there is a small loop around a minimum already, around a maximum none anymore.
@@ -57,8 +74,6 @@ TEST(PlaneStrainFace, HasConcentricLoops) {
     const auto q = random.quaternion();
     for (auto& t : tensors) t = turned(t, q);
     const TetMesh mesh = reference_tet_mesh(tensors);
-    ExtractOptions options;
-    options.keep_topology = true;
     for (const auto& [mode, loops] : {std::pair{"-999999/1000000", 1u},
                                       {"-1/2", 1u},
                                       {"0", 1u},
@@ -67,10 +82,7 @@ TEST(PlaneStrainFace, HasConcentricLoops) {
                                       {"999/1000", 2u},
                                       {"999999/1000000", 2u}}) {
       SCOPED_TRACE(std::string(mode) + '\n' + exact_text(tensors));
-      const auto extraction = extract_mode_surface<double>(mesh, ModeValue::parse(mode), options);
-      EXPECT_EQ(unresolved_text(extraction), "");
-      EXPECT_EQ(flaws(extraction, mesh), "");
-      const auto& faces = extraction.topology.faces;
+      const auto faces = proved_faces(mesh, mode);
       const auto face = std::find_if(faces.begin(), faces.end(), [](const auto& f) {
         return f.vertices == std::array<Index, 3>{0, 1, 2};
       });
@@ -98,11 +110,7 @@ TEST(DegenerateEdge, IsCrossedByNoSurfaceAndRunAlongByOneCurve) {
       const Extraction extraction = extract(mesh, mode);
       EXPECT_EQ(unresolved_text(extraction), "");
       EXPECT_EQ(flaws(extraction, mesh), "");
-      for (std::size_t i = 0; i < extraction.surface.points.size(); ++i) {
-        const auto& on = extraction.surface.carrier_vertices[i];
-        EXPECT_FALSE(extraction.surface.carrier[i] == Carrier::edge &&
-                     std::minmax(on[0], on[1]) == std::minmax(edge[0], edge[1]));
-      }
+      EXPECT_EQ(crossings_of(edge, extraction.surface), 0);
     }
     for (const Degeneracy kind : {Degeneracy::linear, Degeneracy::planar}) {
       const auto found = extract_degenerate_curves(mesh, kind);
@@ -128,22 +136,16 @@ TEST(TangentEdge, IsNotCrossedFromBelowAndTwiceFromAbove) {
     TetMesh mesh = cube_mesh(1);
     Random random(20241211);
     for (auto& t : mesh.tensors) t = rounded(8.0 * random.tensor(), 0);
-    const auto [v, w] = std::pair{mesh.tets[0][0], mesh.tets[0][1]};
-    mesh.tensors[static_cast<std::size_t>(v)] = sign * SymmetricTensor<double>{0, 0, 0, 1, 2, 1};
-    mesh.tensors[static_cast<std::size_t>(w)] = sign * SymmetricTensor<double>{0, 0, 0, 1, 2, 2};
+    const std::array<Index, 2> edge{mesh.tets[0][0], mesh.tets[0][1]};
+    mesh.tensors[static_cast<std::size_t>(edge[0])] =
+        sign * SymmetricTensor<double>{0, 0, 0, 1, 2, 1};
+    mesh.tensors[static_cast<std::size_t>(edge[1])] =
+        sign * SymmetricTensor<double>{0, 0, 0, 1, 2, 2};
     const Extraction extraction = extract(mesh, sign > 0 ? "4/5" : "-4/5");
     EXPECT_EQ(flaws(extraction, mesh, {}), "");
     EXPECT_TRUE(extraction.unresolved.empty());
     EXPECT_GT(extraction.statistics.tets_nearby, 0u);
-    const SurfaceMesh& surface = extraction.surface;
-    int crossings = 0;
-    for (std::size_t i = 0; i < surface.points.size(); ++i) {
-      const auto& on = surface.carrier_vertices[i];
-      crossings += surface.carrier[i] == Carrier::edge &&
-                   std::min(on[0], on[1]) == std::min(v, w) &&
-                   std::max(on[0], on[1]) == std::max(v, w);
-    }
-    EXPECT_EQ(crossings, sign > 0 ? 0 : 2);
+    EXPECT_EQ(crossings_of(edge, extraction.surface), sign > 0 ? 0 : 2);
   }
 }
 

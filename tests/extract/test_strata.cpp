@@ -104,6 +104,7 @@ TEST(LevelThroughout, IsNamed) {
     }
 }
 
+// Strata with a mode of their own, but for those that have it throughout (`LevelThroughout`).
 class StrataAtTheirMode : public testing::TestWithParam<Stratum> {};
 
 // The level is mu + 0. None of these tetrahedra has another critical value so close to its own.
