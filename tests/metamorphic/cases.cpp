@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "support/special_meshes.hpp"
+#include "support/strata_fields.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Tensor = SymmetricTensor<double>;
+
+constexpr std::array kModes{"0",    "1/2",     "-1/2",    "1/10",   "-1/10",      "9/10",
+                            "-9/10", "99/100", "-99/100", "1/1000", "-999/1000", "143/343"};
+
+std::array<double*, 6> entries(Tensor& t) {
+  return {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz};
+}
+
+TetTensors integers(int bound, bool sparse, Random& random) {
+  TetTensors result;
+  for (Tensor& t : result)
+    for (double* entry : entries(t))
+      *entry = sparse && random.integer(0, 1) ? 0 : random.integer(-bound, bound);
+  return result;
+}
+
+/// R T R^T for the rotation of a random unit quaternion.
+Tensor rotated(const Tensor& t, const std::array<double, 4>& q) {
+  const auto [w, x, y, z] = q;
+  const double r[3][3]{{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+                       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+  const double m[3][3]{{t.xx, t.xy, t.xz}, {t.xy, t.yy, t.yz}, {t.xz, t.yz, t.zz}};
+  double s[3][3]{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l) s[i][j] += r[i][k] * m[k][l] * r[j][l];
+  return {s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[0][2]};
+}
+
+std::array<double, 4> unit_quaternion(Random& random) {
+  std::array<double, 4> q{random.normal(), random.normal(), random.normal(), random.normal()};
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (double& entry : q) entry /= length;
+  return q;
+}
+
+/// Combinations of `rank` tensors, and 1e-6 of others.
+TetTensors nearly_of_rank(int rank, Random& random) {
+  const std::array<Tensor, 2> base{random.tensor(), random.tensor()};
+  TetTensors result;
+  for (Tensor& t : result) {
+    t = 1e-6 * random.tensor();
+    for (int k = 0; k < rank; ++k) t = t + random.normal() * base[static_cast<std::size_t>(k)];
+  }
+  return result;
+}
+
+TetMesh flat_tet(const TetTensors& tensors, Random& random) {
+  const double height = std::ldexp(1.0, -random.integer(10, 40));
+  return single_tet_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.5, height}}}, tensors);
+}
+
+TetMesh long_tet(const TetTensors& tensors, Random& random) {
+  const double width = std::ldexp(1.0, -random.integer(10, 30));
+  return single_tet_mesh({{{0, 0, 0}, {1, width, 0}, {0, width, 0}, {0.5, 0, width}}}, tensors);
+}
+
+TetTensors tensors_of(Family family, Random& random) {
+  TetTensors result = random.tet_tensors();
+  switch (family) {
+    case Family::small_integers:
+      return integers(2, false, random);
+    case Family::sparse_integers:
+      return integers(9, true, random);
+    case Family::powers_of_two:
+      for (Tensor& t : result) t = std::ldexp(1.0, random.integer(-27, 27)) * t;
+      return result;
+    case Family::scales:
+      for (Tensor& t : result) t = std::pow(10.0, 16 * random.uniform() - 8) * t;
+      return result;
+    case Family::large_trace:
+      result = short_tensors(random);
+      for (Tensor& t : result) {
+        const double trace = std::ldexp(random.integer(-1 << 16, 1 << 16), random.integer(0, 18));
+        t = t + trace * Tensor{1, 1, 1, 0, 0, 0};
+      }
+      return result;
+    case Family::rotated: {
+      result = integers(2, false, random);
+      const auto q = unit_quaternion(random);
+      for (Tensor& t : result) t = rotated(t, q);
+      return result;
+    }
+    case Family::nearly_rank_one:
+      return nearly_of_rank(1, random);
+    case Family::nearly_rank_two:
+      return nearly_of_rank(2, random);
+    default:
+      return result;
+  }
+}
+
+}  // namespace
+
+const std::vector<Family>& all_families() {
+  static const std::vector<Family> all{
+      Family::general,         Family::small_integers, Family::sparse_integers,
+      Family::powers_of_two,   Family::scales,         Family::large_trace,
+      Family::rotated,         Family::nearly_rank_one, Family::nearly_rank_two,
+      Family::nearly_special,  Family::slivers,        Family::needles,
+      Family::cut,             Family::cut_integers,   Family::meshes,
+      Family::special_meshes};
+  return all;
+}
+
+std::string name_of(Family family) {
+  constexpr std::array kNames{
+      "general",         "small_integers",  "sparse_integers", "powers_of_two",
+      "scales",          "large_trace",     "rotated",         "nearly_rank_one",
+      "nearly_rank_two", "nearly_special",  "slivers",         "needles",
+      "cut",             "cut_integers",    "meshes",          "special_meshes"};
+  return kNames.at(static_cast<std::size_t>(family));
+}
+
+TetTensors short_tensors(Random& random) {
+  TetTensors result = random.tet_tensors();
+  for (Tensor& t : result) t = rounded(t, 16);
+  return result;
+}
+
+std::vector<Cut> cut(TetMesh& mesh, int steps, Random& random) {
+  std::vector<Cut> result;
+  for (int step = 0; step < steps; ++step) {
+    auto simplex = mesh.tets[static_cast<std::size_t>(
+        random.integer(0, static_cast<int>(mesh.tets.size()) - 1))];
+    for (std::size_t i = 3; i > 0; --i)
+      std::swap(simplex[i], simplex[static_cast<std::size_t>(random.integer(0, static_cast<int>(i)))]);
+    const int count = random.integer(2, 4);
+    Cut& here = result.emplace_back();
+    here.simplex.assign(simplex.begin(), simplex.begin() + count);
+    std::sort(here.simplex.begin(), here.simplex.end());
+    Vector3<double> point{0, 0, 0};
+    Tensor tensor{};
+    int left = 8;
+    for (int k = 0; k < count; ++k) {
+      const int others = count - 1 - k;
+      const int weight = others == 0 ? left : random.integer(1, left - others);
+      left -= weight;
+      const auto v = static_cast<std::size_t>(here.simplex[static_cast<std::size_t>(k)]);
+      point = point + (weight / 8.0) * mesh.points[v];
+      tensor = tensor + (weight / 8.0) * mesh.tensors[v];
+    }
+    const auto middle = static_cast<TetMesh::Index>(mesh.points.size());
+    mesh.points.push_back(point);
+    mesh.tensors.push_back(tensor);
+    std::vector<std::array<TetMesh::Index, 4>> tets;
+    for (const auto& tet : mesh.tets) {
+      const bool is_around = std::ranges::all_of(here.simplex, [&](TetMesh::Index v) {
+        return std::ranges::find(tet, v) != tet.end();
+      });
+      if (!is_around) {
+        tets.push_back(tet);
+        continue;
+      }
+      for (const TetMesh::Index v : here.simplex) {
+        auto part = tet;
+        std::ranges::replace(part, v, middle);
+        tets.push_back(part);
+      }
+    }
+    mesh.tets = std::move(tets);
+  }
+  mesh.cell_ids.clear();
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    mesh.cell_ids.push_back(static_cast<std::int64_t>(t));
+  return result;
+}
+
+FieldCase field_case(Family family, int number) {
+  Random random(1'000'003u * static_cast<std::uint64_t>(number) + static_cast<std::uint64_t>(family));
+  FieldCase result;
+  result.mode = kModes[static_cast<std::size_t>(random.integer(0, kModes.size() - 1))];
+  switch (family) {
+    case Family::slivers:
+      result.mesh = flat_tet(random.tet_tensors(), random);
+      break;
+    case Family::needles:
+      result.mesh = long_tet(random.tet_tensors(), random);
+      break;
+    case Family::cut:
+    case Family::cut_integers:
+      result.mesh = reference_tet_mesh(family == Family::cut ? short_tensors(random)
+                                                             : integers(2, false, random));
+      cut(result.mesh, random.integer(1, 6), random);
+      break;
+    case Family::meshes:
+      result.mesh = cube_mesh(1);
+      fill_with_normal_tensors(result.mesh, static_cast<std::uint64_t>(random.integer(0, 1 << 30)));
+      break;
+    case Family::special_meshes: {
+      const auto& kinds = all_mesh_kinds();
+      result.mesh = special_mesh(
+          kinds[static_cast<std::size_t>(random.integer(0, static_cast<int>(kinds.size()) - 1))],
+          random);
+      break;
+    }
+    case Family::nearly_special: {
+      const auto& strata = all_strata();
+      const Stratum stratum = strata[static_cast<std::size_t>(
+          random.integer(0, static_cast<int>(strata.size()) - 1))];
+      const double rest = random.integer(0, 1) ? 0x1p-20 : 0x1p-36;
+      result.mesh = reference_tet_mesh(
+          nearly_in_stratum(stratum, rest, static_cast<std::uint64_t>(random.integer(0, 1 << 30))));
+      if (const std::string mode = special_mode(stratum); !mode.empty() && random.integer(0, 1))
+        result.mode = mode;
+      break;
+    }
+    default:
+      result.mesh = reference_tet_mesh(tensors_of(family, random));
+  }
+  return result;
+}
+
+}  // namespace tensortopo::test
