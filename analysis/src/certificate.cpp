@@ -9,7 +9,7 @@
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/io/lower_extension.hpp"
-#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/io/write_text.hpp"
 
 namespace tensortopo {

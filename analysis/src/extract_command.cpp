@@ -21,7 +21,7 @@
 #include "require_folder.hpp"
 #include "short_text.hpp"
 #include "spare_memory.hpp"
-#include "tensortopo/analysis/append_surface.hpp"
+#include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"

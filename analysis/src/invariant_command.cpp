@@ -12,7 +12,7 @@
 #include "read_field.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
-#include "tensortopo/analysis/append_surface.hpp"
+#include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"

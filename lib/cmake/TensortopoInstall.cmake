@@ -12,7 +12,7 @@ install(TARGETS ${core_targets} EXPORT tensortopoTargets FILE_SET HEADERS)
 install(EXPORT tensortopoTargets NAMESPACE tensortopo:: DESTINATION "${package_dir}")
 if(TARGET tensortopo_io)
   # A package of its own within the package, so that only those who ask for it look for VTK.
-  install(TARGETS tensortopo_io EXPORT tensortopoIoTargets FILE_SET HEADERS)
+  install(TARGETS tensortopo_io tensortopo_vtk EXPORT tensortopoIoTargets FILE_SET HEADERS)
   install(EXPORT tensortopoIoTargets NAMESPACE tensortopo:: DESTINATION "${package_dir}")
 endif()
 

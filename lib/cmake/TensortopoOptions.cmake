@@ -6,6 +6,18 @@ option(TENSORTOPO_BUILD_ANALYSIS "Build the program tensortopo (needs VTK)" ${PR
 option(TENSORTOPO_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(TENSORTOPO_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
 option(TENSORTOPO_WERROR "Treat warnings in our own code as errors" ${PROJECT_IS_TOP_LEVEL})
+# The distribution's Python comes with the headers and numpy that `.ci/install-packages` installs;
+# another one is chosen by -DPython_EXECUTABLE=.
+find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module NumPy)
+set(build_python OFF)
+if(Python_FOUND)
+  find_package(pybind11 2.10 QUIET CONFIG)
+endif()
+if(PROJECT_IS_TOP_LEVEL AND pybind11_FOUND AND NOT TENSORTOPO_SANITIZE)
+  set(build_python ON)
+endif()
+option(TENSORTOPO_BUILD_PYTHON "Build the Python package (needs pybind11)" ${build_python})
 set(TENSORTOPO_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
 
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "tensortopo/analysis/append_surface.hpp"
+#include "tensortopo/mesh/append_surface.hpp"
 
 namespace tensortopo {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "run_program.hpp"
 #include "support/brute_force.hpp"
-#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo::test {

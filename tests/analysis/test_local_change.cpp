@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "analyze/local_change.hpp"
+#include "tensortopo/sweep/local_change.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "analyze/sweep.hpp"
+#include "tensortopo/sweep/sweep.hpp"
 #include "run_program.hpp"
 #include "support/random_fields.hpp"
 #include "support/witness_fields.hpp"

@@ -14,7 +14,7 @@
 #include "support/random_fields.hpp"
 #include "support/witness_fields.hpp"
 #include "tensortopo/certify/certificate.hpp"
-#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 #include "vtk_text.hpp"
 
 namespace tensortopo::test {

@@ -11,7 +11,7 @@
 #include "analysis/run_program.hpp"
 #include "certificate_check/check_certificate.hpp"
 #include "io/field_files.hpp"
-#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 
 namespace tensortopo::test {
 namespace {

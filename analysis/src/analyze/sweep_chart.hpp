@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "analyze/sweep.hpp"
+#include "tensortopo/sweep/sweep.hpp"
 
 namespace tensortopo {
 

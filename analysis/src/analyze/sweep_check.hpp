@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analyze/sweep.hpp"
+#include "tensortopo/sweep/sweep.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 

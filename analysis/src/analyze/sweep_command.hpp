@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analyze/sweep.hpp"
+#include "tensortopo/sweep/sweep.hpp"
 #include "analyze/sweep_check.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"

@@ -14,7 +14,7 @@
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/lower_extension.hpp"
-#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 
 namespace tensortopo {
 

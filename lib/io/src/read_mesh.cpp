@@ -15,7 +15,7 @@
 #include "raw_grid.hpp"
 #include "read_legacy.hpp"
 #include "read_vtu.hpp"
-#include "sha256.hpp"
+#include "tensortopo/hash/sha256.hpp"
 #include "tensor_array.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/lower_extension.hpp"

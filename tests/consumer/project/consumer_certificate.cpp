@@ -6,7 +6,7 @@
 
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
-#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"

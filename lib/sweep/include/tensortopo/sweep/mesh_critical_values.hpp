@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analyze/local_change.hpp"
+#include "tensortopo/sweep/local_change.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo {

@@ -4,12 +4,13 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
-#include "analyze/mesh_critical_values.hpp"
-#include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/sweep/mesh_critical_values.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
 
 namespace tensortopo {
@@ -72,8 +73,11 @@ struct SweepOptions {
 /// The diagram of topology against the mode: every event from one mode to another, and the levels
 /// between. Throws std::invalid_argument if the options make no sense.
 /// @param mesh  valid
+/// @param progress  called now and then, from one thread at a time, with the stage and how much of
+///                  it is done; what it throws ends the sweep
 /// The result does not depend on the number of threads.
-Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options, const Progress& progress = {});
+Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options,
+                  const std::function<void(std::string_view, double)>& progress = {});
 
 /// A short decimal between two doubles, as a mode. Nothing if they are neighbours, or both within
 /// 1e-280 of zero and on one side of it.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "analyze/sweep.hpp"
+#include "tensortopo/sweep/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -156,7 +156,8 @@ std::optional<ModeValue> mode_between(double low, double high) {
   return low < 0 && high > 0 ? std::optional(ModeValue()) : std::nullopt;
 }
 
-Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options, const Progress& progress) {
+Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options,
+                  const std::function<void(std::string_view, double)>& progress) {
   const Rational from = exact(options.from), to = exact(options.to);
   if (!(from < to)) throw std::invalid_argument("the modes must ascend");
   if (options.samples < 2) throw std::invalid_argument("there must be two samples at least");

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "sha256.hpp"
+#include "tensortopo/hash/sha256.hpp"
 
 #include <array>
 #include <stdexcept>
 
 #include <openssl/evp.h>
 
-namespace tensortopo::detail {
+namespace tensortopo {
 
 void Sha256::Free::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
 
@@ -33,4 +33,4 @@ std::string Sha256::hex() {
   return text;
 }
 
-}  // namespace tensortopo::detail
+}  // namespace tensortopo

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "analyze/local_change.hpp"
+#include "tensortopo/sweep/local_change.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/io/number_hash.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <type_traits>
 
-#include "sha256.hpp"
+#include "tensortopo/hash/sha256.hpp"
 
 namespace tensortopo {
 
@@ -36,7 +36,7 @@ class NumberHash {
     sum_.add(buffer_);
     buffer_.clear();
   }
-  detail::Sha256 sum_;
+  Sha256 sum_;
   std::string buffer_;
 };
 

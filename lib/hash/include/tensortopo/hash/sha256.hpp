@@ -8,7 +8,7 @@
 
 struct evp_md_ctx_st;
 
-namespace tensortopo::detail {
+namespace tensortopo {
 
 /// SHA-256 of bytes given in pieces.
 class Sha256 {
@@ -25,4 +25,4 @@ class Sha256 {
   std::unique_ptr<evp_md_ctx_st, Free> context_;
 };
 
-}  // namespace tensortopo::detail
+}  // namespace tensortopo

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/analysis/append_surface.hpp"
+#include "tensortopo/mesh/append_surface.hpp"
 
 #include <algorithm>
 #include <limits>

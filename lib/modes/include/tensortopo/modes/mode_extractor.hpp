@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tensortopo/mesh/curve_mesh.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/mesh/surface_mesh.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/tensor/mode_parameter.hpp"
+
+namespace tensortopo {
+
+/// Told now and then, by one thread at a time, what is going on and how much of it is done, in
+/// [0, 1]. What it throws ends the extraction, and reaches the caller.
+using ModeProgress = std::function<void(std::string_view stage, double fraction)>;
+
+/// What a certificate calls its field.
+struct CertificateNames {
+  std::string tensor = "tensor";   ///< the array
+  std::string components = "vtk";  ///< the order of its components, as in CertificateSubject
+  bool cbor = false;               ///< CBOR instead of JSON
+};
+
+/// The mode surfaces of some modes.
+struct SurfaceRequest {
+  std::vector<ModeValue> modes;  ///< strictly between -1 and 1; repetitions count once
+  bool generalized = false;      ///< after each mode its opposite
+  double resolution = 4;         ///< samples per radian of turning of the medium eigenvector, > 0
+  bool all_samples = false;      ///< keep samples that make needles of triangles
+  bool improve = false;          ///< better angles, the same topology
+  bool graph = false;            ///< sheets as graphs where they are, not on the manifold
+  double max_error = 0;          ///< proved distance, in the mesh's units; 0 for `resolution` alone
+  bool certify = false;
+  CertificateNames names;
+  ModeProgress progress;
+};
+
+/// The degenerate curves: linear ones, planar ones, or first these and then those.
+struct CurveRequest {
+  bool linear = true, planar = false;
+  double resolution = 4;
+  bool certify = false;
+  CertificateNames names;
+  ModeProgress progress;
+};
+
+/// A tetrahedron that an output leaves out.
+struct LeftOut {
+  TetMesh::Index tet = -1;
+  std::string reason;  ///< the name that reports use
+  ModeValue mode;
+};
+
+/// One mode's part of an output: its vertices and cells follow those of the part before.
+struct ModePart {
+  ModeValue mode;
+  std::size_t vertices = 0, cells = 0;  ///< cells: triangles, or lines
+  SurfaceInvariants invariants;         ///< of a surface; `component` is left empty
+  CurveInvariants curve_invariants;     ///< of curves
+  std::optional<double> distance_bound;  ///< of a surface, to the level, both ways, if proved
+  std::size_t tets_farther = 0;          ///< tetrahedra without the distance that was asked for
+  std::vector<std::pair<std::string, double>> statistics;  ///< what the extraction counted
+};
+
+struct ModeSurfaces {
+  SurfaceMesh surface;
+  std::vector<ModePart> parts;     ///< one for each mode, in order
+  std::vector<LeftOut> unresolved;  ///< by mode, then tetrahedron
+  std::string certificate;         ///< the bytes of a file, if asked for
+  std::size_t claims = 0;          ///< that it makes
+};
+
+struct DegenerateCurves {
+  CurveMesh curves;
+  std::vector<ModePart> parts;
+  std::vector<LeftOut> unresolved;
+  std::string certificate;
+  std::size_t claims = 0;
+};
+
+/// Mode surfaces and degenerate curves of one mesh, as one output with its certificate. What the
+/// modes have in common is computed once, by whoever asks first.
+///
+/// Laws      (1) outputs depend on the mesh and the request only, not on threads or on what was
+///           asked for before; (2) they are those that `tensortopo extract` writes, bit for bit.
+/// May be used by several threads at a time.
+class ModeExtractor {
+ public:
+  /// @param mesh  valid (see `validate`); must live as long
+  explicit ModeExtractor(const TetMesh& mesh);
+  ~ModeExtractor();
+  ModeExtractor(const ModeExtractor&) = delete;
+  ModeExtractor& operator=(const ModeExtractor&) = delete;
+
+  /// Throws std::invalid_argument for requests that make no sense, with the reason.
+  ModeSurfaces surfaces(const SurfaceRequest& request) const;
+  DegenerateCurves curves(const CurveRequest& request) const;
+
+ private:
+  struct Shared;
+  std::unique_ptr<Shared> shared_;
+};
+
+/// A mode for surfaces: throws std::invalid_argument as ModeValue::parse does, and for modes that
+/// no double tells from 1 or -1.
+ModeValue parse_surface_mode(std::string_view text);
+
+}  // namespace tensortopo

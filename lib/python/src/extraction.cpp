@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "mesh.hpp"
+#include "watched.hpp"
+
+namespace tensortopo::python {
+
+namespace {
+
+using Index = SurfaceMesh::Index;
+
+py::list list_of(const std::vector<LeftOut>& cells) {
+  py::list list;
+  for (const LeftOut& cell : cells)
+    list.append(py::make_tuple(cell.tet, cell.reason, cell.mode.text()));
+  return list;
+}
+
+py::dict statistics_of(const ModePart& part) {
+  py::dict dict;
+  for (const auto& [name, value] : part.statistics) dict[py::str(name)] = value;
+  return dict;
+}
+
+py::dict dict_of(const SurfaceInvariants::Part& part) {
+  using namespace py::literals;
+  return py::dict("euler_characteristic"_a = part.euler_characteristic,
+                  "boundary_loops"_a = part.boundary_loops, "genus"_a = part.genus,
+                  "triangles"_a = part.triangles, "area"_a = part.area,
+                  "orientable"_a = part.orientable, "manifold"_a = part.manifold);
+}
+
+py::dict surface_level(const ModePart& part) {
+  using namespace py::literals;
+  const SurfaceInvariants& i = part.invariants;
+  py::list parts;
+  for (const auto& p : i.parts) parts.append(dict_of(p));
+  return py::dict("mode"_a = part.mode.text(), "vertices"_a = part.vertices,
+                  "triangles"_a = part.cells, "parts"_a = parts,
+                  "distance_bound"_a = part.distance_bound, "tets_farther"_a = part.tets_farther,
+                  "statistics"_a = statistics_of(part));
+}
+
+py::dict curve_level(const ModePart& part) {
+  using namespace py::literals;
+  const CurveInvariants& i = part.curve_invariants;
+  return py::dict("mode"_a = part.mode.text(), "vertices"_a = part.vertices,
+                  "lines"_a = part.cells, "length"_a = i.length, "components"_a = i.components,
+                  "closed_components"_a = i.closed_components,
+                  "statistics"_a = statistics_of(part));
+}
+
+std::vector<ModeValue> modes_of(const std::vector<std::string>& texts) {
+  std::vector<ModeValue> modes;
+  for (const std::string& text : texts) modes.push_back(parse_surface_mode(text));
+  return modes;
+}
+
+py::dict extract_surfaces(const Mesh& self, const std::vector<std::string>& modes, bool generalized,
+                          double resolution, bool all_samples, bool improve, bool graph,
+                          double max_error, bool certify, const std::string& tensor,
+                          const py::object& progress) {
+  SurfaceRequest request;
+  request.modes = modes_of(modes);
+  request.generalized = generalized, request.resolution = resolution;
+  request.all_samples = all_samples, request.improve = improve, request.graph = graph;
+  request.max_error = max_error, request.certify = certify;
+  request.names.tensor = tensor;
+  ModeSurfaces made = watched(progress, [&](const Progress& report) {
+    request.progress = report;
+    return self.extractor->surfaces(request);
+  });
+  py::dict out;
+  SurfaceMesh& s = made.surface;
+  out["points"] = array_of<double>(std::move(s.points));
+  out["triangles"] = array_of<Index>(std::move(s.triangles));
+  out["normals"] = array_of<double>(std::move(s.normal));
+  out["medium_eigenvectors"] = array_of<double>(std::move(s.medium_eigenvector));
+  out["dominant_eigenvectors"] = array_of<double>(std::move(s.dominant_eigenvector));
+  out["mode"] = array_of<double>(std::move(s.mode));
+  out["residual"] = array_of<double>(std::move(s.residual));
+  out["carrier"] = array_of<std::uint8_t>(std::move(s.carrier));
+  out["carrier_vertices"] = array_of<Index>(std::move(s.carrier_vertices));
+  out["tet"] = array_of<Index>(std::move(s.tet));
+  out["component"] = array_of<Index>(std::move(s.component));
+  out["unresolved"] = list_of(made.unresolved);
+  py::list levels;
+  for (const ModePart& part : made.parts) levels.append(surface_level(part));
+  out["levels"] = levels;
+  out["certificate"] = certify ? py::object(py::bytes(made.certificate)) : py::none();
+  out["claims"] = made.claims;
+  return out;
+}
+
+py::dict extract_curves(const Mesh& self, bool linear, bool planar, double resolution, bool certify,
+                        const std::string& tensor, const py::object& progress) {
+  CurveRequest request;
+  request.linear = linear, request.planar = planar;
+  request.resolution = resolution, request.certify = certify;
+  request.names.tensor = tensor;
+  DegenerateCurves made = watched(progress, [&](const Progress& report) {
+    request.progress = report;
+    return self.extractor->curves(request);
+  });
+  CurveMesh& c = made.curves;
+  std::vector<std::int64_t> offsets{0};
+  std::vector<Index> connectivity;
+  for (const auto& line : c.lines) {
+    connectivity.insert(connectivity.end(), line.begin(), line.end());
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  }
+  py::dict out;
+  out["points"] = array_of<double>(std::move(c.points));
+  out["offsets"] = array_of<std::int64_t>(std::move(offsets));
+  out["connectivity"] = array_of<Index>(std::move(connectivity));
+  out["dominant_eigenvectors"] = array_of<double>(std::move(c.dominant_eigenvector));
+  out["mode"] = array_of<double>(std::move(c.mode));
+  out["residual"] = array_of<double>(std::move(c.residual));
+  out["separation"] = array_of<double>(std::move(c.separation));
+  out["carrier"] = array_of<std::uint8_t>(std::move(c.carrier));
+  out["carrier_vertices"] = array_of<Index>(std::move(c.carrier_vertices));
+  out["tet"] = array_of<Index>(std::move(c.tet));
+  out["component"] = array_of<Index>(std::move(c.component));
+  out["unresolved"] = list_of(made.unresolved);
+  py::list levels;
+  for (const ModePart& part : made.parts) levels.append(curve_level(part));
+  out["levels"] = levels;
+  out["certificate"] = certify ? py::object(py::bytes(made.certificate)) : py::none();
+  out["claims"] = made.claims;
+  return out;
+}
+
+}  // namespace
+
+void define_extraction(py::class_<Mesh>& mesh) {
+  mesh.def("surfaces", &extract_surfaces, py::arg("modes"), py::arg("generalized"),
+           py::arg("resolution"), py::arg("all_samples"), py::arg("improve"), py::arg("graph"),
+           py::arg("max_error"), py::arg("certify"), py::arg("tensor"), py::arg("progress"));
+  mesh.def("curves", &extract_curves, py::arg("linear"), py::arg("planar"), py::arg("resolution"),
+           py::arg("certify"), py::arg("tensor"), py::arg("progress"));
+}
+
+}  // namespace tensortopo::python

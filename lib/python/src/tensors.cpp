@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "arrays.hpp"
+#include "mesh.hpp"
+#include "tensortopo/tensor/deviator.hpp"
+#include "tensortopo/tensor/eigen_decomposition.hpp"
+#include "tensortopo/tensor/mode.hpp"
+
+namespace tensortopo::python {
+
+namespace {
+
+using Tensor = SymmetricTensor<double>;
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t rows_of(const Input<double>& tensors) {
+  if (tensors.ndim() != 2 || tensors.shape(1) != 6)
+    throw py::value_error("tensors: expected shape (n, 6)");
+  return static_cast<std::size_t>(tensors.shape(0));
+}
+
+Tensor tensor_at(const double* numbers, std::size_t i) {
+  const double* t = numbers + 6 * i;
+  return {t[0], t[1], t[2], t[3], t[4], t[5]};
+}
+
+bool is_finite(const Tensor& t) {
+  for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
+    if (!std::isfinite(x)) return false;
+  return true;
+}
+
+/// A number for each tensor with a deviator; not a number for the others.
+template <class Function>
+py::array_t<double> for_each_deviator(const Input<double>& tensors, const Function& function) {
+  const std::size_t n = rows_of(tensors);
+  py::array_t<double> result(static_cast<py::ssize_t>(n));
+  const double* in = tensors.data();
+  double* out = result.mutable_data();
+  const py::gil_scoped_release unlocked;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Tensor t = tensor_at(in, i);
+    out[i] = kUndefined;
+    if (!is_finite(t)) continue;
+    const auto d = deviator(t);
+    if (d != Deviator<double>{}) out[i] = function(d);
+  }
+  return result;
+}
+
+py::array_t<double> deviators(const Input<double>& tensors) {
+  const std::size_t n = rows_of(tensors);
+  py::array_t<double> result({static_cast<py::ssize_t>(n), py::ssize_t{6}});
+  const double* in = tensors.data();
+  double* out = result.mutable_data();
+  const py::gil_scoped_release unlocked;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Tensor d = to_tensor(deviator(tensor_at(in, i)));
+    const double row[6]{d.xx, d.yy, d.zz, d.xy, d.yz, d.xz};
+    for (std::size_t k = 0; k < 6; ++k) out[6 * i + k] = row[k];
+  }
+  return result;
+}
+
+py::tuple eigensystems(const Input<double>& tensors) {
+  const std::size_t n = rows_of(tensors);
+  const auto rows = static_cast<py::ssize_t>(n);
+  py::array_t<double> values({rows, py::ssize_t{3}}), vectors({rows, py::ssize_t{3}, py::ssize_t{3}});
+  const double* in = tensors.data();
+  double *l = values.mutable_data(), *v = vectors.mutable_data();
+  {
+    const py::gil_scoped_release unlocked;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Tensor t = tensor_at(in, i);
+      Eigensystem<double> e;
+      if (is_finite(t))
+        e = eigen_decomposition(t);
+      else
+        e.values.fill(kUndefined), e.vectors.fill({kUndefined, kUndefined, kUndefined});
+      for (std::size_t k = 0; k < 3; ++k) {
+        l[3 * i + k] = e.values[k];
+        const Vector3<double>& x = e.vectors[k];
+        v[9 * i + 3 * k] = x.x, v[9 * i + 3 * k + 1] = x.y, v[9 * i + 3 * k + 2] = x.z;
+      }
+    }
+  }
+  return py::make_tuple(values, vectors);
+}
+
+}  // namespace
+
+void define_tensors(py::module_& m) {
+  m.def(
+      "mode",
+      [](const Input<double>& tensors) {
+        return for_each_deviator(tensors, [](const auto& d) { return mode(d); });
+      },
+      py::arg("tensors"));
+  m.def(
+      "lode_angle",
+      [](const Input<double>& tensors) {
+        return for_each_deviator(tensors, [](const auto& d) { return lode_angle(d); });
+      },
+      py::arg("tensors"));
+  m.def("deviator", &deviators, py::arg("tensors"));
+  m.def("eigen", &eigensystems, py::arg("tensors"));
+}
+
+}  // namespace tensortopo::python

@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+"""Topology of 3D symmetric tensor fields, with proofs.
+
+Mode surfaces, neutral surfaces and degenerate curves of piecewise linear fields on tetrahedral meshes.
+Arrays go in and out; nothing here needs VTK.
+
+>>> import tensortopo as tt
+>>> field = tt.read("stress.vtu")                      # doctest: +SKIP
+>>> surface = field.mode_surface("1/2", certify=True)  # doctest: +SKIP
+>>> tt.check(field, surface)                           # doctest: +SKIP
+Verdict(certified: 3141 of 3141 claims certified)
+"""
+from __future__ import annotations
+
+from ._bridges import (
+    PyVistaAccessor,
+    from_meshio,
+    from_pyvista,
+    register_pyvista,
+    to_meshio,
+    to_pyvista,
+)
+from ._check import Finding, Verdict, certify, check
+from ._errors import Cancelled, Defect, FileError, MeshError, UnresolvedError
+from ._families import Generated, field_kinds, generate
+from ._field import Field
+from ._files import read, write
+from ._modes import exact_mode
+from ._surface import (
+    CARRIERS,
+    Component,
+    CurveLevel,
+    Curves,
+    Surface,
+    SurfaceLevel,
+    Unresolved,
+)
+from ._sweep import CriticalPoint, Sweep, SweepEvent, SweepInterval, SweepLevel
+from ._tensors import COMPONENT_ORDERS, deviator, eigen, lode_angle, mode
+from ._verify import Statement, verify
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "CARRIERS",
+    "COMPONENT_ORDERS",
+    "Cancelled",
+    "Component",
+    "CriticalPoint",
+    "CurveLevel",
+    "Curves",
+    "Defect",
+    "Field",
+    "FileError",
+    "Finding",
+    "Generated",
+    "MeshError",
+    "PyVistaAccessor",
+    "Statement",
+    "Surface",
+    "SurfaceLevel",
+    "Sweep",
+    "SweepEvent",
+    "SweepInterval",
+    "SweepLevel",
+    "Unresolved",
+    "UnresolvedError",
+    "Verdict",
+    "certify",
+    "check",
+    "deviator",
+    "eigen",
+    "exact_mode",
+    "field_kinds",
+    "from_meshio",
+    "from_pyvista",
+    "generate",
+    "lode_angle",
+    "mode",
+    "read",
+    "register_pyvista",
+    "to_meshio",
+    "to_pyvista",
+    "verify",
+    "write",
+]

@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+"""Certificates, checked by code that shares nothing with what makes them."""
+from __future__ import annotations
+
+import os
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Callable, Optional, Union
+
+from ._errors import FileError
+from ._field import Field
+from ._files import write
+from ._surface import Curves, Surface
+
+PathLike = Union[str, "os.PathLike[str]"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A claim that is wrong, or could not be decided: what it is about, claimed and derived."""
+
+    entity: str
+    claimed: str
+    derived: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What came of a certificate's claims, each counted once.
+
+    Attributes
+    ----------
+    status : str
+        ``refuted`` if one claim is, else ``undecided`` if one is, else ``certified``.
+    certified, refuted, undecided : int
+    refutations, open : tuple of Finding
+        The first refuted and the first undecided claims.
+    """
+
+    status: str
+    certified: int
+    refuted: int
+    undecided: int
+    refutations: tuple[Finding, ...] = ()
+    open: tuple[Finding, ...] = ()
+
+    def __bool__(self) -> bool:
+        """Whether all claims are certified."""
+        return self.status == "certified"
+
+    def __repr__(self) -> str:
+        claims = self.certified + self.refuted + self.undecided
+        return f"Verdict({self.status}: {self.certified} of {claims} claims certified)"
+
+
+def check(
+    field: Union[Field, PathLike],
+    output: Union[Surface, Curves, PathLike],
+    certificate: Union[bytes, PathLike, None] = None,
+    *,
+    progress: Optional[Callable[[str, float], Any]] = None,
+) -> Verdict:
+    """Derives every claim of a certificate again, from the bits of the tensors.
+
+    By the code of ``tensortopo_check``, in a module that links nothing of the library. Objects are
+    written to temporary files, which it reads.
+
+    Parameters
+    ----------
+    field : Field or path
+        The field, or its file (.vtu, .vtk).
+    output : Surface, Curves or path
+        The surface or the curves, or their file (.vtp).
+    certificate : bytes or path, optional
+        By default that of ``output``.
+    progress : callable, optional
+        As in `Field.mode_surface`.
+
+    Returns
+    -------
+    Verdict
+        True where a condition is asked for, if all claims are certified.
+
+    Raises
+    ------
+    FileError
+        For files that are not what they should be.
+    ValueError
+        If there is no certificate.
+    """
+    from . import _checker
+
+    if certificate is None and isinstance(output, (Surface, Curves)):
+        certificate = output.certificate
+    if certificate is None:
+        raise ValueError("certificate: there is none; extract with certify=True")
+    with tempfile.TemporaryDirectory(prefix="tensortopo-") as folder:
+        files = []
+        for what, name in ((field, "field.vtu"), (output, "output.vtp")):
+            if isinstance(what, (Field, Surface, Curves)):
+                write(Path(folder) / name, what)
+                files.append(str(Path(folder) / name))
+            else:
+                files.append(os.fspath(what))
+        if isinstance(certificate, bytes):
+            encoding = "json" if certificate.lstrip()[:1] == b"{" else "cbor"
+            path = Path(folder) / f"certificate.{encoding}"
+            path.write_bytes(certificate)
+            files.append(str(path))
+        else:
+            files.append(os.fspath(certificate))
+        try:
+            report = _checker.check(*files, progress)
+        except _checker.Malformed as error:
+            raise FileError(str(error)) from error
+    for key in ("refutations", "open"):
+        report[key] = tuple(Finding(*finding) for finding in report[key])
+    return Verdict(**report)
+
+
+def certify(
+    field: Field, mode: Any, **options: Any
+) -> tuple[Surface, Verdict]:
+    """Extracts a mode surface with a certificate, and checks it.
+
+    Parameters
+    ----------
+    field : Field
+    mode, **options
+        As of `Field.mode_surface`.
+
+    Returns
+    -------
+    surface : Surface
+        With its certificate.
+    verdict : Verdict
+        Of the independent checker.
+    """
+    surface = field.mode_surface(mode, certify=True, **options)
+    return surface, check(field, surface)

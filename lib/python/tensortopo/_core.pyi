@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+from typing import Any, Callable, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+_Doubles = npt.NDArray[np.float64]
+_Progress = Optional[Callable[[str, float], Any]]
+
+
+class Mesh:
+    def __init__(
+        self,
+        points: _Doubles,
+        tensors: _Doubles,
+        tets: npt.NDArray[np.int64],
+        cell_ids: npt.NDArray[np.int64],
+    ) -> None: ...
+    @property
+    def points(self) -> _Doubles: ...
+    @property
+    def tensors(self) -> _Doubles: ...
+    @property
+    def tets(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def cell_ids(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def defects(self) -> list[tuple[str, int, str]]: ...
+    @property
+    def reoriented(self) -> int: ...
+    def sha256(self) -> str: ...
+    def surfaces(
+        self,
+        modes: list[str],
+        generalized: bool,
+        resolution: float,
+        all_samples: bool,
+        improve: bool,
+        graph: bool,
+        max_error: float,
+        certify: bool,
+        tensor: str,
+        progress: _Progress,
+    ) -> dict[str, Any]: ...
+    def curves(
+        self,
+        linear: bool,
+        planar: bool,
+        resolution: float,
+        certify: bool,
+        tensor: str,
+        progress: _Progress,
+    ) -> dict[str, Any]: ...
+    def sweep(
+        self, start: str, stop: str, samples: int, most_levels: int, progress: _Progress
+    ) -> dict[str, Any]: ...
+
+def parse_mode(text: str) -> str: ...
+def mode(tensors: _Doubles) -> _Doubles: ...
+def lode_angle(tensors: _Doubles) -> _Doubles: ...
+def deviator(tensors: _Doubles) -> _Doubles: ...
+def eigen(tensors: _Doubles) -> tuple[_Doubles, _Doubles]: ...
+def family_kinds() -> list[str]: ...
+def family_member(
+    kind: str, seed: int, member: int, members: int, tetrahedra: int
+) -> tuple[Mesh, list[str], str]: ...

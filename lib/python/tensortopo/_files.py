@@ -1,0 +1,218 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+"""Fields from files, and outputs to files, without VTK."""
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Optional, Union
+
+import numpy as np
+
+from ._errors import FileError
+from ._field import Field
+from ._surface import Curves, Surface, _Output
+from ._tensors import COMPONENT_ORDERS
+from ._vtk_xml import XmlArray, XmlPiece, piece_text, read_piece, write_whole
+
+_TETRA = 10
+_FLAT = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36}  # points, lines, faces
+_LINEAR_NAMES = {11: "voxels", 12: "hexahedra", 13: "wedges", 14: "pyramids"}
+
+
+def _pick(path: Path, arrays: dict[str, XmlArray], tensor: Optional[str]) -> tuple[str, XmlArray]:
+    found = {
+        name: array
+        for name, array in arrays.items()
+        if array.values.ndim == 2 and array.values.shape[1] in (6, 9)
+    }
+    if tensor is not None:
+        if tensor not in found:
+            raise FileError(f"{path}: no point array '{tensor}' of 6 or 9 components")
+        return tensor, found[tensor]
+    if len(found) != 1:
+        names = ", ".join(found) or "none"
+        raise FileError(f"{path}: expected one point array of 6 or 9 components, found: {names}")
+    return next(iter(found.items()))
+
+
+def _order(path: Path, array: XmlArray, asked: Optional[str]) -> str:
+    """The order of six components: obeyed if the file names one, else the one asked for."""
+    named: Optional[str] = None
+    if array.names is not None:
+        ends = tuple("".join(sorted(name[-2:])) for name in array.names)
+        for order, components in COMPONENT_ORDERS.items():
+            if ends == components:
+                named = order
+                break
+        if named is None and asked is None:
+            raise FileError(f"{path}: the components are called {', '.join(array.names)}; name their "
+                            "order (components=...)")  # fmt: skip
+    if named is not None and asked is not None and COMPONENT_ORDERS[named] != COMPONENT_ORDERS.get(asked):
+        raise FileError(f"{path}: the file names the order '{named}', not '{asked}'")
+    return asked or named or "vtk"
+
+
+def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Optional[str],
+              symmetrize: bool) -> Field:  # fmt: skip
+    try:
+        points = next(iter(piece.sections["Points"].values())).values
+        cells = piece.sections["Cells"]
+        connectivity, offsets, types = (
+            cells[name].values for name in ("connectivity", "offsets", "types")
+        )
+    except (KeyError, StopIteration) as error:
+        raise FileError(f"{path}: points or cells are missing") from error
+    ends = offsets.astype(np.int64)
+    starts = np.concatenate(([0], ends[:-1])) if len(ends) else ends
+    if len(types) != len(ends) or (ends < starts).any() or (len(ends) and ends[-1] > len(connectivity)):
+        raise FileError(f"{path}: the cells are not what their offsets say")
+    tetra = types == _TETRA
+    other = sorted({int(t) for t in types[~tetra]} - _FLAT)
+    if other:
+        what = ", ".join(_LINEAR_NAMES.get(t, f"cells of VTK's type {t}") for t in other)
+        raise FileError(
+            f"{path}: has {what}; rewrite it with: tensortopo convert {path} -o OUT.vtu"
+        )
+    if (ends[tetra] - starts[tetra] != 4).any():
+        raise FileError(f"{path}: a tetrahedron has not four vertices")
+    tets = connectivity[starts[tetra][:, None] + np.arange(4)]
+    name, array = _pick(path, piece.sections.get("PointData", {}), tensor)
+    if len(array.values) != len(points):
+        raise FileError(f"{path}: the array '{name}' has not one tensor for each point")
+    if array.values.shape[1] == 9:
+        tensors: Any = array.values.reshape(-1, 3, 3)
+        if components is not None:
+            raise FileError(f"{path}: an order of components is of six, '{name}' has nine")
+        order = "vtk"
+    else:
+        tensors = array.values
+        order = _order(path, array, components)
+    return Field(points, tensors, tets, order, cell_ids=np.flatnonzero(tetra), tensor_name=name,
+                 symmetrize=symmetrize)  # fmt: skip
+
+
+def read(
+    path: Union[str, os.PathLike[str]],
+    tensor: Optional[str] = None,
+    components: Optional[str] = None,
+    *,
+    symmetrize: bool = False,
+) -> Field:
+    """The field in a file.
+
+    A .vtu of linear tetrahedra in one piece is read here: text, inline and appended binary,
+    uncompressed or by zlib. Other names go to meshio, where it is installed. What neither reads, the
+    program does: ``tensortopo convert IN -o OUT.vtu``.
+
+    Parameters
+    ----------
+    path : str or path
+    tensor : str, optional
+        The point array; by default the only one of 6 or 9 components.
+    components : str, optional
+        The order of six components, as in `Field`; by default what the file says, or VTK's. Refused
+        if the file names another one.
+    symmetrize : bool, default False
+        As in `Field`.
+
+    Returns
+    -------
+    Field
+        With the numbers exactly as in the file; ``cell_ids`` count its cells from 0.
+
+    Raises
+    ------
+    FileError
+        For files that cannot be read, or are not what they should be.
+    ValueError, MeshError
+        As `Field`.
+    """
+    file = Path(path)
+    if file.suffix.lower() == ".vtu":
+        piece = read_piece(file)
+        if piece.kind != "UnstructuredGrid":
+            raise FileError(f"{file}: holds no unstructured grid")
+        return _field_of(file, piece, tensor, components, symmetrize)
+    try:
+        import meshio
+    except ImportError as error:
+        raise FileError(
+            f"{file}: only .vtu is read without meshio; install meshio, or rewrite the file with: "
+            f"tensortopo convert {file} -o OUT.vtu"
+        ) from error
+    from ._bridges import from_meshio
+
+    return from_meshio(meshio.read(file), tensor, components, symmetrize=symmetrize)
+
+
+def _field_text(field: Field) -> str:
+    n = len(field.tets)
+    cells = {
+        "connectivity": field.tets.astype(np.int64).ravel(),
+        "offsets": np.arange(4, 4 * n + 1, 4, dtype=np.int64),
+        "types": np.full(n, _TETRA, dtype=np.uint8),
+    }
+    return piece_text(
+        "UnstructuredGrid",
+        {"NumberOfPoints": len(field.points), "NumberOfCells": n},
+        {
+            "PointData": {field.tensor_name: field.tensors},
+            "Points": {"Points": field.points},
+            "Cells": cells,
+        },
+    )
+
+
+def _output_text(output: _Output) -> str:
+    point_data: dict[str, Any] = {"mode": output.mode}
+    counts = {"NumberOfPoints": len(output.points), "NumberOfVerts": 0}
+    if isinstance(output, Surface):
+        point_data["medium_eigenvector"] = output.medium_eigenvectors
+        point_data["dominant_eigenvector"] = output.dominant_eigenvectors
+        point_data["normal"] = output.normals
+        point_data["residual"] = output.residual
+        n = len(output.triangles)
+        connectivity = output.triangles.astype(np.int64).ravel()
+        offsets = np.arange(3, 3 * n + 1, 3, dtype=np.int64)
+        section, counts["NumberOfPolys"] = "Polys", n
+    elif isinstance(output, Curves):
+        point_data["dominant_eigenvector"] = output.dominant_eigenvectors
+        point_data["residual"] = output.residual
+        point_data["separation"] = output.separation
+        connectivity = output.connectivity.astype(np.int64)
+        offsets = output.offsets[1:]
+        section, counts["NumberOfLines"] = "Lines", len(output)
+    else:
+        raise TypeError(f"nothing is written of a {type(output).__name__}")
+    return piece_text(
+        "PolyData",
+        counts,
+        {
+            "PointData": point_data,
+            "CellData": {"tet": output.cell_ids, "component": output.component},
+            "Points": {"Points": output.points},
+            section: {"connectivity": connectivity, "offsets": offsets},
+        },
+    )
+
+
+def write(path: Union[str, os.PathLike[str]], what: Union[Field, Surface, Curves]) -> None:
+    """Writes a field (.vtu), or a surface or curves (.vtp), whole or not at all.
+
+    The arrays of a .vtp are those that the program writes, with the same names and numbers, so that
+    ``tensortopo check`` takes it.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be written.
+    ValueError
+        For another extension.
+    """
+    file = Path(path)
+    wanted = ".vtu" if isinstance(what, Field) else ".vtp"
+    if file.suffix.lower() != wanted:
+        raise ValueError(f"{file}: the name of a {type(what).__name__} must end in {wanted}")
+    text = _field_text(what) if isinstance(what, Field) else _output_text(what)
+    write_whole(file, text.encode("utf-8"))

@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+"""The paper's statements, tried."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Optional, Sequence
+
+
+@dataclass(frozen=True)
+class Statement:
+    """What trying a statement has given.
+
+    Attributes
+    ----------
+    id, paper, claim : str
+        Its name here and in the paper, and what the paper says.
+    corrected : str
+        What is true instead; empty if the claim is.
+    verdict : str
+        ``holds``, ``corrected``, ``refuted`` or ``undecided``.
+    tried : int
+        Fields that satisfied the hypotheses.
+    witness : str
+        Of a refutation.
+    seconds : float
+    """
+
+    id: str
+    paper: str
+    claim: str
+    corrected: str
+    verdict: str
+    tried: int
+    witness: str
+    seconds: float
+
+
+def verify(
+    theorems: Optional[Sequence[str]] = None,
+    *,
+    fields: int = 100,
+    seed: int = 1,
+    scalar: str = "rational",
+    progress: Optional[Callable[[str, float], Any]] = None,
+) -> list[Statement]:
+    """Tries the paper's statements on random linear fields, as ``tensortopo verify`` does.
+
+    Parameters
+    ----------
+    theorems : sequence of str, optional
+        Ids of statements; all by default.
+    fields : int, default 100
+        How many random fields.
+    seed : int, default 1
+    scalar : {"rational", "interval", "real100", "double"}
+        What to compute with.
+    progress : callable, optional
+        As in `Field.mode_surface`; some statements take long, and end at their end only.
+
+    Returns
+    -------
+    list of Statement
+        In the order asked for.
+    """
+    from . import _theory
+
+    if fields < 1 or seed < 0:
+        raise ValueError("fields: at least 1; seed: at least 0")
+    known = {id: rest for id, *rest in _theory.statements()}
+    if isinstance(theorems, str):
+        theorems = [theorems]
+    ids = list(known) if theorems is None else list(theorems)
+    tried = _theory.verify(ids, fields, seed, scalar, progress)
+    return [Statement(id, *known[id], *rest) for id, *rest in tried]

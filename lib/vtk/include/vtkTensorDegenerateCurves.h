@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "vtkTensorTopology.h"
+
+/// The curves of degenerate points of a symmetric tensor field on linear tetrahedra.
+///
+/// Input as of vtkTensorModeSurface. Outputs: 0, the curves, with point arrays `mode`,
+/// `dominant_eigenvector`, `residual` and `separation`, and cell arrays `tet` and `component`; 1,
+/// the cells that no proof covers, with their reasons.
+class TENSORTOPO_VTK_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopology {
+ public:
+  static vtkTensorDegenerateCurves* New();
+  vtkTypeMacro(vtkTensorDegenerateCurves, vtkTensorTopology)
+  void PrintSelf(std::ostream& os, vtkIndent indent) override;
+
+  /// 1 linear, 2 planar, 3 both (default).
+  vtkSetClampMacro(Curves, int, 1, 3);
+  vtkGetMacro(Curves, int);
+
+ protected:
+  vtkTensorDegenerateCurves();
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void Extract(const tensortopo::filters::TensorGrid& grid, bool in_pieces,
+               vtkInformationVector* outputs) override;
+
+ private:
+  int Curves = 3;
+};

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "vtkTensorTopology.h"
+
+/// The mode surfaces of a symmetric tensor field on linear tetrahedra.
+///
+/// Input: a vtkUnstructuredGrid with point tensors of six or nine components (the array to process;
+/// by default the active tensors, else the only candidate). Outputs: 0, the surfaces; 1, the
+/// degenerate curves, if asked for; 2, the cells that no proof covers, with their reasons.
+///
+/// Surfaces have point arrays `mode`, `medium_eigenvector`, `dominant_eigenvector`, `residual` and
+/// normals, and cell arrays `tet` and `component`: bit for bit those that `tensortopo extract`
+/// writes. Modes are exact: "1/2 -0.9". With several pieces the input needs a layer of ghost cells
+/// and global ids of points; then all samples are kept, and the pieces fit each other bit for bit.
+class TENSORTOPO_VTK_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
+ public:
+  static vtkTensorModeSurface* New();
+  vtkTypeMacro(vtkTensorModeSurface, vtkTensorTopology)
+  void PrintSelf(std::ostream& os, vtkIndent indent) override;
+
+  /// Modes in (-1, 1), exactly: decimals and fractions, separated by spaces, commas or semicolons.
+  vtkSetStdStringFromCharMacro(Modes);
+  vtkGetCharFromStdStringMacro(Modes);
+  /// With this on, the mode is the shortest decimal of ModeNumber, for a slider. Default off.
+  vtkSetMacro(UseModeNumber, bool);
+  vtkGetMacro(UseModeNumber, bool);
+  vtkSetClampMacro(ModeNumber, double, -0.999999, 0.999999);
+  vtkGetMacro(ModeNumber, double);
+  /// After each mode also the opposite one. Default off.
+  vtkSetMacro(Generalized, bool);
+  vtkGetMacro(Generalized, bool);
+  /// The largest proved distance between triangles and level, in the unit of the points; 0, the
+  /// default, for none.
+  vtkSetClampMacro(MaximumError, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumError, double);
+  /// Keep samples that make needles of triangles. Default off.
+  vtkSetMacro(AllSamples, bool);
+  vtkGetMacro(AllSamples, bool);
+  /// Better angles, the same topology. Default off.
+  vtkSetMacro(ImproveTriangles, bool);
+  vtkGetMacro(ImproveTriangles, bool);
+  /// Degenerate curves on output 1: 0 none (default), 1 linear, 2 planar, 3 both.
+  vtkSetClampMacro(Curves, int, 0, 3);
+  vtkGetMacro(Curves, int);
+
+ protected:
+  vtkTensorModeSurface();
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void Extract(const tensortopo::filters::TensorGrid& grid, bool in_pieces,
+               vtkInformationVector* outputs) override;
+
+ private:
+  std::string Modes = "0";
+  bool UseModeNumber = false;
+  double ModeNumber = 0;
+  bool Generalized = false;
+  double MaximumError = 0;
+  bool AllSamples = false;
+  bool ImproveTriangles = false;
+  int Curves = 0;
+};

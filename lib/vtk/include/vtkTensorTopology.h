@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vtkPolyDataAlgorithm.h>
+
+#include <functional>
+#include <string>
+
+#if __has_include("TensorTopoFiltersModule.h")
+#include "TensorTopoFiltersModule.h"
+#define TENSORTOPO_VTK_EXPORT TENSORTOPOFILTERS_EXPORT
+#else
+#define TENSORTOPO_VTK_EXPORT
+#endif
+
+namespace tensortopo::filters {
+struct TensorGrid;
+}
+
+/// What the filters of this library have in common: the input and its tensors, sampling,
+/// certificates, progress and abort.
+class TENSORTOPO_VTK_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
+ public:
+  vtkTypeMacro(vtkTensorTopology, vtkPolyDataAlgorithm)
+  void PrintSelf(std::ostream& os, vtkIndent indent) override;
+
+  /// The order of six components: 0 as the array names them, else VTK's (default); 1 VTK's (XX YY
+  /// ZZ XY YZ XZ), 2 Voigt's (XX YY ZZ YZ XZ XY), 3 Abaqus' and MRtrix' (XX YY ZZ XY XZ YZ), 4
+  /// NIfTI's and DIPY's (XX XY YY XZ YZ ZZ), 5 FSL's (XX XY XZ YY YZ ZZ).
+  vtkSetClampMacro(ComponentOrder, int, 0, 5);
+  vtkGetMacro(ComponentOrder, int);
+  /// Samples per radian of turning of an eigenvector. Default 4.
+  vtkSetClampMacro(Sampling, double, 0.01, 1000);
+  vtkGetMacro(Sampling, double);
+  /// A certificate is written there, for `tensortopo check`: .json or .cbor. Empty, the default,
+  /// for none. Not with several pieces.
+  vtkSetStdStringFromCharMacro(CertificateFile);
+  vtkGetCharFromStdStringMacro(CertificateFile);
+
+ protected:
+  vtkTensorTopology();
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                          vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+  /// Fills the outputs, or throws.
+  virtual void Extract(const tensortopo::filters::TensorGrid& grid, bool in_pieces,
+                       vtkInformationVector* outputs) = 0;
+
+  using Report = std::function<void(std::string_view stage, double fraction)>;
+  /// Runs work in a thread of its own. This one meanwhile tells the application of progress, and
+  /// ends the work if it is asked to.
+  void Run(const std::function<void(const Report&)>& work);
+
+  bool IsCertifying() const { return !CertificateFile.empty(); }
+  bool IsCertificateCbor() const;
+  void WriteCertificate(const std::string& bytes) const;
+
+ private:
+  int ComponentOrder = 0;
+  double Sampling = 4;
+  std::string CertificateFile;
+};

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+class vtkDataArray;
+
+namespace tensortopo::filters {
+
+/// A grid's field, as the library takes it.
+struct TensorGrid {
+  vtkUnstructuredGrid* grid = nullptr;
+  TetMesh mesh;                  ///< valid
+  std::vector<vtkIdType> cells;  ///< of each tetrahedron, in the grid
+  /// Whether each tetrahedron is another piece's.
+  std::vector<std::uint8_t> is_ghost;
+  std::string tensor;      ///< the array's name
+  std::string components;  ///< the order of its six components, or "full"
+};
+
+/// The field of the point tensors `tensors`.
+///
+/// Points and cells are in the order of their global ids, if they have these. Cells of lower
+/// dimension are passed over.
+/// @param order  as vtkTensorTopology::ComponentOrder
+/// Throws std::runtime_error for other cells, for tensors that are none, and for meshes that are no
+/// domain of a field, with the reason.
+TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int order);
+
+/// The only point array of six or nine components; throws std::runtime_error if there is none, or
+/// several.
+vtkDataArray* only_tensors(vtkUnstructuredGrid* grid);
+
+}  // namespace tensortopo::filters

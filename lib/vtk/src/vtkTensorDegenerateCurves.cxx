@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "vtkTensorDegenerateCurves.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include "output_data.hpp"
+
+using namespace tensortopo;
+
+vtkStandardNewMacro(vtkTensorDegenerateCurves);
+
+vtkTensorDegenerateCurves::vtkTensorDegenerateCurves() { SetNumberOfOutputPorts(2); }
+
+int vtkTensorDegenerateCurves::FillOutputPortInformation(int port, vtkInformation* info) {
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+void vtkTensorDegenerateCurves::Extract(const filters::TensorGrid& grid, bool,
+                                        vtkInformationVector* outputs) {
+  CurveRequest request;
+  request.linear = (Curves & 1) != 0, request.planar = (Curves & 2) != 0;
+  request.resolution = GetSampling();
+  request.certify = IsCertifying();
+  request.names = {grid.tensor, grid.components, IsCertificateCbor()};
+  DegenerateCurves made;
+  Run([&](const Report& report) {
+    request.progress = report;
+    made = ModeExtractor(grid.mesh).curves(request);
+  });
+  filters::fill(vtkPolyData::GetData(outputs, 0), made.curves, grid);
+  filters::fill(vtkUnstructuredGrid::GetData(outputs, 1), made.unresolved, grid);
+  if (IsCertifying()) WriteCertificate(made.certificate);
+}
+
+void vtkTensorDegenerateCurves::PrintSelf(std::ostream& os, vtkIndent indent) {
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Curves: " << Curves << '\n';
+}

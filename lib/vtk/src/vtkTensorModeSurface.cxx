@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "vtkTensorModeSurface.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "output_data.hpp"
+
+using namespace tensortopo;
+
+vtkStandardNewMacro(vtkTensorModeSurface);
+
+namespace {
+
+std::vector<ModeValue> modes_of(const std::string& text) {
+  std::vector<ModeValue> modes;
+  const char* const separators = " ,;\t\n";
+  for (std::size_t at = text.find_first_not_of(separators); at != std::string::npos;) {
+    const std::size_t end = text.find_first_of(separators, at);
+    modes.push_back(parse_surface_mode(text.substr(at, end - at)));
+    at = text.find_first_not_of(separators, std::min(end, text.size()));
+  }
+  return modes;
+}
+
+/// The shortest decimal that reads back as the number.
+std::string shortest(double number) {
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  return {text.data(), end};
+}
+
+}  // namespace
+
+vtkTensorModeSurface::vtkTensorModeSurface() { SetNumberOfOutputPorts(3); }
+
+int vtkTensorModeSurface::FillOutputPortInformation(int port, vtkInformation* info) {
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+void vtkTensorModeSurface::Extract(const filters::TensorGrid& grid, bool in_pieces,
+                                   vtkInformationVector* outputs) {
+  SurfaceRequest surfaces;
+  surfaces.modes = modes_of(UseModeNumber ? shortest(ModeNumber) : Modes);
+  surfaces.generalized = Generalized;
+  surfaces.resolution = GetSampling();
+  surfaces.max_error = MaximumError;
+  // Whether a sample can be done without depends on more than the tetrahedra around it.
+  surfaces.all_samples = AllSamples || in_pieces;
+  surfaces.improve = ImproveTriangles;
+  surfaces.certify = IsCertifying();
+  surfaces.names = {grid.tensor, grid.components, IsCertificateCbor()};
+  CurveRequest curves;
+  curves.linear = (Curves & 1) != 0, curves.planar = (Curves & 2) != 0;
+  curves.resolution = GetSampling();
+
+  ModeSurfaces surface;
+  std::optional<DegenerateCurves> lines;
+  Run([&](const Report& report) {
+    const ModeExtractor extractor(grid.mesh);
+    surfaces.progress = report;
+    surface = extractor.surfaces(surfaces);
+    if (Curves == 0) return;
+    curves.progress = report;
+    lines = extractor.curves(curves);
+  });
+  filters::fill(vtkPolyData::GetData(outputs, 0), surface.surface, grid);
+  if (lines) {
+    filters::fill(vtkPolyData::GetData(outputs, 1), lines->curves, grid);
+    surface.unresolved.insert(surface.unresolved.end(), lines->unresolved.begin(),
+                              lines->unresolved.end());
+  }
+  filters::fill(vtkUnstructuredGrid::GetData(outputs, 2), surface.unresolved, grid);
+  if (IsCertifying()) WriteCertificate(surface.certificate);
+}
+
+void vtkTensorModeSurface::PrintSelf(std::ostream& os, vtkIndent indent) {
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Modes: " << Modes << '\n'
+     << indent << "UseModeNumber: " << UseModeNumber << '\n'
+     << indent << "ModeNumber: " << ModeNumber << '\n'
+     << indent << "Generalized: " << Generalized << '\n'
+     << indent << "MaximumError: " << MaximumError << '\n'
+     << indent << "AllSamples: " << AllSamples << '\n'
+     << indent << "ImproveTriangles: " << ImproveTriangles << '\n'
+     << indent << "Curves: " << Curves << '\n';
+}

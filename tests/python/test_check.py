@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+"""Certificates and their checker."""
+import json
+
+import pytest
+
+import tensortopo as tt
+
+
+def test_surfaces_and_curves_are_certified(slab):
+    surface, verdict = tt.certify(slab, "1/2", generalized=True)
+    assert verdict and verdict.certified >= surface.claims > 100
+    assert verdict.refuted == verdict.undecided == 0
+    assert surface.levels[0].distance_bound > 0
+    curves = slab.degenerate_curves("linear", certify=True)
+    assert tt.check(slab, curves).status in ("certified", "undecided")
+
+
+def test_a_forged_certificate_is_refuted(slab):
+    surface = slab.mode_surface("1/2", certify=True)
+    forged = json.loads(surface.certificate)
+    text = json.dumps(forged)
+    assert tt.check(slab, surface, text.encode())  # the same numbers in other bytes
+    level = forged["levels"][0]
+    level["components"][0]["euler_characteristic"] += 1
+    verdict = tt.check(slab, surface, json.dumps(forged).encode())
+    assert not verdict and verdict.status == "refuted" and verdict.refuted >= 1
+    assert verdict.refutations
+
+
+def test_another_surface_is_refuted(slab):
+    one, other = (slab.mode_surface(mode, certify=True) for mode in ("1/2", "2/5"))
+    assert tt.check(slab, other, one.certificate).status == "refuted"
+
+
+def test_what_is_no_certificate_is_an_error(slab):
+    surface = slab.mode_surface("1/2")
+    with pytest.raises(ValueError, match="certify=True"):
+        tt.check(slab, surface)
+    with pytest.raises(tt.FileError):
+        tt.check(slab, surface, b"{}")
