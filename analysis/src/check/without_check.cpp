@@ -7,7 +7,7 @@
 namespace tensortopo {
 
 CheckOutcome run_check(const std::string&, const std::string&, const std::string&,
-                       const Progress&) {
+                       const CheckDemands&, const Progress&) {
   throw UsageError("check: this program was built without it (TENSORTOPO_BUILD_PROOFS=OFF)");
 }
 

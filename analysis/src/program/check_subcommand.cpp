@@ -18,11 +18,20 @@ void add_check_subcommand(CLI::App& program, CommonOptions& common, Action& acti
   app.add_option("INPUT", (*files)[0], "The field: .vtu, legacy .vtk")->required();
   app.add_option("OUTPUT", (*files)[1], "The surface: .vtp")->required();
   app.add_option("CERT", (*files)[2], "The certificate: .json or .cbor")->required();
+  const auto demands = std::make_shared<CheckDemands>();
+  app.add_option("--expect-mode", demands->modes,
+                 "A mode (1/2, -0.9) that must be certified; repeatable")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--expect-tensor", demands->tensor,
+                 "The tensor array that the certificate must be about");
+  app.add_flag("--expect-complete", demands->complete,
+               "No tetrahedron may be left out, no other cell of the input skipped");
   add_common_options(app, common);
-  app.callback([files, &common, &action] {
-    action = [files, &common] {
+  app.callback([files, demands, &common, &action] {
+    action = [files, demands, &common] {
       ProgressBar bar(!common.quiet);
-      const CheckOutcome outcome = run_check((*files)[0], (*files)[1], (*files)[2], bar.callback());
+      const CheckOutcome outcome = run_check((*files)[0], (*files)[1], (*files)[2], *demands, bar.callback());
       bar.erase();
       if (common.json) {
         print(outcome.json + '\n');

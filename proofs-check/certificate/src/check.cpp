@@ -5,6 +5,8 @@
 #include "compare_arrays.hpp"
 #include "compare_curves.hpp"
 #include "compare_distance.hpp"
+#include "compare_places.hpp"
+#include "curve_names.hpp"
 
 namespace certificate {
 namespace {
@@ -21,6 +23,7 @@ bool mark_left_out(const Json& claims, const Input& input, const Reason& reason_
     const std::size_t tet = input.tet_at(entry[0].get<Number>());
     if (tet == Input::kNone) return ledger.refute(name, reason, "no such tetrahedron"), false;
     left_out[tet] = true;
+    ledger.of_level().left_out[reason].push_back(entry[0].get<Number>());
     ledger.leave_open(name, reason);
   }
   return true;
@@ -37,18 +40,18 @@ Level level_of(const Json& claims) {
 
 void check_level(const Json& claims, const Level& level, const Input& input, const Field& field,
                  const Triangles& surface, Ledger& ledger, const Progress& progress) {
-  ledger.level = (claims.contains("mode")
-                      ? "mode " + claims["mode"].get<std::string>()
-                      : claims["invariant"].get<std::string>() + ' ' +
-                            claims["value"].get<std::string>()) + ", ";
+  ledger.begin_level(claims.contains("mode") ? "mode " + claims["mode"].get<std::string>()
+                                             : claims["invariant"].get<std::string>() + ' ' +
+                                                   claims["value"].get<std::string>());
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
   if (!mark_left_out(claims, input, reason_of, left_out, ledger)) return;
   const std::size_t left_open = ledger.open();
   const Topology topology = derive_topology(input, field, level, left_out, progress);
   const Range vertices_of_level = range_of(claims["vertices"]);
-  const LevelCase c{input, field, level, surface, claims, vertices_of_level,
-                    range_of(claims["triangles"]), left_out, topology, progress};
+  LevelCase c{input, field, level, surface, claims, vertices_of_level,
+              range_of(claims["triangles"]), left_out, topology, progress, {}};
+  c.curves = name_curves(c);
   ledger.begin("vertices on the level");
   ledger.settle(claims["on_level"] == topology.on_level, "vertices on the level",
                 claims["on_level"].dump(), std::to_string(topology.on_level));
@@ -62,17 +65,27 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
   compare_cones(c, vertices, ledger);
   ledger.begin("surface");
   const auto placed = compare_surface(c, vertices, ledger);
+  if (placed) {
+    ledger.begin("places");
+    compare_places(c, *placed, ledger);
+    ledger.begin("orientation");
+    compare_orientation(c, *placed, ledger);
+  }
   ledger.begin("distances");
   // Where something is refuted or open, the level may have more sheets, and vertices need not be
   // where they are claimed to be.
   const bool is_sound = placed && !ledger.has_refuted() && ledger.open() == left_open;
-  if (!claims["distance"].is_null()) compare_distance(c, is_sound ? &*placed : nullptr, ledger);
+  if (const Json& distance = claims["distance"]; !distance.is_null()) {
+    ledger.of_level().bound = distance["bound"].get<std::string>();
+    ledger.of_level().coarse = distance["coarse"].size();
+    compare_distance(c, is_sound ? &*placed : nullptr, ledger);
+  }
   ledger.count(level.decided_by_balls(), level.decided_exactly());
 }
 
 void check_curves(const Json& claims, const Input& input, const Field& field,
                   const Polylines& curves, Ledger& ledger, const Progress& progress) {
-  ledger.level = "mode " + claims["mode"].get<std::string>() + ", ";
+  ledger.begin_level("mode " + claims["mode"].get<std::string>());
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
   if (!mark_left_out(claims, input, curve_reason_of, left_out, ledger)) return;
@@ -108,11 +121,19 @@ class Checking {
         progress_(progress),
         input_(read_input(input_file, certificate["input"]["tensor"],
                           certificate["input"]["components"])),
-        ledger_(report_) {}
+        ledger_(report_) {
+    Subject& s = report_.subject;
+    s.input = input_file;
+    s.tensor = certificate["input"]["tensor"], s.order = certificate["input"]["components"];
+    s.listing = listing_of(s.order), s.names = input_.names;
+    s.points = input_.points.size(), s.tetrahedra = input_.tets.size();
+    s.other_cells = input_.other_cells;
+  }
 
   Report of_surface(const std::string& file) {
     const Json& levels = certificate_["levels"];
     const Triangles surface = read_triangles(file);
+    report_.subject.output = file;
     if (!compare_files(surface, "surface", "triangles", surface.triangles.size())) return report_;
     std::optional<Field> field;  // levels mostly are about the same tensors
     for (const Json& claims : levels) {
@@ -126,6 +147,7 @@ class Checking {
 
   Report of_curves(const std::string& file) {
     const Polylines curves = read_polylines(file);
+    report_.subject.output = file, report_.subject.of_curves = true;
     if (!compare_files(curves, "polylines", "lines", curves.lines.size())) return report_;
     const Field field(input_, Multiples{});
     for (const Json& claims : certificate_["levels"])
@@ -146,7 +168,12 @@ class Checking {
     ledger_.begin("files");
     compare("points", input_claims["points"], input_.points.size());
     compare("tetrahedra", input_claims["tetrahedra"], input_.tets.size());
-    compare("input's sha256", input_claims["sha256"], input_.sha256());
+    Subject& s = report_.subject;
+    s.sha256 = input_.sha256(), s.vertices = output.points.size(), s.cells = cells;
+    for (const Array& array : output.arrays)
+      if (array.name != "mode" && array.name != "value" && array.name != "component")
+        s.bound_only.push_back(array.name);
+    compare("input's sha256", input_claims["sha256"], s.sha256);
     compare("vertices", claims["vertices"], output.points.size());
     compare(kind, claims[kind], cells);
     compare(std::string(key) + (*key == 's' ? "'s sha256" : "' sha256"), claims["sha256"],
@@ -156,6 +183,8 @@ class Checking {
                                       are_in_order(levels, kind, cells);
     ledger_.settle(are_levels_of_output, "levels", "all of the file, one after the other",
                    "they are not");
+    if (levels.empty())
+      ledger_.leave_open("levels", "the certificate claims nothing about any level");
     ledger_.begin("arrays");
     compare_hashes(claims, output.arrays, ledger_);
     if (are_levels_of_output) compare_arrays(levels, output, ledger_);

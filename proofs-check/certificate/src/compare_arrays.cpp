@@ -99,7 +99,38 @@ void compare_hashes(const Json& file_claims, const std::vector<Array>& arrays, L
   }
 }
 
+namespace {
+
+/// Arrays whose names are claims have one number each and belong where they mean something, so
+/// that whoever reads the file finds in them what was compared.
+/// @param kind  of the cells
+void compare_shapes(const std::vector<Array>& arrays, const std::string& kind, bool of_modes,
+                    Ledger& ledger) {
+  for (const Array& array : arrays) {
+    const bool is_number = array.name == "mode" || array.name == "value";
+    if (!is_number && array.name != "component") continue;
+    const std::string of = is_number ? "points" : kind;
+    if (array.of != of)
+      ledger.refute(text_of({array.of, array.name}), "of the " + array.of, "of the " + of);
+    else if (array.components != 1)
+      ledger.refute(text_of({array.of, array.name}),
+                    std::to_string(array.components) + " components", "1 component");
+    else if (is_number && (array.name == "mode") != of_modes)
+      ledger.refute(text_of({array.of, array.name}), "a number of each level",
+                    "the levels have another");
+  }
+}
+
+bool are_of_modes(const Json& levels) {
+  return std::all_of(levels.begin(), levels.end(),
+                     [](const Json& level) { return level.contains("mode"); });
+}
+
+}  // namespace
+
 void compare_arrays(const Json& levels, const Triangles& surface, Ledger& ledger) {
+  if (!surface.points.empty())
+    compare_shapes(surface.arrays, "triangles", are_of_modes(levels), ledger);
   const Array* const modes = find(surface.arrays, "points", "mode");
   const Array* const values = find(surface.arrays, "points", "value");
   for (const Json& level : levels) {
@@ -117,6 +148,7 @@ void compare_arrays(const Json& levels, const Triangles& surface, Ledger& ledger
 }
 
 void compare_arrays(const Json& levels, const Polylines& curves, Ledger& ledger) {
+  compare_shapes(curves.arrays, "lines", true, ledger);
   if (const Array* const modes = find(curves.arrays, "points", "mode"))
     for (const Json& level : levels)
       compare_numbers(*modes, level["vertices"], static_cast<int>(kind_of(level["mode"])), ledger);

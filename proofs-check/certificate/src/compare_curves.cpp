@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "containment.hpp"
 #include "union_find.hpp"
 
 namespace certificate {
@@ -77,19 +78,11 @@ bool is_near(const CurveCase& c, const Box& box, const std::array<Vertex, 3>& fa
   return true;
 }
 
-/// Has it coordinates that points of the tetrahedron have?
+/// Does it lie in the tetrahedron?
 bool is_near(const CurveCase& c, Number vertex, std::size_t tet) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    mpq_class largest, low = c.input.points[c.input.tets[tet][0]][axis], high = low;
-    for (const Vertex v : c.input.tets[tet]) {
-      const mpq_class p = c.input.points[v][axis];
-      largest = std::max(largest, mpq_class(abs(p)));
-      low = std::min(low, p), high = std::max(high, p);
-    }
-    const mpq_class x = c.curves.points[vertex][axis], slack = rounding_of(largest);
-    if (x < low - slack || x > high + slack) return false;
-  }
-  return true;
+  std::array<Point3, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = c.input.points[c.input.tets[tet][i]];
+  return lies_in(c.curves.points[vertex], corners);
 }
 
 bool is_of(const Range& range, Number i) { return i - range.first < range.count; }
@@ -178,7 +171,7 @@ void compare_lines(const CurveCase& c, Ledger& ledger) {
     for (std::size_t n = 0; n < line.size(); ++n) {
       if (!is_of(c.vertices, line[n]))
         wrong = name + " with a vertex of other curves";
-      else if (!c.left_out[tet] && !is_near(c, line[n], tet))
+      else if (!is_near(c, line[n], tet))
         wrong = name + " leaves its tetrahedron";
       ++used[line[n]];
       if (n > 0 && n + 1 < line.size()) inner.insert(line[n]);
@@ -229,6 +222,8 @@ void compare_polylines(const CurveCase& c, Ledger& ledger) {
     const Json none, &truth = i < derived.size() ? derived[i] : none,
                      &claim = i < claimed.size() ? claimed[i] : none;
     ledger.settle(claim == truth, "curve " + std::to_string(i), claim.dump(), truth.dump());
+    if (!truth.is_null())
+      ledger.of_level().components.push_back({0, 0, truth["closed"], truth["lines"]});
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include "compare_list.hpp"
@@ -13,6 +14,12 @@ namespace certificate {
 
 struct Range {
   Number first = 0, count = 0;
+};
+
+/// The closed curves of faces that have several, by the vertices that the certificate names them by.
+struct CurveNames {
+  std::map<std::array<Vertex, 3>, std::vector<Number>> names;  ///< in the order of the curves
+  std::set<std::array<Vertex, 3>> uncertain;   ///< where places do not tell which is which
 };
 
 /// One level of a certificate beside the truth about it.
@@ -26,6 +33,7 @@ struct LevelCase {
   const std::vector<bool>& left_out;   ///< tetrahedra about which nothing is claimed
   const Topology& topology;
   const Progress& progress;
+  CurveNames curves;
 };
 
 /// Which vertex of the surface is which crossing, as the certificate claims.

@@ -37,6 +37,8 @@ class Pieces {
                  bool closed);
   void compare_chains() const;
   void compare_folds() const;
+  void compare_fans() const;
+  void note_places(PlacedSurface& result) const;
 
   const LevelCase& c_;
   const CrossingVertices& vertices_;
@@ -49,6 +51,8 @@ class Pieces {
   /// Where sheets end at an edge between two tips, by tetrahedron and crossing.
   std::map<std::pair<std::size_t, Number>, std::vector<RimEdge>> folds_;
   std::vector<std::pair<std::size_t, std::vector<ClosedLoop>>> closed_sheets_;
+  std::vector<std::pair<std::size_t, ClosedLoop>> closed_curves_;
+  std::map<std::size_t, std::vector<ClosedPiece>> closed_pieces_;
 };
 
 void Pieces::group() {
@@ -108,6 +112,7 @@ std::vector<ClosedLoop> Pieces::compare(std::size_t tet, const Json& claim,
     for (const RimEdge& edge : loop) found.vertices.push_back(edge.from);
     if (found.vertices[0] != *std::min_element(found.vertices.begin(), found.vertices.end()))
       throw Wrong("a closed curve not named by its smallest vertex");
+    closed_curves_.emplace_back(tet, found);
     return {found};
   }
   auto start = loop.begin();
@@ -160,6 +165,9 @@ void Pieces::compare(std::size_t tet, const Json& claim, std::vector<Piece>& pie
     is_used[*piece] = true;
     if (closed.size() == loops.size()) closed_sheets_.emplace_back(tet, std::move(closed));
   }
+  for (Piece& piece : pieces)
+    if (piece.loops.empty())
+      closed_pieces_[tet].push_back({piece.euler_characteristic, std::move(piece.members)});
 }
 
 /// Two tetrahedra have the same curves on the face between them.
@@ -225,11 +233,72 @@ void Pieces::compare_folds() const {
   }
 }
 
+/// Around an edge of the mesh tetrahedra that are not left out fall into groups that are joined
+/// through faces. All triangles of a group that have a crossing of that edge have one vertex for
+/// it; and each vertex that the certificate gives a crossing is that of a group.
+void Pieces::compare_fans() const {
+  if (vertices_.original.empty()) return;
+  std::map<MeshCrossing, std::map<std::size_t, Number>> used;  // by tetrahedra
+  std::set<Number> seen;
+  for (std::size_t t = 0; t < tets_.size(); ++t) {
+    if (c_.left_out[tets_[t]]) continue;
+    for (const std::uint32_t v : c_.surface.triangles[c_.triangles.first + t]) {
+      const auto crossing = vertices_.crossing.find(v);
+      if (crossing == vertices_.crossing.end()) continue;
+      const auto& tet = c_.input.tets[tets_[t]];
+      for (const Vertex end : crossing->second.edge)
+        if (std::find(tet.begin(), tet.end(), end) == tet.end())
+          throw Wrong("vertex " + std::to_string(v) + ", a crossing's, beside another edge");
+      if (used[crossing->second].emplace(tets_[t], v).first->second != v)
+        throw Wrong("two vertices of a crossing in one tetrahedron, one of them " +
+                    std::to_string(v));
+      seen.insert(v);
+    }
+  }
+  for (const auto& [v, crossing] : vertices_.crossing)
+    if (!seen.contains(v))
+      throw Wrong("vertex " + std::to_string(v) + " of a crossing is that of no triangles there");
+  for (const auto& [crossing, by_tet] : used)
+    for (const auto& [tet, v] : by_tet)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Vertex opposite = c_.input.tets[tet][i];
+        if (opposite == crossing.edge[0] || opposite == crossing.edge[1]) continue;
+        for (const std::size_t other : tets_at_.at(face_of(c_.input.tets[tet], i)))
+          if (const auto there = by_tet.find(other); there != by_tet.end() && there->second != v)
+            throw Wrong("vertices " + std::to_string(v) + " and " + std::to_string(there->second) +
+                        " of a crossing beside one face of the mesh");
+      }
+}
+
+/// In which simplices the vertices must lie but for crossings.
+void Pieces::note_places(PlacedSurface& result) const {
+  const std::size_t first = c_.vertices.first;
+  const auto same = [](const Carrier& a, const Carrier& b) {
+    return a.count == b.count && a.corners == b.corners;
+  };
+  for (std::size_t v = 0; v < result.carriers.size(); ++v)
+    if (!vertices_.crossing.contains(first + v)) result.places.push_back({first + v, result.carriers[v]});
+  for (const auto& [face, sides] : chains_)
+    for (const auto& [tet, chains] : sides)
+      for (const Chain& chain : chains)
+        for (const Number v : chain) {
+          const Carrier carrier{{face[0], face[1], face[2]}, 3};
+          if (!is_end(v) && !same(result.carriers[v - first], carrier))
+            result.places.push_back({v, carrier});
+        }
+  std::set<std::pair<Number, std::size_t>> inside;
+  for (std::size_t t = 0; t < result.tets.size(); ++t)
+    for (const Number v : c_.surface.triangles[c_.triangles.first + t])
+      if (c_.left_out[result.tets[t]] && inside.emplace(v, result.tets[t]).second)
+        result.places.push_back({v, {c_.input.tets[result.tets[t]], 4}});
+}
+
 /// A vertex that is on no edge or face is inside the tetrahedron of its triangles.
 PlacedSurface Pieces::place() && {
   const std::size_t first = c_.vertices.first;
   PlacedSurface result{std::vector<Carrier>(c_.vertices.count), std::move(tets_),
-                       std::move(closed_sheets_)};
+                       std::move(closed_sheets_), std::move(closed_curves_),
+                       std::move(closed_pieces_), {}};
   for (const auto& [vertex, crossing] : vertices_.crossing)
     result.carriers[vertex - first] = {{crossing.edge[0], crossing.edge[1]}, 2};
   for (const Json& claim : c_.claims["cones"]) {
@@ -257,6 +326,7 @@ PlacedSurface Pieces::place() && {
     for (const Number v : mesh_.triangles()[t])
       if (Carrier& carrier = result.carriers[v - first]; carrier.count == 0)
         carrier = {c_.input.tets[result.tets[t]], 4};
+  note_places(result);
   return result;
 }
 
@@ -315,6 +385,7 @@ void Pieces::compare() {
   if (matched != by_tet_.size()) throw Wrong("triangles in a tetrahedron without sheets");
   compare_chains();
   compare_folds();
+  compare_fans();
 }
 
 /// Vertices of the level's range only, and all of them.
@@ -360,6 +431,10 @@ std::optional<PlacedSurface> compare_surface(const LevelCase& c, const CrossingV
                  {"triangles", components[i].triangles},
                  {"first_vertex", components[i].vertices[0]}};
     ledger.settle(claim == derived, "component " + std::to_string(i), claim.dump(), derived.dump());
+    if (i < components.size())
+      ledger.of_level().components.push_back({components[i].euler_characteristic,
+                                              components[i].loops.size(), false,
+                                              components[i].triangles});
   }
   // Sheets are claimed in terms of a crossing's first vertex, whichever fan has that.
   std::vector<HalfEdges::Triangle> renamed;

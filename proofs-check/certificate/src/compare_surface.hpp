@@ -16,12 +16,21 @@ struct ClosedLoop {
   Vertex opposite;
   std::vector<Number> vertices;
 };
+/// A piece of triangles without boundary.
+struct ClosedPiece {
+  long euler_characteristic = 0;
+  std::vector<std::size_t> triangles;  ///< of the level
+};
 /// The triangles of a level, found to be as claimed.
 struct PlacedSurface {
   std::vector<Carrier> carriers;   ///< of each vertex of the level
   std::vector<std::size_t> tets;   ///< of each triangle, among the tetrahedra of the input
   /// The sheets that meet no edge: their tetrahedra, and their loops.
   std::vector<std::pair<std::size_t, std::vector<ClosedLoop>>> closed_sheets;
+  std::vector<std::pair<std::size_t, ClosedLoop>> closed_curves;   ///< all, by tetrahedra
+  std::map<std::size_t, std::vector<ClosedPiece>> closed_pieces;   ///< by tetrahedra
+  /// All simplices in which vertices must lie, but crossings' edges.
+  std::vector<std::pair<Number, Carrier>> places;
 };
 
 /// The triangles of a level: are they a surface, oriented, whose part in each tetrahedron has the

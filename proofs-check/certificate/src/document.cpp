@@ -3,13 +3,14 @@
 #include "document.hpp"
 
 #include <cctype>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
+#include "parse_document.hpp"
 
 namespace certificate {
 namespace {
@@ -28,12 +29,14 @@ Json make_shape() {
       "mode": "text", "vertices": ["natural", "natural"], "triangles": ["natural", "natural"],
       "on_level": "natural",
       "undecided": ["*1", ["natural", "text"]],
-      "edges": ["*2", ["natural", "natural", "*0", ["natural or text", "natural", "natural",
-                                                 "*1", "natural"]]],
+      "edges": ["*2", ["natural", "natural", ["natural or text", "natural", "natural", "*1", "natural"],
+                         "*0", ["natural or text", "natural", "natural", "*1", "natural"]]],
       "faces": ["*3", ["natural", "natural", "natural",
                        ["*2", ["natural", "natural"]], ["*1", "natural"]]],
-      "tets": ["*1", ["natural", "*0", ["integer", "*0", ["natural", "natural", "*0", "natural"]]]],
-      "cones": ["*1", ["natural", "*1", ["natural", "natural", "*0", "natural"]]],
+      "tets": ["*1", ["natural", ["integer", "*0", ["natural", "natural", "*0", "natural"]],
+                         "*0", ["integer", "*0", ["natural", "natural", "*0", "natural"]]]],
+      "cones": ["*1", ["natural", ["natural", "natural", "*0", "natural"],
+                          "*1", ["natural", "natural", "*0", "natural"]]],
       "components": ["*1", {"euler_characteristic": "integer", "boundary_loops": "integer",
                             "orientable": "boolean", "triangles": "natural",
                             "first_vertex": "natural"}],
@@ -129,33 +132,6 @@ std::string misfit(const Json& value, const Json& shape) {
   return {};
 }
 
-/// Makes a document of what is read, and stops where a certificate would not go on so.
-class Builder : public nlohmann::detail::json_sax_dom_parser<Json> {
-  using Base = nlohmann::detail::json_sax_dom_parser<Json>;
-
- public:
-  explicit Builder(Json& document) : Base(document, false) {}
-
-  std::string problem = "not well-formed";
-
-  bool start_object(std::size_t size) { return deeper() && Base::start_object(size); }
-  bool start_array(std::size_t size) { return deeper() && Base::start_array(size); }
-  bool end_object() { return keys_.pop_back(), Base::end_object(); }
-  bool end_array() { return keys_.pop_back(), Base::end_array(); }
-  bool key(std::string& name) {
-    return (keys_.back().insert(name).second || fail("a key given twice")) && Base::key(name);
-  }
-
- private:
-  bool fail(const char* what) { return problem = what, false; }
-  bool deeper() {
-    constexpr std::size_t kMaxDepth = 16;
-    keys_.emplace_back();
-    return keys_.size() <= kMaxDepth || fail("nested too deeply");
-  }
-  std::vector<std::set<std::string>> keys_;
-};
-
 const std::string& text_of(const Json& value) {
   const auto& text = value.get_ref<const std::string&>();
   if (text.size() > 1000) throw Malformed("", "a text that is too long");
@@ -165,12 +141,18 @@ const std::string& text_of(const Json& value) {
 }  // namespace
 
 std::string file_bytes(const std::string& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw Malformed(file, "cannot be read");
+  // A pipe or device may never end.
+  if (!std::filesystem::is_regular_file(status)) throw Malformed(file, "is no regular file");
   std::ifstream stream(file, std::ios::binary);
-  // A folder can be opened, but not read: peeking sets a flag where the iterator would throw.
-  if (stream.is_open()) stream.peek();
+  const auto size = std::filesystem::file_size(file, error);
+  if (!stream.is_open() || error) throw Malformed(file, "cannot be read");
+  std::string bytes(size, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
   if (stream.bad()) throw Malformed(file, "cannot be read");
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad()) throw Malformed(file, "cannot be read");
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
   return bytes;
 }
 
@@ -181,14 +163,11 @@ bool has_extension(std::string name, std::string_view extension) {
 
 Json read_document(const std::string& file) {
   const std::string bytes = file_bytes(file);
-  const bool cbor = has_extension(file, ".cbor");
-  const auto format = cbor ? Json::input_format_t::cbor : Json::input_format_t::json;
   Json document;
-  Builder builder(document);
   try {
-    if (!Json::sax_parse(bytes, &builder, format)) throw Malformed(file, builder.problem);
-  } catch (const Json::exception&) {
-    throw Malformed(file, builder.problem);
+    document = has_extension(file, ".cbor") ? parse_cbor(bytes) : parse_json(bytes);
+  } catch (const Malformed& error) {
+    throw Malformed(file, error.problem());
   }
   static const Json surface_shape = make_shape(), curve_shape = make_curve_shape();
   const bool is_of_curves = document.is_object() && document.contains("polylines");
@@ -212,6 +191,22 @@ mpq_class fraction_of(const Json& value) {
 }
 
 }  // namespace
+
+std::optional<mpq_class> number_of(const std::string& text) {
+  std::string digits = text;
+  const std::size_t point = digits.find('.');
+  if (point != std::string::npos) {
+    digits.erase(point, 1);
+    digits += "/1" + std::string(digits.size() - point, '0');
+  }
+  const bool has_others = digits.find_first_not_of("0123456789/-") != std::string::npos;
+  mpq_class result;
+  if (digits.empty() || digits.size() > 1000 || has_others || result.set_str(digits, 10) != 0 ||
+      result.get_den() == 0)
+    return std::nullopt;
+  result.canonicalize();
+  return result;
+}
 
 mpq_class mode_of(const Json& value) {
   const mpq_class mode = fraction_of(value);

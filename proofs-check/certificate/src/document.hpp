@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,8 @@ bool has_extension(std::string name, std::string_view extension);
 Json read_document(const std::string& file);
 
 /// Texts and numbers of a document. These throw Malformed, without the file's name.
+/// A fraction or decimal that a user writes: "1/2", "0.5", "-9/10". Nothing if it is none.
+std::optional<mpq_class> number_of(const std::string& text);
 mpq_class mode_of(const Json& value);      ///< in lowest terms, between -1 and 1
 Kind kind_of(const Json& mode);           ///< of degenerate tensors, mode 1 or -1
 Invariant invariant_of(const Json& name);

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "certificate_check/check_certificate.hpp"
+#include "component_names.hpp"
 #include "document.hpp"
 #include "grid.hpp"
 #include "vtk_legacy.hpp"
@@ -123,8 +124,9 @@ std::string Array::sha256() const { return Digest().add(numbers).hex(); }
 namespace {
 
 Grid read_xml_grid(const std::string& name, const std::string& tensor, std::size_t components) {
-  const XmlFile file(name, "UnstructuredGrid");
+  const XmlFile file(name, "UnstructuredGrid", {"Cells"});
   Grid grid{file.numbers("Points", "", 3), file.numbers("PointData", tensor, components),
+            file.component_names("PointData", tensor),
             file.naturals("Cells", "types"), file.naturals("Cells", "connectivity"),
             file.naturals("Cells", "offsets")};
   if (grid.points.size() != 3 * file.count("NumberOfPoints") ||
@@ -133,23 +135,49 @@ Grid read_xml_grid(const std::string& name, const std::string& tensor, std::size
   return grid;
 }
 
+/// Where XX YY ZZ XY YZ XZ are.
+const std::map<std::string, std::array<std::size_t, 6>> kOrders{
+    {"vtk", {0, 1, 2, 3, 4, 5}},    {"voigt", {0, 1, 2, 5, 3, 4}},
+    {"abaqus", {0, 1, 2, 3, 5, 4}}, {"nifti", {0, 2, 5, 1, 4, 3}},
+    {"fsl", {0, 3, 5, 1, 4, 2}},    {"full", {0, 4, 8, 1, 5, 2}}};
+
+/// Is a cell of this type (of VTK's) empty, a point, a line or a face?
+bool is_flat(std::uint64_t type) {
+  constexpr std::array<std::uint64_t, 22> kOthers{21, 22, 23, 28, 30, 34, 35, 36, 51, 52, 53,
+                                                  54, 55, 56, 60, 61, 62, 63, 68, 69, 70, 75};
+  return type < 10 || type == 76 || type == 77 ||
+         std::find(kOthers.begin(), kOthers.end(), type) != kOthers.end();
+}
+
 }  // namespace
+
+std::string listing_of(const std::string& order) {
+  if (order == "full") return "XX XY XZ YX YY YZ ZX ZY ZZ";
+  const auto found = kOrders.find(order);
+  if (found == kOrders.end()) return {};
+  constexpr std::array<const char*, 6> kNames{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+  std::array<const char*, 6> listed{};
+  for (std::size_t k = 0; k < 6; ++k) listed[found->second[k]] = kNames[k];
+  std::string result;
+  for (const char* name : listed) result += (result.empty() ? "" : " ") + std::string(name);
+  return result;
+}
 
 Input read_input(const std::string& name, const std::string& tensor,
                  const std::string& components) {
-  static const std::map<std::string, std::array<std::size_t, 6>> orders{
-      {"vtk", {0, 1, 2, 3, 4, 5}},
-      {"voigt", {0, 1, 2, 5, 3, 4}},
-      {"abaqus", {0, 1, 2, 3, 5, 4}},
-      {"full", {0, 4, 8, 1, 5, 2}}};
   const Named file{name};
-  const auto order = orders.find(components);
-  if (order == orders.end())  // the certificate's fault, not this file's
+  const auto order = kOrders.find(components);
+  if (order == kOrders.end())  // the certificate's fault, not this file's
     throw Malformed("", "/input/components: unknown order of components");
   const std::size_t width = components == "full" ? 9 : 6;
   const Grid grid = has_extension(name, ".vtk") ? read_legacy_grid(name, tensor, width)
                                                 : read_xml_grid(name, tensor, width);
   Input input;
+  for (const std::string& part : grid.names)
+    if (!part.empty()) input.names += (input.names.empty() ? "" : " ") + part;
+  if (spelling_of(grid.names, order->second) == Spelling::differs)
+    file.fail("names the components of '" + tensor + "' " + input.names + ", which is not the order " +
+              components + " of the certificate");
   input.points = grouped<3>(file, grid.points, grid.points.size() / 3);
   const auto read = [&]<std::size_t Width>() {
     for (const auto& t : grouped<Width>(file, grid.tensors, input.points.size())) {
@@ -170,7 +198,10 @@ Input read_input(const std::string& name, const std::string& tensor,
   constexpr std::uint64_t kTetrahedron = 10;
   read_cells<4>(
       file, grid.connectivity, grid.offsets, input.points.size(),
-      [&](std::size_t i) { return grid.types[i] == kTetrahedron; },
+      [&](std::size_t i) {
+        if (!is_flat(grid.types[i]) && grid.types[i] != kTetrahedron) ++input.other_cells;
+        return grid.types[i] == kTetrahedron;
+      },
       [&](std::size_t i, auto corners) {
         std::sort(corners.begin(), corners.end());
         input.tets.push_back(corners);
@@ -189,6 +220,7 @@ void add_arrays(const XmlFile& file, const char* section, const char* of, std::s
   for (const auto& [name, components] : file.arrays(section)) {
     if (of != std::string("points") && name == "tet") continue;
     Array array{of, name, components, file.numbers(section, name, components)};
+    if (of == std::string("points") && name == "tet") file.fail("an array 'tet' of points");
     if (components > 1000 || array.numbers.size() != components * count)
       file.fail("array '" + name + "' has not as many numbers as declared");
     if (count > 0) arrays.push_back(std::move(array));
@@ -218,11 +250,14 @@ std::size_t read_common(const XmlFile& file, const std::string& name, const char
   return cells;
 }
 
+const std::vector<std::string_view> kSections{"Verts", "Lines", "Strips", "Polys"};
+
 }  // namespace
 
 Triangles read_triangles(const std::string& name) {
-  const XmlFile file(name, "PolyData");
+  const XmlFile file(name, "PolyData", kSections);
   require_no_cells(file, {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"}, "triangles");
+  file.require_only("Polys", {"connectivity", "offsets"});
   Triangles result;
   const std::size_t cells = read_common(file, name, "NumberOfPolys", "triangles", result);
   if (cells == 0) return result;
@@ -236,8 +271,9 @@ Triangles read_triangles(const std::string& name) {
 }
 
 Polylines read_polylines(const std::string& name) {
-  const XmlFile file(name, "PolyData");
+  const XmlFile file(name, "PolyData", kSections);
   require_no_cells(file, {"NumberOfVerts", "NumberOfStrips", "NumberOfPolys"}, "lines");
+  file.require_only("Lines", {"connectivity", "offsets"});
   Polylines result;
   const std::size_t cells = read_common(file, name, "NumberOfLines", "lines", result);
   if (cells == 0) return result;

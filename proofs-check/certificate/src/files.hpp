@@ -18,6 +18,8 @@ struct Input {
   std::vector<std::array<double, 6>> tensors;
   std::vector<std::array<std::uint32_t, 4>> tets;
   std::vector<std::uint64_t> cells;
+  std::size_t other_cells = 0;   ///< that are neither tetrahedra nor points, lines or faces
+  std::string names;             ///< of the components, if the file has some
 
   /// Which tetrahedron is that cell of the file? kNone if none is.
   std::size_t tet_at(std::uint64_t cell) const;
@@ -54,9 +56,12 @@ struct Polylines {
   std::string sha256() const;
 };
 
+/// The components of an order in words, "XX YY ZZ XY YZ XZ"; empty for an unknown one.
+std::string listing_of(const std::string& order);
+
 /// Reads a .vtu of one piece (ascii, inline or appended, plain or zlib, of either byte order), or a
-/// legacy .vtk (ASCII or BINARY). Every number is finite and every index in range. Throws
-/// Malformed.
+/// legacy .vtk (ASCII or BINARY). Every number is finite and every index in range. Names of
+/// components that spell another order are refused. Throws Malformed.
 Input read_input(const std::string& file, const std::string& tensor,
                  const std::string& components);
 /// The same of a .vtp with triangles only, or polylines only, a cell array `tet`, and any others.

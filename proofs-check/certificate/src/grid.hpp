@@ -13,6 +13,7 @@ namespace certificate {
 struct Grid {
   std::vector<double> points;   ///< three of each
   std::vector<double> tensors;  ///< as many of each as asked for
+  std::vector<std::string> names;   ///< of the tensors' components, if the file has them
   std::vector<std::uint64_t> types, connectivity;
   std::vector<std::uint64_t> offsets;  ///< where each cell ends in `connectivity`
 };

@@ -73,6 +73,7 @@ std::vector<Piece> HalfEdges::pieces(
     const std::size_t number = classes.find(n);
     Piece& piece = found[number];
     ++piece.triangles, ++piece.euler_characteristic;
+    piece.members.push_back(some[n]);
     for (std::size_t i = 0; i < 3; ++i) {
       piece.vertices.push_back(corners[i]);
       const std::size_t other = across_[some[n]][i];
@@ -98,6 +99,7 @@ std::vector<Piece> HalfEdges::pieces(
     piece.vertices.erase(std::unique(piece.vertices.begin(), piece.vertices.end()),
                          piece.vertices.end());
     piece.euler_characteristic += static_cast<long>(piece.vertices.size());
+    if (!piece.loops.empty()) piece.members.clear();
     result.push_back(std::move(piece));
   }
   std::sort(result.begin(), result.end(),

@@ -29,6 +29,7 @@ struct Piece {
   std::size_t triangles = 0;
   std::vector<std::uint32_t> vertices;  ///< ascending
   std::vector<std::vector<RimEdge>> loops;
+  std::vector<std::size_t> members;  ///< its triangles, if it has no loops
 };
 
 /// Triangles with their neighbours.

@@ -22,13 +22,24 @@ class Ledger {
         std::find_if(report_.kinds.begin(), report_.kinds.end(), is_it) - report_.kinds.begin());
     if (kind_ == report_.kinds.size()) report_.kinds.push_back({kind, 0, 0, 0});
   }
-  void certify() { ++report_.certified, ++report_.kinds.at(kind_).certified; }
+  /// The claims that follow are about a level, or about none.
+  void begin_level(const std::string& name) {
+    level = name + ", ";
+    report_.levels.emplace_back().name = name;
+  }
+  LevelReport& of_level() { return report_.levels.back(); }
+  void certify() {
+    ++report_.certified, ++report_.kinds.at(kind_).certified;
+    if (!report_.levels.empty()) ++of_level().certified;
+  }
   void refute(const std::string& entity, const std::string& claimed, const std::string& derived) {
     ++report_.refuted, ++report_.kinds.at(kind_).refuted;
+    if (!report_.levels.empty()) ++of_level().refuted;
     keep(report_.refutations, {level + entity, claimed, derived});
   }
   void leave_open(const std::string& entity, const std::string& why) {
     ++report_.undecided, ++report_.kinds.at(kind_).undecided;
+    if (!report_.levels.empty()) ++of_level().undecided;
     keep(report_.open, {level + entity, why, ""});
   }
   void settle(bool holds, const std::string& entity, const std::string& claimed,

@@ -1,22 +1,117 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
 #include <nlohmann/json.hpp>
 
 #include "certificate_check/check_certificate.hpp"
+#include "document.hpp"
 
 namespace certificate {
+namespace {
 
-std::string Report::status() const {
+std::string status_of(std::size_t refuted, std::size_t undecided) {
   return refuted > 0 ? "refuted" : undecided > 0 ? "undecided" : "certified";
 }
 
-std::string to_text(const Report& report) {
+/// "1 component", "2 components"
+std::string counted(std::size_t n, const std::string& noun) {
+  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
+}
+
+std::string text_of(const Component& c, bool is_curve) {
+  if (is_curve)
+    return std::string(c.closed ? "closed" : "not closed") + ", " + counted(c.cells, "line");
+  return "Euler characteristic " + std::to_string(c.euler_characteristic) + ", " +
+         counted(c.boundary_loops, "boundary loop") + ", " + counted(c.cells, "triangle");
+}
+
+std::string text_of(const LevelReport& level, bool of_curves) {
+  std::string text = level.name + ": " + status_of(level.refuted, level.undecided) + ", " +
+                     counted(level.components.size(), "component") +
+                     (level.refuted + level.undecided > 0 ? " in the file" : "");
+  constexpr std::size_t kShown = 10;
+  for (std::size_t i = 0; i < std::min(level.components.size(), kShown); ++i)
+    text += (i == 0 ? ": " : "; ") + text_of(level.components[i], of_curves);
+  if (level.components.size() > kShown)
+    text += "; and " + std::to_string(level.components.size() - kShown) + " more";
+  text += "\n  left out: ";
+  if (level.left_out.empty()) text += "nothing";
+  for (const auto& [reason, tets] : level.left_out) {
+    text += std::to_string(tets.size()) + " tetrahedra" + " (" + reason + ": ";
+    for (std::size_t i = 0; i < std::min(tets.size(), kShown); ++i)
+      text += (i == 0 ? "" : " ") + std::to_string(tets[i]);
+    text += tets.size() > kShown ? " ...) " : ") ";
+  }
+  text += '\n';
+  if (of_curves) return text;
+  if (level.bound.empty()) return text + "  no distance is claimed\n";
+  char bound[32];
+  std::snprintf(bound, sizeof(bound), "%.6g", std::strtod(level.bound.c_str(), nullptr));
+  return text + "  distance at most " + bound + ", but in " + std::to_string(level.coarse) +
+         " coarse tetrahedra\n";
+}
+
+}  // namespace
+
+std::size_t LevelReport::left_out_count() const {
+  std::size_t count = 0;
+  for (const auto& [reason, tets] : left_out) count += tets.size();
+  return count;
+}
+
+std::string Report::status() const { return status_of(refuted, undecided); }
+
+std::vector<std::string> Report::unmet(const Demands& demands) const {
+  std::vector<std::string> result;
+  if (!demands.tensor.empty() && demands.tensor != subject.tensor)
+    result.push_back("tensor '" + demands.tensor + "': the certificate is about '" +
+                     subject.tensor + "'");
+  for (const std::string& mode : demands.modes) {
+    const auto number = number_of(mode);
+    if (!number) throw std::invalid_argument("a mode that is no number: " + mode);
+    const std::string name = "mode " + number->get_str();
+    const bool is_there = std::any_of(levels.begin(), levels.end(), [&](const LevelReport& level) {
+      return level.name == name && level.refuted + level.undecided == 0 && level.certified > 0;
+    });
+    if (!is_there) result.push_back(name + ": no level that is certified");
+  }
+  if (demands.complete) {
+    if (levels.empty()) result.push_back("complete: no level");
+    if (subject.other_cells > 0)
+      result.push_back("complete: " + counted(subject.other_cells, "cell") +
+                       " of the input that are no tetrahedra");
+    for (const LevelReport& level : levels)
+      if (level.left_out_count() > 0)
+        result.push_back("complete: " + level.name + " leaves out " +
+                         std::to_string(level.left_out_count()) + " tetrahedra");
+  }
+  return result;
+}
+
+std::string to_text(const Report& report, const std::vector<std::string>& unmet) {
   const auto counts = [](const auto& of) {
     return std::to_string(of.certified) + " certified, " + std::to_string(of.refuted) +
            " refuted, " + std::to_string(of.undecided) + " undecided\n";
   };
+  const Subject& s = report.subject;
   std::string text =
       report.status() + ": " + std::to_string(report.claims()) + " claims, " + counts(report);
+  for (const std::string& demand : unmet) text += "not as demanded: " + demand + '\n';
+  text += "input: " + s.input + ", tensor '" + s.tensor + "', components " + s.listing + " (" +
+          s.order + "), " + counted(s.points, "point") + ", " + std::to_string(s.tetrahedra) +
+          " tetrahedra" +
+          (s.other_cells > 0 ? ", " + counted(s.other_cells, "other cell") + " skipped" : "") +
+          "\noutput: " + s.output + ", " + std::to_string(s.vertices) + " vertices, " +
+          counted(s.cells, s.of_curves ? "line" : "triangle") + '\n';
+  for (const LevelReport& level : report.levels) text += text_of(level, s.of_curves);
+  if (!s.bound_only.empty()) {
+    text += "arrays that are as written, but not derived:";
+    for (const std::string& name : s.bound_only) text += ' ' + name;
+    text += '\n';
+  }
   for (const Finding& f : report.refutations)
     text += "refuted: " + f.entity + ": claimed " + f.claimed + "; derived " + f.derived + '\n';
   for (const Finding& f : report.open) text += "undecided: " + f.entity + ": " + f.claimed + '\n';
@@ -29,21 +124,75 @@ std::string to_text(const Report& report) {
   return text;
 }
 
-std::string to_json(const Report& report) {
-  nlohmann::ordered_json json{{"status", report.status()},
-                              {"claims", report.claims()},
-                              {"certified", report.certified},
-                              {"refuted", report.refuted},
-                              {"undecided", report.undecided}};
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson json_of(const LevelReport& level, bool of_curves) {
+  OrderedJson json{{"level", level.name},
+                   {"status", status_of(level.refuted, level.undecided)},
+                   {"certified", level.certified},
+                   {"refuted", level.refuted},
+                   {"undecided", level.undecided},
+                   {"components", OrderedJson::array()},
+                   {"left_out", OrderedJson::object()}};
+  for (const Component& c : level.components) {
+    if (of_curves)
+      json["components"].push_back({{"closed", c.closed}, {"lines", c.cells}});
+    else
+      json["components"].push_back({{"euler_characteristic", c.euler_characteristic},
+                                    {"boundary_loops", c.boundary_loops},
+                                    {"triangles", c.cells}});
+  }
+  for (const auto& [reason, tets] : level.left_out) json["left_out"][reason] = tets;
+  if (of_curves) return json;
+  json["distance"] = nullptr;
+  if (!level.bound.empty())
+    json["distance"] = {{"bound", std::strtod(level.bound.c_str(), nullptr)},
+                        {"coarse_tetrahedra", level.coarse}};
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const Report& report, const std::vector<std::string>& unmet) {
+  const Subject& s = report.subject;
+  OrderedJson json{{"status", report.status()},
+                   {"claims", report.claims()},
+                   {"certified", report.certified},
+                   {"refuted", report.refuted},
+                   {"undecided", report.undecided},
+                   {"unmet_demands", unmet},
+                   {"input",
+                    {{"path", s.input},
+                     {"tensor", s.tensor},
+                     {"components", s.listing},
+                     {"order", s.order},
+                     {"component_names", s.names},
+                     {"points", s.points},
+                     {"tetrahedra", s.tetrahedra},
+                     {"other_cells", s.other_cells},
+                     {"sha256", s.sha256}}},
+                   {"output",
+                    {{"path", s.output},
+                     {"vertices", s.vertices},
+                     {s.of_curves ? "lines" : "triangles", s.cells},
+                     {"arrays_not_derived", s.bound_only}}},
+                   {"levels", OrderedJson::array()}};
+  for (const LevelReport& level : report.levels)
+    json["levels"].push_back(json_of(level, s.of_curves));
   for (const Verdicts& kind : report.kinds)
     json["kinds"][kind.kind] = {{"certified", kind.certified},
                                 {"refuted", kind.refuted},
                                 {"undecided", kind.undecided}};
   json["decided"] = {{"by_balls", report.by_balls}, {"by_integers", report.by_integers}};
-  auto& refutations = json["witnesses"] = nlohmann::ordered_json::array();
+  auto& refutations = json["witnesses"] = OrderedJson::array();
   for (const Finding& f : report.refutations)
     refutations.push_back({{"entity", f.entity}, {"claimed", f.claimed}, {"derived", f.derived}});
-  return json.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
+  auto& open = json["open"] = OrderedJson::array();
+  for (const Finding& f : report.open)
+    open.push_back({{"entity", f.entity}, {"reason", f.claimed}});
+  return json.dump(-1, ' ', true, OrderedJson::error_handler_t::replace);
 }
 
 }  // namespace certificate

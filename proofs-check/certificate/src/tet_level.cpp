@@ -6,6 +6,7 @@
 #include <bit>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "places.hpp"
 #include "union_find.hpp"
@@ -377,6 +378,15 @@ std::optional<std::vector<Sheet>> Regions::sheets(const TetBoundary& boundary,
     if (!sides) return std::nullopt;
     at(*sides).loops.push_back(i);
   }
+  // Sheets join regions like a tree; beyond a closed one is what is farther from the corners' region.
+  std::map<std::size_t, std::size_t> depth{{all_.find(0), 0}};
+  for (bool more = true; std::exchange(more, false);)
+    for (const auto& [sides, sheet] : found)
+      for (const std::size_t k : {0U, 1U})
+        if (depth.contains(sides[k]) &&
+            depth.try_emplace(sides[1 - k], depth[sides[k]] + 1).second)
+          more = true;
+  for (auto& [sides, sheet] : found) sheet.above_inside = depth[sides[1]] > depth[sides[0]];
   std::vector<Sheet> result;
   for (auto& [sides, sheet] : found) result.push_back(std::move(sheet));
   return result;
@@ -391,7 +401,7 @@ std::optional<std::vector<Sheet>> level_in_tet(const Level& level,
                                                const std::vector<RimCurve>& curves) {
   // Each piece of a monotone tetrahedron has a boundary curve, and one curve bounds a disc.
   if (proved.proof == Proof::monotone && curves.size() < 2)
-    return std::vector<Sheet>(curves.size(), Sheet{1, {0}});
+    return std::vector<Sheet>(curves.size(), Sheet{1, {0}, false});
   return Regions(level, corners, proved).sheets(boundary, curves);
 }
 

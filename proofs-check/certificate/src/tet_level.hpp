@@ -16,6 +16,7 @@ struct RimCurve {
 struct Sheet {
   long euler_characteristic = 0;
   std::vector<std::size_t> loops;  ///< which of the closed curves
+  bool above_inside = false;       ///< of a sheet without loops: what it encloses is above
 };
 
 /// What is known of a tetrahedron's faces and edges.

@@ -128,6 +128,7 @@ void Derivation::settle(TetTopology& tet) const {
   for (const Sheet& sheet : *sheets) {
     MeshSheet& found = tet.sheets.emplace_back();
     found.euler_characteristic = sheet.euler_characteristic;
+    found.above_inside = sheet.above_inside;
     for (const std::size_t i : sheet.loops) found.loops.push_back(loops[i]);
   }
   tet.decided = true;
@@ -166,11 +167,19 @@ void Derivation::settle(ConeTopology& cone) const {
 
 }  // namespace
 
-const ConeTopology* Topology::cone(std::size_t tet) const {
-  const auto place = std::lower_bound(cones.begin(), cones.end(), tet,
+namespace {
+
+template <class Cells>
+auto find_cell(const Cells& cells, std::size_t tet) {
+  const auto place = std::lower_bound(cells.begin(), cells.end(), tet,
                                       [](const auto& c, std::size_t t) { return c.tet < t; });
-  return place != cones.end() && place->tet == tet ? &*place : nullptr;
+  return place != cells.end() && place->tet == tet ? &*place : nullptr;
 }
+
+}  // namespace
+
+const TetTopology* Topology::tet(std::size_t tet) const { return find_cell(tets, tet); }
+const ConeTopology* Topology::cone(std::size_t tet) const { return find_cell(cones, tet); }
 const EdgeTopology* Topology::edge(const std::array<Vertex, 2>& vertices) const {
   return find_in(edges, vertices);
 }

@@ -49,6 +49,7 @@ struct MeshLoop {
 struct MeshSheet {
   long euler_characteristic = 0;
   std::vector<MeshLoop> loops;
+  bool above_inside = false;  ///< of a sheet without loops: what it encloses is above
 };
 struct TetTopology {
   std::uint32_t tet = 0;  ///< among the tetrahedra of the input
@@ -92,6 +93,7 @@ struct Topology {
 
   const EdgeTopology* edge(const std::array<Vertex, 2>& vertices) const;
   const FaceTopology* face(const std::array<Vertex, 3>& vertices) const;
+  const TetTopology* tet(std::size_t tet) const;    ///< null if there is none
   const ConeTopology* cone(std::size_t tet) const;  ///< null if there is none
 };
 

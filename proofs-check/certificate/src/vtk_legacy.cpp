@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "certificate_check/check_certificate.hpp"
@@ -55,7 +57,9 @@ class Reader {
     if (mode != "ascii" && mode != "binary") fail("neither ASCII nor BINARY");
     binary_ = mode == "binary";
     if (keyword() != "dataset" || keyword() != "unstructured_grid") fail("no unstructured grid");
-    for (std::string key = keyword(); !key.empty(); key = keyword())
+    for (std::string key = keyword(); !key.empty(); key = keyword()) {
+      if ((key == "points" || key == "cells" || key == "cell_types") && !seen_.insert(key).second)
+        fail("says something twice");
       if (key == "points") {
         const std::size_t count = natural();
         once(grid_.points, finite(numbers(3 * count, type())));
@@ -66,6 +70,7 @@ class Reader {
       } else {
         read_attribute(key);
       }
+    }
     if (grid_.tensors.empty()) fail("PointData has no array '" + tensor_ + "'");
     return std::move(grid_);
   }
@@ -95,8 +100,8 @@ class Reader {
   }
 
   /// Names have %XX for white space and the like.
-  std::string name() {
-    std::string result(word());
+  std::string name() { return decoded(std::string(word())); }
+  static std::string decoded(std::string result) {
     for (std::size_t i = 0; i + 2 < result.size(); ++i) {
       int code = 0;
       const char* const digits = result.data() + i + 1;
@@ -181,6 +186,7 @@ class Reader {
       }
       const std::string text(word());
       char* end = nullptr;
+      if (text.find_first_of("xXpP") != text.npos) fail("a number that is not decimal");
       x = type.kind == Type::real && type.size == 4
               ? static_cast<double>(std::strtof(text.c_str(), &end))
               : std::strtod(text.c_str(), &end);
@@ -248,13 +254,12 @@ class Reader {
       of_points_ = key == "point_data";
       items_ = natural();
     } else if (key == "metadata") {
-      for (line(); !is_blank(line());) continue;
+      read_metadata();
     } else if (key == "field") {
       name();
       for (std::size_t left = natural(); left > 0; --left) {
         std::string of_array = name();
-        for (; of_array == "METADATA"; of_array = name())
-          for (line(); !is_blank(line());) continue;
+        for (; of_array == "METADATA"; of_array = name()) read_metadata();
         const std::size_t components = natural(), items = natural();
         take(of_array, components, numbers(components * items, type()));
       }
@@ -275,9 +280,23 @@ class Reader {
     }
   }
 
+  /// Lines to a blank one, about the array that was read last: perhaps names of its components.
+  void read_metadata() {
+    line();
+    bool are_names = false;
+    for (std::string_view text = line(); !is_blank(text); text = line()) {
+      while (is_space(text.back())) text.remove_suffix(1);
+      if (text == "COMPONENT_NAMES" || text.starts_with("INFORMATION"))
+        are_names = text == "COMPONENT_NAMES";
+      else if (are_names && took_last_ && grid_.names.size() < width_)
+        grid_.names.push_back(decoded(std::string(text)));
+    }
+  }
+
   /// Keeps the tensors, once.
   void take(const std::string& name, std::size_t components, std::vector<double> values) {
-    if (!of_points_ || name != tensor_) return;
+    took_last_ = of_points_ && name == tensor_;
+    if (!took_last_) return;
     if (components != width_)
       fail("an array of other than " + std::to_string(width_) + " components");
     once(grid_.tensors, finite(std::move(values)));
@@ -287,7 +306,8 @@ class Reader {
   std::string_view rest_;
   std::string tensor_;
   std::size_t width_, items_ = 0;
-  bool binary_ = false, of_points_ = false;
+  bool binary_ = false, of_points_ = false, took_last_ = false;
+  std::set<std::string> seen_;
   Grid grid_;
 };
 

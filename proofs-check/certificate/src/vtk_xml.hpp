@@ -12,10 +12,15 @@
 namespace certificate {
 
 /// A VTK XML file of one piece, and the numbers in its arrays. Its members throw Malformed.
+///
+/// It has one reading: each section is there once, each attribute of an element once, nothing is
+/// there that is not listed, an array is text, inline or appended and not two of these. All numbers
+/// read together take at most 64 bytes for each byte of the file, and 2^24 more.
 class XmlFile {
  public:
   /// @param kind what the file must hold, such as "UnstructuredGrid"
-  XmlFile(const std::string& file, const char* kind);
+  /// @param sections  of the piece, besides points and data
+  XmlFile(const std::string& file, const char* kind, std::vector<std::string_view> sections);
 
   /// A count that the piece declares.
   std::size_t count(const char* attribute) const;
@@ -26,9 +31,17 @@ class XmlFile {
                               std::size_t components = 1) const;
   /// The same of an array of integers from 0 to 2^53.
   std::vector<std::uint64_t> naturals(const char* section, const char* name) const;
+  /// The names of an array's components, empty where there is none.
+  std::vector<std::string> component_names(const char* section, const std::string& name) const;
+  /// The sections of the piece have only these arrays.
+  void require_only(const char* section, const std::vector<std::string_view>& names) const;
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
+  std::string markup();
+  void require_one_reading(const char* kind, const std::vector<std::string_view>& sections);
+  pugi::xml_node only_array(const char* section, const std::string& name) const;
+  void spend(std::size_t bytes) const;
   std::string take(std::string_view& text, std::size_t size, bool base64) const;
   template <class Stored>
   Stored item(const std::string& bytes, std::size_t i) const;
@@ -41,8 +54,9 @@ class XmlFile {
   std::string_view appended_;
   pugi::xml_document document_;
   pugi::xml_node piece_;
-  bool appended_base64_ = false, zlib_ = false, highest_first_ = false;
+  bool appended_base64_ = false, zlib_ = false, highest_first_ = false, has_order_ = false;
   std::size_t header_ = 8;
+  mutable std::size_t budget_ = 0;  ///< bytes that decoded numbers may still take
 };
 
 }  // namespace certificate

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -36,9 +37,54 @@ struct Verdicts {
   std::size_t certified = 0, refuted = 0, undecided = 0;
 };
 
+/// A connected component of a level's surface or curves, as the output's cells have it.
+struct Component {
+  long euler_characteristic = 0;   ///< of a surface
+  std::size_t boundary_loops = 0;  ///< of a surface
+  bool closed = false;             ///< of a curve
+  std::size_t cells = 0;           ///< triangles or lines
+};
+
+/// What a certificate is about at one level, and what came of it. What is said of components holds
+/// of the level if all of its claims are certified, and else is only what the output has.
+struct LevelReport {
+  std::string name;  ///< "mode 1/2", "magnitude 3/2"
+  std::size_t certified = 0, refuted = 0, undecided = 0;
+  std::vector<Component> components;
+  std::map<std::string, std::vector<std::uint64_t>> left_out;  ///< tetrahedra, by reason
+  std::string bound;       ///< of the distance, in the mesh's units; empty if none is claimed
+  std::size_t coarse = 0;  ///< tetrahedra to which only the coarse bound applies
+  bool embedded = false;   ///< whether it is certified that the triangles are
+
+  std::size_t left_out_count() const;
+};
+
+/// The files that a certificate is about.
+struct Subject {
+  std::string input, output, tensor;
+  std::string order;            ///< of the components, by name: "vtk"
+  std::string listing;          ///< the same spelled out: "XX YY ZZ XY YZ XZ"
+  std::string names;            ///< as the input's file names them; empty if it does not
+  std::string sha256;           ///< of the field's numbers, as derived
+  std::size_t points = 0, tetrahedra = 0;
+  std::size_t other_cells = 0;  ///< of the input: neither tetrahedra nor faces, lines or points
+  bool of_curves = false;
+  std::size_t vertices = 0, cells = 0;  ///< of the output
+  std::vector<std::string> bound_only;  ///< arrays of which only the hash is compared
+};
+
+/// What a caller demands to be certified.
+struct Demands {
+  std::vector<std::string> modes;  ///< fractions or decimals: each must be a level
+  std::string tensor;              ///< empty: any
+  bool complete = false;           ///< nothing of the input may be left out, nor skipped
+};
+
 /// What came of a certificate's claims, each counted once.
 struct Report {
   std::size_t certified = 0, refuted = 0, undecided = 0;
+  Subject subject;
+  std::vector<LevelReport> levels;
   std::vector<Verdicts> kinds;  ///< the same by kind
   /// How many sides and proofs were settled by doubles with an error bound, and by integers.
   std::uint64_t by_balls = 0, by_integers = 0;
@@ -48,6 +94,9 @@ struct Report {
   std::size_t claims() const { return certified + refuted + undecided; }
   /// "refuted" if one claim is, else "undecided" if one is, else "certified".
   std::string status() const;
+  /// Which demands are not met, in words; none if all are. Throws std::invalid_argument for a mode
+  /// that is no number.
+  std::vector<std::string> unmet(const Demands& demands) const;
 };
 
 /// Told now and then, by the thread that called, what is derived and how much of it, in [0, 1].
@@ -59,7 +108,8 @@ using Progress = std::function<void(std::string_view what, double part)>;
 Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate, const Progress& progress = {});
 
-std::string to_text(const Report& report);
-std::string to_json(const Report& report);
+/// @param unmet  demands that are not met
+std::string to_text(const Report& report, const std::vector<std::string>& unmet = {});
+std::string to_json(const Report& report, const std::vector<std::string>& unmet = {});
 
 }  // namespace certificate

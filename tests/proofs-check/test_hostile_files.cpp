@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Files that would exhaust or mislead a reader, and what readers of other programs write.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <string>
+#include <vector>
+
+#include "component_names.hpp"
+#include "forgery.hpp"
+#include "parse_document.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using certificate::Malformed;
+using certificate::parse_cbor;
+using certificate::parse_json;
+using certificate::Spelling;
+using Json = nlohmann::json;
+
+TEST(HostileDocuments, AreRefusedInOneLine) {
+  const std::string deep(100000, '[');
+  for (const std::string& text :
+       {deep, std::string(50000, '{'), std::string("{\"a\":1,\"a\":1}"), std::string("1.5"),
+        std::string("1e3"), std::string("01"), std::string("[1,]"), std::string("[1]x"),
+        std::string("\"\xff\""), std::string("\"\\ud800\""), std::string("18446744073709551616"),
+        std::string("-9223372036854775809"), std::string("\"a\nb\""), std::string("tru"),
+        std::string("\"\xed\xa0\x80\""), std::string("-"), std::string()})
+    EXPECT_THROW(parse_json(text), Malformed) << text.substr(0, 40);
+  for (const std::string& bytes :
+       {std::string(50000, '\x7f'), std::string(50000, '\x5f'), std::string(50000, '\x9f'),
+        std::string(50000, '\xbf'), std::string(50000, '\x81'), std::string("\xfb\0\0\0\0\0\0\0\0", 9),
+        std::string("\x9b\xff\xff\xff\xff\xff\xff\xff\xff"), std::string("\x62\xff\xff"),
+        std::string("\xc0\x01"), std::string("\x01\x01"), std::string("\x3b\xff\xff\xff\xff\xff\xff\xff\xff"),
+        std::string("\xa2\x61\x61\x01\x61\x61\x01"), std::string("\xa1\x01\x01"), std::string()})
+    EXPECT_THROW(parse_cbor(bytes), Malformed);
+}
+
+TEST(HostileDocuments, DoNotTakeMuchMoreMemoryThanTheyHave) {
+  // A million empty arrays, of one byte each.
+  const std::size_t count = 1U << 20;
+  std::string bytes("\x9a\0\x10\0\0", 5);
+  EXPECT_NO_THROW(parse_cbor(bytes + std::string(count, '\x01')));
+  EXPECT_THROW(parse_cbor(bytes + std::string(count, '\x80')), Malformed);
+  EXPECT_THROW(parse_cbor(bytes + std::string(count, '\xa0')), Malformed);
+}
+
+TEST(HostileDocuments, WhatIsWellFormedIsReadAsOthersReadIt) {
+  const Json document{{"a", {1, -2, "x\u00e9\"\\\n", true, false, nullptr, Json::object()}},
+                      {"b", {UINT64_MAX, INT64_MIN, Json::array()}},
+                      {"c", "\xf0\x9f\x98\x80"}};
+  EXPECT_EQ(parse_json(document.dump()), document);
+  EXPECT_EQ(parse_json(document.dump(2, ' ', true)), document);
+  const auto bytes = Json::to_cbor(document);
+  EXPECT_EQ(parse_cbor(std::string(bytes.begin(), bytes.end())), document);
+}
+
+TEST(HostileFiles, PipesAndDevicesAreNotRead) {
+  const std::string pipe = testing::TempDir() + "/pipe_" + std::to_string(getpid());
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& file : {pipe, std::string("/dev/zero"), std::string("/dev/null")})
+    EXPECT_THROW(certificate::check_certificate(file, file, file), Malformed);
+  unlink(pipe.c_str());
+}
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return text.replace(at, old.size(), by);
+}
+
+/// Whatever other readers would find somewhere else.
+TEST(HostileFiles, HaveOneReading) {
+  Court court("one_reading");
+  const Exhibit& e = honest_exhibits()[0];
+  const std::string field = e.field_text(), surface = e.surface_text(), cert = e.certificate.dump();
+  ASSERT_EQ(court.verdict(field, surface, cert), "certified") << court.report();
+  const std::string polys =
+      surface.substr(surface.find("<Polys>"), surface.find("</Polys>") + 8 - surface.find("<Polys>"));
+  const std::vector<std::string> surfaces{
+      replaced(surface, "</Piece>", polys + "</Piece>"),
+      replaced(surface, "</Piece>", "<Other/></Piece>"),
+      replaced(surface, "</PolyData>", "<Piece/></PolyData>"),
+      replaced(surface, "</PolyData>", "</PolyData><PolyData/>"),
+      replaced(surface, "</VTKFile>", "</VTKFile><VTKFile/>"),
+      replaced(surface, "<Piece ", "<Piece NumberOfPolys=\"0\" "),
+      replaced(surface, "Name=\"offsets\"", "Name=\"offsets\" offset=\"0\""),
+      replaced(surface, "format=\"ascii\"", "format=\"text\""),
+      replaced(surface, "format=\"ascii\"", ""),
+      replaced(surface, "<Polys>", "<Polys><DataArray type=\"Int64\" Name=\"more\" format=\"ascii\">"
+                                   "</DataArray>"),
+      replaced(surface, "<Points>", "<Points><DataArray type=\"Float64\" Name=\"p\" "
+                                    "NumberOfComponents=\"3\" format=\"ascii\"></DataArray>"),
+      replaced(surface, "<PolyData>", "<!DOCTYPE a><PolyData>"),
+      replaced(surface, "<Polys>", "<Polys><![CDATA[1]]>"),
+      replaced(surface, "</DataArray>", "<!-- --> 1</DataArray>"),
+      replaced(surface, "<CellData>", "<CellData>1"),
+  };
+  for (const std::string& forged : surfaces)
+    EXPECT_EQ(court.verdict(field, forged, cert), "malformed") << court.report();
+  // A comment is none.
+  EXPECT_EQ(court.verdict(field, replaced(surface, "<Polys>", "<!-- <AppendedData>_ --><Polys>"),
+                          cert), "certified") << court.report();
+  for (const std::string& forged :
+       {replaced(field, "</Piece>", "<Points/></Piece>"),
+        std::string(field).replace(field.find("ascii\">") + 7, 1, "0x"),
+        replaced(field, "Name=\"stress\"", "Name=\"stress\" Name=\"other\"")})
+    EXPECT_NE(court.verdict(forged, surface, cert), "certified") << court.report();
+}
+
+TEST(Formats, ByteOrderIsNeededForBinaryNumbersOnly) {
+  Court court("byte_order");
+  const Exhibit& e = honest_exhibits()[0];
+  const std::string none = replaced(e.field_text(), "byte_order=\"LittleEndian\"", "");
+  EXPECT_EQ(court.verdict(none, e.surface_text(), e.certificate.dump()), "certified");
+  const std::string binary = replaced(none, "format=\"ascii\"", "format=\"binary\"");
+  EXPECT_EQ(court.verdict(binary, e.surface_text(), e.certificate.dump()), "malformed");
+  for (const char* type : {"UInt64", "UInt32", "Int32", "UInt16", "Int16"}) {
+    const std::string field = replaced(e.field_text(), "type=\"Int64\"",
+                                       std::string("type=\"") + type + '"');
+    EXPECT_EQ(court.verdict(field, e.surface_text(), e.certificate.dump()), "certified") << type;
+  }
+}
+
+TEST(Formats, NamesOfComponentsAreObeyedOrRefused) {
+  Court court("names");
+  const Exhibit& e = honest_exhibits()[0];
+  const auto named = [&](const std::vector<std::string>& names) {
+    std::string attributes = "Name=\"stress\"";
+    for (std::size_t i = 0; i < names.size(); ++i)
+      attributes += " ComponentName" + std::to_string(i) + "=\"" + names[i] + '"';
+    return court.verdict(replaced(e.field_text(), "Name=\"stress\"", attributes),
+                         e.surface_text(), e.certificate.dump());
+  };
+  for (const auto& names : std::vector<std::vector<std::string>>{
+           {"XX", "YY", "ZZ", "XY", "YZ", "XZ"},
+           {"S11", "S22", "S33", "S12", "S23", "S13"},
+           {"stress_xx (MPa)", "stress_yy (MPa)", "stress_zz (MPa)", "stress_yx (MPa)",
+            "stress_zy (MPa)", "stress_zx (MPa)"},
+           {"x", "y", "z", "xy", "yz", "xz"}})
+    EXPECT_EQ(named(names), "certified") << court.report();
+  for (const auto& names : std::vector<std::vector<std::string>>{
+           {"S11", "S22", "S33", "S12", "S13", "S23"},
+           {"SXX", "SYY", "SZZ", "SXY", "SXZ", "SYZ"},
+           {"00", "01", "02", "11", "12", "22"}})
+    EXPECT_EQ(named(names), "malformed") << names[4];
+}
+
+TEST(Formats, SpellingsOfAllOrders) {
+  using certificate::spelling_of;
+  EXPECT_EQ(spelling_of({"a", "b", "c", "d", "e", "f"}, {0, 1, 2, 3, 4, 5}), Spelling::silent);
+  EXPECT_EQ(spelling_of({"", "", "", "", "", ""}, {0, 1, 2, 3, 4, 5}), Spelling::silent);
+  EXPECT_EQ(spelling_of({"xx", "xx", "zz", "xy", "yz", "xz"}, {0, 1, 2, 3, 4, 5}), Spelling::silent);
+  EXPECT_EQ(spelling_of({"11", "12", "13", "21", "22", "23", "31", "32", "33"}, {0, 4, 8, 1, 5, 2}),
+            Spelling::agrees);
+  EXPECT_EQ(spelling_of({"11", "21", "31", "12", "22", "32", "13", "23", "33"}, {0, 4, 8, 1, 5, 2}),
+            Spelling::agrees);
+  EXPECT_EQ(spelling_of({"xx", "xy", "yy", "xz", "yz", "zz"}, {0, 2, 5, 1, 4, 3}), Spelling::agrees);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
