@@ -36,7 +36,7 @@ TEST(Containment, HoldsPointsAsTheyAreComputedAndNoneBeside) {
     std::vector<Point3> corners(2 + static_cast<std::size_t>(trial) % 3);
     for (Point3& p : corners)
       for (double& x : p) x = offset + scale * uniform(random);
-    if (trial % 7 == 0) corners.back()[trial % 3] = 0;  // a coordinate without rounding
+    if (trial % 7 == 0) corners.back()[static_cast<std::size_t>(trial) % 3] = 0;  // a coordinate without rounding
     const Point3 x = rounded_point(corners, random);
     EXPECT_TRUE(lies_in(x, corners));
     ++compared;
@@ -68,7 +68,8 @@ TEST(Containment, IsNotFooledByFacesOfNoAreaOrHugeNumbers) {
   const std::vector<Point3> huge{{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {0, 0, 1e300}};
   EXPECT_TRUE(lies_in({1e299, 1e299, 1e299}, huge));
   EXPECT_FALSE(lies_in({9e299, 9e299, 9e299}, huge));
-  EXPECT_FALSE(lies_in({1e300, 1e300, 1e300}, std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  const std::vector<Point3> unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  EXPECT_FALSE(lies_in({1e300, 1e300, 1e300}, unit));
 }
 
 }  // namespace
