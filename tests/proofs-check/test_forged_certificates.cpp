@@ -101,7 +101,8 @@ TEST(ForgedCertificates, OtherKindsOfForgery) {
       {"refuted", [](Json& c) { c["input"]["sha256"] = std::string(64, '0'); }},
       {"refuted", [](Json& c) { c["surface"]["sha256"] = std::string(64, 'a'); }},
       {"malformed", [](Json& c) { c["input"]["tensor"] = "strain"; }},
-      {"refuted", [](Json& c) { c["input"]["components"] = "voigt"; }},
+      {"malformed",  // the file names them
+       [](Json& c) { c["input"]["components"] = "voigt"; }},
       {"malformed", [](Json& c) { c["extra"] = 1; }},
       {"malformed", [](Json& c) { c.erase("version"); }},
       {"refuted", [](Json& c) { std::swap(c["levels"][0], c["levels"][1]); }},

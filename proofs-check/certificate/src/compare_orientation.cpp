@@ -50,6 +50,8 @@ enum class Turn { right, wrong, unsure };
 
 /// Does the polygon of a closed curve turn as the curve does, seen from outside?
 Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop) {
+  if (c.topology.tet(tet) == nullptr && c.topology.cone(tet) == nullptr)
+    return Turn::unsure;  // what is claimed there is refuted already
   const FaceTopology& face = face_opposite(c, tet, loop.opposite);
   const std::vector<Number> names = curve_names(c, face);
   const auto name = std::find(names.begin(), names.end(), loop.vertices[0]);
