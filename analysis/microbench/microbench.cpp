@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "lane_kernels.hpp"
-#include "tensortopo/extract/edge_crossings.hpp"
-#include "tensortopo/extract/face_curves.hpp"
+#include "extract/level/simd/lane_kernels.hpp"
+#include "extract/topology/boundary/edge_crossings.hpp"
+#include "extract/topology/boundary/face_curves.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/families/field_family.hpp"
 #include "tensortopo/manifold/field_lift.hpp"

@@ -65,7 +65,7 @@ void require_no_surface_options(const ExtractCommand& command) {
   const char* const option = command.improve                           ? "--improve"
                              : command.all_samples                     ? "--all-samples"
                              : command.max_error > 0                   ? "--max-error"
-                             : command.drawing == DrawingMethod::graph ? "--method graph"
+                             : command.drawing == MeshingMethod::graph ? "--method graph"
                                                                        : nullptr;
   if (option != nullptr)
     throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
@@ -229,7 +229,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   for (std::size_t i = 0; i < modes.size(); ++i) {
     ExtractOptions options;
     options.sampling = command.sampling;
-    options.drawing = command.drawing;
+    options.meshing = command.drawing;
     options.keep_samples = command.all_samples;
     options.keep_topology = certifying;
     if (progress) {

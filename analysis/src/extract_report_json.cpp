@@ -114,7 +114,7 @@ std::string to_json(const ExtractReport& report) {
   json["seconds"] = seconds_json(report, statistics);
   json["statistics"] = statistics_json(statistics);
   json["predicates"] = {{"double", report.predicates.fast},
-                        {"longer", report.predicates.longer},
+                        {"longer", report.predicates.multiprecision},
                         {"exact", report.predicates.exact}};
   // A path may hold bytes that are no UTF-8; JSON must not.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "certify_case.hpp"
-#include "tensortopo/extract/exact_side.hpp"
+#include "extract/level/exact_side.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo::test {

@@ -20,7 +20,10 @@
 
 #include "support/exact_increase.hpp"
 #include "support/random_fields.hpp"
-#include "tensortopo/extract/exact_side.hpp"
+#include "extract/level/exact_side.hpp"
+#include "extract/level/level.hpp"
+#include "extract/level/proofs/likely_direction.hpp"
+#include "extract/level/proofs/simple_simplex.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 #include "tensortopo/scalar/rational.hpp"

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "extract/patch/patch.hpp"
+#include "extract/topology/boundary/edge_crossings.hpp"
 #include "extract_case.hpp"
-#include "tensortopo/extract/edge_crossings.hpp"
-#include "tensortopo/extract/tet_sheets.hpp"
 
 namespace tensortopo::test {
 

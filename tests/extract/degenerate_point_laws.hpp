@@ -11,7 +11,7 @@ namespace tensortopo::test {
 /// exact counting finds degenerate points.
 ///
 /// Where the mode has no critical value in the plane of a face from the level to 1 (or -1), each
-/// degenerate point is alone in a disc of modes beyond the level. If no side of the face is
+/// degenerate point is alone in a disc of modes in the superlevel set. If no side of the face is
 /// crossed, such discs are inside or outside: other faces are left out.
 /// @param mode next to 1 or -1, so that few are left out
 /// @param count of tetrahedra

@@ -85,7 +85,7 @@ bool is_zero(const TetMesh& mesh, Index v) {
   return t.xx == t.yy && t.yy == t.zz && t.xy == 0 && t.yz == 0 && t.xz == 0;
 }
 
-// Whether a surface may end at an edge between two vertices without deviator: some face at the edge
+// Whether a surface may end at an edge between two vertices isotropic: some face at the edge
 // bounds the domain, or has no deviator either.
 bool may_end_at(const std::vector<Index>& edge, const std::map<FaceKey, std::vector<Index>>& faces,
                 const TetMesh& mesh) {
@@ -113,7 +113,7 @@ void check_faces(const Extraction& extraction, const TetMesh& mesh,
     std::sort(tets.begin(), tets.end());
     if (carrier.size() < 3 && has_no_mode(surface, mesh, as_size(edge.first)) &&
         has_no_mode(surface, mesh, as_size(edge.second))) {
-      continue;  // between two vertices without deviator, where any number of sheets may meet
+      continue;  // between two vertices isotropic, where any number of sheets may meet
     } else if (carrier.size() < 3) {
       out << "edge " << edge.first << "-" << edge.second << " runs along an edge of the mesh\n";
     } else if (carrier.size() == 3) {
@@ -128,7 +128,7 @@ void check_faces(const Extraction& extraction, const TetMesh& mesh,
   }
 }
 
-// A vertex between two vertices without deviator: on an edge, but no crossing.
+// A vertex between two vertices isotropic: on an edge, but no crossing.
 bool is_halfway(const SurfaceMesh& surface, std::size_t v) {
   const auto& medium = surface.medium_eigenvector[v];
   return surface.carrier[v] == Carrier::edge && dot(medium, medium) == 0;

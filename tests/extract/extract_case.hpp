@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "extract/level/proofs/is_above.hpp"
 #include "support/random_fields.hpp"
 #include "support/topology.hpp"
 #include "support/witness_fields.hpp"
@@ -24,7 +25,7 @@ inline const std::array<const char*, 10> kLevels{"0",    "1e-6", "1/10",  "-1/10
 /// A number of trials times the environment variable TENSORTOPO_TEST_MULTIPLIER.
 int trials(int count);
 
-/// Says which seed a test draws from, in its output and in its failures.
+/// Says which seed a test meshes from, in its output and in its failures.
 std::string announce(std::uint64_t seed);
 
 ModeValue mode_of(const Fraction& fraction);

@@ -40,8 +40,8 @@ void expect_agreement_with_brute_force(const std::string& mode, int count, std::
             << misled << " of them only on its finest lattices\n";
   EXPECT_LE(50 * misled, count + 50);
   // Next to modes -1 and 1 tubes are often thinner than the finest lattice.
-  const bool is_thin = std::abs(level) > 0.998;
-  EXPECT_GT(10 * decided, (is_thin ? 5 : 8) * count);
+  const bool is_near_degenerate = std::abs(level) > 0.998;
+  EXPECT_GT(10 * decided, (is_near_degenerate ? 5 : 8) * count);
 }
 
 void expect_agreement_with_fifty_digits(const std::string& mode, int count, std::uint64_t seed) {

@@ -80,16 +80,16 @@ void expect_sound_near_strata(int count, int compared, std::uint64_t seed) {
     Random random(seed + static_cast<std::uint64_t>(trial));
     TetTensors tensors = random.tet_tensors();
     std::string mode = modes[static_cast<std::size_t>(random.integer(0, 4))];
-    std::string drawn = "general";
+    std::string patch = "general";
     if (trial % 2 == 1) {
       const Stratum stratum =
           strata[static_cast<std::size_t>(random.integer(0, static_cast<int>(strata.size()) - 1))];
       tensors = stratum_tensors(stratum, random);
       perturb(tensors, factors[static_cast<std::size_t>(random.integer(0, 5))], random);
       if (!special_mode(stratum).empty() && random.integer(0, 1) == 0) mode = special_mode(stratum);
-      drawn = name_of(stratum);
+      patch = name_of(stratum);
     }
-    SCOPED_TRACE("trial " + std::to_string(trial) + ", " + drawn + " at " + mode + '\n' +
+    SCOPED_TRACE("trial " + std::to_string(trial) + ", " + patch + " at " + mode + '\n' +
                  exact_text(tensors));
     const TetMesh mesh = reference_tet_mesh(tensors);
     const Extraction extraction = extract(mesh, mode);
@@ -99,7 +99,7 @@ void expect_sound_near_strata(int count, int compared, std::uint64_t seed) {
     ASSERT_EQ(found, "");
     const Outcome seen = outcome(extraction);
     nearby += extraction.statistics.tets_nearby > 0;
-    if (!seen.reason.empty()) ++reasons[drawn + ' ' + seen.reason];
+    if (!seen.reason.empty()) ++reasons[patch + ' ' + seen.reason];
     if (trial % 2 == 0) {
       EXPECT_EQ(seen.reason, "");
     }

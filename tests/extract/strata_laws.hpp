@@ -42,9 +42,10 @@ struct AffineMap {
 AffineMap random_affine_map(Random& random);
 std::ostream& operator<<(std::ostream& out, const AffineMap& map);
 
-/// Extracts from `count` tetrahedra, half of them of general tensors, half of tensors in a stratum,
-/// exact or off by between a rounding and a thousandth, and expects surfaces without flaws; from
-/// every `compared`-th also at fifty digits, where the topology must be the same.
+/// Extracts from `count` tetrahedra, half of them of general tensors, half of tensors in a
+/// degenerate configuration, exact or off by between a rounding and a thousandth, and expects
+/// surfaces without flaws; from every `compared`-th also at fifty digits, where the topology must
+/// be the same.
 void expect_sound_near_strata(int count, int compared, std::uint64_t seed);
 
 }  // namespace tensortopo::test

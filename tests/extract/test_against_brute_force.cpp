@@ -16,8 +16,8 @@ class RandomTetrahedra : public testing::TestWithParam<const char*> {};
 TEST_P(RandomTetrahedra, HaveTheTopologyThatBruteForceSees) {
   const std::string mode = GetParam();
   // Thin tubes next to modes -1 and 1 cost brute force its finest lattices.
-  const bool thin = mode.find("99") != std::string::npos;
-  expect_agreement_with_brute_force(mode, trials(thin ? 50 : 100), 20240001);
+  const bool given = mode.find("99") != std::string::npos;
+  expect_agreement_with_brute_force(mode, trials(given ? 50 : 100), 20240001);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, RandomTetrahedra, testing::ValuesIn(kLevels));

@@ -12,8 +12,8 @@ class TetrahedraInTwoPrecisions : public testing::TestWithParam<const char*> {};
 
 TEST_P(TetrahedraInTwoPrecisions, HaveTheSameTopology) {
   const std::string mode = GetParam();
-  const bool thin = mode.find("99") != std::string::npos;
-  expect_agreement_with_fifty_digits(mode, trials(thin ? 12 : 35), 20240101);
+  const bool given = mode.find("99") != std::string::npos;
+  expect_agreement_with_fifty_digits(mode, trials(given ? 12 : 35), 20240101);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, TetrahedraInTwoPrecisions, testing::ValuesIn(kLevels));

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <set>
 
+#include "extract/curves/points/degenerate_points_on_face.hpp"
 #include "degenerate_point_laws.hpp"
 #include "exact_degenerate_points.hpp"
 #include "extract_case.hpp"

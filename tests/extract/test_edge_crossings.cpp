@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/extract/edge_crossings.hpp"
+#include "extract/topology/boundary/edge_crossings.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "edge_flips.hpp"
+#include "extract/level/level_in_tet.hpp"
+#include "extract/patch/quality/edge_flips.hpp"
 #include "extract_case.hpp"
-#include "level_in_tet.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -19,11 +19,11 @@ using Id = std::int32_t;
 using Triangles = std::vector<std::array<Id, 3>>;
 using Edges = std::set<std::pair<Id, Id>>;
 
-/// What is drawn in a mesh of one tetrahedron, as a drawing has it.
+/// What is meshed in a mesh of one tetrahedron, as a meshing has it.
 struct Drawn {
   TetWithCurves<double> tet;
-  std::vector<std::vector<RimVertex>> rims{{}};
-  TetTriangles<double> triangles;
+  std::vector<std::vector<BoundaryVertex>> boundaries{{}};
+  Patch<double> triangles;
   std::map<Id, Vector3<double>> points;
   std::map<Id, unsigned> faces;
 
@@ -42,14 +42,14 @@ struct Drawn {
         triangles.inner.push_back(inner);
         id[v] = -static_cast<Id>(triangles.inner.size());
       } else {
-        RimVertex vertex;
+        BoundaryVertex vertex;
         vertex.id = id[v] = static_cast<Id>(v);
         vertex.position = x;
         const auto& carrier = surface.carrier_vertices[v];
         for (unsigned f = 0; f < 4; ++f)
           if (std::find(carrier.begin(), carrier.end(), corners[f]) == carrier.end())
             vertex.faces = static_cast<std::uint8_t>(vertex.faces | 1u << f);
-        rims[0].push_back(vertex);
+        boundaries[0].push_back(vertex);
         faces[id[v]] = vertex.faces;
       }
       points[id[v]] = x;
@@ -106,23 +106,23 @@ Edges edges_of(const Triangles& triangles) {
   return edges;
 }
 
-Edges rim_of(const Edges& edges) {
-  Edges rim;
+Edges boundary_of(const Edges& edges) {
+  Edges boundary;
   for (const auto& [a, b] : edges)
-    if (!edges.contains({b, a})) rim.emplace(a, b);
-  return rim;
+    if (!edges.contains({b, a})) boundary.emplace(a, b);
+  return boundary;
 }
 
 /// Exchanges the diagonal of triangle i after its corner k, if that leaves a complex.
-void exchange(Drawn& drawn, std::size_t i, std::size_t k) {
-  auto& all = drawn.triangles.triangles;
+void exchange(Drawn& patch, std::size_t i, std::size_t k) {
+  auto& all = patch.triangles.triangles;
   const Id a = all[i][k], b = all[i][(k + 1) % 3], c = all[i][(k + 2) % 3];
   for (auto& other : all)
     for (std::size_t l = 0; l < 3; ++l) {
       if (other[l] != b || other[(l + 1) % 3] != a) continue;
       const Id d = other[(l + 2) % 3];
       const auto edges = edges_of(all);
-      if (c == d || drawn.on_one_face(c, d) || edges.contains({c, d}) || edges.contains({d, c}))
+      if (c == d || patch.on_one_face(c, d) || edges.contains({c, d}) || edges.contains({d, c}))
         return;
       all[i] = {a, d, c};
       other = {d, b, c};
@@ -146,26 +146,26 @@ TEST(EdgeFlips, KeepTheComplexAndBringTheTrianglesCloserToTheLevel) {
     const ScaledField<double> field(mesh);
     const auto level = make_level<double>(mode);
     const LevelInTet in_tet(mesh, field, 0, level);
-    Drawn drawn(mesh, field, extraction.surface);
-    for (std::size_t i = 0; i < drawn.triangles.triangles.size(); ++i)
-      exchange(drawn, i, static_cast<std::size_t>(random.integer(0, 2)));
-    const auto old_edges = edges_of(drawn.triangles.triangles);
-    const double squares = drawn.squares(in_tet), inside = drawn.squares_inside(in_tet);
-    flipped += flip_edges<double>(drawn.tet, level, drawn.rims, drawn.triangles);
+    Drawn patch(mesh, field, extraction.surface);
+    for (std::size_t i = 0; i < patch.triangles.triangles.size(); ++i)
+      exchange(patch, i, static_cast<std::size_t>(random.integer(0, 2)));
+    const auto old_edges = edges_of(patch.triangles.triangles);
+    const double squares = patch.squares(in_tet), inside = patch.squares_inside(in_tet);
+    flipped += flip_edges<double>(patch.tet, level, patch.boundaries, patch.triangles);
 
-    const auto& now = drawn.triangles.triangles;
+    const auto& now = patch.triangles.triangles;
     const auto edges = edges_of(now);
     EXPECT_EQ(edges.size(), 3 * now.size()) << exact_text(tensors);  // each direction once
-    EXPECT_EQ(rim_of(edges), rim_of(old_edges)) << exact_text(tensors);
+    EXPECT_EQ(boundary_of(edges), boundary_of(old_edges)) << exact_text(tensors);
     for (const auto& [a, b] : edges) {
       if (edges.contains({b, a})) {
-        EXPECT_FALSE(drawn.on_one_face(a, b)) << exact_text(tensors);
+        EXPECT_FALSE(patch.on_one_face(a, b)) << exact_text(tensors);
       }
     }
     constexpr double kRounding = 1e-9;
-    EXPECT_LE(drawn.squares(in_tet), (1 + kRounding) * squares) << exact_text(tensors);
+    EXPECT_LE(patch.squares(in_tet), (1 + kRounding) * squares) << exact_text(tensors);
     // Of one size each: what a tetrahedron counts does not depend on its surface's area.
-    if (inside > 0) before += 1, after += drawn.squares_inside(in_tet) / inside;
+    if (inside > 0) before += 1, after += patch.squares_inside(in_tet) / inside;
   }
   EXPECT_GT(flipped, 0u);
   EXPECT_LT(after, 0.9 * before);

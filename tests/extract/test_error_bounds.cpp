@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "extract/level/proofs/simple_simplex.hpp"
 #include "extract_case.hpp"
-#include "tensortopo/extract/simple_simplex.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -88,8 +88,8 @@ double largest_error(const ModeForms<Running, Vertices>& forms,
   const auto coefficients = Increase(forms, wide_bounds<Vertices>(), strict_level())(d);
   double largest = 0;
   for (std::size_t k = 0; k < coefficients.size(); ++k)
-    largest = std::max(largest, coefficients[k].error /
-                                    Increase::Cubic::multinomials[k % Increase::Cubic::size]);
+    largest = std::max(
+        largest, coefficients[k].error / Increase::Cubic::multinomials[k % Increase::Cubic::size]);
   return largest;
 }
 
@@ -138,8 +138,8 @@ double worst(double Errors::*which, std::uint64_t seed) {
 void expect_bounded(double Errors::*which, double constant, const char* name) {
   const std::uint64_t seed = 20241210;
   SCOPED_TRACE(std::string(name) + ", " + announce(seed));
-  const double found = std::max({worst<2>(which, seed), worst<3>(which, seed),
-                                 worst<4>(which, seed)});
+  const double found =
+      std::max({worst<2>(which, seed), worst<3>(which, seed), worst<4>(which, seed)});
   std::cout << name << ": errors of up to " << found << " roundings, bound " << constant << '\n';
   EXPECT_LE(found, constant);
   EXPECT_GT(found, constant / 1000);  // else the bound says little, or nothing was tried

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/extract/exact_weights.hpp"
+#include "extract/subdivision/exact_weights.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/extract/face_curves.hpp"
+#include "extract/topology/boundary/face_curves.hpp"
 
 #include <gtest/gtest.h>
 

@@ -26,15 +26,15 @@ TEST(GraphSheets, AreThoseThatARefinementFinds) {
     const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const CurvedTet c(tensors, mode);
     ASSERT_TRUE(c.has_curves) << exact_text(tensors);
-    auto plan = plan_tet(c.tet, c.simplex_case.level);
-    ASSERT_TRUE(plan) << mode.text() << '\n' << exact_text(tensors);
-    if (plan->refined || plan->loops.size() < 2) continue;
-    const auto sheets = plan->sheets;
-    ASSERT_TRUE(add_leaves(c.tet, c.simplex_case.level, *plan)) << exact_text(tensors);
-    EXPECT_EQ(in_order(sheets), in_order(plan->sheets)) << mode.text() << '\n'
-                                                        << exact_text(tensors);
+    auto proved = prove_cell(c.tet, c.simplex_case.level);
+    ASSERT_TRUE(proved) << mode.text() << '\n' << exact_text(tensors);
+    if (proved->refined || proved->loops.size() < 2) continue;
+    const auto sheets = proved->sheets;
+    ASSERT_TRUE(add_subdivision(c.tet, c.simplex_case.level, *proved)) << exact_text(tensors);
+    EXPECT_EQ(in_order(sheets), in_order(proved->sheets)) << mode.text() << '\n'
+                                                          << exact_text(tensors);
     ++compared;
-    ++(sheets.size() == plan->loops.size() ? discs : with_holes);
+    ++(sheets.size() == proved->loops.size() ? discs : with_holes);
   }
   std::cout << compared << " tetrahedra with several loops, " << discs << " times discs, "
             << with_holes << " times a sheet with holes\n";

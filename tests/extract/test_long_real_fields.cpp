@@ -32,13 +32,13 @@ TEST_P(LongSymmetricCurves, AreWhereTheCurvesOfNearbyGeneralFieldsRun) {
 INSTANTIATE_TEST_SUITE_P(Kinds, LongSymmetricCurves,
                          testing::Values(Degeneracy::linear, Degeneracy::planar));
 
-class LongFaces : public testing::TestWithParam<const char*> {};
+class MultiprecisionFaces : public testing::TestWithParam<const char*> {};
 
-TEST_P(LongFaces, ArePassedThroughAsOftenAsExactCountsSay) {
+TEST_P(MultiprecisionFaces, ArePassedThroughAsOftenAsExactCountsSay) {
   expect_exact_counts_on_faces(GetParam(), 1000000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Fields, LongFaces, testing::Values("s1", "s2", "s3", "s4"));
+INSTANTIATE_TEST_SUITE_P(Fields, MultiprecisionFaces, testing::Values("s1", "s2", "s3", "s4"));
 
 class LongDegeneratePoints : public testing::TestWithParam<const char*> {};
 

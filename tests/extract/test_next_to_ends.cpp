@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "curved_tet.hpp"
+#include "extract/topology/regions/counted_sheets.hpp"
+#include "extract/topology/near_degenerate_sheets.hpp"
 #include "extract_case.hpp"
 #include "support/random_fields.hpp"
-#include "thin_sheets.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -85,7 +86,7 @@ TEST(NextToEnds, LoopsAreJoinedByArcsOfTheCurve) {
   });
 }
 
-// Both rims of a tube are on one face: no triangle may join them directly.
+// Both boundary loops of a tube are on one face: no triangle may join them directly.
 TEST(NextToEnds, ATubeThatComesAndGoesThroughOneFaceIsDrawnAlongItsArc) {
   expect_components({
       {"0.999999999",
@@ -159,16 +160,17 @@ TEST(NextToEnds, SheetsCountedWithEffortAreThoseOfARefinement) {
       const CurvedTet c(tensors, ModeValue::parse(mode));
       if (!c.has_curves) continue;
       const auto& level = c.simplex_case.level;
-      auto plan = plan_tet(c.tet, level);
-      if (!plan || plan->loops.empty()) continue;
-      const auto counted = detail::sheets_counted_with_effort(c.tet, level, plan->loops);
+      auto proved = prove_cell(c.tet, level);
+      if (!proved || proved->loops.empty()) continue;
+      const auto counted = detail::sheets_counted_from_distant_level(c.tet, level, proved->loops);
       if (!counted) continue;
-      plan->leaves.reset();
-      if (!add_leaves(c.tet, level, *plan)) continue;
+      proved->subdivision.reset();
+      if (!add_subdivision(c.tet, level, *proved)) continue;
       ++compared;
       several += counted->size() > 1 ? 1 : 0;
       for (const auto& sheet : *counted) other_than_discs += sheet.euler_characteristic != 1;
-      EXPECT_EQ(in_order(*counted), in_order(plan->sheets)) << mode << '\n' << exact_text(tensors);
+      EXPECT_EQ(in_order(*counted), in_order(proved->sheets)) << mode << '\n'
+                                                              << exact_text(tensors);
     }
   }
   std::cout << compared << " compared, " << several << " with several sheets, " << other_than_discs

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/extract/polygon.hpp"
+#include "extract/patch/fill/polygon.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -71,8 +71,8 @@ double least_length(const std::vector<PolygonCorner>& corners, std::size_t i, st
   return own + best;
 }
 
-// A rim as a sheet has it: runs through faces, edge points between them on two faces.
-std::vector<PolygonCorner> random_rim(Random& random, int faces, int most) {
+// A boundary loop as a sheet has it: runs through faces, edge points between them on two faces.
+std::vector<PolygonCorner> random_loop(Random& random, int faces, int most) {
   std::vector<PolygonCorner> corners;
   std::vector<int> order{0, 1, 2, 3};
   for (std::size_t i = 3; i > 0; --i)
@@ -82,8 +82,8 @@ std::vector<PolygonCorner> random_rim(Random& random, int faces, int most) {
               before = order[static_cast<std::size_t>((f + faces - 1) % faces % 4)];
     const auto bit = [](int k) { return 1u << k; };
     const auto add = [&](unsigned set) {
-      corners.push_back({{random.normal(), random.normal(), random.normal()},
-                         static_cast<std::uint8_t>(set)});
+      corners.push_back(
+          {{random.normal(), random.normal(), random.normal()}, static_cast<std::uint8_t>(set)});
     };
     if (faces > 1) add(bit(face) | bit(before));
     for (int k = random.integer(faces > 1 ? 0 : 3, most); k > 0; --k) add(bit(face));
@@ -97,12 +97,12 @@ TEST(CutPolygon, GivesTrianglesWithoutDiagonalsInFacesAndOfLeastLength) {
   Random random(seed);
   int cut = 0, refused = 0;
   for (int trial = 0; trial < trials(2000); ++trial) {
-    const auto corners = random_rim(random, random.integer(1, 4), trial % 20 == 0 ? 4 : 2);
+    const auto corners = random_loop(random, random.integer(1, 4), trial % 20 == 0 ? 4 : 2);
     if (corners.size() < 3) continue;
     const auto triangles = cut_polygon(corners);
     const double least = least_length(corners, 0, corners.size() - 1);
-    const bool one_face = corners.size() == 3 &&
-                          (corners[0].faces & corners[1].faces & corners[2].faces) != 0;
+    const bool one_face =
+        corners.size() == 3 && (corners[0].faces & corners[1].faces & corners[2].faces) != 0;
     if (triangles.empty()) {
       ++refused;
       EXPECT_TRUE(one_face || std::isinf(least)) << "trial " << trial;
@@ -122,7 +122,7 @@ TEST(CutPolygon, CutsLongRimsCornerByCorner) {
   Random random(seed);
   int cut = 0;
   for (int trial = 0; trial < trials(60); ++trial) {
-    const auto corners = random_rim(random, random.integer(2, 4), 900);
+    const auto corners = random_loop(random, random.integer(2, 4), 900);
     if (corners.size() <= kLargestShortest) continue;
     const auto triangles = cut_polygon(corners);
     if (triangles.empty()) continue;  // all corners that are left may lie on one face

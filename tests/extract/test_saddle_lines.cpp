@@ -8,10 +8,10 @@
 #include <cmath>
 #include <vector>
 
+#include "extract/subdivision/hessian_metric.hpp"
+#include "extract/subdivision/refinement_vertex.hpp"
+#include "extract/subdivision/saddle_places.hpp"
 #include "extract_case.hpp"
-#include "mode_bends.hpp"
-#include "refinement_vertex.hpp"
-#include "saddle_places.hpp"
 #include "strata_laws.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 #include "tensortopo/scalar/real.hpp"
@@ -90,7 +90,7 @@ double median(std::vector<double> values) {
 TEST(SaddleLine, EdgesAlongItAreAsShortAsThoseAcross) {
   const std::uint64_t seed = 20241402;
   SCOPED_TRACE(announce(seed));
-  std::vector<double> bends, angles;  // along by across
+  std::vector<double> squares, angles;  // along by across
   for_each_line(0x1p-40, seed, trials(40), [&](const auto& tet, const auto& places) {
     const auto vertex_at = [&](const Weights& weights) {
       std::array<RefinementVertex<double, 4>, 4> corners;
@@ -111,12 +111,12 @@ TEST(SaddleLine, EdgesAlongItAreAsShortAsThoseAcross) {
       const auto a = vertex_at(from), b = vertex_at(to),
                  c = vertex_at(between(middle, near_i, 1e-3)),
                  d = vertex_at(between(middle, near_j, 1e-3));
-      const auto lengths = detail::bends_of_edges<double>({&a, &b, &c, &d});
-      bends.push_back(lengths[0] / lengths[5]);
+      const auto lengths = detail::hessian_lengths<double>({&a, &b, &c, &d});
+      squares.push_back(lengths[0] / lengths[5]);
       angles.push_back(chord(a.tensor, b.tensor) / chord(c.tensor, d.tensor));
     }
   });
-  EXPECT_LT(median(bends), 1);
+  EXPECT_LT(median(squares), 1);
   EXPECT_GT(median(angles), 100);
 }
 

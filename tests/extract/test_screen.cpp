@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/extract/screen.hpp"
+#include "extract/level/proofs/screen.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ TEST(Screen, AnglesAreAsAccurateAsStated) {
     const Real50 exact = lode_angle(tensor_cast<Real50>(t));
     const double error = std::abs(static_cast<double>(exact - Real50(screen::lode_angle(t))));
     const auto near_t = t + std::ldexp(1.0, -(trial % 50)) * s;
-    const double between = screen::angle(t, std::sqrt(norm_form(t)), near_t,
-                                         std::sqrt(norm_form(near_t)));
+    const double between =
+        screen::angle(t, std::sqrt(norm_form(t)), near_t, std::sqrt(norm_form(near_t)));
     const double error_of_angle = std::abs(static_cast<double>(
         angle_between(tensor_cast<Real50>(t), tensor_cast<Real50>(near_t)) - Real50(between)));
     worst = std::max({worst, error, error_of_angle});

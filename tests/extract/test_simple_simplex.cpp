@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/extract/simple_simplex.hpp"
+#include "extract/level/proofs/simple_simplex.hpp"
 
 #include <gtest/gtest.h>
 

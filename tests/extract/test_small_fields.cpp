@@ -9,10 +9,10 @@
 #include <set>
 #include <sstream>
 
+#include "extract/subdivision/small_field.hpp"
+#include "extract/topology/subdivision_mesh.hpp"
 #include "extract_case.hpp"
-#include "small_field.hpp"
 #include "strata_laws.hpp"
-#include "tensortopo/extract/leaf_mesh.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
 

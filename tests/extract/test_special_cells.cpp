@@ -174,8 +174,8 @@ TEST(CommonEigenvector, IsTheSameInAnyNumbering) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-// Antiplane shear has mode 0 throughout; off by a rounding, only that decides. Samples of a rim
-// fall together there, polygons beside them lose their corners, and gradients cancel.
+// Antiplane shear has mode 0 throughout; off by a rounding, only that decides. Samples of a
+// boundary loop fall together there, polygons beside them lose their corners, and gradients cancel.
 TEST(AntiplaneShear, OffByARoundingIsSound) {
   const TetTensors tensors{
       {{0x1.4p+6, -0x1p+4, -0x1.fffffffffffffp+5, -0x1.fffffffffffffp+4, -0x1.1p+6,

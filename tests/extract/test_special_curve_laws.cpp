@@ -28,7 +28,7 @@ TetMesh special_mesh(int trial, Random& random) {
   for (auto& t : mesh.tensors) {
     for (double* entry : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz})
       *entry = random.integer(-bound, bound);
-    // No further vertices without deviator: between two of them there is no mode either.
+    // No further vertices isotropic: between two of them there is no mode either.
     if (deviator(t) == Deviator<double>{}) t.xy = 1;
     if (trial % 5 == 1) t.xz = t.yz = 0;  // plane strain
   }
@@ -147,7 +147,7 @@ TEST(SpecialCurves, KeepTheirShape) {
   }
 }
 
-// Each stratum of fields in one tetrahedron.
+// Each degenerate configuration of fields in one tetrahedron.
 TEST(SpecialCurves, OfEachStratumAreFlawlessAndComplete) {
   const std::uint64_t seed = 20250114;
   SCOPED_TRACE(announce(seed));

@@ -227,7 +227,7 @@ TEST(SpecialCurves, InAPlaneOfSymmetryMayCloseInOneFace) {
   }
 }
 
-// Around a vertex without deviator there is one ray for each degenerate point of the faces
+// Around a vertex isotropic there is one ray for each degenerate point of the faces
 // opposite.
 TEST(SpecialCurves, AroundAVertexWithoutDeviatorAreRays) {
   TetMesh mesh = cube_mesh(2);

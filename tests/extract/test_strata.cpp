@@ -16,7 +16,7 @@
 namespace tensortopo::test {
 namespace {
 
-// The reasons that a stratum may give, at its level and at others.
+// The reasons that a degenerate configuration may give, at its level and at others.
 std::set<std::string> reasons_of(Stratum stratum, bool at_special_mode) {
   switch (stratum) {
     case Stratum::cone_apex_inside:
@@ -139,11 +139,11 @@ TEST_P(Strata, AreTheSameInOtherFramesAndUnits) {
     std::array<int, 4> exponents;
     for (int& e : exponents) e = random.integer(-2, 2);
     const AffineMap map = random_affine_map(random);
-    std::ostringstream drawn;
-    drawn << "turned by";
-    for (const int entry : q) drawn << ' ' << entry;
-    drawn << ", scaled by 2^" << exponent << ", moved by " << map;
-    SCOPED_TRACE(drawn.str());
+    std::ostringstream patch;
+    patch << "turned by";
+    for (const int entry : q) patch << ' ' << entry;
+    patch << ", scaled by 2^" << exponent << ", moved by " << map;
+    SCOPED_TRACE(patch.str());
     if (before.reason == "inconsistent_samples") return;  // of samples, which scaling moves
     TetTensors other = tensors;
     for (auto& t : other) t = turned(t, q);
@@ -180,7 +180,7 @@ TEST_P(Strata, AreTheSameInAnyNumbering) {
   });
 }
 
-// One tetrahedron of a stratum among others: no hole that is not reported.
+// One tetrahedron of a degenerate configuration among others: no hole that is not reported.
 TEST_P(Strata, LeaveTheRestOfAMeshSound) {
   Random random(20241207);
   for_each_case(20241206, 2, [&](const TetTensors& tensors, const std::string& mode) {
@@ -211,7 +211,7 @@ TEST_P(Strata, HaveTheTopologyThatBruteForceSees) {
     const Extraction extraction = extract(reference_tet_mesh(tensors), mode);
     const auto& known = extraction.statistics;
     // No lattice resolves a level at its critical value, through a vertex, or as near to mode 1;
-    // vertices without deviator have tests of their own.
+    // vertices isotropic have tests of their own.
     if (!extraction.unresolved.empty() || known.vertices_on_level > 0) return;
     if (known.tets_nearby > 0 || known.zero_deviator_vertices > 0) return;
     const double level = ModeValue::parse(mode).approx();

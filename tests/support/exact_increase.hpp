@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "tensortopo/extract/level_increase.hpp"
+#include "extract/level/proofs/level_increase.hpp"
 #include "tensortopo/scalar/rational.hpp"
 
 namespace tensortopo::test {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "baselines/marching.hpp"
-#include "tensortopo/extract/mode_forms.hpp"
-#include "tensortopo/extract/segment_root.hpp"
+#include "extract/level/mode_forms.hpp"
+#include "extract/level/segment_root.hpp"
 
 namespace tensortopo::baselines {
 

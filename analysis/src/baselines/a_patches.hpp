@@ -7,7 +7,7 @@
 
 #include "tensortopo/analysis/baseline.hpp"
 #include "baselines/triangle_soup.hpp"
-#include "tensortopo/extract/level.hpp"
+#include "extract/level/level.hpp"
 
 namespace tensortopo::baselines {
 

@@ -12,7 +12,7 @@
 #include "baselines/a_patches.hpp"
 #include "baselines/hybrid.hpp"
 #include "baselines/marching.hpp"
-#include "tensortopo/extract/mode_forms.hpp"
+#include "extract/level/mode_forms.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo {

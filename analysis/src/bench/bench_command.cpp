@@ -14,7 +14,7 @@
 #include "bench/methods.hpp"
 #include "contours/vtk_contours.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
-#include "tensortopo/extract/face_curves.hpp"
+#include "tensortopo/extract/extract_options.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
@@ -131,7 +131,7 @@ class Bench {
 
   /// Ours, drawn as graphs where the level is one.
   std::vector<SurfaceMesh> graphs() const {
-    return our_surfaces(mesh_, modes_, resolution_, nullptr, DrawingMethod::graph);
+    return our_surfaces(mesh_, modes_, resolution_, nullptr, MeshingMethod::graph);
   }
 
   void add_graph() {

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "conformance/triangle_search.hpp"
-#include "tensortopo/extract/level.hpp"
+#include "extract/level/level.hpp"
 
 namespace tensortopo {
 namespace {

@@ -28,13 +28,13 @@ std::vector<ModeValue> with_opposites(std::span<const ModeValue> modes) {
 
 std::vector<SurfaceMesh> our_surfaces(const TetMesh& mesh, std::span<const ModeValue> modes,
                                       double resolution, std::map<std::string, double>* stages,
-                                      DrawingMethod drawing) {
+                                      MeshingMethod drawing) {
   std::vector<SurfaceMesh> surfaces;
   if (stages != nullptr) stages->clear();
   auto field = prepared(mesh, modes);
   ExtractOptions options;
   options.sampling.resolution = resolution;
-  options.drawing = drawing;
+  options.meshing = drawing;
   for (const ModeValue& mode : modes) {
     Extraction extraction = &mode != &modes.back()
                                 ? extract_mode_surface(field, mode, options)

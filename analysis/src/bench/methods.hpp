@@ -24,7 +24,7 @@ std::vector<ModeValue> with_opposites(std::span<const ModeValue> modes);
 std::vector<SurfaceMesh> our_surfaces(const TetMesh& mesh, std::span<const ModeValue> modes,
                                       double resolution,
                                       std::map<std::string, double>* stages = nullptr,
-                                      DrawingMethod drawing = DrawingMethod::manifold);
+                                      MeshingMethod drawing = MeshingMethod::manifold);
 
 /// Our surfaces with all that a certificate claims about them: triangles made.
 std::size_t certify_all(const TetMesh& mesh, std::span<const ModeValue> modes, double resolution);

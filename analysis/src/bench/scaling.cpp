@@ -12,7 +12,7 @@
 #include "bench/timing.hpp"
 #include "contours/vtk_contours.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
-#include "tensortopo/extract/face_curves.hpp"
+#include "tensortopo/extract/extract_options.hpp"
 #include "tensortopo/families/field_family.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 

@@ -22,7 +22,7 @@
 #include <limits>
 #include <utility>
 
-#include "tensortopo/extract/tet_geometry.hpp"
+#include "extract/level/tet_geometry.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/tensor/mode.hpp"
 

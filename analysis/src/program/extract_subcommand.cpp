@@ -70,7 +70,7 @@ ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& co
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
   require_effect(options);
   command.modes = parse_modes(options.modes);
-  if (options.method == "graph") command.drawing = DrawingMethod::graph;
+  if (options.method == "graph") command.drawing = MeshingMethod::graph;
   command.other = other_method(options);
   command.only_neutral = options.method == "hybrid";
 

@@ -6,6 +6,7 @@
 #include "crossing_brackets.hpp"
 #include "distance_proof.hpp"
 #include "for_each.hpp"
+#include "extract/level/level.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 
 namespace tensortopo {

@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "extract/curves/points/weight_bounds.hpp"
+#include "extract/curves/points/degenerate_points_on_face.hpp"
 #include "for_each.hpp"
 #include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/extract/scaled_field.hpp"

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include "extract/level/proofs/is_above.hpp"
 #include "crossing_brackets.hpp"
 
 #include <array>
 #include <cmath>
 
 #include "bracket_search.hpp"
-#include "tensortopo/extract/refinement.hpp"
+#include "extract/subdivision/refinement.hpp"
 
 namespace tensortopo {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tensortopo/certify/certified_level.hpp"
+#include "extract/level/level.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 
 namespace tensortopo {

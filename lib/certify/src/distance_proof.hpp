@@ -5,6 +5,7 @@
 #include <span>
 
 #include "tensortopo/certify/certified_level.hpp"
+#include "extract/level/level.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/quadric/quadric_form.hpp"
 

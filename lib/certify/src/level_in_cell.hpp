@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "tensortopo/extract/scaled_field.hpp"
-#include "tensortopo/extract/simple_simplex.hpp"
-#include "tensortopo/extract/tet_geometry.hpp"
+#include "extract/level/proofs/simple_simplex.hpp"
+#include "extract/level/tet_geometry.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 
 namespace tensortopo::detail {

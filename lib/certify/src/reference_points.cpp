@@ -10,8 +10,8 @@
 #include <optional>
 #include <span>
 
-#include "tensortopo/extract/exact_side.hpp"
-#include "tensortopo/extract/level.hpp"
+#include "extract/level/exact_side.hpp"
+#include "extract/level/level.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
 

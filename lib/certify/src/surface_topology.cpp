@@ -17,7 +17,7 @@ namespace {
 using Index = TetMesh::Index;
 using Vertex = SurfaceMesh::Index;
 using Face = std::array<Index, 3>;
-using Loop = std::vector<LevelTopology::RimArc>;
+using Loop = std::vector<LevelTopology::BoundaryArc>;
 
 /// The curves on the faces of a tetrahedron, as its rims have them.
 struct FaceCurves {

@@ -6,20 +6,21 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 
+#if __has_include("TensorTopoFiltersModule.h")
 #include "TensorTopoFiltersModule.h"
+#define TENSORTOPO_VTK_EXPORT TENSORTOPOFILTERS_EXPORT
+#else
+#define TENSORTOPO_VTK_EXPORT
+#endif
 
-// VTK's parsers know no nested names here.
-namespace tensortopo {
-namespace filters {
+namespace tensortopo::filters {
 struct TensorGrid;
 }
-}  // namespace tensortopo
 
 /// What the filters of this library have in common: the input and its tensors, sampling,
 /// certificates, progress and abort.
-class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
+class TENSORTOPO_VTK_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
  public:
   vtkTypeMacro(vtkTensorTopology, vtkPolyDataAlgorithm)
   void PrintSelf(std::ostream& os, vtkIndent indent) override;

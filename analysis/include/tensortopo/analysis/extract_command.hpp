@@ -34,7 +34,7 @@ struct ExtractCommand {
   bool strict = false;           ///< write nothing if a tetrahedron stays unresolved
   ReadOptions read;
   Sampling sampling;
-  DrawingMethod drawing = DrawingMethod::manifold;
+  MeshingMethod drawing = MeshingMethod::manifold;
   bool all_samples = false;  ///< `ExtractOptions::keep_samples`
   bool improve = false;  ///< surfaces by `improve_triangles`
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "extract/curves/points/curve_in_tet.hpp"
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
+#include "tensortopo/extract/scaled_field.hpp"
+
+namespace tensortopo {
+
+/// The vertices of a simplex of the mesh; -1 fills up.
+using SimplexVertices = std::array<TetMesh::Index, 4>;
+
+/// A place where pieces of curves end and meet, found once for all cells around it.
+struct CurvePlace {
+  SimplexVertices vertices{-1, -1, -1, -1};  ///< of the simplex whose interior holds it, ascending
+  std::array<long double, 4> weights{};      ///< of these
+  Vector3<long double> dominant{};           ///< zero where the deviator vanishes
+};
+
+/// A piece of a curve in the interior of a simplex.
+struct CurveLink {
+  TetMesh::Index tet = -1;                   ///< the tetrahedron, or one around it
+  SimplexVertices vertices{-1, -1, -1, -1};  ///< those that the weights of `inner` refer to
+  std::array<std::size_t, 2> ends{};         ///< positions in the list of places
+  std::vector<CurveSample> inner;
+};
+
+/// Numbers the vertices, and puts the lines of each component in order.
+CurveMesh assemble_curves(const TetMesh& mesh, const ScaledField<double>& field, Degeneracy kind,
+                          const std::vector<CurvePlace>& places,
+                          const std::vector<CurveLink>& links, const ExtractOptions& options);
+
+}  // namespace tensortopo

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "extract/curves/points/degenerate_points_on_face.hpp"
+#include "extract/curves/curve_assembly.hpp"
+#include "extract/curves/special_positions.hpp"
+#include "extract/level/proofs/screen.hpp"
+#include "extract/run/parallel_stage.hpp"
+#include "tensortopo/scalar/constants.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Index = TetMesh::Index;
+
+std::size_t count_different(std::vector<Index> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
+}
+
+class CurveExtractor {
+ public:
+  CurveExtractor(const TetMesh& mesh, Degeneracy kind, const ExtractOptions& options)
+      : mesh_(mesh), kind_(kind), options_(options), field_(mesh) {}
+
+  CurveExtraction run() {
+    Stopwatch watch;
+    screen();
+    find_face_points();
+    SpecialPositions special(mesh_, field_, kind_, options_, cells_);
+    special.find();
+    result_.statistics.seconds_faces = watch.lap();
+    join_in_tets(special);
+    result_.statistics.seconds_tets = watch.lap();
+    result_.curves = assemble_curves(mesh_, field_, kind_, cells_.places, links_, options_);
+    result_.statistics.tets_crossed = count_different(result_.curves.tet);
+    result_.statistics.seconds_stitch = watch.lap();
+    return std::move(result_);
+  }
+
+ private:
+  /// The Lode angle of the degenerate tensors sought.
+  double lode_angle() const { return kind_ == Degeneracy::linear ? 0 : pi<double>() / 3; }
+
+  /// Whether a simplex holds no tensor of the kind sought. A zero deviator adds nothing to the
+  /// cone over the others.
+  template <class Vertices>
+  bool is_screened_out(const Vertices& vertices) const {
+    std::array<Deviator<double>, 4> tensors;
+    std::size_t count = 0;
+    for (const Index v : vertices)
+      if (!field_.is_zero[as_size(v)]) tensors[count++] = field_.tensors[as_size(v)];
+    if (count == 0) return false;
+    const std::size_t given = count;
+    while (count < 4) tensors[count] = tensors[count - given], ++count;
+    return screen::excludes(tensors, lode_angle());
+  }
+
+  template <std::size_t Vertices, class Container>
+  std::array<ScaledTensor, Vertices> tensors_at(const Container& vertices) const {
+    std::array<ScaledTensor, Vertices> result;
+    for (std::size_t i = 0; i < Vertices; ++i) {
+      const auto v = as_size(vertices[i]);
+      result[i] = {mesh_.tensors[v], field_.exponents[v]};
+    }
+    return result;
+  }
+
+  void screen() {
+    std::vector<char> active(mesh_.tets.size(), 0);
+    parallel_stage(options_, "screen", mesh_.tets.size(), 4096,
+                   [&](std::size_t t) { active[t] = !is_screened_out(mesh_.tets[t]); });
+    std::vector<Index> tets;
+    for (std::size_t t = 0; t < active.size(); ++t)
+      if (active[t]) tets.push_back(static_cast<Index>(t));
+    result_.statistics.tets_screened_out = mesh_.tets.size() - tets.size();
+    cells_.complex = tet_complex(mesh_, tets);
+  }
+
+  void find_face_points() {
+    const auto& faces = cells_.complex.faces;
+    cells_.faces.resize(faces.size());
+    std::vector<char> counted(faces.size(), 0);
+    parallel_stage(options_, "faces", faces.size(), 256, [&](std::size_t f) {
+      if (is_screened_out(faces[f])) return;
+      auto& found = cells_.faces[f];
+      for (const Index v : faces[f])
+        if (field_.is_zero[as_size(v)]) {
+          found.obstacle = CurveObstacle::zero_deviator_vertex;
+          return;
+        }
+      counted[f] = 1;
+      found = degenerate_points_on_face(tensors_at<3>(faces[f]));
+      const bool linear = kind_ == Degeneracy::linear;
+      std::erase_if(found.points, [&](const FacePoint& point) { return point.linear != linear; });
+      if (!(linear ? found.concerns_linear : found.concerns_planar)) found.obstacle.reset();
+    });
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      auto& found = cells_.faces[f];
+      result_.statistics.faces += counted[f] != 0;
+      result_.statistics.faces_exact += found.exact;
+      // Of such a face all is found anew.
+      if (found.obstacle) found.points.clear();
+      cells_.first_place.push_back(cells_.places.size());
+      for (const FacePoint& point : found.points) {
+        CurvePlace place;
+        std::copy(faces[f].begin(), faces[f].end(), place.vertices.begin());
+        std::copy(point.weights.begin(), point.weights.end(), place.weights.begin());
+        place.dominant = point.dominant;
+        cells_.places.push_back(place);
+      }
+    }
+    result_.statistics.face_points = cells_.places.size();
+  }
+
+  /// What a tetrahedron in general position holds.
+  CellCurves join_in_tet(std::size_t t) const {
+    const auto& complex = cells_.complex;
+    const auto& vertices = mesh_.tets[as_size(complex.tets[t])];
+    std::vector<BoundaryPoint> boundary;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index f = complex.tet_faces[t][i];
+      BoundaryPoint point;
+      point.face = i;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index v = complex.faces[as_size(f)][k];
+        point.corners[k] = static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), v) -
+                                                    vertices.begin());
+      }
+      const auto& points = cells_.faces[as_size(f)].points;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        point.point = points[k];
+        boundary.push_back(point);
+        places.push_back(cells_.first_place[as_size(f)] + k);
+      }
+    }
+    auto joined = degenerate_curve_in_tet(tensors_at<4>(vertices), boundary,
+                                          options_.sampling.largest_turn());
+    CellCurves result;
+    result.obstacle = joined.obstacle;
+    for (CurvePiece& piece : joined.pieces)
+      result.links.push_back({complex.tets[t],
+                              vertices,
+                              {places[piece.begin], places[piece.end]},
+                              std::move(piece.inner)});
+    return result;
+  }
+
+  void join_in_tets(const SpecialPositions& special) {
+    const auto& complex = cells_.complex;
+    std::vector<CellCurves> tets(complex.tets.size());
+    std::vector<std::optional<CurveObstacle>> reasons(tets.size());
+    parallel_stage(options_, "tetrahedra", tets.size(), 256, [&](std::size_t t) {
+      const auto& faces = complex.tet_faces[t];
+      const auto at =
+          std::find_if(faces.begin(), faces.end(), [&](Index f) { return special.is_special(f); });
+      if (at != faces.end()) {
+        reasons[t] = cells_.faces[as_size(*at)].obstacle;
+      } else {
+        tets[t] = join_in_tet(t);
+        reasons[t] = tets[t].obstacle;
+      }
+      if (reasons[t]) tets[t] = special.curve_in_tet(t);
+    });
+    const std::size_t shared = cells_.places.size();
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      auto& cell = tets[t];
+      if (cell.obstacle) result_.unresolved.push_back({complex.tets[t], *cell.obstacle});
+      if (reasons[t] && !cell.obstacle) result_.special.push_back({complex.tets[t], *reasons[t]});
+      const std::size_t own = cells_.places.size() - shared;
+      for (CurveLink& link : cell.links) {
+        for (std::size_t& end : link.ends)
+          if (end >= shared) end += own;
+        links_.push_back(std::move(link));
+      }
+      cells_.places.insert(cells_.places.end(), cell.places.begin(), cell.places.end());
+    }
+    for (CurveLink& link : special.links_below(tets)) links_.push_back(std::move(link));
+  }
+
+  const TetMesh& mesh_;
+  const Degeneracy kind_;
+  const ExtractOptions& options_;
+  ScaledField<double> field_;
+  CurveCells cells_;
+  std::vector<CurveLink> links_;
+  CurveExtraction result_;
+};
+
+}  // namespace
+
+CurveExtraction extract_degenerate_curves(const TetMesh& mesh, Degeneracy kind,
+                                          const ExtractOptions& options) {
+  return CurveExtractor(mesh, kind, options).run();
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "extract/level/proofs/simple_simplex.hpp"
+
+namespace tensortopo {
+
+/// Whether this processor, and this build, compute four at a time (AVX2). Results do not depend on
+/// it.
+bool has_lanes();
+
+/// `prove_simplex(tensors[i], level)` of several triangles or tetrahedra, bit for bit. Where
+/// there are lanes, those between whose vertices the level passes are tried four at a time.
+///
+/// @param proofs  as many as tensors
+template <std::size_t Vertices>
+void prove_simplices(std::span<const std::array<Deviator<double>, Vertices>> tensors,
+                     const Level<double>& level, std::span<SimplexProof<double, Vertices>> proofs);
+
+/// The crossing of each of several edges whose ends are on different sides of the level, if it is
+/// proved to be the only one without a cut: the weight of the second end, bit for bit that of
+/// `edge_crossings`.
+///
+/// @param ends    in the order of the edge's vertices
+/// @param rising  of each, whether the mode is larger at the second end
+/// @param weights as many as edges; -1 where more is needed to tell, everywhere without lanes
+void single_crossings(std::span<const std::array<Deviator<double>, 2>> ends,
+                      std::span<const char> rising, const Level<double>& level,
+                      std::span<double> weights);
+
+}  // namespace tensortopo

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "extract/patch/charts/dominant_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tensortopo {
+
+namespace {
+
+double positive_remainder(double angle, double period) {
+  const double r = std::fmod(angle, period);
+  return r < 0 ? r + period : r;
+}
+
+/// The least logarithm of the ratio of the radii of a polar layout.
+constexpr double kLeastGrowth = 2.5;
+
+}  // namespace
+
+DominantChart::DominantChart(const CharacteristicTensor<double>& characteristic,
+                             const ModeParameter<double>& mode, About about)
+    : characteristic_(characteristic),
+      mode_(mode),
+      about_(about),
+      axes_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+      period_(about == About::cone ? 2 * std::numbers::pi : std::numbers::pi) {
+  if (about == About::cone) return;
+  // N is isotropic across A e1 + B e3 and -A e1 + B e3.
+  const auto& [b1, b2, b3] = characteristic.eigenvalues;
+  const double a = std::sqrt((b1 - b2) / (b1 - b3)), b = std::sqrt((b2 - b3) / (b1 - b3));
+  const double side = about == About::first_plane ? 1 : -1;
+  axes_ = {{{b, 0, -side * a}, {0, 1, 0}, {side * a, 0, b}}};
+}
+
+DominantChart::Frame DominantChart::frame_at(double around, double elevation) const {
+  const double c = std::cos(around), s = std::sin(around);
+  const double ce = std::cos(elevation), se = std::sin(elevation);
+  const auto across = c * axes_[0] + s * axes_[1];
+  return {ce * across + se * axes_[2], ce * axes_[2] - se * across, c * axes_[1] - s * axes_[0]};
+}
+
+DominantChart::Place DominantChart::place(const Vector3<double>& dominant,
+                                          const Vector3<double>& medium) const {
+  const auto& [e1, e2, e3] = characteristic_.eigenvectors;
+  const auto in_frame = [&, e1 = e1, e2 = e2, e3 = e3](const Vector3<double>& v) {
+    return Vector3<double>{dot(v, e1), dot(v, e2), dot(v, e3)};
+  };
+  auto e = in_frame(dominant);
+  const auto m = in_frame(medium);
+  if (about_ == About::cone && e.z < 0) e = -e;
+  const auto angle_of = [&] { return std::atan2(dot(e, axes_[1]), dot(e, axes_[0])); };
+  double around = cut_ + positive_remainder(angle_of() - cut_, 2 * std::numbers::pi);
+  if (around - cut_ >= period_) {  // the other end of the line
+    e = -e;
+    around -= std::numbers::pi;
+  }
+  const auto frame = frame_at(around, std::asin(std::clamp(dot(e, axes_[2]), -1.0, 1.0)));
+  return {around, positive_remainder(2 * std::atan2(dot(m, frame.along), dot(m, frame.up)),
+                                     2 * std::numbers::pi)};
+}
+
+std::optional<SymmetricTensor<double>> DominantChart::tensor(const Place& place) const {
+  const auto& [b1, b2, b3] = characteristic_.eigenvalues;
+  const auto& [l1, l2, l3] = mode_.eigenvalues;
+  const double c = std::cos(place.around), s = std::sin(place.around);
+  const double start =
+      about_ == About::cone ? std::atan2(std::sqrt(b1 * c * c + b2 * s * s), std::sqrt(-b3)) : 0;
+  const double cos_turn = std::cos(place.turn / 2), sin_turn = std::sin(place.turn / 2);
+  const auto times_n = [&, b1 = b1, b2 = b2, b3 = b3](const Vector3<double>& v) {
+    return Vector3<double>{b1 * v.x, b2 * v.y, b3 * v.z};
+  };
+  // Newton's method for the elevation at which the tensor is orthogonal to N, from the cone or
+  // plane.
+  double elevation = start, last = 1;
+  for (int step = 0; step < 20; ++step) {
+    const auto [e, up, along] = frame_at(place.around, elevation);
+    const auto m = cos_turn * up + sin_turn * along;
+    const auto minor = cos_turn * along - sin_turn * up;
+    const auto ne = times_n(e);
+    const double value =
+        l1 * dot(e, ne) + l2 * dot(m, times_n(m)) + l3 * dot(minor, times_n(minor));
+    const double slope =
+        2 * (l1 * dot(up, ne) - l2 * cos_turn * dot(m, ne) + l3 * sin_turn * dot(minor, ne));
+    if (!(std::abs(slope) > 0)) return std::nullopt;
+    last = value / slope;
+    elevation -= last;
+    if (std::abs(last) < 1e-15) break;
+  }
+  // A guess that is brought onto the level, and whose place is checked, by those who ask.
+  const double lowest = about_ == About::cone ? 0 : -std::numbers::pi / 2;
+  if (!(std::abs(last) < 1e-12) || !(elevation > lowest && elevation < std::numbers::pi / 2))
+    return std::nullopt;
+  const auto frame = frame_at(place.around, elevation);
+  const auto& [e1, e2, e3] = characteristic_.eigenvectors;
+  const auto in_space = [&, e1 = e1, e2 = e2, e3 = e3](const Vector3<double>& v) {
+    return v.x * e1 + v.y * e2 + v.z * e3;
+  };
+  const auto e = in_space(frame.e);
+  const auto m = in_space(cos_turn * frame.up + sin_turn * frame.along);
+  // l1 e e + l2 m m + l3 (I - e e - m m)
+  const double p = l1 - l3, q = l2 - l3;
+  return SymmetricTensor<double>{
+      l3 + p * e.x * e.x + q * m.x * m.x, l3 + p * e.y * e.y + q * m.y * m.y,
+      l3 + p * e.z * e.z + q * m.z * m.z, p * e.x * e.y + q * m.x * m.y,
+      p * e.y * e.z + q * m.y * m.z,      p * e.x * e.z + q * m.x * m.z};
+}
+
+void DominantChart::lay_out(double least, double most, const std::optional<double>& turn_cut) {
+  least_ = least;
+  growth_ = std::max(2.0, kLeastGrowth / (most - least));
+  turn_cut_ = turn_cut;
+}
+
+DominantChart::Point DominantChart::point(const Place& place) const {
+  if (turn_cut_)
+    return {2 * place.around, positive_remainder(place.turn - *turn_cut_, 2 * std::numbers::pi)};
+  const double radius = std::exp(growth_ * (place.around - least_));
+  return {radius * std::cos(place.turn), radius * std::sin(place.turn)};
+}
+
+DominantChart::Place DominantChart::place_at(const Point& point) const {
+  if (turn_cut_) return {point[0] / 2, point[1] + *turn_cut_};
+  return {least_ + std::log(std::hypot(point[0], point[1])) / growth_,
+          std::atan2(point[1], point[0])};
+}
+
+double DominantChart::length_of(double turn, const Point& at) const {
+  return 2 * turn * (turn_cut_ ? 1 : std::hypot(at[0], at[1]));
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "extract/level/tet_geometry.hpp"
+#include "extract/patch/patch.hpp"
+
+namespace tensortopo {
+
+/// The triangles of one tetrahedron, from which samples of its faces' curves can be taken out: a
+/// vertex goes to a neighbour on its curve, and the triangle between them vanishes.
+class CellPatch {
+ public:
+  using Id = std::int32_t;
+
+  /// @param level in double, whatever the scalar of the extraction is; it has to outlive this
+  template <class Scalar>
+  CellPatch(const TetWithCurves<Scalar>& tet, const Level<double>& level,
+            const FaceArcVertices& boundaries, const Patch<Scalar>& patch);
+
+  /// The sine of the least angle, at most 60 degrees, of the triangles around a vertex.
+  double least_sine_around(Id vertex) const;
+
+  /// The same with the vertex moved to a neighbour on its curve.
+  /// @param least_cosine of a triangle's normal and the gradient of the mode at its corners
+  /// @return 0 if it is below `least_sine`, or if sheets would change their topology, touch a face,
+  ///         or turn over
+  double least_sine_after(Id vertex, Id neighbour, double least_sine, double least_cosine);
+
+  /// How far the level is from the triangles around a vertex, at most, at the middles of their
+  /// edges and of themselves, to first order and in longest edges of the tetrahedron.
+  double offset_around(Id vertex) const;
+
+  /// The same with the vertex moved to a neighbour.
+  double offset_after(Id vertex, Id neighbour) const;
+
+  void move(Id vertex, Id neighbour);
+
+  std::vector<std::array<Id, 3>> triangles() const;
+
+ private:
+  using Place = std::uint32_t;
+  using Triangle = std::array<Place, 3>;
+  struct Corner {
+    Vector3<double> position;  ///< in a unit of the tetrahedron's size
+    Vector3<double> up;        ///< unit gradient of the mode; zero while nobody asked
+    std::uint8_t faces = 0;    ///< of the tetrahedron, that hold the vertex
+  };
+
+  Place place_of(Id id) const;
+  bool keeps_sheets(Place v, Place u) const;
+  const Vector3<double>& up(Corner& corner) const;
+  Vector3<double> normal(const Triangle& t) const;
+  double offset_at(const Vector3<double>& x) const;
+  double offset_of(const Triangle& t) const;
+
+  std::array<Deviator<double>, 4> tensors_;
+  const Level<double>* level_;
+  TetGeometry geometry_;
+  double length_;
+  std::vector<Id> ids_;  ///< ascending
+  std::vector<Corner> corners_;
+  std::vector<Triangle> triangles_;                 ///< with three times the same corner: taken out
+  std::vector<std::vector<std::uint32_t>> around_;  ///< the triangles of each corner, ascending
+};
+
+}  // namespace tensortopo

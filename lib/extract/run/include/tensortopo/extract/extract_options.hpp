@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace tensortopo {
+
+/// How densely curves and sheets are sampled.
+struct Sampling {
+  /// Samples per unit (radian) of turning of the medium eigenvector.
+  double resolution = 4;
+  double largest_turn() const { return 1 / resolution; }
+};
+
+/// How sheets that turn too far for a disc without inner samples are meshed.
+enum class MeshingMethod {
+  manifold,  ///< on the medium eigenvector manifold, as in the paper
+  graph,     ///< where the level is a graph in the tetrahedron as one, else on the manifold
+};
+
+struct ExtractOptions {
+  Sampling sampling;
+  MeshingMethod meshing = MeshingMethod::manifold;
+  /// For each tetrahedron of the mesh by how much denser its samples are than `sampling` says; a
+  /// face has the denser ones of its two. Empty for 1 everywhere.
+  std::vector<float> density;
+  /// Keep the samples of face curves that meshing on the manifold needed, but that make needles of
+  /// the triangles beside them and that the level can do without. They are dropped otherwise.
+  bool keep_samples = false;
+  bool keep_topology = false;  ///< fill `Extraction::topology`
+  /// Called now and then, from one thread at a time, with the stage and how much of it is done.
+  std::function<void(std::string_view stage, double fraction)> progress;
+};
+
+}  // namespace tensortopo

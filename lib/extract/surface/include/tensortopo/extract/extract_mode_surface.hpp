@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tensortopo/extract/extract_options.hpp"
+#include "tensortopo/extract/level_topology.hpp"
+#include "tensortopo/extract/prepared_field.hpp"
+#include "tensortopo/extract/unresolved_reason.hpp"
+#include "tensortopo/mesh/surface_mesh.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/tensor/mode_parameter.hpp"
+
+namespace tensortopo {
+
+struct UnresolvedCell {
+  TetMesh::Index tet;
+  UnresolvedReason reason;
+};
+
+/// What the extraction did, for reports.
+struct ExtractStatistics {
+  std::size_t tets_screened_out = 0;  ///< proved empty by Lode angles or the degree-six form
+  std::size_t tets_crossed = 0;       ///< hold triangles
+  std::size_t tets_monotone = 0;      ///< crossed, and one monotone disc each
+  std::size_t tets_refined = 0;       ///< needed a refinement for the proof
+  std::size_t tets_coned = 0;         ///< crossed, and have a vertex isotropic
+  std::size_t tets_undefined = 0;     ///< isotropic at all four vertices: no mode, no surface
+  std::size_t sheets_small = 0;       ///< meshed without inner samples
+  std::size_t sheets_tubes = 0;       ///< meshed as rings around the degenerate curve
+  std::size_t sheets_graph = 0;       ///< meshed as graphs
+  std::size_t sheets_manifold = 0;    ///< meshed on the medium eigenvector manifold
+  std::size_t sheets_dominant = 0;    ///< meshed by their dominant eigenvectors
+  std::size_t sheets_leaves = 0;      ///< meshed from the proof's subdivision
+  std::size_t sheets_rims =
+      0;  ///< meshed between their boundary loops, as nothing else was possible
+  std::size_t sheets_cones = 0;       ///< straight lines from vertices isotropic
+  std::size_t tets_nearby = 0;        ///< meshed at a level next to mu, which stands for mu + 0
+  std::size_t vertices_on_level = 0;  ///< vertices whose mode is exactly mu (counted as below)
+  std::size_t zero_deviator_vertices = 0;  ///< of tetrahedra: vertices isotropic, or mode
+  std::size_t cone_points = 0;             ///< vertices of the surface there, one for each fan
+  double seconds_edges = 0, seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;
+};
+
+struct Extraction {
+  SurfaceMesh surface;
+  std::vector<UnresolvedCell> unresolved;
+  LevelTopology topology;  ///< if asked for
+  ExtractStatistics statistics;
+};
+
+/// The mode surface {mode = mu} of the piecewise linear field, |mu| < 1: for mu = 0 the neutral
+/// surface.
+///
+/// Its topology in every edge, face and tetrahedron is decided by proofs on exact signs, not by
+/// samples; the level is mu + 0 where a vertex lies on mu. Vertices are shared by construction:
+/// each carries the edge, face or tetrahedron that it lies in.
+/// Tetrahedra for which no proof closes are listed, and the rest is extracted.
+///
+/// Where mu is a critical value of the mode in a tetrahedron, a face or an edge, a level next to mu
+/// is meshed for mu + 0, off by 2^-40 of the distance from mu to +-1 or less: it is proved that
+/// there is no critical value in between. Points on either side of a saddle are then about 2^-20 of
+/// the tetrahedron apart.
+///
+/// At a vertex z of the mesh isotropic the mode is undefined, and in a tetrahedron around
+/// it constant on each ray from z: the level there is the cone with apex z over the level on the
+/// opposite face; with a second such vertex y, the flat triangles from the edge zy to the crossings
+/// of the opposite edge. Fans of triangles that meet at z in nothing but the point have a vertex
+/// each there (`Carrier::vertex`, several at one place), so the surface is a manifold. Along zy two
+/// triangles are joined, at a vertex halfway, if they bound one stretch of larger modes around the
+/// edge. The surface ends at such an edge only where a face there has no deviator at all, or at
+/// the boundary of the mesh or of what is unresolved.
+///
+/// @pre the mesh is valid (see `validate`); mu is not +-1 (throws std::invalid_argument)
+/// The result does not depend on the number of threads.
+template <class Scalar>
+Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
+                                const ExtractOptions& options = {});
+
+/// The same surface, for several modes of one mesh: what does not depend on the mode is computed
+/// once.
+template <class Scalar>
+Extraction extract_mode_surface(const PreparedField<Scalar>& field, const ModeValue& mu,
+                                const ExtractOptions& options = {});
+
+/// The same for the last of the modes: parts of the field are given back once they have been read.
+template <class Scalar>
+Extraction extract_mode_surface(PreparedField<Scalar>&& field, const ModeValue& mu,
+                                const ExtractOptions& options = {});
+
+}  // namespace tensortopo

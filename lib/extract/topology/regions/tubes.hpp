@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "extract/topology/boundary/cell_boundary.hpp"
+#include "tensortopo/field/degenerate_arcs.hpp"
+
+namespace tensortopo {
+
+struct NearDegenerateSheets {
+  std::vector<SheetTopology> sheets;
+  std::vector<DegenerateArc> tubes;  ///< as in `CellTopology`
+};
+
+namespace detail {
+
+/// The first way, for a level with nothing but the degenerate curve beyond it. Tubes do not touch
+/// edges: each ends in two closed curves on faces, around the two ends of its arc.
+template <class Scalar>
+std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>& tet,
+                                          const Level<Scalar>& level,
+                                          const std::vector<std::vector<BoundaryArc>>& loops);
+
+}  // namespace detail
+
+}  // namespace tensortopo
