@@ -10,6 +10,7 @@
 #include <iostream>
 #include <map>
 
+#include "extract/curves/points/degenerate_points_on_face.hpp"
 #include "curve_exhibit.hpp"
 #include "curve_topology.hpp"
 #include "extract/bundled_fields.hpp"
