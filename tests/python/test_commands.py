@@ -52,6 +52,20 @@ def test_bad_sweeps_are_value_errors(slab):
             slab.sweep(*arguments)
 
 
+def test_conformance(program, slab):
+    ours = slab.mode_surface("1/2")
+    score = tt.conformance(slab, "1/2", ours.points, ours.triangles)
+    assert score["conforms"] and score["components"]["matched"] == len(ours.components)
+    # Without its first component's triangles something is missed.
+    rest = ours.triangles[ours.component != 0]
+    score = tt.conformance(slab, "1/2", ours.points, rest)
+    assert not score["conforms"] and len(score["components"]["missed"]) == 1
+    with pytest.raises(ValueError, match="does not exist"):
+        tt.conformance(slab, "1/2", ours.points[:5], ours.triangles)
+    with pytest.raises(tt.FileError, match="nowhere"):
+        tt.conformance(slab, "1/2", ours.points, ours.triangles, program="/nowhere/tensortopo")
+
+
 def test_statements():
     ids = ["characteristic-tensor", "complex-domain-vectors"]
     tried = tt.verify(ids, fields=5)

@@ -22,6 +22,7 @@ from ._bridges import (
     to_pyvista,
 )
 from ._check import Finding, Verdict, certify, check
+from ._conformance import conformance
 from ._errors import Cancelled, Defect, FileError, MeshError, UnresolvedError
 from ._families import Generated, field_kinds, generate
 from ._field import Field
@@ -69,6 +70,7 @@ __all__ = [
     "Verdict",
     "certify",
     "check",
+    "conformance",
     "deviator",
     "eigen",
     "exact_mode",

@@ -157,7 +157,7 @@ def to_pyvista(output: Any) -> Any:
             np.array(output.points), faces=np.hstack((threes, output.triangles)).ravel()
         )
     elif isinstance(output, Curves):
-        lines = [np.concatenate(([len(line)], line)) for line in output.lines]
+        lines: list[Any] = [np.insert(line, 0, len(line)) for line in output.lines]
         mesh = pyvista.PolyData(
             np.array(output.points), lines=np.concatenate(lines) if lines else None
         )
@@ -185,7 +185,7 @@ def _point_data(output: Any) -> dict[str, Any]:
 
 
 class PyVistaAccessor:
-    """``grid.tensortopo`` of PyVista's unstructured grids, from PyVista 0.48 on.
+    """The attribute ``tensortopo`` of PyVista's unstructured grids, from PyVista 0.48 on.
 
     The methods are those of `Field`, and give ``pyvista.PolyData``. PyVista finds the accessor by the
     entry point ``pyvista.accessors`` of the installed package; else call `register_pyvista`.
@@ -195,13 +195,27 @@ class PyVistaAccessor:
         self._grid = grid
 
     def field(self, tensor: Optional[str] = None, components: Optional[str] = None) -> Field:
-        """The grid as a `Field`; see `from_pyvista`."""
+        """The grid as a `Field`.
+
+        Parameters
+        ----------
+        tensor, components
+            As of `from_pyvista`.
+        """
         return from_pyvista(self._grid, tensor, components)
 
     def mode_surface(
         self, mode: Any, tensor: Optional[str] = None, components: Optional[str] = None, **options: Any
     ) -> Any:
-        """See `Field.mode_surface`."""
+        """The surface of a mode as ``pyvista.PolyData``.
+
+        Parameters
+        ----------
+        mode, **options
+            As of `Field.mode_surface`.
+        tensor, components
+            As of `from_pyvista`.
+        """
         return to_pyvista(self.field(tensor, components).mode_surface(mode, **options))
 
     def degenerate_curves(
@@ -211,7 +225,15 @@ class PyVistaAccessor:
         components: Optional[str] = None,
         **options: Any,
     ) -> Any:
-        """See `Field.degenerate_curves`."""
+        """The degenerate curves as ``pyvista.PolyData``.
+
+        Parameters
+        ----------
+        kind, **options
+            As of `Field.degenerate_curves`.
+        tensor, components
+            As of `from_pyvista`.
+        """
         return to_pyvista(self.field(tensor, components).degenerate_curves(kind, **options))
 
 

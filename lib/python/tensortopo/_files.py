@@ -64,7 +64,8 @@ def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Op
     except (KeyError, StopIteration) as error:
         raise FileError(f"{path}: points or cells are missing") from error
     ends = offsets.astype(np.int64)
-    starts = np.concatenate(([0], ends[:-1])) if len(ends) else ends
+    starts = np.zeros_like(ends)
+    starts[1:] = ends[:-1]
     if len(types) != len(ends) or (ends < starts).any() or (len(ends) and ends[-1] > len(connectivity)):
         raise FileError(f"{path}: the cells are not what their offsets say")
     tetra = types == _TETRA
@@ -148,7 +149,7 @@ def read(
 
 def _field_text(field: Field) -> str:
     n = len(field.tets)
-    cells = {
+    cells: dict[str, Any] = {
         "connectivity": field.tets.astype(np.int64).ravel(),
         "offsets": np.arange(4, 4 * n + 1, 4, dtype=np.int64),
         "types": np.full(n, _TETRA, dtype=np.uint8),
@@ -202,6 +203,12 @@ def write(path: Union[str, os.PathLike[str]], what: Union[Field, Surface, Curves
 
     The arrays of a .vtp are those that the program writes, with the same names and numbers, so that
     ``tensortopo check`` takes it.
+
+    Parameters
+    ----------
+    path : str or path
+        Ends in .vtu for a field, else in .vtp.
+    what : Field, Surface or Curves
 
     Raises
     ------

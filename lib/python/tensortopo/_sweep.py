@@ -116,7 +116,11 @@ class Sweep:
 
 def sweep_of(made: dict[str, Any]) -> Sweep:
     """The diagram from what the library gives."""
-    levels = (SweepLevel(**{**level, "mode": Fraction(level["mode"])}) for level in made["levels"])
+    def level_of(level: dict[str, Any]) -> SweepLevel:
+        mode = Fraction(level.pop("mode"))
+        return SweepLevel(mode, **level)
+
+    levels = (level_of(level) for level in made["levels"])
     events = (
         SweepEvent(
             event["low"],

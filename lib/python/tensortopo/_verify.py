@@ -67,9 +67,12 @@ def verify(
 
     if fields < 1 or seed < 0:
         raise ValueError("fields: at least 1; seed: at least 0")
-    known = {id: rest for id, *rest in _theory.statements()}
+    known = {statement[0]: statement[1:] for statement in _theory.statements()}
     if isinstance(theorems, str):
         theorems = [theorems]
     ids = list(known) if theorems is None else list(theorems)
     tried = _theory.verify(ids, fields, seed, scalar, progress)
-    return [Statement(id, *known[id], *rest) for id, *rest in tried]
+    return [
+        Statement(id, *known[id], verdict, count, witness, seconds)
+        for id, verdict, count, witness, seconds in tried
+    ]
