@@ -17,7 +17,7 @@ TEST(Program, VersionNamesTheLibraries) {
 
 TEST(Program, EverySubcommandHasHelp) {
   EXPECT_EQ(run_program({"--help"}).status, 0);
-  for (const char* name : {"extract", "analyze", "render", "bench", "check", "generate",
+  for (const char* name : {"extract", "analyze", "report", "render", "bench", "check", "generate",
                            "conformance", "verify", "proofs"}) {
     const Outcome run = run_program({name, "--help"});
     EXPECT_EQ(run.status, 0) << name;

@@ -15,6 +15,7 @@ using Action = std::function<ExitStatus()>;
 /// Each adds a subcommand to the program and sets `action` if the caller chooses it.
 void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+void add_report_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& action);

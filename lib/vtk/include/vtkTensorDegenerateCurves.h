@@ -9,7 +9,7 @@
 /// Input as of vtkTensorModeSurface. Outputs: 0, the curves, with point arrays `mode`,
 /// `dominant_eigenvector`, `residual` and `separation`, and cell arrays `tet` and `component`; 1,
 /// the cells that no proof covers, with their reasons.
-class TENSORTOPO_VTK_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopology {
+class TENSORTOPOFILTERS_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopology {
  public:
   static vtkTensorDegenerateCurves* New();
   vtkTypeMacro(vtkTensorDegenerateCurves, vtkTensorTopology)

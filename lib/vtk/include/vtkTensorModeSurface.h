@@ -16,7 +16,7 @@
 /// normals, and cell arrays `tet` and `component`: bit for bit those that `tensortopo extract`
 /// writes. Modes are exact: "1/2 -0.9". With several pieces the input needs a layer of ghost cells
 /// and global ids of points; then all samples are kept, and the pieces fit each other bit for bit.
-class TENSORTOPO_VTK_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
+class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
  public:
   static vtkTensorModeSurface* New();
   vtkTypeMacro(vtkTensorModeSurface, vtkTensorTopology)

@@ -6,21 +6,20 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
-#if __has_include("TensorTopoFiltersModule.h")
 #include "TensorTopoFiltersModule.h"
-#define TENSORTOPO_VTK_EXPORT TENSORTOPOFILTERS_EXPORT
-#else
-#define TENSORTOPO_VTK_EXPORT
-#endif
 
-namespace tensortopo::filters {
+// VTK's parsers know no nested names here.
+namespace tensortopo {
+namespace filters {
 struct TensorGrid;
 }
+}  // namespace tensortopo
 
 /// What the filters of this library have in common: the input and its tensors, sampling,
 /// certificates, progress and abort.
-class TENSORTOPO_VTK_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
+class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
  public:
   vtkTypeMacro(vtkTensorTopology, vtkPolyDataAlgorithm)
   void PrintSelf(std::ostream& os, vtkIndent indent) override;

@@ -8,6 +8,7 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPointData.h>
+#include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -75,13 +76,20 @@ SymmetricTensor<double> of_matrix(const std::array<double, 9>& v, vtkIdType poin
   return {v[0], v[4], v[8], mean(v[1], v[3]), mean(v[5], v[7]), mean(v[2], v[6])};
 }
 
+/// An id of an array of whole numbers of any type.
+vtkIdType id_at(vtkDataArray* ids, vtkIdType i) {
+  if (auto* array = vtkIdTypeArray::SafeDownCast(ids)) return array->GetValue(i);
+  if (auto* array = vtkTypeInt64Array::SafeDownCast(ids)) return array->GetValue(i);
+  return static_cast<vtkIdType>(ids->GetComponent(i, 0));
+}
+
 /// Numbers 0, 1, ... in the order of global ids, if there are any.
 std::vector<vtkIdType> numbers(vtkIdType count, vtkDataSetAttributes* data) {
   std::vector<vtkIdType> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), vtkIdType{0});
-  if (auto* ids = vtkIdTypeArray::SafeDownCast(data->GetGlobalIds()))
+  if (vtkDataArray* ids = data->GetGlobalIds())
     std::stable_sort(order.begin(), order.end(), [&](vtkIdType a, vtkIdType b) {
-      return ids->GetValue(a) < ids->GetValue(b);
+      return id_at(ids, a) < id_at(ids, b);
     });
   return order;
 }
@@ -150,7 +158,7 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
                                                     v[place[3]], v[place[4]], v[place[5]]};
   }
 
-  auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetCellData()->GetGlobalIds());
+  vtkDataArray* ids = grid->GetCellData()->GetGlobalIds();
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
   std::map<int, std::size_t> others;
   for (const vtkIdType c : numbers(grid->GetNumberOfCells(), grid->GetCellData())) {
@@ -164,7 +172,7 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
     grid->GetCellPoints(c, count, v);
     mesh.tets.push_back({local[as_size(v[0])], local[as_size(v[1])], local[as_size(v[2])],
                          local[as_size(v[3])]});
-    mesh.cell_ids.push_back(ids != nullptr ? ids->GetValue(c) : c);
+    mesh.cell_ids.push_back(ids != nullptr ? id_at(ids, c) : c);
     result.cells.push_back(c);
     result.is_ghost.push_back(
         ghosts != nullptr && (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0);
