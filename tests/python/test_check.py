@@ -34,6 +34,15 @@ def test_another_surface_is_refuted(slab):
     assert tt.check(slab, other, one.certificate).status == "refuted"
 
 
+def test_demands_that_are_not_met_are_told(slab):
+    surface = slab.mode_surface("1/2", certify=True)
+    assert tt.check(slab, surface, expect_tensor=slab.tensor_name, expect_complete=True)
+    other = tt.check(slab, surface, expect_modes=["1/2", "1/3"])
+    assert other.status == "certified" and not other and len(other.unmet) == 1
+    assert "1/3" in other.unmet[0] and "1/3" in repr(other)
+    assert not tt.check(slab, surface, expect_tensor="another")
+
+
 def test_what_is_no_certificate_is_an_error(slab):
     surface = slab.mode_surface("1/2")
     with pytest.raises(ValueError, match="certify=True"):

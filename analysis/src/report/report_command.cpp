@@ -166,8 +166,10 @@ std::string certificate_part(const ReportCommand& command, const ReadResult& rea
   write_surface(made.surface, read.mesh, surface, {.mode_surfaces = true});
   write_text(certificate, made.certificate);
   files.commit();
-  const CheckOutcome outcome =
-      run_check(command.input.string(), surface.string(), certificate.string(), progress);
+  CheckDemands demands;
+  for (const ModePart& part : made.parts) demands.modes.push_back(part.mode.text());
+  const CheckOutcome outcome = run_check(command.input.string(), surface.string(),
+                                         certificate.string(), demands, progress);
   summary.certified = outcome.certified;
   summary.claims = outcome.certified + outcome.refuted + outcome.undecided;
   summary.verdict = outcome.all_certified ? "certified"

@@ -7,11 +7,12 @@ import os
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, Optional, Sequence, Union
 
 from ._errors import FileError
 from ._field import Field
 from ._files import write
+from ._modes import Mode, mode_texts
 from ._surface import Curves, Surface
 
 PathLike = Union[str, "os.PathLike[str]"]
@@ -37,6 +38,10 @@ class Verdict:
     certified, refuted, undecided : int
     refutations, open : tuple of Finding
         The first refuted and the first undecided claims.
+    unmet : tuple of str
+        What was demanded and is not certified, in words.
+    text : str
+        The checker's own report.
     """
 
     status: str
@@ -45,14 +50,17 @@ class Verdict:
     undecided: int
     refutations: tuple[Finding, ...] = ()
     open: tuple[Finding, ...] = ()
+    unmet: tuple[str, ...] = ()
+    text: str = ""
 
     def __bool__(self) -> bool:
-        """Whether all claims are certified."""
-        return self.status == "certified"
+        """Whether all claims are certified, and all demands met."""
+        return self.status == "certified" and not self.unmet
 
     def __repr__(self) -> str:
         claims = self.certified + self.refuted + self.undecided
-        return f"Verdict({self.status}: {self.certified} of {claims} claims certified)"
+        unmet = f"; not met: {'; '.join(self.unmet)}" if self.unmet else ""
+        return f"Verdict({self.status}: {self.certified} of {claims} claims certified{unmet})"
 
 
 def check(
@@ -60,6 +68,9 @@ def check(
     output: Union[Surface, Curves, PathLike],
     certificate: Union[bytes, PathLike, None] = None,
     *,
+    expect_modes: Optional[Sequence[Mode]] = None,
+    expect_tensor: Optional[str] = None,
+    expect_complete: bool = False,
     progress: Optional[Callable[[str, float], Any]] = None,
 ) -> Verdict:
     """Derives every claim of a certificate again, from the bits of the tensors.
@@ -75,6 +86,12 @@ def check(
         The surface or the curves, or their file (.vtp).
     certificate : bytes or path, optional
         By default that of ``output``.
+    expect_modes : sequence of modes, optional
+        What must be certified; by default the modes of `output`, of files nothing.
+    expect_tensor : str, optional
+        The name that the certificate must have for the tensors.
+    expect_complete : bool, default False
+        Nothing of the field may be left out.
     progress : callable, optional
         As in `Field.mode_surface`.
 
@@ -96,6 +113,9 @@ def check(
         certificate = output.certificate
     if certificate is None:
         raise ValueError("certificate: there is none; extract with certify=True")
+    if expect_modes is None:
+        known = output.levels if isinstance(output, (Surface, Curves)) else ()
+        expect_modes = [level.mode for level in known]
     with tempfile.TemporaryDirectory(prefix="tensortopo-") as folder:
         files = []
         for what, name in ((field, "field.vtu"), (output, "output.vtp")):
@@ -112,11 +132,20 @@ def check(
         else:
             files.append(os.fspath(certificate))
         try:
-            report = _checker.check(*files, progress)
+            report = _checker.check(
+                files[0],
+                files[1],
+                files[2],
+                mode_texts(expect_modes),
+                expect_tensor or "",
+                expect_complete,
+                progress,
+            )
         except _checker.Malformed as error:
             raise FileError(str(error)) from error
     for key in ("refutations", "open"):
         report[key] = tuple(Finding(*finding) for finding in report[key])
+    report["unmet"] = tuple(report["unmet"])
     return Verdict(**report)
 
 

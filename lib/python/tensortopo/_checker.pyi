@@ -5,5 +5,11 @@ from typing import Any, Callable, Optional
 class Malformed(ValueError): ...
 
 def check(
-    input: str, surface: str, certificate: str, progress: Optional[Callable[[str, float], Any]]
+    input: str,
+    surface: str,
+    certificate: str,
+    modes: list[str],
+    tensor: str,
+    complete: bool,
+    progress: Optional[Callable[[str, float], Any]],
 ) -> dict[str, Any]: ...
