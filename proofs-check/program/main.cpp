@@ -48,10 +48,11 @@ bool mutate(const std::vector<std::string>& steps) {
 bool prove(const Arguments& arguments) {
   const auto results = proofs::run_steps(arguments.steps);
   if (arguments.output == "--json") {
-    std::cout << proofs::to_json(results) << '\n';
+    std::cout << proofs::to_json(results, proofs::machine_checked()) << '\n';
   } else if (arguments.output == "--markdown") {
     std::cout << proofs::to_markdown(results);
   } else {
+    if (arguments.steps.empty()) std::cout << proofs::to_text(proofs::machine_checked()) << '\n';
     std::cout << proofs::to_text(results);
   }
   return std::all_of(results.begin(), results.end(),

@@ -45,6 +45,8 @@ const char* name(Place place) {
       return "Lemma 4, the boundary by alpha";
     case Place::theorem5:
       return "Theorem 5, bifurcation";
+    case Place::loops:
+      return "Not in the paper: loops of the complex domain boundary in a tetrahedron";
     case Place::theorem6:
       return "Theorem 6, at most four extrema";
     case Place::quads:
@@ -55,6 +57,8 @@ const char* name(Place place) {
       return "Not in the paper: the saddle in space";
     case Place::screen:
       return "Not in the paper: the Lode angle";
+    case Place::stability:
+      return "Not in the paper: fields close to a field";
     case Place::forms:
       break;
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <set>
 #include <sstream>
 
 namespace proofs {
@@ -83,18 +84,23 @@ std::string to_text(const std::vector<StepResult>& results) {
 
 std::string to_text(const std::vector<MutationResult>& results) {
   std::ostringstream out;
-  std::size_t changes = 0, overlooked = 0, failed = 0;
+  std::size_t changes = 0, overlooked = 0, failed = 0, hypotheses = 0, unneeded = 0;
   for (const MutationResult& r : results) {
     out << (r.passed() ? "noticed     " : "FAILED      ") << r.id << ": " << r.changes
-        << " changes of a constant, " << r.overlooked.size() << " overlooked"
+        << " changes of a constant, " << r.overlooked.size() << " overlooked; " << r.hypotheses
+        << " hypotheses dropped, " << r.unneeded.size() << " overlooked"
         << (r.established ? "" : ", and the step itself is not established") << '\n';
     for (const std::size_t i : r.overlooked)
       out << "  overlooked: the change of constant " << i << '\n';
+    for (const std::string& name : r.unneeded) out << "  overlooked: the loss of " << name << '\n';
     changes += r.changes;
     overlooked += r.overlooked.size();
+    hypotheses += r.hypotheses;
+    unneeded += r.unneeded.size();
     if (!r.passed()) ++failed;
   }
-  out << changes << " changes, " << overlooked << " overlooked, " << failed << " steps failed\n";
+  out << changes << " changes, " << overlooked << " overlooked; " << hypotheses
+      << " hypotheses dropped, " << unneeded << " overlooked; " << failed << " steps failed\n";
   return out.str();
 }
 
@@ -114,11 +120,25 @@ std::string to_markdown(const std::vector<StepResult>& results) {
   return out.str();
 }
 
-std::string to_json(const std::vector<StepResult>& results) {
+std::string to_text(const std::vector<MachineChecked>& theorems) {
+  std::ostringstream out;
+  out << "Checked by Coq (ctest -L coq compiles them again)\n" << std::left;
+  std::set<std::string> statements;
+  for (const MachineChecked& t : theorems) {
+    out << std::setw(32) << t.statement << ' ' << t.wording << "\n    " << t.theorem << " in "
+        << t.file << ".v; axioms: " << (t.axioms.empty() ? "none" : t.axioms) << '\n';
+    statements.insert(t.statement);
+  }
+  out << theorems.size() << " theorems on " << statements.size() << " statements\n";
+  return out.str();
+}
+
+std::string to_json(const std::vector<StepResult>& results,
+                    const std::vector<MachineChecked>& theorems) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(6) << "{\n  \"steps\": [";
-  const auto field = [&](const char* key, const std::string& value) {
-    out << "      \"" << key << "\": " << (value.empty() ? "null" : quoted(value)) << ",\n";
+  const auto field = [&](const char* key, const std::string& value, const char* end = ",\n") {
+    out << "      \"" << key << "\": " << (value.empty() ? "null" : quoted(value)) << end;
   };
   for (const StepResult& r : results) {
     out << (&r == results.data() ? "\n" : ",\n") << "    {\n";
@@ -131,7 +151,17 @@ std::string to_json(const std::vector<StepResult>& results) {
     field("witness", r.witness);
     out << "      \"seconds\": " << r.seconds << "\n    }";
   }
-  out << (results.empty() ? "]\n}" : "\n  ]\n}");
+  out << (results.empty() ? "],\n" : "\n  ],\n") << "  \"theorems\": [";
+  for (const MachineChecked& t : theorems) {
+    out << (&t == theorems.data() ? "\n" : ",\n") << "    {\n";
+    field("statement", t.statement);
+    field("file", t.file);
+    field("theorem", t.theorem);
+    field("says", t.wording);
+    field("axioms", t.axioms, "\n");
+    out << "    }";
+  }
+  out << (theorems.empty() ? "]\n}" : "\n  ]\n}");
   return out.str();
 }
 

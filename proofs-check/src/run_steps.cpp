@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <stdexcept>
 
+#include "algebra/hypotheses.hpp"
 #include "certificates/step.hpp"
 
 namespace proofs {
@@ -22,7 +24,8 @@ std::vector<Step> all_steps() {
        {background_steps(), mode_parameter_steps(), frame_steps(), medium_eigenvector_steps(),
         asymmetric_tensor_steps(), boundary_steps(), alpha_steps(), chart_steps(),
         sphero_conal_steps(), bifurcation_steps(), extrema_steps(), critical_point_steps(),
-        saddle_steps(), gluing_steps(), lode_angle_steps(), form_steps(), polarization_steps()})
+        saddle_steps(), gluing_steps(), loop_steps(), lode_angle_steps(), stability_steps(),
+        form_steps(), polarization_steps()})
     all.insert(all.end(), part.begin(), part.end());
   std::stable_sort(all.begin(), all.end(),
                    [](const Step& s, const Step& t) { return s.place < t.place; });
@@ -67,8 +70,23 @@ StepResult run(const Step& step) {
 MutationResult mutate(const Step& step) {
   const auto start = Clock::now();
   Constants unchanged;
-  const Verdict expected = decide(step, unchanged).verdict;
-  MutationResult result{step.id, unchanged.count(), {}, is_established(expected), 0};
+  MutationResult result;
+  result.id = step.id;
+  std::set<std::string> used;
+  Verdict expected = Verdict::undecided;
+  {
+    const Hypotheses all;
+    expected = decide(step, unchanged).verdict;
+    used = all.used();
+  }
+  result.changes = unchanged.count();
+  result.established = is_established(expected);
+  result.hypotheses = used.size();
+  for (const std::string& name : used) {
+    const Hypotheses others(name);
+    Constants constants;
+    if (decide(step, constants).verdict == expected) result.unneeded.push_back(name);
+  }
   for (std::size_t i = 0; i < unchanged.count(); ++i) {
     Constants constants(i);
     if (decide(step, constants).verdict == expected) result.overlooked.push_back(i);

@@ -33,6 +33,18 @@ TEST(Proofs, ReportsEveryStepAsJson) {
   EXPECT_GE(corrected, 20u);
 }
 
+TEST(Proofs, ListsWhatCoqHasCheckedWithItsAxioms) {
+  const Json theorems = Json::parse(run_program({"proofs", "--json"}).out).at("theorems");
+  for (const Json& theorem : theorems) {
+    for (const std::string key : {"statement", "file", "theorem", "says"}) {
+      EXPECT_FALSE(theorem.at(key).get<std::string>().empty()) << theorem;
+    }
+    EXPECT_TRUE(theorem.contains("axioms"));
+  }
+  const Outcome run = run_program({"proofs"});
+  EXPECT_NE(run.out.find(std::to_string(theorems.size()) + " theorems on "), std::string::npos);
+}
+
 TEST(Proofs, ProvesTheStepsAskedFor) {
   const Outcome run =
       run_program({"proofs", "--step", "bifurcation", "--step", "mode-range", "--json"});

@@ -29,7 +29,13 @@ ProofsReport run_proofs(const ProofsCommand& command) {
   const bool established = std::all_of(
       results.begin(), results.end(),
       [](const proofs::StepResult& result) { return proofs::is_established(result.verdict); });
-  return {proofs::to_text(results), proofs::to_json(results), established};
+  // Of a few steps only what they are.
+  if (!command.steps.empty()) {
+    return {proofs::to_text(results), proofs::to_json(results), established};
+  }
+  const auto& theorems = proofs::machine_checked();
+  return {proofs::to_text(theorems) + '\n' + proofs::to_text(results),
+          proofs::to_json(results, theorems), established};
 }
 
 }  // namespace tensortopo

@@ -34,15 +34,20 @@ struct StepResult {
   double seconds = 0;
 };
 
-/// What became of a step as its constants were increased by one, one at a time.
+/// What became of a step as its constants were increased by one, and its hypotheses dropped, one
+/// at a time.
 struct MutationResult {
   std::string id;
   std::size_t changes = 0;
   std::vector<std::size_t> overlooked;  ///< constants whose change altered nothing
+  std::size_t hypotheses = 0;           ///< relations and intervals that the step uses
+  std::vector<std::string> unneeded;    ///< those without which it holds all the same
   bool established = false;             ///< unchanged, the step holds or holds as corrected
   double seconds = 0;
-  /// Established, with constants, and every change was noticed.
-  bool passed() const { return established && changes > 0 && overlooked.empty(); }
+  /// Established, with constants, and every change and every loss was noticed.
+  bool passed() const {
+    return established && changes > 0 && overlooked.empty() && unneeded.empty();
+  }
 };
 
 /// In the order of the paper.

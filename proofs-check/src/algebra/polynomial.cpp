@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "algebra/flint_rational.hpp"
+#include "algebra/hypotheses.hpp"
 
 namespace proofs {
 namespace {
@@ -165,7 +166,7 @@ Polynomial Polynomial::with(const std::string& name, const Polynomial& value) co
 
 Polynomial Polynomial::with_square(const std::string& name, const Polynomial& square) const {
   const std::vector<Polynomial> powers = coefficients_of(name);
-  if (powers.size() < 3) return *this;
+  if (powers.size() < 3 || !Hypotheses::use(name + "^2 = ..")) return *this;
   Polynomial even, odd;
   for (std::size_t i = powers.size(); i-- > 0;) {
     Polynomial& part = i % 2 == 0 ? even : odd;

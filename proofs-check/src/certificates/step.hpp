@@ -20,11 +20,13 @@ enum class Place {
   corollary3,
   lemma4,
   theorem5,
+  loops,
   theorem6,
   quads,
   faces,
   saddle,
   screen,
+  stability,
   forms,
 };
 
@@ -90,10 +92,12 @@ std::vector<Step> form_steps();
 std::vector<Step> frame_steps();
 std::vector<Step> gluing_steps();
 std::vector<Step> lode_angle_steps();
+std::vector<Step> loop_steps();
 std::vector<Step> medium_eigenvector_steps();
 std::vector<Step> mode_parameter_steps();
 std::vector<Step> polarization_steps();
 std::vector<Step> saddle_steps();
 std::vector<Step> sphero_conal_steps();
+std::vector<Step> stability_steps();
 
 }  // namespace proofs

@@ -194,7 +194,8 @@ void sign_of_boundary_on_field(Checks& c) {
   c.vanishes(a.reduced(m[0][0] - c.k(1, 2) * trace(m) + c.k(1) * y));
 }
 
-void boundary_is_a_square_on_field(Checks& c) {
+void boundary_along_mode_curve(Checks& c) {
+  sign_of_boundary_on_field(c);
   const auto s = variable("s"), n = variable("n"), y = variable("y");
   const Polynomial first = (c.k(1) - s) * n, second = (c.k(1) + s) * n;
   const Polynomial delta =
@@ -255,13 +256,11 @@ std::vector<Step> boundary_steps() {
                "N traceless and orthogonal to T-bar: that tensor is orthogonal to N where 2 v.N "
                "T-bar v = cos^2(theta) (v.T-bar v)(v.N v) / 2 (not in the paper)",
                boundary_on_plane),
-      correction(Place::faces, "boundary-crossing", Kind::identity,
-                 {"where a mode curve meets the boundary is found as a root of the boundary "
-                  "function with a change of sign",
-                  "it is where sigma = d.T-bar (v x d) changes its sign: the eigenvalue of A on d "
-                  "is tr(A)/2 - sigma",
-                  "on the field the boundary function is sigma^2 and changes its sign nowhere"},
-                 sign_of_boundary_on_field, boundary_is_a_square_on_field),
+      claim(Place::faces, "boundary-crossing", Kind::identity,
+            "along a mode curve the boundary function is sigma^2, sigma = d.T-bar (v x d): its "
+            "roots there are double; sigma itself changes its sign, as the eigenvalue of A on d is "
+            "tr(A)/2 - sigma",
+            boundary_along_mode_curve),
   };
 }
 

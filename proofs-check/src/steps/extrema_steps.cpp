@@ -6,6 +6,7 @@
 
 #include "algebra/univariate.hpp"
 #include "certificates/step.hpp"
+#include "steps/glued_cube.hpp"
 #include "steps/plane_determinant.hpp"
 
 namespace proofs {
@@ -155,6 +156,21 @@ void critical_at_infinity(Checks& c) {
   }
 }
 
+/// Pairs of antipodal solutions on the sphere that are critical: all less the spurious ones.
+int critical_pairs() {
+  const PlaneDeterminant d = PlaneDeterminant::any();
+  const std::vector<std::string> all{"u", "v", "w"};
+  const int sphere = degree_in(square(d.u) + square(d.v) + square(d.w), all);
+  const int solutions =
+      degree_in(d.v * d.h - d.w * d.g, all) * degree_in(d.w * d.f - d.u * d.h, all) * sphere;
+  return (solutions - degree_in(d.h.with("w", 0), all) * sphere) / 2;
+}
+
+/// The Euler characteristic of the sphere, on a cube.
+int sphere_characteristic() {
+  return static_cast<int>(glue_opposites(3, {}, 0).euler_characteristic());
+}
+
 /// The most extrema for so many critical points, if there are so many more extrema than saddles.
 int most_extrema(int critical_points, int excess) {
   int most = 0;
@@ -166,9 +182,12 @@ int most_extrema(int critical_points, int excess) {
 }
 
 void at_most_four(Checks& c) {
-  // On the sphere 14 critical points and Euler characteristic 2; antipodes are one tensor.
-  c.equal(most_extrema(14, 2), c.k(8));
-  c.equal(rational(1, 2) * Polynomial(most_extrema(14, 2)), c.k(4));
+  // Morse theory: extrema less saddles are the Euler characteristic; antipodes are one tensor.
+  const int points = 2 * critical_pairs(), excess = sphere_characteristic();
+  c.equal(points, c.k(14));
+  c.equal(excess, c.k(2));
+  c.equal(most_extrema(points, excess), c.k(8));
+  c.equal(rational(1, 2) * Polynomial(most_extrema(points, excess)), c.k(4));
 }
 
 void infinitely_many(Checks& c) {
@@ -181,12 +200,33 @@ void infinitely_many(Checks& c) {
   c.equal(Polynomial(54) * square(on_circle(determinant(t))), on_circle(cube(inner(t, t))));
 }
 
+/// The fewest changes of sign around a closed curve that has points of both signs: arcs of like
+/// signs alternate, so their number is even and not 0.
+int zeros_between_signs() {
+  int fewest = 8;
+  for (unsigned signs = 1; signs < 15; ++signs) {
+    int changes = 0;
+    for (unsigned i = 0; i < 4; ++i)
+      changes += (signs >> i & 1) != (signs >> ((i + 1) % 4) & 1) ? 1 : 0;
+    fewest = std::min(fewest, changes);
+  }
+  return fewest;
+}
+
 void sharper_numbers(Checks& c) {
   // In the projective plane there is one extremum more than saddles, seven critical points at most,
   // and at least two degenerate points, all extrema.
+  const auto claimed = [&](long value) { return static_cast<int>(c.k(value).constant().get_d()); };
+  const int pairs = claimed(7), excess = claimed(1), least = claimed(2);
+  c.equal(critical_pairs(), pairs);
+  // Half that of the sphere, which covers the projective plane twice.
+  c.equal(sphere_characteristic(), 2 * excess);
+  // common-zero: of three orthonormal zeros of the first form the second has the sum 0, so it has
+  // values of both signs, or is zero at all three; the zeros of the first are a closed curve.
+  c.that(zeros_between_signs() == least, "not as many zeros between two signs on a closed curve");
   std::vector<int> extrema;
-  for (int number = 2; number <= 7; ++number)
-    if (number + (number - 1) <= 7) extrema.push_back(number);
+  for (int number = least; number <= pairs; ++number)
+    if (number + (number - excess) <= pairs) extrema.push_back(number);
   c.equal(static_cast<int>(extrema.size()), c.k(3));
   c.equal(extrema.front(), c.k(2));
   c.equal(extrema.back(), c.k(4));

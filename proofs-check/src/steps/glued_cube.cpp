@@ -16,9 +16,13 @@ using Point = std::array<int, 3>;
 using Square = std::array<Point, 4>;
 using Edge = std::pair<Point, Point>;
 
-Point antipode(const Point& p, int n) { return {n - p[0], n - p[1], n - p[2]}; }
+Point opposite(const Point& p, int n, int kept) {
+  Point result = p;
+  for (std::size_t i = static_cast<std::size_t>(kept); i < 3; ++i) result[i] = n - p[i];
+  return result;
+}
 
-std::vector<Square> cube_squares(int n) {
+std::vector<Square> cube_squares(int n, const IsLeftOut& left_out) {
   std::vector<Square> squares;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const int level : {0, n})
@@ -31,6 +35,7 @@ std::vector<Square> cube_squares(int n) {
             p[(axis + 2) % 3] = v;
             return p;
           };
+          if (left_out && left_out(point(i, j), axis)) continue;
           squares.push_back({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
         }
   return squares;
@@ -87,41 +92,62 @@ bool one_cycle_at_each_vertex(const std::vector<Square>& faces, const Sides& sid
   });
 }
 
+/// Parts of the edges in one face.
+int count_boundary_loops(const Sides& sides) {
+  std::map<Point, std::size_t> number;
+  std::vector<std::array<std::size_t, 2>> ends;
+  for (const auto& [edge, pair] : sides) {
+    if (pair.size() != 1) continue;
+    const std::size_t first = number.try_emplace(edge.first, number.size()).first->second;
+    const std::size_t second = number.try_emplace(edge.second, number.size()).first->second;
+    ends.push_back({first, second});
+  }
+  Parts parts(number.size());
+  for (const auto& [first, second] : ends) parts.join(first, second);
+  int loops = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) loops += parts.of(i) == i ? 1 : 0;
+  return loops;
+}
+
 }  // namespace
 
-GluedSurface glue_antipodes(int n, const std::vector<TopSquare>& removed) {
+GluedSurface glue_opposites(int n, const std::vector<TopSquare>& removed, int kept,
+                            const IsLeftOut& left_out) {
   std::set<std::set<Point>> holes;
   std::set<Point> rim;
   for (const auto& [x, y] : removed) {
     const Square top{{{x, y, n}, {x + 1, y, n}, {x + 1, y + 1, n}, {x, y + 1, n}}};
     Square bottom = top;
-    for (Point& p : bottom) p = antipode(p, n);
+    for (Point& p : bottom) p = opposite(p, n, kept);
     for (const Square& hole : {top, bottom}) {
       holes.insert(corners(hole));
       rim.insert(hole.begin(), hole.end());
     }
   }
-  std::vector<Square> faces = cube_squares(n);
+  std::vector<Square> faces = cube_squares(n, left_out);
   std::erase_if(faces, [&](const Square& s) { return holes.count(corners(s)) > 0; });
-  // One of each pair of antipodes on the rim stands for both.
+  // One of each pair of opposites on the rim stands for both.
   std::set<Point> vertices;
   for (Square& face : faces)
     for (Point& p : face) {
-      if (rim.count(p) > 0) p = std::min(p, antipode(p, n));
+      if (rim.count(p) > 0) p = std::min(p, opposite(p, n, kept));
       vertices.insert(p);
     }
 
   const Sides sides = sides_of(faces);
   // A face and its reverse as two sheets: orientable if no face is joined to its reverse.
   Parts faces_joined(faces.size()), sheets(2 * faces.size());
-  GluedSurface surface{static_cast<long>(vertices.size()),
-                       static_cast<long>(sides.size()),
-                       static_cast<long>(faces.size()),
-                       true,
-                       true,
-                       true};
+  GluedSurface surface{.vertices = static_cast<long>(vertices.size()),
+                       .edges = static_cast<long>(sides.size()),
+                       .faces = static_cast<long>(faces.size()),
+                       .is_manifold = true,
+                       .orientable = true};
   for (const auto& [edge, pair] : sides) {
-    surface.closed = surface.closed && pair.size() == 2;
+    surface.is_manifold = surface.is_manifold && pair.size() <= 2;
+    if (pair.size() == 1) {
+      ++surface.boundary_edges;
+      continue;
+    }
     const std::size_t first = pair.front().face, second = pair.back().face;
     const std::size_t turned = pair.front().forwards == pair.back().forwards ? 1 : 0;
     faces_joined.join(first, second);
@@ -129,10 +155,11 @@ GluedSurface glue_antipodes(int n, const std::vector<TopSquare>& removed) {
     sheets.join(2 * first + 1, 2 * second + 1 - turned);
   }
   for (std::size_t face = 0; face < faces.size(); ++face) {
-    surface.connected = surface.connected && faces_joined.of(face) == faces_joined.of(0);
+    surface.components += faces_joined.of(face) == face ? 1 : 0;
     surface.orientable = surface.orientable && sheets.of(2 * face) != sheets.of(2 * face + 1);
   }
-  surface.closed = surface.closed && one_cycle_at_each_vertex(faces, sides);
+  surface.is_manifold = surface.is_manifold && one_cycle_at_each_vertex(faces, sides);
+  surface.boundary_loops = count_boundary_loops(sides);
   return surface;
 }
 

@@ -35,7 +35,9 @@ struct ExampleTensor {
     const auto at_angle = [&](Matrix2 m) {
       for (auto& row : m)
         for (Polynomial& entry : row)
-          entry = general.reduced(entry).with("h", rational(12, 13)).with("g", rational(5, 13));
+          entry = entry.with_square("r", general.half)
+                      .with("h", rational(12, 13))
+                      .with("g", rational(5, 13));
       return m;
     };
     a = at_angle(general.of(t));

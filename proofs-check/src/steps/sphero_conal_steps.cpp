@@ -71,7 +71,8 @@ std::vector<Polynomial> unit_vectors(Constants& k) {
 std::vector<Polynomial> orthogonal_lines(Constants& k) {
   // In the roots any number would do.
   const Chart c(k(1));
-  return {c.reduced(c.product(c.theta_derivatives(), c.eta_derivatives()))};
+  return {
+      c.product(c.theta_derivatives(), c.eta_derivatives()).with_square("B", c.one - square(c.A))};
 }
 
 std::vector<Polynomial> metric(Constants& k) {
