@@ -1,9 +1,6 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-"""A wheel: CMake builds the extension modules, from the sources that this folder lies in.
-
-TENSORTOPO_BUILD names a build that has them already.
-"""
+"""A wheel: CMake builds the extension modules, from the sources that this folder lies in."""
 import os
 import subprocess
 import sys
@@ -19,18 +16,7 @@ class CMakeBuild(build_ext):
     """Builds all modules at once, and puts each where setuptools wants it."""
 
     def run(self):
-        ready = os.environ.get("TENSORTOPO_BUILD")
-        build = Path(ready or self.build_temp).resolve()
-        if not ready:
-            self.compile(build)
-        for extension in self.extensions:
-            target = Path(self.get_ext_fullpath(extension.name))
-            target.parent.mkdir(parents=True, exist_ok=True)
-            name = extension.name.rsplit(".", 1)[1]
-            (made,) = (build / "python" / "tensortopo").glob(f"{name}.*.so")
-            self.copy_file(str(made), str(target))
-
-    def compile(self, build):
+        build = Path(self.build_temp).resolve()
         build.mkdir(parents=True, exist_ok=True)
         options = [
             "-DCMAKE_BUILD_TYPE=Release",
@@ -46,6 +32,12 @@ class CMakeBuild(build_ext):
         subprocess.check_call(
             ["cmake", "--build", build, "--target", "tensortopo_python", "-j", jobs]
         )
+        for extension in self.extensions:
+            target = Path(self.get_ext_fullpath(extension.name))
+            target.parent.mkdir(parents=True, exist_ok=True)
+            name = extension.name.rsplit(".", 1)[1]
+            (made,) = (build / "python" / "tensortopo").glob(f"{name}.*.so")
+            self.copy_file(str(made), str(target))
 
 
 setup(

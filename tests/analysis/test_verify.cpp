@@ -24,7 +24,8 @@ TEST(Verify, ReportsEveryStatementAsJson) {
   ASSERT_GE(json.at("statements").size(), 10u);
   std::size_t corrected = 0;
   for (const Json& row : json.at("statements")) {
-    EXPECT_EQ(row.size(), 10u);
+    EXPECT_EQ(row.size(), 11u);
+    EXPECT_GE(row.at("configurations"), 1);
     for (const std::string key : {"id", "paper", "claim"}) {
       EXPECT_FALSE(row.at(key).get<std::string>().empty());
     }
@@ -50,6 +51,22 @@ TEST(Verify, TriesTheStatementsAskedFor) {
   EXPECT_EQ(list.at(0).at("tried"), 20);
   EXPECT_EQ(list.at(1).at("id"), "real-domain");
   EXPECT_EQ(list.at(1).at("tried"), 18);
+}
+
+TEST(Verify, TakesThePapersNumbersAndEndsWithASummary) {
+  const Outcome run = run_program({"verify", "--theorem", "3", "--theorem", "4", "--fields", "60"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("complex-domain-nesting"), std::string::npos);
+  EXPECT_NE(run.out.find("boundary-parameter"), std::string::npos);
+  const std::string summary =
+      "2 statements over rational: 0 hold, 2 hold as corrected, 0 refuted, 0 undecided\n";
+  EXPECT_TRUE(run.out.ends_with(summary)) << run.out;
+}
+
+TEST(Verify, SaysSoWhereConfigurationsAreFew) {
+  const Outcome run = run_program({"verify", "--theorem", "mode-range", "--fields", "6"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("few: the fields are 6 configurations"), std::string::npos) << run.out;
 }
 
 TEST(Verify, GivesTheSameAgainForASeed) {
@@ -120,6 +137,7 @@ TEST(Verify, TriesTheTetrahedraOfAMesh) {
   std::size_t sum = 0;
   for (const Json& count : input.at("of_rank")) sum += count.get<std::size_t>();
   EXPECT_EQ(sum, input.at("tetrahedra"));
+  EXPECT_EQ(input.at("tried"), 50);
   EXPECT_EQ(input.at("sha256").get<std::string>().size(), 64u);
   const Json& row = json.at("statements").at(0);
   EXPECT_EQ(row.at("verdict"), "corrected");
@@ -131,9 +149,9 @@ TEST(Verify, TriesTheTetrahedraOfAMesh) {
 }
 
 TEST(Verify, EstablishesWhatNeedsAFrameOnMovedTetrahedra) {
-  const Outcome run = run_program({"verify", "--theorem", "bifurcation-mode", "--theorem",
-                                   "complex-domain-nesting", "--input", field("s2_pushpull"),
-                                   "--fields", "40", "--json"});
+  const Outcome run =
+      run_program({"verify", "--theorem", "bifurcation-mode", "--theorem", "complex-domain-nesting",
+                   "--input", field("s2_pushpull"), "--fields", "40", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   for (const Json& row : Json::parse(run.out).at("statements")) {
     EXPECT_GE(row.at("tried"), 15) << row;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "arbitrary_trial.hpp"
+#include "tensortopo/tensor/mode.hpp"
 #include "tensortopo/theory/verify.hpp"
 
 namespace tensortopo::theory::test {
@@ -71,6 +72,8 @@ TEST_P(EachStatement, IsEstablishedOnManyFields) {
   const std::size_t wanted =
       is_quick(statement()) ? kFields / 6 : std::min(kFields, statement().most_fields) / 2;
   EXPECT_GE(result.tried, wanted);
+  EXPECT_GE(result.configurations, kFewConfigurations);
+  EXPECT_LE(result.configurations, result.tried);
   if (!is_quick(statement())) return;
   std::size_t others = 0;
   for (const auto& [why, count] : result.not_applicable) others += count;
@@ -106,6 +109,19 @@ TEST_P(EachStatement, HasAWitnessAgainstThePaperIfItCorrectsIt) {
   EXPECT_EQ(outcome.kind, Kind::violated);
   EXPECT_FALSE(outcome.detail.empty());
   EXPECT_EQ(statement().paper_at_witness(), outcome);
+}
+
+// The second kind of change: a hypothesis is dropped, and the field named must violate the rest.
+TEST_P(EachStatement, NeedsTheHypothesesThatItSaysItNeeds) {
+  for (const Needed& needed : statement().needed) {
+    const Outcome outcome = needed.without();
+    EXPECT_EQ(outcome.kind, Kind::violated) << needed.hypothesis;
+    EXPECT_FALSE(outcome.detail.empty());
+  }
+}
+
+TEST_P(EachStatement, SaysWhatIsWrongIfItCorrectsThePaper) {
+  EXPECT_EQ(statement().corrected.empty(), statement().flaws.empty());
 }
 
 TEST_P(EachStatement, GivesTheSameResultAgain) {
@@ -154,6 +170,35 @@ Verification verify_kind(const Outcome& outcome) {
   return verify(statement, random_trials(7, 30));
 }
 
+TEST(Statements, AreCalledByIdOrByThePapersNumber) {
+  EXPECT_EQ(statements_called("mode-range").size(), 1u);
+  for (const std::string number : {"1", "2", "3", "4", "5", "6"}) {
+    EXPECT_FALSE(statements_called(number).empty()) << number;
+  }
+  EXPECT_GE(statements_called("5").size(), 3u);
+  EXPECT_TRUE(statements_called("7").empty());
+  EXPECT_TRUE(statements_called("").empty());
+}
+
+// A field that is rotated or scaled is no other configuration; one that is changed is.
+TEST(Statements, CountFieldsUpToRotationAndScaling) {
+  const Trial trial = random_trial(7, 0);
+  Random random(3);
+  const Basis basis = random_basis(random);
+  TetrahedronField<Rational> turned, changed = trial.field;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto t = to_tensor(trial.field.vertex[i]);
+    const auto entry = [&](std::size_t p, std::size_t q) {
+      return Rational(Rational(7) * dot(basis[p], t * basis[q]));
+    };
+    turned.vertex[i] = deviator(SymmetricTensor<Rational>{entry(0, 0), entry(1, 1), entry(2, 2),
+                                                          entry(0, 1), entry(1, 2), entry(0, 2)});
+  }
+  changed.vertex[0].xy = changed.vertex[0].xy + Rational(1);
+  EXPECT_EQ(invariants(turned), invariants(trial.field));
+  EXPECT_NE(invariants(changed), invariants(trial.field));
+}
+
 TEST(Statements, AreUndecidedWhereNothingCouldBeTried) {
   EXPECT_EQ(verify_kind(Outcome::undecided("why")).verdict, StatementVerdict::undecided);
   EXPECT_EQ(verify_kind(Outcome::undecided("why")).witness, "why; field 0 of seed 7");
@@ -166,7 +211,7 @@ TEST(Statements, AreRefutedByTheFirstFieldThatViolatesThem) {
   const Verification result = verify_kind(Outcome::violated("what"));
   EXPECT_EQ(result.verdict, StatementVerdict::refuted);
   EXPECT_EQ(result.tried, 1u);
-  EXPECT_EQ(result.witness.find("what; field 0 of seed 7: ["), 0u);
+  EXPECT_EQ(result.witness.find("what; field 0 of seed 7: vertex tensors ["), 0u);
 }
 
 TEST(Statements, AreUndecidedIfTheWitnessDoesNotRefuteThePaper) {

@@ -380,6 +380,7 @@ TEST(LoopIsInside, OnlyForTheLoopThatIs) {
   for (std::size_t i = 0; i < 4; ++i) corners[i] = to_tensor(field[i]);
   EXPECT_TRUE(loop_is_inside({5, 3, -8}, fraction(6, 25), corners, 1));
   EXPECT_FALSE(loop_is_inside({5, 3, -8}, fraction(6, 25), corners, -1));
+  EXPECT_FALSE(loop_is_outside({5, 3, -8}, fraction(6, 25), corners, 1));
   // Above the critical mode the loops are one.
   EXPECT_FALSE(loop_is_inside({5, 3, -8}, fraction(1, 2), corners, 1));
   // In a smaller tetrahedron the loop leaves it.

@@ -60,6 +60,29 @@ TEST(TopologyStatements, NeedExactSigns) {
   }
 }
 
+// Loops of the complex domain's boundary inside a tetrahedron: a handle in two of them; in the two
+// others one sphere with three holes, where the tube around the loop joins a disc and an annulus.
+TEST(InteriorLoop, HasAHandleOrJoinsTwoSheets) {
+  for (const LoopTetrahedron& t : {loop_of_handle(), loop_of_wide_handle()}) {
+    const LoopOutcome found = loop_outcome(t);
+    EXPECT_TRUE(found.is_inside) << text(t);
+    ASSERT_TRUE(found.cut) << text(t);
+    EXPECT_EQ(found.cut->surface,
+              (LevelSurface{.euler = -2, .components = 1, .boundary_loops = 2}));
+    EXPECT_EQ(found.cut->sheets, 1);
+    EXPECT_TRUE(found.cut->has_handle());
+  }
+  for (const LoopTetrahedron& t : {loop_of_tube(), loop_of_another_tube()}) {
+    const LoopOutcome found = loop_outcome(t);
+    EXPECT_TRUE(found.is_inside) << text(t);
+    ASSERT_TRUE(found.cut) << text(t);
+    EXPECT_EQ(found.cut->surface,
+              (LevelSurface{.euler = -1, .components = 1, .boundary_loops = 3}));
+    EXPECT_EQ(found.cut->sheets, 2);
+    EXPECT_FALSE(found.cut->has_handle());
+  }
+}
+
 TEST(NoClosedComponent, IsUndecidedAtACriticalMode) {
   // The check's own choice of a mode, made critical by a saddle of that mode in the tetrahedron.
   Trial trial;

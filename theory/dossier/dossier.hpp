@@ -3,10 +3,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace tensortopo::theory {
 
-/// The page on all statements, as Markdown.
-std::string dossier();
+/// A theorem that Coq has checked: a line of proofs-check/coq/statements.txt.
+struct MachineChecked {
+  std::string id;  ///< of a statement, or of a step
+  std::string file, theorem, wording;
+};
+using Theorems = std::vector<MachineChecked>;
+
+/// The page on all statements, in Markdown.
+std::string dossier(const Theorems& theorems);
 
 }  // namespace tensortopo::theory

@@ -42,6 +42,7 @@ const auto singularities = [](const Trial& trial, auto& facts) {
   Random random = trial.random;
   Squares other = {random.part(), random.part(), random.part()};
   const Rational sum = other[0] + other[1] + other[2];
+  facts.configuration(shape_of(l, {other[0], other[1], other[2]}));
   if (sum == 0) return;
   for (Rational& x : other) x = x / sum;
   if (other == exact) return;
@@ -74,6 +75,7 @@ void nesting(const Trial& trial, Facts<Rational>& facts) {
   const auto drawn = std::minmax({random.part(), random.part()});
   const Rational &smaller = drawn.first, &larger = drawn.second;
   if (smaller == larger) return facts.not_applicable("equal modes were drawn");
+  facts.configuration(shape_of(*values, {smaller, larger}));
   const Tensor n = tensor_of(*values, trial.frame->eigenvectors);
   const bool neutral = (*values)[1] == 0;
   // cos^2(theta), which the weight is a quarter of, falls from 1 to 0.
@@ -124,6 +126,7 @@ void boundary_parameter(const Trial& trial, Facts<Rational>& facts) {
   const Rational s = random.part(), two = facts.claimed(2), half = facts.claimed(1, 2);
   const Rational alpha = Rational(-3) * l[0] * random.part();
   const Rational weight = facts.claimed(1, 4) * (Rational(1) - s * s);
+  facts.configuration(shape_of(l, {s, Rational(alpha / l[0])}));
   Squares m;
   bool inside = true;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -172,6 +175,7 @@ void bifurcation_mode(const Trial& trial, Facts<Rational>& facts) {
               three * (Rational(1) - own));
   Random random = trial.random;
   const Rational s = random.part(), of_s = boundary_weight(s);
+  facts.configuration(shape_of(l, {s}));
   facts.about([&] { return frame_place(l, s); });
   facts.sign("boundary function at the minor eigenvector", boundary_at(l, kMinor, of_s),
              sign_of(Rational(critical - s)));
@@ -202,9 +206,11 @@ std::vector<Statement> chart_statements() {
        .hypotheses = frame,
        .corrected = "A subset always, and a proper one unless the characteristic tensor has "
                     "determinant 0: then no vector is in a complex domain.",
-       .strata = "Characteristic tensors of determinant 0.",
+       .special = "Characteristic tensors of determinant 0.",
+       .flaws = {Flaw::exceptional},
        .check = nesting,
-       .paper_at_witness = empty_complex_domains},
+       .paper_at_witness = empty_complex_domains,
+       .steps = {"mode-grows", "nested", "properly-nested"}},
       {.id = "boundary-parameter",
        .paper = "Lemma 4",
        .claim = "On an octant, the boundary of the complex domain has one point for each "
@@ -214,9 +220,14 @@ std::vector<Statement> chart_statements() {
                     "interval only; equal eigenvalues make alpha the same on the whole boundary.",
        .sharper = "From the larger of -2 l1/(1 + s) and -2 l2/(1 - s) to -2 l2/(1 + s), with the "
                   "squares ((1 - s^2) alpha^2/4 + l_i alpha + l_i^2) / (3 l_i^2 - 1/2).",
-       .strata = "Characteristic tensors of mode -1; at determinant 0 the interval is a point.",
+       .special = "Characteristic tensors of mode -1; at determinant 0 the interval is a point.",
+       .flaws = {Flaw::wording, Flaw::exceptional},
        .check = boundary_parameter,
-       .paper_at_witness = one_parameter_two_points},
+       .paper_at_witness = one_parameter_two_points,
+       .steps = {"squares-of-alpha", "squares-factors", "range-of-alpha", "alpha-is-a-parameter",
+                 "ends-of-range"},
+       .reader = "Eight octants by reflection; that alpha runs through its interval once along the "
+                 "arc in an octant."},
       {.id = "bifurcation-mode",
        .paper = "Theorem 5, the mode at which the topology changes",
        .claim = "The complex domain's boundary touches itself at mu_0 = sqrt(1 - mode(T)^2), T "
@@ -225,16 +236,20 @@ std::vector<Statement> chart_statements() {
        .hypotheses = frame + "; the three eigenvalues differ and none is 0",
        .sharper = "In the parameter s of the mode: s_0 = (l1 - l2)/(l1 + l2) = 3 (1 - r)/(3 + r), "
                   "where r is the parameter of |mode(T)|.",
-       .strata = "Determinant 0 or mode -1 of the characteristic tensor: nothing changes between "
-                 "0 and 1.",
-       .check = bifurcation_mode},
+       .special = "Determinant 0 or mode -1 of the characteristic tensor: nothing changes between "
+                  "0 and 1.",
+       .check = bifurcation_mode,
+       .steps = {"bifurcation", "corner-at-bifurcation", "other-corners",
+                 "edges-before-bifurcation", "edges-after-bifurcation", "edges-at-bifurcation",
+                 "bifurcation-moebius"}},
       {.id = "singularities",
        .paper = "Theorem 5, end of the proof",
        .claim = "For mu = 0 the complex domain is empty and its boundary the two pairs of vectors "
                 "across which the characteristic tensor is isotropic, at the stated coordinates.",
        .hypotheses = frame,
-       .strata = "At mode -1 of the characteristic tensor the two pairs are one.",
-       .check = singularities},
+       .special = "At mode -1 of the characteristic tensor the two pairs are one.",
+       .check = singularities,
+       .steps = {"limit-at-mode-zero", "singularities-tensor", "singularities-plane"}},
   };
 }
 

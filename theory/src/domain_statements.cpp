@@ -162,35 +162,45 @@ std::vector<Statement> domain_statements() {
       {.id = "complex-domain-vectors",
        .paper = "Mode Surfaces Analysis, the grey region",
        .claim =
-           "A unit vector in the complex domain is not the medium eigenvector of any tensor of "
-           "the field.",
+           "\"Unit vectors in this region cannot appear as the medium eigenvector of any tensor in "
+           "the 3D linear tensor field.\"",
        .hypotheses = member,
-       .corrected = "Of no tensor whose mode is mu or -mu, or farther from 0: tensors closer to "
-                    "neutral can have it.",
+       .corrected = "As the paper's next sentence says: \"there are no points in the generalized "
+                    "mode mu surface that correspond to these unit vectors\". Nor is one of a mode "
+                    "farther from 0; tensors closer to neutral can have it.",
+       .flaws = {Flaw::wording},
        .check = medium_vectors,
-       .paper_at_witness = grey_vector_at_witness},
+       .paper_at_witness = grey_vector_at_witness,
+       .steps = {"vectors-of-complex-domain", "sigma-squared", "nested"}},
       {.id = "boundary-degree",
        .paper = "Mode Surfaces Analysis, after the boundary's equation",
        .claim = "The boundary of the complex domain is given by a polynomial of degree six.",
        .hypotheses = "a field of rank 4",
        .corrected = "Of degree four in the coordinates of v, and of degree two if mu = 1.",
+       .flaws = {Flaw::wording},
        .check = boundary_degree,
-       .paper_at_witness = degree_six_at_witness},
+       .paper_at_witness = degree_six_at_witness,
+       .steps = {"boundary-degree"}},
       {.id = "real-domain",
        .paper = "Theorem 2",
        .claim = "v is in the real domain if and only if 1/2 - v.T'^2 v + cos^2(theta) (v.T' v)^2 / "
                 "4 >= 0, T' being the characteristic tensor projected to the plane across v.",
        .hypotheses = "a field of rank 4; mu of a rational parameter s, v in a rational basis",
-       .corrected = "With the characteristic tensor itself; zero exactly on the boundary.",
+       .corrected = "With the characteristic tensor itself, as the paper's proof and its "
+                    "equation of the boundary have it; zero exactly on the boundary.",
+       .flaws = {Flaw::wording},
        .check = real_domain,
-       .paper_at_witness = printed_domain_at_witness},
+       .paper_at_witness = printed_domain_at_witness,
+       .steps = {"real-domain", "asymmetric-discriminant", "eigenvalue-cases", "projected-square",
+                 "boundary-difference"}},
       {.id = "signed-root",
        .paper = "none (used to find the boundary along mode curves)",
        .claim =
            "At a tensor of the field with medium eigenvector v and dominant eigenvector d, the "
            "boundary function of v is the square of d.T (v x d), T characteristic.",
        .hypotheses = member,
-       .check = signed_root},
+       .check = signed_root,
+       .steps = {"sigma-squared", "boundary-crossing"}},
   };
 }
 

@@ -52,8 +52,8 @@ Outcome two_characteristic_tensors() {
                     is_orthogonal(opposite, field) && determinant(t) <= 0 &&
                     determinant(opposite) <= 0;
   if (!both) return Outcome::holds();
-  return Outcome::violated("field " + text(field) + ": multiples of " + text(t) + " and of " +
-                           text(opposite) + " meet all conditions");
+  return Outcome::violated("vertex tensors " + text(field) + ": multiples of " + text(t) +
+                           " and of " + text(opposite) + " meet all conditions");
 }
 
 // The tensor t = sum of b_i T_i belongs to the point of weights b_i / c, c their sum.
@@ -85,7 +85,7 @@ Outcome tensor_at_infinity() {
   const TetrahedronField<Rational> field = witness_field();
   const Tensor t = to_tensor(field.at({1, 1, -2, 0}));
   if (field_rank(field) != 4 || mode_squared(t) != fraction(1, 2)) return Outcome::holds();
-  return Outcome::violated(text(t) + " of the span of " + text(field) +
+  return Outcome::violated(text(t) + " of the span of the vertex tensors " + text(field) +
                            " has mode^2 = 1/2 and weights 1, 1, -2, 0, of sum 0: its medium "
                            "eigenvector has this tensor and no point in space");
 }
@@ -97,16 +97,16 @@ std::vector<Statement> field_statements() {
       {.id = "characteristic-tensor",
        .paper = "3D Linear Tensor Fields, conditions on the characteristic tensor",
        .claim =
-           "A linear field of independent tensors has one unit tensor that is orthogonal to it "
-           "and of determinant at most 0.",
+           "Under structurally stable conditions a unit tensor exists that is orthogonal to the "
+           "field and of determinant at most 0.",
        .hypotheses = "any linear field",
-       .corrected = "It exists always, but it is unique only if the four tensors have rank 4 and "
-                    "its determinant is not 0: at determinant 0 both signs will do, below rank 4 "
-                    "infinitely many.",
-       .strata = "Rank below 4 (planes of symmetry, plane strain, a zero tensor at a vertex); "
-                 "determinant 0.",
+       .sharper = "It exists always. It is unique if the four tensors have rank 4 and its "
+                  "determinant is not 0: at determinant 0 both signs will do, below rank 4 "
+                  "infinitely many.",
+       .special = "Rank below 4 (planes of symmetry, plane strain, a zero tensor at a vertex); "
+                  "determinant 0.",
        .check = characteristic_tensor_of,
-       .paper_at_witness = two_characteristic_tensors},
+       .needed = {{"determinant not 0, for uniqueness", two_characteristic_tensors}}},
       {.id = "points-of-vectors",
        .paper = "Mode Surfaces Analysis, colours of the sphere",
        .claim = "Two antipodal vectors of the real domain belong to two points of the generalized "
@@ -116,9 +116,12 @@ std::vector<Statement> field_statements() {
        .corrected = "To two tensors of the span: t belongs to the point of weights b / c, where "
                     "t = sum of b_i T_i and c is the sum of the b_i, and the mode there is that of "
                     "t if c > 0, the opposite if c < 0. At c = 0 the point is at infinity.",
-       .strata = "The plane at infinity c = 0, which separates the colours.",
+       .special = "The plane at infinity c = 0, which separates the colours.",
+       .flaws = {Flaw::projective},
        .check = points_of_tensors,
-       .paper_at_witness = tensor_at_infinity},
+       .paper_at_witness = tensor_at_infinity,
+       .steps = {"points-at-infinity"},
+       .restates = "what the weights of a point are"},
   };
 }
 

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "dominant_form.hpp"
 
@@ -49,6 +51,21 @@ inline std::optional<Values> characteristic_values(const Trial& trial) {
 
 inline constexpr const char* kNoFrame =
     "the characteristic eigenvectors are not known in rationals";
+
+/// Random eigenvalues with rational singularities A e1 + B e3 and A e1 - B e3, 0 < A < B.
+inline Values values_with_singularities(Random& random, Rational& a, Rational& b) {
+  const Rational t = fraction(random.integer(1, 99), 100), size = Rational(1) + t * t;
+  a = (Rational(1) - t * t) / size, b = (t + t) / size;
+  if (b < a) std::swap(a, b);
+  const Rational aa = a * a, bb = b * b, middle = bb - aa, three(3);
+  return {Rational(middle + three * aa), middle, Rational(middle - three * bb)};
+}
+
+/// The eigenvalues up to a factor, and more numbers: what a check configures that sees no more.
+inline std::vector<Rational> shape_of(const Values& l, std::vector<Rational> numbers = {}) {
+  numbers.push_back(Rational(l[1] / l[0]));
+  return numbers;
+}
 
 inline std::string triple_text(const Triple<Rational>& l) {
   return text(Vector3<Rational>{l[0], l[1], l[2]});

@@ -82,28 +82,30 @@ const auto form_on_boundary = [](const Trial& trial, auto& facts) {
   }
 };
 
-// Two fields that share a plane have characteristic tensors orthogonal to it; whether a tensor of
-// the plane is on the boundary of one says nothing of the other.
+// Two fields with a common face, drawn at random but for one of its tensors. Whether that is on the
+// boundary of one field says nothing of the other.
 const auto points_on_shared_face = [](const Trial& trial, auto& facts) {
   Random random = trial.random;
   const Rational s = random.part();
-  const Made mine = made_on_boundary(s, random);
-  // Every other field with this tensor: the part across the plane may have any sign.
-  const Tensor twist = product_of(mine.basis[0], mine.basis[1]);
-  const Rational amount(random.integer(-3, 3));
-  const Tensor other = mine.characteristic + amount * twist;
-  const auto e = basis_in(facts, mine.basis);
-  const auto sigma = [&](const Tensor& n) { return dot(e[0], facts.tensor(n) * e[1]); };
-  facts.about([&] {
-    return place(mine.characteristic, mine.basis[2], s) + ", of the neighbour " + text(other);
-  });
-  const auto factor = facts.claimed(2), quarter = facts.claimed(1, 4);
-  facts.zero("<T, t> for the neighbour", inner(facts.tensor(other), facts.tensor(mine.member)));
-  facts.zero("sigma in this tetrahedron", sigma(mine.characteristic));
-  facts.equal("sigma in its neighbour", factor * sigma(other), facts.number(amount));
-  const auto weight = quarter * facts.number(Rational(1 - s * s));
-  facts.equal("boundary function in the neighbour", squared(sigma(other)),
-              boundary_form(facts.tensor(other), e[2], weight));
+  const Basis basis = random_basis(random);
+  const Tensor common = tensor_with(s, basis[2], basis[0]);
+  TetrahedronField<Rational> mine = trial.field;
+  mine.vertex[0] = deviator(common);
+  TetrahedronField<Rational> neighbour = mine;
+  neighbour.vertex[3] = deviator(tensor_of({3, 1, -4}, random_basis(random)));
+  const auto first = characteristic_multiple(mine), second = characteristic_multiple(neighbour);
+  if (!first || !second) return facts.not_applicable("rank below 4");
+  facts.about([&] { return place(*first, basis[2], s) + ", of the neighbour " + text(*second); });
+  facts.configuration_of(mine, {inner(*second, *second), inner(*first, *second)});
+  const auto e = basis_in(facts, basis);
+  const auto weight = facts.claimed(1, 4) * facts.number(Rational(1 - s * s));
+  for (const Tensor& exact : {*first, *second}) {
+    const auto n = facts.tensor(exact);
+    facts.zero("<T, t>", inner(n, facts.tensor(common)));
+    const auto sigma = dot(e[0], n * e[1]);
+    facts.equal("boundary function and the square of the field's own sigma", squared(sigma),
+                boundary_form(n, e[2], weight));
+  }
 };
 
 // diag(9, -7, -2) has s = 3 * 2 / (9 + 7) = 3/8; both characteristic tensors are orthogonal to it,
@@ -142,23 +144,27 @@ std::vector<Statement> lift_statements() {
        .sharper = "Without an eigenvector problem: -(l2/2) P + l2 v v^T + ((l1 - l3)/2) "
                   "[(alpha s/2) M + sqrt(Delta) v x M] / g, with P = I - v v^T, "
                   "alpha = v.T v, M = P T P + (alpha/2) P, g = 1/2 - v.T^2 v + alpha^2/4.",
-       .strata = "g = 0: v a singularity.",
-       .check = closed_form},
+       .special = "g = 0: v a singularity.",
+       .check = closed_form,
+       .steps = {"tensor-of-vector"}},
       {.id = "tensor-on-boundary",
        .paper = "none (the tensor on the boundary of the complex domain)",
        .claim = "On the boundary the tensor is a negative multiple of P T P + (alpha/2)(1 + s^2/3) "
                 "P - (s^2/3) alpha v v^T, T characteristic.",
        .hypotheses = "a field made around a tensor on the boundary",
-       .check = form_on_boundary},
+       .check = form_on_boundary,
+       .steps = {"tensor-on-boundary"}},
       {.id = "shared-face",
        .paper = "Stitching Mode Surfaces from Adjacent Tets",
        .claim =
            "Surfaces from neighbouring tetrahedra have the same vertices on their common face, "
            "because its curves were found first.",
-       .hypotheses = "two fields made around a tensor of their common face",
+       .hypotheses = "two random fields with a common face, one of whose tensors has rational "
+                     "eigenvectors",
        .corrected = "Only if the polyline has the boundary points of both tetrahedra: each inserts "
                     "those of its own characteristic tensor, and a tensor that is on the boundary "
                     "for one has sigma != 0 for the other unless d.T (v x d) = 0 for both.",
+       .flaws = {Flaw::substantive},
        .check = points_on_shared_face,
        .paper_at_witness = different_points_on_a_face},
   };

@@ -157,9 +157,15 @@ std::vector<Statement> matrix_statements() {
        .corrected =
            "Points at infinity included, in a basis with e1 x e2 = v, and unless A(v) is a "
            "multiple of the identity: then there is a point for every direction.",
-       .strata = "v a singularity and either mu = 0 or a characteristic tensor of determinant 0.",
+       .special = "v a singularity and either mu = 0 or a characteristic tensor of determinant 0.",
+       .flaws = {Flaw::projective, Flaw::exceptional},
        .check = eigenvalue_count,
-       .paper_at_witness = infinitely_many_points},
+       .paper_at_witness = infinitely_many_points,
+       .steps = {"major-is-eigenvector", "minor-is-eigenvector", "eigenvectors-in-plane",
+                 "eigenvalue-cases", "directions-are-roots", "points-of-isotropic-plane",
+                 "points-at-infinity"},
+       .reader = "Coq counts tensors of the span up to positive multiples; points of space are "
+                 "those of a weight other than 0 (points-of-vectors)."},
       {.id = "dominant-eigenvector",
        .paper = "Theorem 1, which eigenvector belongs to which point",
        .claim = "The major and the minor eigenvector of A(v) each belong to one of the points with "
@@ -168,15 +174,20 @@ std::vector<Statement> matrix_statements() {
        .sharper = "The dominant eigenvector d has the eigenvalue tr(A) / 2 - sigma, "
                   "sigma = d.T (v x d), T characteristic: it is the major one exactly if "
                   "sigma < 0.",
-       .check = dominant_eigenvector},
+       .check = dominant_eigenvector,
+       .steps = {"dominant-eigenvector", "sigma-squared"}},
       {.id = "antipodal-matrix",
        .paper = "Theorem 1, end of the proof",
        .claim = "A(-v), whose rotations are reversed, is the transpose of A(v) in the same basis.",
        .hypotheses = plane_known,
        .corrected = "It is the adjugate: the same eigenvectors, with the two eigenvalues "
-                    "exchanged.",
+                    "exchanged. (The paper's conclusion, that v and -v have the same points, "
+                    "stands.)",
+       .flaws = {Flaw::wording},
        .check = antipodal_matrix,
-       .paper_at_witness = transpose_at_witness},
+       .paper_at_witness = transpose_at_witness,
+       .steps = {"opposite-rotations", "adjugate-rotation", "adjugate-eigenvector",
+                 "asymmetric-antipode"}},
   };
 }
 

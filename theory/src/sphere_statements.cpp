@@ -34,6 +34,7 @@ const auto quad_parameterization = [](const Trial& trial, auto& facts) {
   Random random = trial.random;
   const auto theta = random_squared_angle(random), eta = random_squared_angle(random);
   const Shares shares = shares_of(*values);
+  facts.configuration(shape_of(*values, {theta.cosine, eta.cosine}));
   const auto one = facts.claimed(1);
   const auto ct = facts.number(theta.cosine), st = facts.number(theta.sine);
   const auto ce = facts.number(eta.cosine), se = facts.number(eta.sine);
@@ -103,16 +104,26 @@ const auto straight_boundary = [](const Trial& trial, auto& facts) {
 
 const auto singularity_lines = [](const Trial& trial, auto& facts) {
   using Scalar = ScalarOf<std::decay_t<decltype(facts)>>;
-  if (!characteristic_values(trial) || !trial.frame->singular) {
-    return facts.not_applicable("the singularities are not known in rationals");
-  }
   Random random = trial.random;
-  const auto& [a, b] = *trial.frame->singular;
-  const Basis& basis = trial.frame->eigenvectors;
-  const Tensor exact = tensor_of(trial.frame->eigenvalues, basis);
+  Rational a, b;
+  Values values = values_with_singularities(random, a, b);
+  Basis basis = random_basis(random);
+  TetrahedronField<Rational> field;
+  const bool is_known = characteristic_values(trial) && trial.frame->singular;
+  if (is_known) {
+    a = (*trial.frame->singular)[0], b = (*trial.frame->singular)[1];
+    values = trial.frame->eigenvalues;
+    basis = trial.frame->eigenvectors;
+    field = trial.field;
+  } else {
+    field = field_orthogonal_to(tensor_of(values, basis), random);
+    if (field_rank(field) != 4) return facts.not_applicable("rank below 4");
+  }
+  const Tensor exact = tensor_of(values, basis);
   const auto n = facts.tensor(exact);
-  const Scalar medium = facts.number(trial.frame->eigenvalues[1]);
+  const Scalar medium = facts.number(values[1]);
   const Vector3<Rational>& e = basis[1];
+  facts.configuration(shape_of(values));
   for (const Rational& sign : {Rational(1), Rational(-1)}) {
     const Vector3<Rational> s = Rational(sign * a) * basis[0] + b * basis[2];
     const Vector3<Rational> f = cross(s, e);
@@ -124,6 +135,21 @@ const auto singularity_lines = [](const Trial& trial, auto& facts) {
     facts.equal("T across s", dot(ee, n * ee), factor * medium);
     facts.equal("T across s", dot(ff, n * ff), factor * medium);
     facts.zero("T across s, mixed", dot(ee, n * ff));
+    // By another way: of the field's own tensors those with kernel s are a plane, as the images of
+    // s under the four have rank two.
+    std::array<Vector3<Scalar>, 4> image;
+    Scalar area(0);
+    for (std::size_t i = 0; i < 4; ++i) {
+      image[i] = facts.tensor(to_tensor(field.vertex[i])) * facts.vector(s);
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto normal = cross(image[i], image[j]);
+        area = area + dot(normal, normal);
+        for (std::size_t k = 0; k < j; ++k) {
+          facts.zero("volume of the images of s under three vertex tensors", dot(normal, image[k]));
+        }
+      }
+    }
+    facts.positive("area of the images under two", area);
     const Rational p(random.nonzero(9)), q(random.integer(-9, 9));
     const Tensor member = p * (projection_to(e) - projection_to(f)) + q * product_of(e, f);
     const auto t = facts.tensor(member);
@@ -179,6 +205,12 @@ const auto stereographic = [](const Trial& trial, auto& facts) {
     v = random_basis(random)[0];
     if (v == pole) return facts.not_applicable("the pole itself was drawn");
   }
+  std::vector<Rational> products;
+  for (std::size_t i = 0; i < 4; ++i) {
+    products.push_back(dot(pole, exact[i]));
+    for (std::size_t j = 0; j < i; ++j) products.push_back(dot(exact[i], exact[j]));
+  }
+  facts.configuration(products);
   std::array<Vector3<Scalar>, 4> v;
   std::array<Projected<Scalar>, 4> at;
   Scalar denominators(1);
@@ -204,6 +236,34 @@ const auto stereographic = [](const Trial& trial, auto& facts) {
   const Scalar twice = facts.claimed(2);
   facts.equal("in-circle determinant and side of the plane", in_circle * denominators,
               twice * side);
+  // The conclusion, on the four points: a triangle of the hull whose cap does not hold the pole is
+  // a Delaunay triangle of the images, and one whose cap does is not.
+  for (std::size_t last = 0; last < 4; ++last) {
+    std::array<std::size_t, 3> of{};
+    for (std::size_t i = 0, k = 0; i < 4; ++i)
+      if (i != last) of[k++] = i;
+    const auto side_of_plane = [&](const Vector3<Rational>& p) {
+      return determinant3<Rational>(exact[of[0]] - p, exact[of[1]] - p, exact[of[2]] - p);
+    };
+    const Rational of_fourth = side_of_plane(exact[last]), of_pole = side_of_plane(pole);
+    if (of_fourth == 0 || of_pole == 0) continue;
+    const auto place_in_plane = [&](std::size_t i) {
+      const Rational below = Rational(1) - dot(exact[i], pole);
+      const Rational x = dot(exact[i], basis[0]) / below, y = dot(exact[i], basis[1]) / below;
+      return Vector3<Rational>{x, y, Rational(x * x + y * y)};
+    };
+    const auto other = place_in_plane(last);
+    const auto row = [&](std::size_t i) { return place_in_plane(of[i]) - other; };
+    const auto corner = [&](std::size_t i) {
+      const auto p = place_in_plane(of[i]);
+      return Vector3<Rational>{p.x, p.y, Rational(1)};
+    };
+    const Rational inside =
+        determinant3(row(0), row(1), row(2)) * determinant3(corner(0), corner(1), corner(2));
+    // The fourth on the pole's side: the empty cap is the other one, without the pole.
+    const bool is_kept = inside < 0, pole_in_empty_cap = (of_fourth > 0) != (of_pole > 0);
+    facts.holds("kept exactly if the pole is not in the empty cap", is_kept == !pole_in_empty_cap);
+  }
   const auto flat = [&](std::size_t i) { return Vector3<Scalar>{at[i].x, at[i].y, Scalar(1)}; };
   const Scalar turn = determinant3(flat(0), flat(1), flat(2));
   const auto p = facts.vector(pole);
@@ -244,20 +304,27 @@ std::vector<Statement> sphere_statements() {
                 "sphere by a grid of quadrilaterals whose irregular points are the "
                 "singularities.",
        .hypotheses = frame,
-       .corrected = "(cos(theta) sqrt(1 - B^2 cos^2(eta)), sin(theta) sin(eta), cos(eta) sqrt(1 - "
-                    "A^2 cos^2(theta))) with A^2 = (l1 - l2)/(l1 - l3), B^2 = (l2 - l3)/(l1 - "
-                    "l3): unit vectors. The printed ones are not, and do not cover the sphere.",
-       .sharper = "The eigenvalues of the projected characteristic tensor are l2 + (l1 - l2) "
-                  "sin^2(theta) and l2 - (l2 - l3) sin^2(eta): sphero-conal coordinates.",
-       .strata = "At mode -1 of the characteristic tensor they are spherical coordinates.",
+       .corrected = "With sin(theta) sin(eta) for y, one letter of the print, and divided by its "
+                    "length. Another chart, used here, has unit vectors as it stands: (cos(theta) "
+                    "sqrt(1 - B^2 cos^2(eta)), sin(theta) sin(eta), cos(eta) sqrt(1 - A^2 "
+                    "cos^2(theta))) with A^2 = (l1 - l2)/(l1 - l3), B^2 = (l2 - l3)/(l1 - l3).",
+       .sharper = "In that chart, sphero-conal coordinates, the eigenvalues of the projected "
+                  "characteristic tensor are l2 + (l1 - l2) sin^2(theta) and l2 - (l2 - l3) "
+                  "sin^2(eta).",
+       .special = "At mode -1 of the characteristic tensor they are spherical coordinates.",
+       .flaws = {Flaw::wording},
        .check = quad_parameterization,
-       .paper_at_witness = printed_parameterization},
+       .paper_at_witness = printed_parameterization,
+       .steps = {"quads", "quad-factor", "sphero-conal-unit", "sphero-conal-orthogonal",
+                 "sphero-conal-metric", "sphero-conal-eigenvalues"},
+       .reader = "That the chart covers the sphere once but for its four irregular points."},
       {.id = "straight-boundary",
        .paper = "none (the boundary of the complex domain in the quad parameterization)",
        .claim = "With d+ >= d- the eigenvalues of the projected characteristic tensor, the complex "
                 "domain is where d- > d+ (1 - s)/(1 + s): beyond a straight segment.",
        .hypotheses = "a characteristic tensor with rational d+, d- and v",
-       .check = straight_boundary},
+       .check = straight_boundary,
+       .steps = {"boundary-factors", "boundary-factor-sign", "boundary-straight"}},
       {.id = "singularity-lines",
        .paper = "Neutral Surface Extraction, singularities",
        .claim = "Each singularity belongs to a straight line of the neutral surface.",
@@ -265,9 +332,11 @@ std::vector<Statement> sphere_statements() {
        .corrected = "In projective space; the line can be at infinity. It is the set of the "
                     "field's tensors that map the singularity to 0, all with it as medium "
                     "eigenvector.",
-       .strata = "At mode -1 of the characteristic tensor the two lines are one.",
+       .special = "At mode -1 of the characteristic tensor the two lines are one.",
+       .flaws = {Flaw::projective},
        .check = singularity_lines,
-       .paper_at_witness = line_at_infinity},
+       .paper_at_witness = line_at_infinity,
+       .steps = {"singular-lines", "singularities-plane"}},
       {.id = "stereographic-delaunay",
        .paper = "Mode Surface Extraction inside a Tetrahedron, stereographic projection",
        .claim = "Stereographic projection keeps the Delaunay property, because it maps circles to "
@@ -276,8 +345,10 @@ std::vector<Statement> sphere_statements() {
        .corrected = "A point is inside the image of a circle exactly if the circle's plane "
                     "separates it from the pole: all Delaunay triangles are kept but those with "
                     "the pole in their empty cap. So the pole must lie outside the region.",
+       .flaws = {Flaw::substantive},
        .check = stereographic,
-       .paper_at_witness = pole_in_an_empty_cap},
+       .paper_at_witness = pole_in_an_empty_cap,
+       .reader = "A Delaunay triangle of points on a sphere is a facet of their hull."},
   };
 }
 

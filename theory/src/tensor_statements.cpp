@@ -61,6 +61,7 @@ const auto eigenvalues = [](const Trial& trial, auto& facts) {
   const Rational s = random.part();
   const std::array<Rational, 3> upper = eigenvalues_of(s);
   const Tensor exact = tensor_of(upper, random_basis(random));
+  facts.configuration({s});
   const auto t = facts.tensor(exact);
   const Scalar mu_squared = mode_squared(t);
   const Scalar three_halves = facts.claimed(3, 2), quarter = facts.claimed(1, 4);
@@ -84,6 +85,7 @@ const auto mode_parameter_of = [](const Trial& trial, auto& facts) {
   Random random = trial.random;
   const Rational s = random.part(), other = random.part();
   const Tensor exact = tensor_of(eigenvalues_of(s), random_basis(random));
+  facts.configuration({s, other});
   const auto nine = facts.claimed(9), three = facts.claimed(3), minus_three = facts.claimed(-3);
   const auto formula = [&](const auto& x) {
     return squared(x) * squared(nine - squared(x)) / cubed(three + squared(x));
@@ -120,6 +122,7 @@ const auto discriminant = [](const Trial& trial, auto& facts) {
 const auto degree_six_equation = [](const Trial& trial, auto& facts) {
   Random random = trial.random;
   const Rational s = random.part(), other = random.part();
+  facts.configuration({s, other});
   const auto mu_squared = facts.number(mode_squared_from_s2(Rational(s * s)));
   const auto factor = facts.claimed(54);
   const auto form = [&](const Tensor& exact) {
@@ -202,6 +205,7 @@ const auto lode_screen = [](const Trial& trial, auto& facts) {
   const Tensor exact = tensor_of(eigenvalues_of(s), basis);
   const Tensor turned = tensor_of(eigenvalues_of(other), random_basis(random));
   const Tensor aligned = tensor_of(eigenvalues_of(other), basis);
+  facts.configuration({s, other, inner(exact, turned), inner(square(exact), turned)});
   const auto t = facts.tensor(exact);
   facts.about([&] { return text(exact) + " and " + text(turned); });
   // Vectors of ordered eigenvalues are 3 (1, 0, -1) + s (1, -2, 1): polar angle atan(s / sqrt(3)),
@@ -222,37 +226,45 @@ std::vector<Statement> tensor_statements() {
        .claim = "The mode of a tensor lies between -1 and 1.",
        .hypotheses = "a nonzero traceless tensor",
        .sharper = "Both ends are attained, by the degenerate tensors.",
-       .strata = "The zero tensor has no mode.",
-       .check = mode_range},
+       .special = "The zero tensor has no mode.",
+       .check = mode_range,
+       .steps = {"mode-range", "discriminant-gram", "discriminant-squares"}},
       {.id = "mode-extremes",
        .paper = "3D Tensors and Modes, special modes",
        .claim = "Mode 1 means linear degenerate, mode -1 planar degenerate, mode 0 neutral.",
        .hypotheses = "a nonzero traceless tensor",
-       .check = extreme_modes},
+       .check = extreme_modes,
+       .steps = {"mode-ends", "discriminant-eigenvalues"}},
       {.id = "eigenvalues-of-mode",
        .paper = "3D Tensors and Modes, eigenvalues in terms of the mode",
        .claim = "The eigenvalues of a unit tensor are sines of thirds of the arc sine of minus its "
                 "mode.",
        .hypotheses = "eigenvalues (3 + s, -2 s, s - 3) or their opposites, 0 <= s <= 1 rational",
-       .check = eigenvalues},
+       .check = eigenvalues,
+       .steps = {"trigonometric-eigenvalues", "eigenvalues-ordered"}},
       {.id = "mode-parameter",
        .paper = "none (sine of the angle of Theorem 1)",
        .claim = "With s = sin(theta) the eigenvalues are as (3 + s, -2 s, s - 3), and the mode is "
                 "s (9 - s^2) / (3 + s^2)^(3/2), increasing on [0, 1].",
        .hypotheses = "0 <= s <= 1 rational",
-       .check = mode_parameter_of},
+       .check = mode_parameter_of,
+       .steps = {"mode-parameter-eigenvalues", "mode-parameter", "mode-parameter-inverse",
+                 "mode-grows"}},
       {.id = "discriminant",
        .paper = "none",
        .claim = "|T|^6 - 54 det(T)^2 is twice the product of the squared differences of "
                 "eigenvalues.",
        .hypotheses = "a traceless tensor",
-       .check = discriminant},
+       .check = discriminant,
+       .steps = {"discriminant-eigenvalues", "discriminant-gram", "discriminant-squares"}},
       {.id = "lode-screen",
        .paper = "none (rules out cells without a surface)",
        .claim = "A third of the arc cosine of the mode changes by no more than the angle between "
                 "the tensors.",
        .hypotheses = "two tensors with rational eigenvectors",
-       .check = lode_screen},
+       .check = lode_screen,
+       .steps = {"squared-rotation", "distance-of-tensors", "rearrangement",
+                 "angle-of-eigenvalues"}},
       {.id = "degree-six-equation",
        .paper = "Mode Surfaces Analysis, degree-six equation",
        .claim = "The points of mode mu or -mu satisfy 54 det(T)^2 - mu(T)^2 |T|^6 = 0, in which "
@@ -260,10 +272,13 @@ std::vector<Statement> tensor_statements() {
        .hypotheses = "T nonzero; mu of a rational parameter s",
        .corrected = "The constant mu in place of mu(T); and T = 0, which has no mode, satisfies it "
                     "too.",
-       .strata =
+       .special =
            "At mu = 0 the form is a square: its roots are double and it does not change sign.",
+       .flaws = {Flaw::wording},
        .check = degree_six_equation,
-       .paper_at_witness = printed_equation_at_neutral_tensor},
+       .paper_at_witness = printed_equation_at_neutral_tensor,
+       .steps = {"mode-equation", "degree-six-form"},
+       .restates = "the definition of the mode, on tensors made with a given one"},
       {.id = "mode-not-polynomial",
        .paper = "Related Work, the mode as a function",
        .claim = "In a linear field the mode is a polynomial of degree six.",
@@ -271,8 +286,11 @@ std::vector<Statement> tensor_statements() {
        .corrected =
            "Its square is the quotient of det(T)^2 and |T|^6, both of degree six; the mode "
            "is bounded, and no polynomial unless it is constant.",
+       .flaws = {Flaw::wording},
        .check = rational_mode,
-       .paper_at_witness = not_a_polynomial},
+       .paper_at_witness = not_a_polynomial,
+       .reader = "A bounded quotient that is a polynomial is constant.",
+       .restates = "the degrees of det(T) and |T|^2 along a line"},
   };
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 namespace tensortopo::theory {
 namespace {
@@ -13,6 +14,7 @@ bool passes(const Statement& statement, const Trials& trials, Arithmetic arithme
             Verification& result) {
   bool undecided = false;
   double widest = 0;
+  std::set<std::string> configurations;
   const std::size_t most = statement.most_fields == 0 ? trials.count : statement.most_fields;
   for (std::size_t i = 0; i < trials.count && result.tried < most; ++i) {
     const Trial trial = trials.at(i);
@@ -22,9 +24,18 @@ bool passes(const Statement& statement, const Trials& trials, Arithmetic arithme
       continue;
     }
     ++result.tried;
+    if (outcome.configuration.empty()) {
+      std::string words;
+      for (const Rational& q : invariants(trial.field)) words += q.str() + ' ';
+      configurations.insert(std::move(words));
+    } else {
+      configurations.insert(outcome.configuration);
+    }
+    result.configurations = configurations.size();
     if (outcome.kind == Outcome::Kind::violated) {
       result.verdict = StatementVerdict::refuted;
-      result.witness = outcome.detail + "; " + trials.name(i) + ": " + text(trial.field);
+      result.witness =
+          outcome.detail + "; " + trials.name(i) + ": vertex tensors " + text(trial.field);
       return false;
     }
     if (outcome.kind == Outcome::Kind::undecided && (!undecided || outcome.reach > widest)) {

@@ -14,7 +14,9 @@ void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& act
   CLI::App& app =
       *program.add_subcommand("verify", "Check the paper's statements on linear fields, exactly");
   const auto command = std::make_shared<VerifyCommand>();
-  app.add_option("--theorem", command->theorems, "A statement by its id; repeatable (default: all)")
+  app.add_option("--theorem", command->theorems,
+                 "A statement by its id, or a result of the paper by its number, 1 to 6; "
+                 "repeatable (default: all)")
       ->type_name("ID")
       ->allow_extra_args(false);
   app.add_option("--fields", command->fields, "Fields to try each on")

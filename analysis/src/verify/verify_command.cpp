@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "tensortopo/analysis/usage_error.hpp"
@@ -16,12 +17,13 @@ namespace {
 
 void refuse_unknown(const std::vector<std::string>& ids) {
   for (const std::string& id : ids) {
-    if (theory::find_statement(id) != nullptr) continue;
+    if (!theory::statements_called(id).empty()) continue;
     std::string known;
     for (const theory::Statement& s : theory::statements()) {
       known += (known.empty() ? "" : ", ") + s.id;
     }
-    throw UsageError("verify: no statement is called '" + id + "'; there are " + known);
+    throw UsageError("verify: no statement is called '" + id +
+                     "'; there are the paper's numbers 1 to 6, and " + known);
   }
 }
 
@@ -78,13 +80,15 @@ VerifyReport run_verify(const VerifyCommand& command, const Progress& progress) 
     report.mesh->sha256 = std::move(read.sha256);
     report.mesh->notes = std::move(read.report.notes);
     trials = mesh_trials(mesh, command.seed, command.fields);
+    report.mesh->tried = trials.count;
+  }
+  std::set<const theory::Statement*> wanted;
+  for (const std::string& name : command.theorems) {
+    for (const theory::Statement* s : theory::statements_called(name)) wanted.insert(s);
   }
   std::vector<const theory::Statement*> chosen;
   for (const theory::Statement& statement : theory::statements()) {
-    const auto& wanted = command.theorems;
-    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), statement.id) != wanted.end()) {
-      chosen.push_back(&statement);
-    }
+    if (wanted.empty() || wanted.count(&statement) > 0) chosen.push_back(&statement);
   }
   for (const theory::Statement* statement : chosen) {
     const auto done = static_cast<double>(report.statements.size());

@@ -17,7 +17,7 @@ namespace tensortopo {
 
 /// Which statements to try, and on what.
 struct VerifyCommand {
-  std::vector<std::string> theorems;  ///< ids; none: all statements
+  std::vector<std::string> theorems;  ///< ids, or the paper's numbers; none: all statements
   std::size_t fields = 100;           ///< at least 1
   std::uint64_t seed = 1;
   std::string scalar = "rational";  ///< or interval, real100, double
@@ -31,6 +31,7 @@ struct MeshStrata {
   std::string sha256;
   std::vector<std::string> notes;  ///< of reading
   std::size_t tetrahedra = 0;
+  std::size_t tried = 0;  ///< of the tetrahedra, as fields
   std::array<std::size_t, 5> of_rank{};
   std::size_t with_zero_vertex = 0;
   std::size_t with_common_eigenvector = 0;
@@ -50,7 +51,7 @@ struct VerifyReport {
 };
 
 /// Tries the statements on the fields of the seed, or on tetrahedra of a mesh that lie evenly in
-/// its order. Throws UsageError for an id that no statement has (and names those that there are)
+/// its order. Throws UsageError for a name that no statement has (and names those that there are)
 /// and for a scalar that there is not, IoError for a mesh that can't be read.
 VerifyReport run_verify(const VerifyCommand& command, const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -39,6 +40,7 @@ std::string to_json(const VerifyReport& report) {
         {"path", m.file.string()},
         {"sha256", m.sha256},
         {"tetrahedra", m.tetrahedra},
+        {"tried", m.tried},
         {"of_rank", m.of_rank},
         {"with_zero_vertex", m.with_zero_vertex},
         {"with_common_eigenvector", m.with_common_eigenvector},
@@ -56,6 +58,7 @@ std::string to_json(const VerifyReport& report) {
     row["corrected"] = or_null(statement.corrected);
     row["verdict"] = theory::name(v.verdict);
     row["tried"] = v.tried;
+    row["configurations"] = v.configurations;
     row["not_applicable"] = v.not_applicable;
     row["witness"] = or_null(v.witness);
     row["scalar"] = theory::name(report.arithmetic);
@@ -80,13 +83,21 @@ std::string to_text(const VerifyReport& report) {
         m.file.string(), m.tetrahedra, m.of_rank[4], m.of_rank[3], m.of_rank[2], m.of_rank[1],
         m.of_rank[0], m.with_zero_vertex, m.with_common_eigenvector, m.neutral_characteristic,
         m.degenerate_characteristic, m.least_characteristic_mode, m.greatest_characteristic_mode);
+    fmt::format_to(out, "    statements are tried on {} of the {} tetrahedra (--fields)\n", m.tried,
+                   m.tetrahedra);
   }
   fmt::format_to(out, "{:<28} {:<22} {:>6} {:>8}  {} | {}\n", "id", "verdict", "fields", "seconds",
                  "in the paper", "what it says");
+  std::map<StatementVerdict, int> count;
   for (const theory::Verification& v : report.statements) {
     const theory::Statement& statement = *theory::find_statement(v.id);
     fmt::format_to(out, "{:<28} {:<22} {:>6} {:>8.3f}  {} | {}\n", v.id, words(v.verdict), v.tried,
                    v.seconds, statement.paper, statement.claim);
+    ++count[v.verdict];
+    if (v.tried > 0 && v.configurations < theory::kFewConfigurations) {
+      fmt::format_to(out, "    few: the fields are {} configurations, up to rotation and scaling\n",
+                     v.configurations);
+    }
     if (!statement.corrected.empty()) {
       fmt::format_to(out, "    corrected: {}\n", statement.corrected);
     }
@@ -94,10 +105,15 @@ std::string to_text(const VerifyReport& report) {
     if (!v.witness.empty()) {
       fmt::format_to(out, "    {}: {}\n", reason ? "why" : "witness", v.witness);
     }
-    for (const auto& [why, count] : v.not_applicable) {
-      fmt::format_to(out, "    not on {} fields: {}\n", count, why);
+    for (const auto& [why, lacking] : v.not_applicable) {
+      fmt::format_to(out, "    not on {} fields: {}\n", lacking, why);
     }
   }
+  fmt::format_to(out,
+                 "{} statements over {}: {} hold, {} hold as corrected, {} refuted, {} undecided\n",
+                 report.statements.size(), theory::name(report.arithmetic),
+                 count[StatementVerdict::holds], count[StatementVerdict::corrected],
+                 count[StatementVerdict::refuted], count[StatementVerdict::undecided]);
   return text;
 }
 

@@ -59,6 +59,26 @@ int at_infinity(const PointFamily& family) {
   return greatest_common_divisor(family.parameters, family.weight_sum()).degree();
 }
 
+// Points that have a place in the plane: no common zero with the sum of the weights.
+int in_plane(const PointFamily& family) {
+  const Polynomial common = greatest_common_divisor(family.parameters, family.weight_sum());
+  return family.parameters.degree() - common.degree();
+}
+
+// Whether the derivatives of the mode along two sides of the triangle vanish, as polynomials in the
+// parameter: 2 N dD - 3 D dN with N = |T|^2 and D = tr T^3 / 3, D = det.
+bool is_critical_in_plane(const Plane& plane, const PointFamily& family) {
+  const auto t = family.tensor(plane);
+  const auto squared_tensor = square(t);
+  const Polynomial size = inner(t, t), cube = inner(squared_tensor, t);
+  for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
+    const auto along = tensor_cast<Polynomial>(plane.basis[i] - plane.basis[0]);
+    const Polynomial slope = size * inner(squared_tensor, along) - cube * inner(t, along);
+    if (!divides(family.parameters, slope)) return false;
+  }
+  return true;
+}
+
 // A maximum first, and none of the other critical points a combination of the first two.
 Triple basis_from_maximum() {
   const Triple span = plane_of(off_diagonal_shifted().span())->basis;
@@ -106,10 +126,13 @@ const auto redundancy = [](const Trial& trial, auto& facts) {
   const Scalar minus_one = facts.claimed(-1), also_minus_one = facts.claimed(-1);
   facts.equal("w times the third equation and a combination of the others", w * (u * g - v * f),
               minus_one * u * (v * h - w * g) + also_minus_one * v * (w * f - u * h));
-  // With w = 0 the first two say that h is zero and nothing about f and g.
-  const Scalar none(0), one(1);
-  facts.zero("first equation at w = h = 0", one * none - none * one);
-  facts.not_zero("third equation there, with (u, v) = (1, 0) and g = 1", one * one - none * one);
+  // At w = 0 the two ask for h = 0 only. At (1, 0, 0) of diag(1, 0, -1), diag(1, -2, 1) and xy that
+  // is so, and the third equation, g = 0, does not hold.
+  const auto first = square(facts.tensor(Tensor{1, 0, -1, 0, 0, 0}));
+  const Scalar at_g = inner(first, facts.tensor(Tensor{1, -2, 1, 0, 0, 0})),
+               at_h = inner(first, facts.tensor(Tensor{0, 0, 0, 1, 0, 0}));
+  facts.zero("h at w = 0", at_h);
+  facts.equal("third equation at w = 0", at_g, facts.claimed(2));
 };
 
 void points_at_infinity(const Trial& trial, Facts<Rational>& facts) {
@@ -129,6 +152,17 @@ void points_at_infinity(const Trial& trial, Facts<Rational>& facts) {
   if (system.position != Position::general) return facts.not_applicable(words(system.position));
   static const int in_witness =
       at_infinity(critical_system(*plane_of(off_diagonal().face())).critical);
+  // Every critical point of the trial's own plane: in the plane, and critical there, exactly if the
+  // sum of its weights is not 0.
+  if (const auto own = plane_of(trial.field)) {
+    const CriticalSystem all = critical_system(*own);
+    if (all.position == Position::general) {
+      facts.about([&] { return "plane of " + text(trial.field); });
+      facts.holds("derivatives in the plane vanish", is_critical_in_plane(*own, all.critical));
+      facts.holds("points in the plane and at infinity",
+                  in_plane(all.critical) + at_infinity(all.critical) == all.critical.count());
+    }
+  }
   facts.about([&] { return text(extremum) + " with " + text(trial.field); });
   for (const TriangleField<Rational>& field : {far, near}) {
     const Tensor first = to_tensor(field.vertex[1] - field.vertex[0]);

@@ -15,6 +15,7 @@ Check check_planar_pairs();
 Outcome critical_points_along_a_circle();
 
 Check check_degenerate_points();
+Outcome three_degenerate_points();
 
 Check check_spurious_solutions();
 Outcome fewer_than_nine_solutions();
@@ -27,5 +28,8 @@ Outcome saddles_at_infinity();
 Check check_complement_pencil();
 
 Check check_enclosed_extremum();
+
+Check check_edge_roots();
+Outcome root_without_change_of_sign();
 
 }  // namespace tensortopo::theory

@@ -39,6 +39,28 @@ const auto regular_normal = [](const Tensor& normal, const Tensor& drawn, auto& 
               Scalar(inner(back, n) / inner(n, n)) * n);
 };
 
+// The other way round: a T that is critical in a plane has the companion N of T, the part of the
+// gradient across it, in the plane's complement; so it is among the companions, or neutral.
+const auto regular_critical = [](const Tensor& drawn, auto& facts) {
+  using Scalar = ScalarOf<std::decay_t<decltype(facts)>>;
+  const Scalar third = facts.claimed(1, 3);
+  const auto t = facts.tensor(drawn);
+  const auto n = companion_of(t, third);
+  facts.positive("|N|^2 of a T that is not degenerate", inner(n, n));
+  facts.equal("mode(N)^2 + mode(T)^2", mode_squared(n) + mode_squared(t), facts.claimed(1));
+  if (determinant(drawn) != 0) {
+    const auto back = companion_of(n, third);
+    facts.positive("|companion of N|^2", inner(back, back));
+    facts.equal("companion of N, along T", back, Scalar(inner(back, t) / inner(t, t)) * t);
+  } else {
+    // Eigenvalues r, 0, -r: N is degenerate, and its dominant eigenvector is the kernel of T.
+    facts.equal("companion of N", companion_of(n, third), isotropic(Scalar(0)));
+    const auto product = Scalar(inner(n, n)) * n + isotropic<Scalar>(Scalar(3) * determinant(n));
+    facts.equal("T on the dominant direction of N", t * (product * facts.vector({1, 2, 3})),
+                Vector3<Scalar>{Scalar(0), Scalar(0), Scalar(0)});
+  }
+};
+
 const auto degenerate_normal = [](const Basis& basis, const Tensor& neutral, const Tensor& drawn,
                                   auto& facts) {
   using Scalar = ScalarOf<std::decay_t<decltype(facts)>>;
@@ -65,6 +87,10 @@ const auto complement_pencil = [](const Trial& trial, auto& facts) {
   if (degeneracy_form(normal) == 0) return facts.not_applicable("a degenerate tensor was drawn");
   facts.about([&] { return "N = " + text(normal) + ", another normal from " + text(drawn); });
   regular_normal(normal, drawn, facts);
+  for (const Tensor& t : {normal, tensor_of({2, 0, -2}, basis)}) {
+    facts.about([&] { return "T = " + text(t); });
+    regular_critical(t, facts);
+  }
   const Tensor neutral = tensor_of({Rational(0), p, Rational(-p)}, basis) +
                          Rational(2) * q * product_of(basis[1], basis[2]);
   facts.about([&] { return "neutral " + text(neutral) + ", another normal from " + text(drawn); });

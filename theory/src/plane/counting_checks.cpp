@@ -127,6 +127,32 @@ Check check_planar_extrema() { return planar_extrema; }
 Check check_planar_pairs() { return planar_pairs; }
 Check check_degenerate_points() { return degenerate_points; }
 
+// The complement is spanned by diag(-2, 1, 1) + yz and xy, with the forms (y + z)^2 - 2 x^2 and
+// 2 x y: zeros (0, 1, -1), twice, and (1, 0, +-sqrt(2)).
+Outcome three_degenerate_points() {
+  const TriangleField<Rational> face = {{deviator(Tensor{0, 1, -1, 0, 0, 0}),
+                                         deviator(Tensor{0, 0, 0, 0, 0, 1}),
+                                         deviator(Tensor{2, -1, -1, 0, 3, 0})}};
+  const Tensor first = {-2, 1, 1, 0, 1, 0}, second = {0, 0, 0, 1, 0, 0};
+  for (const auto& d : face.vertex) {
+    const Tensor t = to_tensor(d);
+    if (inner(t, first) != 0 || inner(t, second) != 0) return Outcome::holds();
+  }
+  // Forms of degree two that agree at (i, j, 2 - i - j) are equal.
+  for (int i = 0; i <= 2; ++i)
+    for (int j = 0; i + j <= 2; ++j) {
+      const Rational x(i), y(j), z(2 - i - j), sum = y + z, two(2);
+      const Vector3<Rational> e = {x, y, z};
+      if (dot(e, first * e) != sum * sum - two * x * x || dot(e, second * e) != two * x * y) {
+        return Outcome::holds();
+      }
+    }
+  return Outcome::violated(
+      "[0, 1, -1, 0, 0, 0] [0, 0, 0, 0, 0, 1] [2, -1, -1, 0, 3, 0]: dominant eigenvectors are the "
+      "common zeros of (y + z)^2 - 2 x^2 and 2 x y: (0, 1, -1), a double one, (1, 0, sqrt(2)) and "
+      "(1, 0, -sqrt(2)); three degenerate points");
+}
+
 Outcome extrema_along_a_circle() {
   const WitnessPlane& witness = ring();
   const std::array<std::array<Rational, 2>, 5> points = {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dominant_form.hpp"
+#include "plane/critical_points.hpp"
 #include "topology/checks.hpp"
 #include "topology/level_choice.hpp"
 #include "topology/signature.hpp"
@@ -85,6 +86,19 @@ void bifurcation_topology(const Trial& trial, Facts<Rational>& facts) {
   Random random = trial.random;
   const LevelChoice choice = level_choice(*n, random);
   const SpanBasis basis = span_basis(deviator(*n));
+  // At infinity are the differences of the vertex tensors: a degenerate one among them and, as the
+  // determinant is odd, a neutral one; so all modes between, up to their sign.
+  const auto& v = trial.field.vertex;
+  const auto far = plane_of(TriangleField<Rational>{{v[1] - v[0], v[2] - v[0], v[3] - v[0]}});
+  facts.about([&] { return "plane at infinity of " + text(trial.field); });
+  facts.holds("independent differences", far.has_value());
+  if (far) {
+    const DegenerateSystem degenerate = degenerate_system(*far);
+    if (degenerate.position == Position::general) {
+      facts.holds("degenerate points at infinity", !real_points(*far, degenerate.points).empty());
+    }
+  }
+  facts.configuration({of_normal, choice.below.value_or(0), choice.above.value_or(0)});
   for (const auto& s : {choice.below, choice.above}) {
     if (!s) continue;
     const ModeLevel level = ModeLevel::of_parameter(*s);
@@ -113,11 +127,11 @@ Outcome torus_in_space() {
   if (!crossed) return Outcome::holds();
   const auto surface = sphere_surface(span_basis(deviator(*n)), level);
   if (!surface || surface->components != 1) return Outcome::holds();
-  return Outcome::violated("field " + text(field) + ", mode^2 = " + level.mu_squared.str() +
-                           ": the surface has one component and meets the plane at infinity "
-                           "between " +
-                           text(from) + " and " + text(to) +
-                           ", so no part of it in space is closed");
+  return Outcome::violated(
+      "vertex tensors " + text(field) + ", mode^2 = " + level.mu_squared.str() +
+      ": the surface has one component and meets the plane at infinity "
+      "between " +
+      text(from) + " and " + text(to) + ", so no part of it in space is closed");
 }
 
 void bifurcation_surface(const Trial& trial, Facts<Rational>& facts) {
@@ -127,6 +141,7 @@ void bifurcation_surface(const Trial& trial, Facts<Rational>& facts) {
   if (discriminant_form(deviator(*n)) == 0) {
     return facts.not_applicable("two equal characteristic eigenvalues");
   }
+  facts.configuration({mode_squared(*n)});
   const Four basis = tensors_of(span_basis(deviator(*n)));
   Tensor d = companion(*n);
   if (determinant(d) < 0) d = Rational(-1) * d;

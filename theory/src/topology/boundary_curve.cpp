@@ -2,22 +2,114 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/boundary_curve.hpp"
 
+#include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
-#include "dominant_form.hpp"
 #include "tensortopo/scalar/interval.hpp"
 #include "tensortopo/theory/arithmetic.hpp"
 
 namespace tensortopo::theory {
 namespace {
 
-using IntervalTensor = SymmetricTensor<Interval>;
+struct BoundaryLoop {
+  std::array<Interval, 3> l;
+  Interval s, low, high;  // of alpha
+  int side;
+  std::array<SymmetricTensor<Interval>, 4> dual;
+};
 
-// Tensors d_i of which <d_i, t> is the weight of vertex i in t, up to a common factor: by
-// inversion of the matrix of inner products.
+SymmetricTensor<Interval> enclosure(const Tensor& t) {
+  return {enclosing<Interval>(t.xx), enclosing<Interval>(t.yy), enclosing<Interval>(t.zz),
+          enclosing<Interval>(t.xy), enclosing<Interval>(t.yz), enclosing<Interval>(t.xz)};
+}
+
+BoundaryLoop loop_of(const std::array<Rational, 3>& values, const Rational& s,
+                     const std::array<Tensor, 4>& vertices, int side) {
+  BoundaryLoop loop;
+  for (std::size_t i = 0; i < 3; ++i) loop.l[i] = enclosing<Interval>(values[i]);
+  loop.s = enclosing<Interval>(s);
+  const Rational medium = Rational(-2) * values[1], one(1);
+  loop.low = enclosing<Interval>(Rational(medium / (one - s)));
+  loop.high = enclosing<Interval>(Rational(medium / (one + s)));
+  loop.side = side;
+  const std::array<Tensor, 4> dual = dual_basis(vertices);
+  for (std::size_t i = 0; i < 4; ++i) loop.dual[i] = enclosure(dual[i]);
+  return loop;
+}
+
+// Of a number that is not negative.
+Interval root(const Interval& x) {
+  return CGAL::sqrt(Interval(std::max(x.inf(), 0.0), std::max(x.sup(), 0.0)));
+}
+
+// Signs of the weights of the tensor that belongs to alpha, with y of the sign given. As computed
+// it is a negative multiple of that of mode mu.
+struct Signs {
+  int positive = 0, negative = 0;
+};
+
+Signs weights_at(const BoundaryLoop& loop, const Interval& alpha, int sign_y) {
+  const Interval one(1), two(2), three(3), four(4), &s = loop.s;
+  const auto& l = loop.l;
+  const Interval half = (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]) / two;
+  std::array<Interval, 3> m;
+  SymmetricTensor<Interval> t;
+  const std::array<Interval*, 3> diagonal = {&t.xx, &t.yy, &t.zz};
+  const Interval plane = alpha / two * (one + s * s / three), along = s * s / three * alpha;
+  for (std::size_t i = 0; i < 3; ++i) {
+    m[i] = ((one - s) * alpha + two * l[i]) * ((one + s) * alpha + two * l[i]) /
+           (four * (three * l[i] * l[i] - half));
+    *diagonal[i] = l[i] + plane + m[i] * (alpha - two * l[i] - plane - along);
+  }
+  const Interval x = root(m[0]), y = Interval(sign_y) * root(m[1]),
+                 z = Interval(loop.side) * root(m[2]);
+  // The eigenvalue of the third axis and cos^2(theta) alpha / 2.
+  const Interval turn = (one - s * s) * alpha / two;
+  t.xy = x * y * (l[2] + turn);
+  t.yz = y * z * (l[0] + turn);
+  t.xz = x * z * (l[1] + turn);
+  Signs signs;
+  for (const auto& d : loop.dual) {
+    const Verdict sign = certified_sign(inner(d, t));
+    signs.positive += sign == Verdict::positive ? 1 : 0;
+    signs.negative += sign == Verdict::negative ? 1 : 0;
+  }
+  return signs;
+}
+
+// Far more parts than a loop takes that keeps its distance from the faces.
+constexpr int kParts = 20000;
+
+// Whether all of the loop's tensors have weights of the signs wanted.
+template <class IsWanted>
+bool is_everywhere(const BoundaryLoop& loop, const IsWanted& is_wanted) {
+  for (const int sign_y : {1, -1}) {
+    std::vector<Interval> waiting = {Interval(loop.low.inf(), loop.high.sup())};
+    for (int left = kParts; !waiting.empty(); --left) {
+      if (left == 0) return false;
+      const Interval alpha = waiting.back();
+      waiting.pop_back();
+      const Signs signs = weights_at(loop, alpha, sign_y);
+      if (is_wanted(signs)) continue;
+      // All weights decided, and otherwise than wanted.
+      if (signs.positive + signs.negative == 4) return false;
+      const double middle = (alpha.inf() + alpha.sup()) / 2;
+      waiting.emplace_back(alpha.inf(), middle);
+      waiting.emplace_back(middle, alpha.sup());
+    }
+  }
+  return true;
+}
+
+bool has_two_loops(const std::array<Rational, 3>& l, const Rational& s) {
+  return s > 0 && s * (l[0] + l[1]) < l[0] - l[1] && l[1] > 0;
+}
+
+}  // namespace
+
 std::array<Tensor, 4> dual_basis(const std::array<Tensor, 4>& vertices) {
+  // By inversion of the matrix of inner products.
   std::array<std::array<Rational, 8>, 4> m;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
@@ -40,130 +132,20 @@ std::array<Tensor, 4> dual_basis(const std::array<Tensor, 4>& vertices) {
   return dual;
 }
 
-IntervalTensor enclosure(const Tensor& t) {
-  return {enclosing<Interval>(t.xx), enclosing<Interval>(t.yy), enclosing<Interval>(t.zz),
-          enclosing<Interval>(t.xy), enclosing<Interval>(t.yz), enclosing<Interval>(t.xz)};
+int mode_of_loop_inside(const std::array<Rational, 3>& values, const Rational& s,
+                        const std::array<Tensor, 4>& vertices, int side) {
+  if (!has_two_loops(values, s)) return 0;
+  const BoundaryLoop loop = loop_of(values, s, vertices, side);
+  if (is_everywhere(loop, [](const Signs& signs) { return signs.negative == 4; })) return 1;
+  const auto all_positive = [](const Signs& signs) { return signs.positive == 4; };
+  return is_everywhere(loop, all_positive) ? -1 : 0;
 }
 
-struct Curve {
-  IntervalTensor normal;
-  Interval weight;    // (1 - s^2) / 4
-  Interval third_s2;  // s^2 / 3
-  std::array<IntervalTensor, 4> dual;
-};
-
-// The tensor with a boundary vector v as its medium eigenvector, homogeneous of degree four in v:
-// the normal seen across v, made traceless and of the right mode.
-IntervalTensor boundary_tensor(const Curve& curve, const Vector3<Interval>& v) {
-  const Interval size = dot(v, v);
-  const Vector3<Interval> image = curve.normal * v;
-  const Interval alpha = dot(v, image);
-  const IntervalTensor along = projection_to(v);
-  // P N P with P = |v|^2 - v v^T.
-  const IntervalTensor mixed = {v.x * image.x + v.x * image.x, v.y * image.y + v.y * image.y,
-                                v.z * image.z + v.z * image.z, v.x * image.y + v.y * image.x,
-                                v.y * image.z + v.z * image.y, v.x * image.z + v.z * image.x};
-  const IntervalTensor across = size * (size * curve.normal) - size * mixed + alpha * along;
-  const IntervalTensor plane = isotropic(size) - along;
-  const Interval half = alpha / Interval(2);
-  return across + (half * (Interval(1) + curve.third_s2)) * plane -
-         (curve.third_s2 * alpha) * along;
-}
-
-enum class Place { away, inside, unknown };
-
-Place place_of(const Curve& curve, const Vector3<Interval>& box) {
-  const Verdict off = certified_sign(boundary_form(curve.normal, box, curve.weight));
-  if (off == Verdict::positive || off == Verdict::negative) return Place::away;
-  const IntervalTensor t = boundary_tensor(curve, box);
-  int positive = 0, negative = 0;
-  for (const IntervalTensor& d : curve.dual) {
-    const Verdict sign = certified_sign(inner(d, t));
-    positive += sign == Verdict::positive ? 1 : 0;
-    negative += sign == Verdict::negative ? 1 : 0;
-  }
-  return positive == 4 || negative == 4 ? Place::inside : Place::unknown;
-}
-
-// Whether the boundary function changes its sign between two corners of the box.
-bool is_crossed(const Curve& curve, const Vector3<Interval>& box) {
-  const auto sign_at = [&](bool up_x, bool up_y, bool up_z) {
-    const auto end = [](const Interval& i, bool up) { return Interval(up ? i.sup() : i.inf()); };
-    const Vector3<Interval> v = {end(box.x, up_x), end(box.y, up_y), end(box.z, up_z)};
-    return certified_sign(boundary_form(curve.normal, v, curve.weight));
-  };
-  bool positive = false, negative = false;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const Verdict sign = sign_at(corner & 1, corner & 2, corner & 4);
-    positive = positive || sign == Verdict::positive;
-    negative = negative || sign == Verdict::negative;
-  }
-  return positive && negative;
-}
-
-// On a cube around the centre, one of each two opposite vectors with x z of the sign given.
-std::vector<Vector3<Interval>> vectors_of(int side) {
-  const Interval one(1), both(-1, 1), up(0, 1), down(-1, 0);
-  const Interval like = side > 0 ? up : down, unlike = side > 0 ? down : up;
-  return {{like, both, one}, {one, both, like}, {up, one, like}, {down, one, unlike}};
-}
-
-// The same with x z = 0.
-std::vector<Vector3<Interval>> vectors_between() {
-  const Interval zero(0), one(1), both(-1, 1);
-  return {{zero, both, one}, {zero, one, both}, {one, both, zero}, {both, one, zero}};
-}
-
-void halve(const Vector3<Interval>& box, std::vector<Vector3<Interval>>& waiting) {
-  const auto width = [](const Interval& i) { return i.sup() - i.inf(); };
-  const auto longest = [&] {
-    if (width(box.x) >= width(box.y) && width(box.x) >= width(box.z)) return &Vector3<Interval>::x;
-    return width(box.y) >= width(box.z) ? &Vector3<Interval>::y : &Vector3<Interval>::z;
-  }();
-  const Interval& whole = box.*longest;
-  const double middle = (whole.inf() + whole.sup()) / 2;
-  Vector3<Interval> part = box;
-  part.*longest = Interval(whole.inf(), middle);
-  waiting.push_back(part);
-  part.*longest = Interval(middle, whole.sup());
-  waiting.push_back(part);
-}
-
-// Far more boxes than a loop takes that keeps its distance from the faces.
-constexpr int kBoxes = 100000;
-
-// Halves the boxes until all are away from the curve or, if it may be there, inside; nothing if
-// that fails, and else whether the curve was met for certain.
-std::optional<bool> meets_inside(const Curve& curve, std::vector<Vector3<Interval>> waiting,
-                                 bool may_be_met) {
-  bool met = false;
-  for (int left = kBoxes; !waiting.empty(); --left) {
-    if (left == 0) return std::nullopt;
-    const Vector3<Interval> box = waiting.back();
-    waiting.pop_back();
-    const Place place = place_of(curve, box);
-    if (place == Place::unknown || (place == Place::inside && !may_be_met)) {
-      halve(box, waiting);
-    } else if (place == Place::inside) {
-      met = met || is_crossed(curve, box);
-    }
-  }
-  return met;
-}
-
-}  // namespace
-
-bool loop_is_inside(const std::array<Rational, 3>& values, const Rational& s,
-                    const std::array<Tensor, 4>& vertices, int side) {
-  Curve curve;
-  curve.normal = enclosure(Tensor{values[0], values[1], values[2], 0, 0, 0});
-  curve.weight = enclosing<Interval>(boundary_weight(s));
-  curve.third_s2 = enclosing<Interval>(Rational(s * s / Rational(3)));
-  const std::array<Tensor, 4> dual = dual_basis(vertices);
-  for (std::size_t i = 0; i < 4; ++i) curve.dual[i] = enclosure(dual[i]);
-  const auto between = meets_inside(curve, vectors_between(), false);
-  const auto met = meets_inside(curve, vectors_of(side), true);
-  return between && met && *met;
+bool loop_is_outside(const std::array<Rational, 3>& values, const Rational& s,
+                     const std::array<Tensor, 4>& vertices, int side) {
+  if (!has_two_loops(values, s)) return false;
+  return is_everywhere(loop_of(values, s, vertices, side),
+                       [](const Signs& signs) { return signs.positive > 0 && signs.negative > 0; });
 }
 
 }  // namespace tensortopo::theory

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "tensortopo/theory/facts.hpp"
 #include "tensortopo/theory/trial.hpp"
+#include "topology/loop_cut.hpp"
 
 namespace tensortopo::theory {
 
@@ -27,7 +30,14 @@ void no_closed_component(const Trial& trial, Facts<Rational>& facts);
 Outcome neutral_tetrahedron();
 
 void interior_boundary_loop(const Trial& trial, Facts<Rational>& facts);
-Outcome handle_in_tetrahedron();
+Outcome loop_that_meets_no_face();
+
+/// What is found about one tetrahedron that is meant to hold a loop.
+struct LoopOutcome {
+  bool is_inside = false;      ///< proved
+  std::optional<LoopCut> cut;  ///< if resolved
+};
+LoopOutcome loop_outcome(const LoopTetrahedron& t);
 
 inline constexpr const char* kRankBelow4 = "rank below 4";
 /// Of levels too close to a critical one.

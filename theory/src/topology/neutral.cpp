@@ -39,6 +39,7 @@ void neutral_surface_topology(const Trial& trial, Facts<Rational>& facts) {
   const auto surface = projective_neutral_surface(span_basis(deviator(*n)));
   if (!surface) return facts.undecided(kBudgetExceeded);
   facts.about([&] { return normal_place(*n) + ": " + text(*surface); });
+  facts.configuration({mode_squared(*n)});
   facts.holds("no boundary", surface->boundary_loops == 0);
   facts.holds("number of components", surface->components == facts.claimed_count(1));
   facts.holds("Euler characteristic", surface->euler == facts.claimed_count(-1));
@@ -84,6 +85,17 @@ void neutral_surface_orientability(const Trial& trial, Facts<Rational>& facts) {
   const Tensor t = random_tensor(basis, random), opposite = Rational(-1) * t;
   facts.equal("determinant of the opposite tensor", determinant(opposite), -determinant(t));
   const LevelChoice choice = level_choice(*n, random);
+  facts.configuration({mode_squared(*n), choice.below.value_or(0), choice.above.value_or(0)});
+  // In space: a level separates larger modes from smaller ones, so nothing is one-sided.
+  for (const auto& parameter :
+       {std::optional(Rational(0)), std::optional(fraction(random.integer(20, 900), 1009))}) {
+    const auto inside =
+        tetrahedron_surface(trial.field.vertex, ModeLevel::of_parameter(*parameter));
+    if (!inside) return facts.undecided(kBudgetExceeded);
+    facts.about(
+        [&] { return "in the tetrahedron, s = " + parameter->str() + ": " + text(*inside); });
+    facts.holds("orientable in space", inside->orientable);
+  }
   for (const auto& parameter : {choice.below, choice.above}) {
     if (!parameter) continue;
     const ModeLevel level = ModeLevel::of_parameter(*parameter);
@@ -103,6 +115,7 @@ void degenerate_curve_circle(const Trial& trial, Facts<Rational>& facts) {
   if (determinant(*n) == 0) return facts.not_applicable("characteristic determinant 0");
   // A degenerate tensor is a multiple of e e^T - |e|^2 / 3 for one line e, and in the span if and
   // only if e.N e = 0: a conic. With real points and not degenerate, it is a circle.
+  facts.configuration({mode_squared(*n)});
   const Signature form =
       signature({{n->xx, n->xy, n->xz}, {n->xy, n->yy, n->yz}, {n->xz, n->yz, n->zz}});
   facts.about([&] { return normal_place(*n); });

@@ -7,7 +7,9 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "tensortopo/field/linear_field.hpp"
 #include "tensortopo/theory/arithmetic.hpp"
 #include "tensortopo/theory/outcome.hpp"
 
@@ -20,6 +22,10 @@ struct Mutation {
   int change = 0;               ///< what is added to it
 };
 
+/// Numbers that determine a field up to rotation and scaling: <T_i, T_j> and tr(T_i T_j T_k), made
+/// free of the scale.
+std::vector<Rational> invariants(const TetrahedronField<Rational>& field);
+
 /// What a check establishes on one trial, in numbers of one kind.
 ///
 /// A check computes in `Scalar` and states facts: that numbers are equal, or of a sign. Each is
@@ -30,6 +36,14 @@ class FactsBase {
  public:
   /// Names the place that the next facts are about; called only where one is violated.
   void about(std::function<std::string()> place) { place_ = std::move(place); }
+
+  /// What is tried: numbers that do not change if all tensors are rotated, or scaled alike, so that
+  /// trials with the same numbers are one configuration. Requires at least one.
+  void configuration(const std::vector<Rational>& numbers);
+  /// A field up to rotation and scaling, by its products <T_i, T_j> and tr(T_i T_j T_k); and more
+  /// numbers.
+  void configuration_of(const TetrahedronField<Rational>& field,
+                        const std::vector<Rational>& numbers = {});
 
   /// A fact of counting, or one that was decided in rational numbers.
   void holds(std::string_view what, bool is_so) {

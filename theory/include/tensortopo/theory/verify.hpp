@@ -24,11 +24,16 @@ enum class StatementVerdict {
 /// "holds", "corrected", "refuted", "undecided".
 std::string_view name(StatementVerdict verdict);
 
+/// With fewer configurations than this a statement is said to be tried in few.
+inline constexpr std::size_t kFewConfigurations = 20;
+
 /// What trying a statement has given.
 struct Verification {
   std::string id;
   StatementVerdict verdict = StatementVerdict::undecided;
   std::size_t tried = 0;  ///< fields that satisfied the hypotheses
+  /// Of these, those that differ by more than a rotation and a scaling: in what the check looks at.
+  std::size_t configurations = 0;
   /// How often each hypothesis was lacking.
   std::map<std::string, std::size_t> not_applicable;
   std::string witness;  ///< of a refutation, or the reason why nothing is decided
