@@ -16,23 +16,10 @@ namespace tensortopo {
 
 namespace {
 
-std::string components_name(const ReadResult& read, const ReadOptions& options) {
-  if (read.report.tensor_components == 9) return "full";
-  switch (options.components.value_or(ComponentOrder::vtk)) {
-    case ComponentOrder::voigt:
-      return "voigt";
-    case ComponentOrder::abaqus:
-      return "abaqus";
-    case ComponentOrder::vtk:
-      break;
-  }
-  return "vtk";
-}
-
-CertificateSubject subject_of(const ReadOptions& options, const ReadResult& read) {
+CertificateSubject subject_of(const ReadResult& read) {
   CertificateSubject subject;
   subject.tensor = read.report.tensor_name;
-  subject.components = components_name(read, options);
+  subject.components = name_of(read.report.components.order);
   subject.points = read.mesh.points.size();
   subject.tetrahedra = read.mesh.tets.size();
   subject.field_sha256 = field_sha256(read.mesh);
@@ -57,8 +44,7 @@ void count(const CertifiedCurves& kind, Kinds& kinds) {
 /// @param levels  of it
 template <class Output, class Levels>
 CertificateReport write_levels(const std::filesystem::path& file, CertificateSubject subject,
-                               const ReadResult& read, const Output& output,
-                               const Levels& levels) {
+                               const ReadResult& read, const Output& output, const Levels& levels) {
   subject.vertices = output.points.size();
   for (const ArrayHash& array : array_hashes(output))
     subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
@@ -97,19 +83,19 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
         "--cell-to-point and --tetrahedralize make others");
 }
 
-CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
-                                    const ReadResult& read, const SurfaceMesh& surface,
+CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
+                                    const SurfaceMesh& surface,
                                     const std::vector<CertifiedLevel>& levels) {
-  CertificateSubject subject = subject_of(options, read);
+  CertificateSubject subject = subject_of(read);
   subject.cells = surface.triangles.size();
   subject.output_sha256 = surface_sha256(surface, read.mesh);
   return write_levels(file, std::move(subject), read, surface, levels);
 }
 
-CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
-                                    const ReadResult& read, const CurveMesh& curves,
+CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
+                                    const CurveMesh& curves,
                                     const std::vector<CertifiedCurves>& kinds) {
-  CertificateSubject subject = subject_of(options, read);
+  CertificateSubject subject = subject_of(read);
   subject.cells = curves.lines.size();
   subject.output_sha256 = curves_sha256(curves, read.mesh);
   return write_levels(file, std::move(subject), read, curves, kinds);

@@ -20,13 +20,12 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
                          const std::filesystem::path& certificate);
 
 /// Writes the certificate of a surface, whole or not at all. Throws IoError.
-/// @param options  with which the field was read
-CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
-                                    const ReadResult& read, const SurfaceMesh& surface,
+CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
+                                    const SurfaceMesh& surface,
                                     const std::vector<CertifiedLevel>& levels);
 /// The same of degenerate curves.
-CertificateReport write_certificate(const std::filesystem::path& file, const ReadOptions& options,
-                                    const ReadResult& read, const CurveMesh& curves,
+CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
+                                    const CurveMesh& curves,
                                     const std::vector<CertifiedCurves>& kinds);
 
 }  // namespace tensortopo

@@ -43,6 +43,12 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+std::string texts_of(const std::vector<ModeValue>& modes) {
+  std::string text;
+  for (const ModeValue& mode : modes) text += (text.empty() ? "" : " ") + mode.text();
+  return text;
+}
+
 void tell(const Progress& progress, std::string_view stage, double fraction) {
   if (progress) progress(stage, fraction);
 }
@@ -318,15 +324,17 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   OutputKinds kinds;
   for (const ModeValue& mode : modes)
     (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
-  report.bytes = write_surface(surface, curves, read.mesh, command.output, kinds).bytes;
+  report.bytes = write_surface(surface, curves, read.mesh, command.output, kinds,
+                               file_notes(report, texts_of(modes)))
+                     .bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
   if (certifying) {
     const Clock certify_clock;
     report.certificate =
         certified_curves.empty()
-            ? write_certificate(command.certificate, command.read, read, surface, certified)
-            : write_certificate(command.certificate, command.read, read, curves, certified_curves);
+            ? write_certificate(command.certificate, read, surface, certified)
+            : write_certificate(command.certificate, read, curves, certified_curves);
     report.certificate->seconds = seconds_certify + certify_clock.seconds();
     for (const SurfaceReport& s : report.surfaces) {
       report.certificate->tubes += s.statistics.sheets_tubes;

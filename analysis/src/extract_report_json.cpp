@@ -93,8 +93,7 @@ Json seconds_json(const ExtractReport& report, const ExtractStatistics& s) {
 
 std::string to_json(const ExtractReport& report) {
   const ExtractStatistics statistics = total_statistics(report);
-  Json json;
-  json["input"] = input_json(report);
+  Json json = begin_json("tensortopo extract", report);
   json["output"] = nullptr;
   if (report.written) {
     json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};

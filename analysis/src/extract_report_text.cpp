@@ -93,8 +93,8 @@ std::string unresolved_advice(const ExtractReport& report) {
 std::string to_text(const ExtractReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} vertices, {} tetrahedra, tensor '{}'\n", report.input.string(),
-                 report.vertices, report.tetrahedra, report.tensor_name);
+  fmt::format_to(out, "{}: {} vertices, {} tetrahedra, tensor '{}': {}\n", report.input.string(),
+                 report.vertices, report.tetrahedra, report.tensor_name, report.components.text());
   if (!report.surfaces.empty()) {
     fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n", "mode",
                    "vertices", "triangles", "parts", "loops", "euler", "area", "residual",

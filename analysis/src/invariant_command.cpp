@@ -92,15 +92,18 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   if (command.strict && !report.unresolved.empty()) return report;
   if (progress) progress("writing", 0);
   FileGroup files;
+  std::string levels;
+  for (const InvariantLevel& level : done)
+    levels += (levels.empty() ? "" : " ") + short_text(level);
   auto start = Clock::now();
-  report.bytes =
-      write_surface(surface, read.mesh, command.output, {.invariant_surfaces = true}).bytes;
+  report.bytes = write_surface(surface, CurveMesh{}, read.mesh, command.output,
+                               {.invariant_surfaces = true}, file_notes(report, levels))
+                     .bytes;
   report.written = true;
   report.seconds_write = seconds_since(start);
   if (certifying) {
     start = Clock::now();
-    report.certificate =
-        write_certificate(command.certificate, command.read, read, surface, certified);
+    report.certificate = write_certificate(command.certificate, read, surface, certified);
     report.certificate->seconds = seconds_certify + seconds_since(start);
   }
   files.commit();

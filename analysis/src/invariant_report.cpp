@@ -51,8 +51,7 @@ std::string unresolved_line(const InvariantReport& report) {
 }
 
 std::string to_json(const InvariantReport& report) {
-  Json json;
-  json["input"] = input_json(report);
+  Json json = begin_json("tensortopo extract --invariant", report);
   json["output"] = nullptr;
   if (report.written) json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};
   json["surfaces"] = Json::array();
@@ -80,8 +79,8 @@ std::string to_json(const InvariantReport& report) {
 std::string to_text(const InvariantReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} vertices, {} tetrahedra, tensor '{}'\n", report.input.string(),
-                 report.vertices, report.tetrahedra, report.tensor_name);
+  fmt::format_to(out, "{}: {} vertices, {} tetrahedra, tensor '{}': {}\n", report.input.string(),
+                 report.vertices, report.tetrahedra, report.tensor_name, report.components.text());
   if (!report.surfaces.empty())
     fmt::format_to(out, "{:>20} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n",
                    name_of(report.surfaces[0].level.invariant()), "vertices", "triangles", "parts",

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <chrono>
+#include <string>
+#include <vector>
 
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/io/write_surface.hpp"
 
 namespace tensortopo {
 
@@ -20,8 +23,10 @@ ReadResult read_field(const Command& command, Report& report) {
   options.for_certificate = !command.certificate.empty();
   ReadResult read = read_mesh(command.input, options);
   report.seconds_read = std::chrono::duration<double>(Clock::now() - start).count();
+  report.provenance = command.provenance;
   report.sha256 = read.sha256;
   report.tensor_name = read.report.tensor_name;
+  report.components = read.report.components;
   report.notes = read.report.notes;
   report.torn_faces = read.report.torn_faces;
   report.vertices = read.mesh.points.size();
@@ -29,6 +34,24 @@ ReadResult read_field(const Command& command, Report& report) {
   if (command.strict && report.torn_faces.count > 0)
     throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
   return read;
+}
+
+/// What a surface file says of its origin.
+/// @param levels  the values extracted, exactly
+template <class Report>
+std::vector<FileNote> file_notes(const Report& report, const std::string& levels) {
+  Provenance other = report.provenance;  // what no other note says
+  std::erase_if(other.options, [](const auto& option) {
+    for (const char* said : {"--mode", "--generalized", "--value", "--tensor", "--components"})
+      if (option.first == said) return true;
+    return false;
+  });
+  return {{"tensortopo_version", report.provenance.version},
+          {"options", other.options_text()},
+          {"input_sha256", report.sha256},
+          {"tensor", report.tensor_name},
+          {"components", std::string(name_of(report.components.order))},
+          {"levels", levels}};
 }
 
 }  // namespace tensortopo

@@ -35,8 +35,25 @@ nlohmann::ordered_json input_json(const Report& report) {
           {"vertices", report.vertices},
           {"tetrahedra", report.tetrahedra},
           {"tensor", report.tensor_name},
+          {"components", name_of(report.components.order)},
+          {"components_text", report.components.text()},
           {"notes", report.notes},
           {"torn_faces", torn_faces_json(report.torn_faces)}};
+}
+
+/// Begins the report of an extraction: its kind, what made it, and its field.
+template <class Report>
+nlohmann::ordered_json begin_json(const char* schema, const Report& report) {
+  auto options = nlohmann::ordered_json::object();
+  for (const auto& [name, values] : report.provenance.options) {
+    auto& json = options[name.substr(2)];
+    json = true;
+    if (!values.empty()) json = values;
+  }
+  return {{"schema", {{"name", schema}, {"version", 1}}},
+          {"version", report.provenance.version},
+          {"options", options},
+          {"input", input_json(report)}};
 }
 
 inline nlohmann::ordered_json parts_json(const SurfaceInvariants& known) {

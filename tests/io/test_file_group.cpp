@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "field_files.hpp"
 #include "tensortopo/io/file_group.hpp"
@@ -85,14 +87,44 @@ TEST(FileGroups, AGroupApartDoesNotWait) {
 }
 
 TEST(FileGroups, UnfinishedFilesCanBeRemovedByAHandler) {
+  // More than are kept open without a name.
+  constexpr std::size_t many = 210;
   const auto file = put("group_e.json", "before");
   const std::size_t files = files_beside(file);
   const FileGroup group;
-  write_text(file, "after");
-  EXPECT_EQ(files_beside(file), files + 1);
+  for (std::size_t i = 0; i < many; ++i) write_text(file, "after");
+  EXPECT_GT(files_beside(file), files);
   remove_unfinished_files();
   EXPECT_EQ(files_beside(file), files);
   EXPECT_EQ(slurp(file), "before");
+}
+
+TEST(FileGroups, ManyFilesAppearTogether) {
+  for (int i = 0; i < 300; ++i)
+    std::filesystem::remove(temporary("group_" + std::to_string(i) + ".json"));
+  const auto file = put("group_0.json", "before");
+  const std::size_t files = files_beside(file);
+  {
+    FileGroup group;
+    for (int i = 0; i < 300; ++i)
+      write_text(temporary("group_" + std::to_string(i) + ".json"), std::to_string(i));
+    EXPECT_EQ(slurp(file), "before");
+    group.commit();
+  }
+  EXPECT_EQ(files_beside(file), files + 299);
+  for (const int i : {0, 199, 200, 299})
+    EXPECT_EQ(slurp(temporary("group_" + std::to_string(i) + ".json")), std::to_string(i));
+}
+
+TEST(FileGroups, WhereFilesCanBeNamelessNothingIsSeenOfThem) {
+  const auto file = put("group_n.json", "before");
+  const int descriptor = open(file.parent_path().c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (descriptor < 0) GTEST_SKIP() << "this file system names all files";
+  close(descriptor);
+  const std::size_t files = files_beside(file);
+  const FileGroup group;
+  write_text(file, "after");
+  EXPECT_EQ(files_beside(file), files);
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include "field_files.hpp"
@@ -52,6 +54,46 @@ TEST(WriteSurface, VtpHoldsAllArraysExactly) {
   const vtkIdType* cell = nullptr;
   data->GetPolys()->GetCellAtId(1, corners, cell);
   EXPECT_EQ(std::vector<vtkIdType>(cell, cell + corners), (std::vector<vtkIdType>{2, 1, 3}));
+}
+
+// ParaView 5.11 with a recent expat shows files with an AppendedData section as empty.
+TEST(WriteSurface, BinaryDataIsInline) {
+  const std::string surface = slurp([] {
+    const auto file = temporary("surface.vtp");
+    write_surface(surface_of_two(), curve_of_three(), mesh_of_two(), file, {}, {{"a", "b"}});
+    return file;
+  }());
+  const auto mesh_file = temporary("mesh.vtu");
+  write_mesh(cube_field(2), mesh_file);
+  for (const std::string& bytes : {surface, slurp(mesh_file)}) {
+    EXPECT_EQ(bytes.find("AppendedData"), std::string::npos);
+    EXPECT_EQ(bytes.find("appended"), std::string::npos);
+    EXPECT_NE(bytes.find("format=\"binary\""), std::string::npos);
+    EXPECT_NE(bytes.find("compressor=\"vtkZLibDataCompressor\""), std::string::npos);
+    for (const char c : bytes) ASSERT_TRUE(c == '\n' || (c >= ' ' && c <= '~'));
+  }
+  EXPECT_NE(slurp(mesh_file).find("Tensors=\"stress\""), std::string::npos);
+}
+
+TEST(WriteSurface, VtpMarksAttributesAndSaysWhereItComesFrom) {
+  const auto file = temporary("surface.vtp");
+  const std::vector<FileNote> notes{{"options", "--mode 1/2 <&\">"}, {"input_sha256", "0123"}};
+  write_surface(surface_of_two(), CurveMesh{}, mesh_of_two(), file, {}, notes);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData* data = reader->GetOutput();
+  ASSERT_NE(data->GetPointData()->GetNormals(), nullptr);
+  EXPECT_STREQ(data->GetPointData()->GetNormals()->GetName(), "normal");
+  ASSERT_NE(data->GetPointData()->GetScalars(), nullptr);
+  EXPECT_STREQ(data->GetPointData()->GetScalars()->GetName(), "mode");
+  ASSERT_EQ(data->GetFieldData()->GetNumberOfArrays(), 2);
+  for (const FileNote& note : notes) {
+    auto* text = vtkStringArray::SafeDownCast(
+        data->GetFieldData()->GetAbstractArray(note.name.c_str()));
+    ASSERT_NE(text, nullptr) << note.name;
+    EXPECT_EQ(text->GetValue(0), note.text);
+  }
 }
 
 TEST(WriteSurface, VtpLeavesOutEmptyArrays) {

@@ -148,7 +148,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
   if (!command.mesh.empty()) {
     tell("curvature", 0.2);
     const ReadResult read = read_mesh(command.mesh, command.read);
-    analysis.mesh_notes = read.report.notes;
+    analysis.mesh_notes = read.report.all_notes();
     require_modes(input, command.surface);
     locate_in_mesh(input, read.mesh, command.surface);
     SurfaceCurvature curvature = surface_curvature(surface, read.mesh);

@@ -61,17 +61,17 @@ SweepReport run_sweep(const SweepCommand& command, const Progress& progress) {
     throw UsageError(command.picture.string() + ": the name must end in .png");
   if (!command.picture.empty()) require_folder(command.picture);
   if (progress) progress("reading", 0);
-  if (command.check_modes > 0)
-    require_certifiable(command.read, "surface.vtp", "certificate.cbor");
+  if (command.check_modes > 0) require_certifiable(command.read, "surface.vtp", "certificate.cbor");
   ReadOptions options = command.read;
   options.for_certificate = command.check_modes > 0;
   const ReadResult read = read_mesh(command.input, options);
   SweepReport report;
   report.input = command.input;
   report.sha256 = read.sha256;
+  report.components = read.report.components;
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
-  report.notes = read.report.notes;
+  report.notes = read.report.all_notes();
   report.options = command.sweep;
   report.sweep = sweep_modes(read.mesh, command.sweep, progress);
   if (command.check_modes > 0)

@@ -29,6 +29,7 @@ struct SweepReport {
   std::filesystem::path input;
   std::string sha256;
   std::size_t vertices = 0, tetrahedra = 0;
+  TensorComponents components;     ///< in the input
   std::vector<std::string> notes;  ///< of reading
   SweepOptions options;
   Sweep sweep;

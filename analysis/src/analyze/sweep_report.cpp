@@ -102,7 +102,8 @@ std::string to_json(const SweepReport& report) {
   json["input"] = {{"path", report.input.string()},
                    {"sha256", report.sha256},
                    {"vertices", report.vertices},
-                   {"tetrahedra", report.tetrahedra}};
+                   {"tetrahedra", report.tetrahedra},
+                   {"components", name_of(report.components.order)}};
   if (!report.notes.empty()) json["input"]["notes"] = report.notes;
   json["from"] = report.options.from.text();
   json["to"] = report.options.to.text();

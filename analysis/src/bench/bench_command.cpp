@@ -306,7 +306,7 @@ BenchReport run_bench(const BenchCommand& command, const Progress& progress) {
   const ReadResult read = read_mesh(command.input, command.read);
   BenchReport report = Bench(command, read.mesh, progress).run();
   report.input = command.input;
-  report.notes = read.report.notes;
+  report.notes = read.report.all_notes();
   report.modes = command.modes;
   report.tetrahedra = read.mesh.tets.size();
   return report;

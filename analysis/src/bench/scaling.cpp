@@ -131,7 +131,7 @@ ScalingReport run_scaling(const ScalingCommand& command, const Progress& progres
   } else {
     const ReadResult read = read_mesh(command.input, command.read);
     report.field = command.input.string();
-    report.notes = read.report.notes;
+    report.notes = read.report.all_notes();
     if (command.over == ScalingOver::mode) over_mode(read.mesh, command, report, progress);
     if (command.over == ScalingOver::threads) over_threads(read.mesh, command, report, progress);
     if (command.over == ScalingOver::modes) over_modes(read.mesh, command, report, progress);

@@ -86,7 +86,7 @@ ConformanceReport run_conformance(const ConformanceCommand& command, const Progr
   const GivenSurface given =
       merge_points(triangles.surface, command.merge, lower_extension(command.surface) != ".stl");
   const ReadResult read = read_mesh(command.input, command.read);
-  report.notes = read.report.notes;
+  report.notes = read.report.all_notes();
   tell("certifying");
   const Standard standard = certified_standard(read.mesh, command.mode, command.resolution);
   if (!command.truth.empty())

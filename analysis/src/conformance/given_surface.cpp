@@ -2,33 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "conformance/given_surface.hpp"
 
-#include <vtkCellArray.h>
-#include <vtkCommand.h>
-#include <vtkDataArray.h>
-#include <vtkErrorCode.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkSTLReader.h>
-#include <vtkTriangleFilter.h>
-#include <vtkXMLPolyDataReader.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "conformance/off_file.hpp"
-#include "tensortopo/io/io_error.hpp"
-#include "tensortopo/io/lower_extension.hpp"
+#include "tensortopo/io/read_surface_file.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
@@ -38,22 +21,14 @@ namespace {
 using Index = SurfaceMesh::Index;
 using Place = std::array<double, 3>;
 
-/// Notes that a reader complained.
-class Complaint : public vtkCommand {
- public:
-  static Complaint* New() { return new Complaint; }
-  void Execute(vtkObject*, unsigned long, void*) override { heard = true; }
-  bool heard = false;
-};
-
 // The mode of each triangle, if an array has one for each and they are not all the same.
 std::vector<double> modes_of(const std::vector<std::array<Index, 3>>& triangles,
-                             vtkDataArray* modes) {
+                             const SurfaceArray* modes) {
   std::vector<double> result;
-  if (modes == nullptr || modes->GetNumberOfComponents() != 1) return result;
+  if (modes == nullptr || modes->components != 1) return result;
   for (const auto& t : triangles) {
-    const double mode = modes->GetComponent(t[0], 0);
-    if (modes->GetComponent(t[1], 0) != mode || modes->GetComponent(t[2], 0) != mode) return {};
+    const double mode = modes->values[as_size(t[0])];
+    if (modes->values[as_size(t[1])] != mode || modes->values[as_size(t[2])] != mode) return {};
     result.push_back(mode);
   }
   const bool several = std::any_of(result.begin(), result.end(),
@@ -82,68 +57,6 @@ void keep_mode(ReadTriangles& read, const std::vector<double>& modes, double mod
     kept.triangles.push_back(triangle);
   }
   read.surface = std::move(kept);
-}
-
-ReadTriangles triangles_of(const std::filesystem::path& file, vtkPolyData* polygons,
-                           const ModeValue& mode) {
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(polygons);
-  triangles->PassLinesOff();
-  triangles->PassVertsOff();
-  triangles->Update();
-  vtkPolyData* data = triangles->GetOutput();
-  ReadTriangles read;
-  SurfaceMesh& surface = read.surface;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
-    double p[3];
-    data->GetPoint(i, p);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-      throw IoError(IoError::Kind::invalid, file, "a coordinate is not finite");
-    surface.points.push_back({p[0], p[1], p[2]});
-  }
-  vtkNew<vtkIdList> corners;
-  vtkCellArray* cells = data->GetPolys();
-  for (cells->InitTraversal(); cells->GetNextCell(corners);) {
-    if (corners->GetNumberOfIds() != 3) continue;
-    std::array<Index, 3> triangle{};
-    for (vtkIdType i = 0; i < 3; ++i) {
-      const vtkIdType id = corners->GetId(i);
-      if (id < 0 || id >= data->GetNumberOfPoints())
-        throw IoError(IoError::Kind::invalid, file, "a triangle names a point that is not there");
-      triangle[static_cast<std::size_t>(i)] = static_cast<Index>(id);
-    }
-    surface.triangles.push_back(triangle);
-  }
-  const auto modes = modes_of(surface.triangles, data->GetPointData()->GetArray("mode"));
-  if (!modes.empty()) keep_mode(read, modes, mode.approx());
-  return read;
-}
-
-template <class Reader>
-ReadTriangles read_with(const std::filesystem::path& file, Reader& reader, const ModeValue& mode) {
-  vtkNew<Complaint> complaint;
-  reader.AddObserver(vtkCommand::ErrorEvent, complaint);
-  reader.AddObserver(vtkCommand::WarningEvent, complaint);
-  reader.SetFileName(file.string().c_str());
-  reader.Update();
-  // Text that is none is a file without points to readers of .obj and .stl.
-  const std::string extension = lower_extension(file);
-  const bool may_be_text = extension == ".obj" || extension == ".stl";
-  if (complaint->heard || reader.GetErrorCode() != vtkErrorCode::NoError ||
-      (may_be_text && reader.GetOutput()->GetNumberOfPoints() == 0))
-    throw IoError(IoError::Kind::invalid, file,
-                  "is no readable " + extension + " file of triangles");
-  return triangles_of(file, reader.GetOutput(), mode);
-}
-
-// A binary .stl of no triangles: a header and a count. VTK's readers take it, and an .obj of no
-// lines, for no surfaces.
-bool is_empty_stl(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::array<char, 85> bytes{};
-  stream.read(bytes.data(), bytes.size());
-  return stream.gcount() == 84 &&
-         std::all_of(&bytes[80], &bytes[84], [](char c) { return c == 0; });
 }
 
 // Zeros of both signs are one place.
@@ -184,23 +97,13 @@ std::size_t count_seams(const SurfaceMesh& raw, const std::vector<Index>& place)
 }  // namespace
 
 ReadTriangles read_triangles(const std::filesystem::path& file, const ModeValue& mode) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw IoError(IoError::Kind::unreadable, file, "no such file");
-  const std::string extension = lower_extension(file);
-  if (extension == ".vtp") return read_with(file, *vtkNew<vtkXMLPolyDataReader>(), mode);
-  if (extension == ".ply") return read_with(file, *vtkNew<vtkPLYReader>(), mode);
-  if (extension == ".obj" && std::filesystem::file_size(file) == 0) return {};
-  if (extension == ".obj") return read_with(file, *vtkNew<vtkOBJReader>(), mode);
-  if (extension == ".stl") {
-    if (is_empty_stl(file)) return {};
-    vtkNew<vtkSTLReader> reader;
-    reader->MergingOff();
-    return read_with(file, *reader, mode);
-  }
-  if (extension == ".off") return triangles_of(file, read_off(file), mode);
-  throw IoError(IoError::Kind::invalid, file,
-                "the name must end in .vtp, .ply, .obj, .off or .stl");
+  SurfaceFile given = read_surface_file(file);
+  ReadTriangles read;
+  read.surface.triangles = triangulated(given);
+  read.surface.points = std::move(given.points);
+  const auto modes = modes_of(read.surface.triangles, given.find_point_data("mode"));
+  if (!modes.empty()) keep_mode(read, modes, mode.approx());
+  return read;
 }
 
 GivenSurface merge_points(const SurfaceMesh& triangles, double distance, bool shares_vertices) {

@@ -28,8 +28,8 @@ struct ReadTriangles {
   std::size_t other_modes = 0;  ///< triangles left out, being of other modes
 };
 
-/// The triangles of a .vtp, .ply, .stl or .obj file, by VTK's readers, or of an .off file; polygons
-/// are triangulated.
+/// The triangles of a .vtp, .ply, .stl, .obj or .off file (see `read_surface_file`); polygons are
+/// triangulated.
 ///
 /// Where the file holds the surfaces of several modes, told apart by its point data `mode` as in
 /// what `extract` writes, those of `mode` are taken, rounded to double or float32.

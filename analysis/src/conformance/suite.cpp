@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -14,6 +13,7 @@
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/io/read_text.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 
@@ -68,10 +68,9 @@ void score_member(const FamilyMember& member, const SuiteEntry& entry, int numbe
 }  // namespace
 
 std::vector<SuiteEntry> read_suite(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw IoError(IoError::Kind::unreadable, file, "cannot read");
+  const std::string text = read_text(file);
   try {
-    const auto json = nlohmann::json::parse(in);
+    const auto json = nlohmann::json::parse(text);
     std::vector<SuiteEntry> suite;
     for (const auto& item : json.at("suite")) {
       SuiteEntry entry;

@@ -3,12 +3,11 @@
 #include "generate/truth.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/read_text.hpp"
 
 namespace tensortopo {
 
@@ -140,12 +139,12 @@ std::string to_json(const FieldTruth& truth) {
 }
 
 FieldTruth read_truth(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in) throw IoError(IoError::Kind::unreadable, file, "cannot read");
+  return parse_truth(read_text(file), file);
+}
+
+FieldTruth parse_truth(const std::string& text, const std::filesystem::path& file) {
   try {
-    const Json json = Json::parse(bytes.str());
+    const Json json = Json::parse(text);
     if (json.at("format") != kFormat || json.at("version") != kVersion)
       throw IoError(IoError::Kind::invalid, file, "no truth file of version 1");
     FieldTruth truth;

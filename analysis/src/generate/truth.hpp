@@ -86,4 +86,7 @@ std::string to_json(const FieldTruth& truth);
 /// Reads what `to_json` writes. Throws IoError (`invalid`), with what is wrong.
 FieldTruth read_truth(const std::filesystem::path& file);
 
+/// The same of a text, whose file is named in errors.
+FieldTruth parse_truth(const std::string& text, const std::filesystem::path& file);
+
 }  // namespace tensortopo

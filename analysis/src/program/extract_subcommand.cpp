@@ -10,6 +10,7 @@
 #include "program/invariant_option.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
+#include "program/provenance_of.hpp"
 #include "program/read_options.hpp"
 #include "program/report_output.hpp"
 #include "program/subcommands.hpp"
@@ -65,6 +66,7 @@ Method other_method(const ExtractCommandOptions& options) {
 
 ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& common) {
   ExtractCommand command = options.command;
+  command.provenance = provenance_of(*options.app, common);
   if (!options.invariant.invariant.empty())
     return extract_invariant(options.invariant, command, common);
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");

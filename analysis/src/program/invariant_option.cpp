@@ -50,6 +50,7 @@ ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand
   own.output = command.output;
   own.certificate = command.certificate;
   own.read = command.read;
+  own.provenance = command.provenance;
   own.strict = command.strict;
   own.pieces = option.pieces;
   own.levels = levels_of(option);

@@ -20,6 +20,7 @@
 #include <string>
 
 #include "program/distinct_files.hpp"
+#include "program/exhaustion.hpp"
 #include "program/subcommands.hpp"
 #include "program/versions.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -113,9 +114,8 @@ ExitStatus run(const tensortopo::Action& action, const tensortopo::CommonOptions
     return fail(ExitStatus::bad_usage, error.what());
   } catch (const IoError& error) {
     return fail(status_of(error.kind()), error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(ExitStatus::bad_input, "out of memory");
   } catch (const std::exception& error) {
+    if (const char* what = tensortopo::exhausted(error)) return fail(ExitStatus::bad_input, what);
     return fail(ExitStatus::our_fault, std::string("internal error: ") + error.what());
   }
 }
@@ -123,6 +123,7 @@ ExitStatus run(const tensortopo::Action& action, const tensortopo::CommonOptions
 }  // namespace
 
 int main(int argc, char** argv) {
+  tensortopo::prepare_for_exhaustion();
   prepare_for_signals();
   keep_memory();
   silence_vtk();

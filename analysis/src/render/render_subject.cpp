@@ -77,7 +77,7 @@ RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
   if (command.mesh) {
     ReadResult read = read_mesh(*command.mesh, command.read);
     mesh_ = std::move(read.mesh);
-    mesh_notes_ = std::move(read.report.notes);
+    mesh_notes_ = read.report.all_notes();
     if (command.tet) {
       tet_ = place_of_cell(mesh_, *command.tet);
     } else {

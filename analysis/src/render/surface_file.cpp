@@ -3,30 +3,48 @@
 #include "render/surface_file.hpp"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
-#include <vtkErrorCode.h>
+#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkXMLPolyDataReader.h>
+#include <vtkPoints.h>
 
-#include <fstream>
+#include <algorithm>
 #include <set>
 #include <utility>
 
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
+#include "tensortopo/io/read_surface_file.hpp"
 
 namespace tensortopo {
 namespace {
 
-// Notes that an algorithm complained, instead of printing it.
-class Complaint : public vtkCommand {
- public:
-  static Complaint* New() { return new Complaint; }
-  void Execute(vtkObject*, unsigned long, void*) override { heard = true; }
-  bool heard = false;
-};
+vtkSmartPointer<vtkCellArray> cells_of(const IndexLists& lists) {
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<vtkIdType> corners;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    corners.assign(lists.points.begin() + static_cast<std::ptrdiff_t>(lists.begin_of(i)),
+                   lists.points.begin() + static_cast<std::ptrdiff_t>(lists.ends[i]));
+    cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  return cells;
+}
+
+void add_arrays(const std::vector<SurfaceArray>& arrays, std::size_t tuples,
+                vtkDataSetAttributes& data) {
+  for (const SurfaceArray& array : arrays) {
+    if (array.components == 0) continue;
+    vtkNew<vtkDoubleArray> copy;
+    copy->SetName(array.name.c_str());
+    copy->SetNumberOfComponents(static_cast<int>(array.components));
+    copy->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+    std::copy(array.values.begin(), array.values.end(), copy->GetPointer(0));
+    data.AddArray(copy);
+  }
+}
 
 // The cells whose first point has the number.
 vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* numbers, double number) {
@@ -45,19 +63,19 @@ vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* numbers,
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
-  if (!std::ifstream(file, std::ios::binary)) {
-    throw IoError(IoError::Kind::unreadable, file, "cannot open");
-  }
-  vtkNew<Complaint> complaint;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, complaint);
-  reader->AddObserver(vtkCommand::WarningEvent, complaint);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (complaint->heard || reader->GetErrorCode() != vtkErrorCode::NoError) {
-    throw IoError(IoError::Kind::invalid, file, "is no readable .vtp file");
-  }
-  return reader->GetOutput();
+  if (lower_extension(file) != ".vtp")
+    throw IoError(IoError::Kind::invalid, file, "must be a surface in .vtp");
+  const SurfaceFile given = read_surface_file(file);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& p : given.points) points->InsertNextPoint(p.x, p.y, p.z);
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetLines(cells_of(given.lines));
+  result->SetPolys(cells_of(given.polygons));
+  add_arrays(given.point_data, given.points.size(), *result->GetPointData());
+  add_arrays(given.cell_data, given.lines.size() + given.polygons.size(), *result->GetCellData());
+  return result;
 }
 
 std::vector<Sheet> read_sheets(const std::filesystem::path& file) {

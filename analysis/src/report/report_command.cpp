@@ -44,18 +44,6 @@ void require_sense(const ReportCommand& command) {
   require_folder(command.output);
 }
 
-std::string components_of(const ReadResult& read, const ReadOptions& options) {
-  if (read.report.tensor_components == 9) return "full";
-  switch (options.components.value_or(ComponentOrder::vtk)) {
-    case ComponentOrder::voigt:
-      return "voigt";
-    case ComponentOrder::abaqus:
-      return "abaqus";
-    default:
-      return "vtk";
-  }
-}
-
 /// Why the field's file is none that a certificate is about; empty if it is one.
 std::string no_certificate(const ReportCommand& command) {
   if (!command.certify) return "None was asked for.";
@@ -199,7 +187,7 @@ std::string certificate_part(const ReportCommand& command, const ReadResult& rea
 
 std::string field_part(const ReportCommand& command, const ReadResult& read) {
   std::string notes;
-  for (const std::string& note : read.report.notes) notes += "<br>" + html_text(note);
+  for (const std::string& note : read.report.all_notes()) notes += "<br>" + html_text(note);
   return fmt::format(
       "<dl><dt>file</dt><dd>{}{}</dd>\n<dt>SHA-256 of it</dt><dd class=\"hash\">{}</dd>\n"
       "<dt>tensors</dt><dd>{}</dd>\n<dt>mesh</dt><dd>{} vertices, {} tetrahedra</dd></dl>",
@@ -233,7 +221,7 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
   surfaces.modes = modes_of(command);
   surfaces.resolution = command.resolution;
   surfaces.certify = options.for_certificate;
-  surfaces.names = {read.report.tensor_name, components_of(read, command.read), false};
+  surfaces.names = {read.report.tensor_name, std::string(name_of(read.report.components.order)), false};
   surfaces.progress = progress;
   const ModeSurfaces made = extractor.surfaces(surfaces);
 

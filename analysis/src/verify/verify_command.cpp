@@ -78,7 +78,8 @@ VerifyReport run_verify(const VerifyCommand& command, const Progress& progress) 
     report.mesh = strata_of(*mesh, progress);
     report.mesh->file = command.input;
     report.mesh->sha256 = std::move(read.sha256);
-    report.mesh->notes = std::move(read.report.notes);
+    report.mesh->components = read.report.components;
+    report.mesh->notes = read.report.all_notes();
     trials = mesh_trials(mesh, command.seed, command.fields);
     report.mesh->tried = trials.count;
   }

@@ -29,6 +29,7 @@ struct VerifyCommand {
 struct MeshStrata {
   std::filesystem::path file;
   std::string sha256;
+  TensorComponents components;     ///< in the input
   std::vector<std::string> notes;  ///< of reading
   std::size_t tetrahedra = 0;
   std::size_t tried = 0;  ///< of the tetrahedra, as fields

@@ -39,6 +39,7 @@ std::string to_json(const VerifyReport& report) {
     json["input"] = {
         {"path", m.file.string()},
         {"sha256", m.sha256},
+        {"components", name_of(m.components.order)},
         {"tetrahedra", m.tetrahedra},
         {"tried", m.tried},
         {"of_rank", m.of_rank},

@@ -29,7 +29,7 @@ void write_certified(const std::filesystem::path& field, const ModeValue& mode,
 
   CertificateSubject subject;
   subject.tensor = read.report.tensor_name;
-  subject.components = read.report.tensor_components == 9 ? "full" : "vtk";
+  subject.components = name_of(read.report.components.order);
   subject.points = read.mesh.points.size();
   subject.tetrahedra = read.mesh.tets.size();
   subject.field_sha256 = field_sha256(read.mesh);

@@ -11,6 +11,7 @@
 #include "tensortopo/analysis/extract_report.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/analysis/provenance.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo {
@@ -37,6 +38,7 @@ struct ExtractCommand {
   MeshingMethod drawing = MeshingMethod::manifold;
   bool all_samples = false;  ///< `ExtractOptions::keep_samples`
   bool improve = false;  ///< surfaces by `improve_triangles`
+  Provenance provenance;
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone
 };
 

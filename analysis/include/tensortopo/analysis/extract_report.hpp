@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tensortopo/analysis/certificate_report.hpp"
+#include "tensortopo/analysis/provenance.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/predicate_counts.hpp"
@@ -51,9 +52,11 @@ struct UnresolvedReport {
 
 /// What `run_extract` did.
 struct ExtractReport {
+  Provenance provenance;
   std::filesystem::path input;
   std::string sha256;
   std::string tensor_name;
+  TensorComponents components;  ///< in the input
   std::size_t vertices = 0;
   std::size_t tetrahedra = 0;
   std::vector<std::string> notes;  ///< what reading repaired or skipped

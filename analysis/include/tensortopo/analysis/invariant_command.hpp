@@ -10,6 +10,7 @@
 
 #include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/analysis/provenance.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/quadric/extract_invariant_surface.hpp"
@@ -25,6 +26,7 @@ struct InvariantCommand {
   std::filesystem::path certificate;   ///< .json or .cbor; empty: none
   bool strict = false;                 ///< write nothing if a tetrahedron stays unresolved
   ReadOptions read;
+  Provenance provenance;
 };
 
 /// What is known of one surface.
@@ -40,9 +42,11 @@ struct InvariantSurfaceReport {
 
 /// What `run_invariant_extract` did.
 struct InvariantReport {
+  Provenance provenance;
   std::filesystem::path input;
   std::string sha256;
   std::string tensor_name;
+  TensorComponents components;  ///< in the input
   std::size_t vertices = 0;
   std::size_t tetrahedra = 0;
   std::vector<std::string> notes;  ///< what reading repaired or skipped

@@ -14,7 +14,7 @@ namespace tensortopo {
 /// Which numbers a certificate is about.
 struct CertificateSubject {
   std::string tensor;             ///< name of the array
-  std::string components;         ///< "vtk", "voigt", "abaqus" or "full"
+  std::string components;         ///< "vtk", "voigt", "abaqus", "nifti", "fsl" or "full"
   std::size_t points = 0, tetrahedra = 0;
   std::string field_sha256;
   std::size_t vertices = 0, cells = 0;  ///< of the surface, or polylines: triangles, or lines

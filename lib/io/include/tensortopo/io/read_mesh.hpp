@@ -10,22 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/io/component_order.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo {
 
-/// The order in which a file lists the six components of a symmetric tensor.
-enum class ComponentOrder {
-  vtk,     ///< XX YY ZZ XY YZ XZ
-  voigt,   ///< XX YY ZZ YZ XZ XY
-  abaqus,  ///< XX YY ZZ XY XZ YZ
-};
-
 struct ReadOptions {
   /// Name of the tensor array; empty for the only array that has 6 or 9 components.
   std::string tensor;
-  /// Order of 6 components; empty for VTK's (refused if the file names another order). Refused
-  /// (inapplicable) if the array has 9.
+  /// Order of 6 components; empty for the one that the file names, else VTK's. Refused
+  /// (inapplicable) if the array has 9, or if the file names its components otherwise.
   std::optional<ComponentOrder> components;
   /// Take (T + T^t) / 2 of a 3x3 tensor that is asymmetric by more than 1e-9 of its norm.
   bool symmetrize = false;
@@ -54,7 +48,7 @@ struct TornFaces {
 /// What reading did beyond copying; all counts are zero for a plain file.
 struct ReadReport {
   std::string tensor_name;
-  std::size_t tensor_components = 0;  ///< as the file has them: 6 or 9
+  TensorComponents components;
   std::size_t skipped_cells_2d_1d = 0;  ///< points, lines, faces
   std::size_t skipped_ghost_cells = 0;  ///< marked as another piece's by `vtkGhostType`
   std::size_t split_cells = 0;          ///< cells that became several tetrahedra
@@ -64,7 +58,11 @@ struct ReadReport {
   std::size_t merged_points = 0;        ///< points dropped as copies of another piece's
   std::size_t unreferenced_points = 0;  ///< in no tetrahedron; kept
   TornFaces torn_faces;
-  std::vector<std::string> notes;       ///< the same for people, one line each
+  std::vector<std::string> notes;  ///< the same for people, one line each
+
+  /// The same, with what was taken for the components unless it goes without saying (VTK's order,
+  /// named in the file, or a matrix), for those who do not report that elsewhere.
+  std::vector<std::string> all_notes() const;
 };
 
 struct ReadResult {
@@ -82,7 +80,9 @@ struct ReadResult {
 ///           `validate`; (3) the result depends on the bytes only; (4) any bytes whatever give a
 ///           result or an IoError, with memory in proportion to the file.
 /// Tensors   9 components are a row-major 3x3 matrix; a pair that differs within the tolerance is
-///           replaced by its mean. 6 components are in `options.components` order. Tensors that
+///           replaced by its mean. 6 components are in the order that their names in the file spell
+///           (`S11 S22 ...`, `stress_xx ...`), else in `options.components` order, else in VTK's.
+///           Names that spell no order are refused unless the caller gives one. Tensors that
 ///           belong to points win over tensors that belong to cells.
 /// Cells     Splitting joins each cell's smallest vertex to the faces away from it, and each face
 ///           is split from its own smallest vertex, so cells that share a face agree on it. Parts

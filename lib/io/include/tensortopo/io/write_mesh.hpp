@@ -9,7 +9,8 @@
 
 namespace tensortopo {
 
-/// Writes a field as .vtu: raw appended zlib, 6 components XX YY ZZ XY YZ XZ named so.
+/// Writes a field as .vtu: inline binary, zlib, 6 components XX YY ZZ XY YZ XZ named so and marked
+/// as the tensors.
 ///
 /// Laws      read_mesh gives back points, tensors and tetrahedra bit for bit (if the mesh is valid
 ///           and positively oriented); `cell_ids` are numbered anew. Whole or not at all.

@@ -24,6 +24,11 @@ struct OutputKinds {
   bool mode_surfaces = false, invariant_surfaces = false, degenerate_curves = false;
 };
 
+/// A text that a .vtp carries as field data: where it comes from.
+struct FileNote {
+  std::string name, text;
+};
+
 /// Writes a surface in the format that the file's extension names.
 ///
 /// | extension | holds                                              | coordinates               |
@@ -34,8 +39,10 @@ struct OutputKinds {
 ///
 /// The arrays of a .vtp are point data `mode`, `value`, `medium_eigenvector`,
 /// `dominant_eigenvector`, `normal`, `residual` and cell data `tet` (id of the cell in the input,
-/// from `mesh.cell_ids`), `component`; those that are empty in `surface` are left out. Where there are no
-/// points, the arrays that `kinds` have are written, of no values, for readers by name.
+/// from `mesh.cell_ids`), `component`; those that are empty in `surface` are left out. Where there
+/// are no points, the arrays that `kinds` have are written, of no values, for readers by name.
+/// `normal` is marked as the points' normals and `mode` (or `value`) as their scalars. Arrays are
+/// inline binary, which every reader of the format takes.
 ///
 /// Laws      (1) equal surfaces give equal bytes; (2) the file appears whole or not at all: it is
 ///           written under another name beside its own, then renamed; (3) on failure nothing is
@@ -50,10 +57,12 @@ WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
 /// .vtp and .obj hold a polyline for each line, .ply an edge for each segment; .off and .stl hold
 /// none. In a .vtp the curves add point data `separation`; arrays that only the surface has are
 /// zero at vertices of curves, and `separation` at vertices of the surface. Cell data come in VTK's
-/// order, lines before triangles. Without curves the bytes are those of the surface alone.
+/// order, lines before triangles. Without curves the bytes are those of the surface alone. A .vtp
+/// has the `notes` as field data, a string each; other formats have no place for them.
 ///
 /// Throws    also IoError if there are curves and the format holds no polylines.
 WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
-                          const std::filesystem::path& file, const OutputKinds& kinds = {});
+                          const std::filesystem::path& file, const OutputKinds& kinds = {},
+                          const std::vector<FileNote>& notes = {});
 
 }  // namespace tensortopo

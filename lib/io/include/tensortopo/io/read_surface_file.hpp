@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tensortopo/tensor/vector3.hpp"
+
+namespace tensortopo {
+
+/// Lists of point numbers of different lengths.
+struct IndexLists {
+  std::vector<std::int32_t> points;
+  std::vector<std::size_t> ends;  ///< of each list: where it ends in `points`
+
+  std::size_t size() const { return ends.size(); }
+  std::size_t begin_of(std::size_t i) const { return i == 0 ? 0 : ends[i - 1]; }
+};
+
+/// Numbers for each point or cell.
+struct SurfaceArray {
+  std::string name;
+  std::size_t components = 1;
+  std::vector<double> values;
+};
+
+/// What a file of a surface or of curves holds.
+struct SurfaceFile {
+  std::vector<Vector3<double>> points;
+  IndexLists lines;     ///< two points or more each
+  IndexLists polygons;  ///< three points or more each
+  std::vector<SurfaceArray> point_data;
+  /// One value for each line, then one for each polygon.
+  std::vector<SurfaceArray> cell_data;
+
+  /// The array of this name; null if there is none.
+  const SurfaceArray* find_point_data(const std::string& name) const;
+  const SurfaceArray* find_cell_data(const std::string& name) const;
+};
+
+/// Reads a surface from any program: .vtp, .ply, .obj, .off or .stl, by the name's extension.
+///
+/// | extension | taken                                                                          |
+/// | .vtp      | ASCII, inline or appended, plain or compressed, either byte order; strips become
+///               triangles, vertices are left out, all arrays of numbers are kept               |
+/// | .ply      | ASCII and binary of either byte order; faces, edges as lines; scalar properties
+///               of vertices are kept as arrays                                                 |
+/// | .obj      | `v`, `f`, `l`, also with relative numbers                                      |
+/// | .off      | ASCII, also COFF, NOFF, CNOFF                                                  |
+/// | .stl      | ASCII and binary; each triangle has its own three points                       |
+///
+/// Laws      (1) coordinates are finite and exactly those of the file; lists name points that
+///           there are; (2) any bytes whatever give a result or an IoError of one line, with memory
+///           in proportion to the file.
+/// Throws    IoError (`unreadable`, `invalid`).
+SurfaceFile read_surface_file(const std::filesystem::path& file);
+
+/// The polygons as triangles: each is cut at its ears, seen along its mean normal.
+/// @param of  for each triangle its polygon, if it is not null
+std::vector<std::array<std::int32_t, 3>> triangulated(const SurfaceFile& file,
+                                                      std::vector<std::size_t>* of = nullptr);
+
+}  // namespace tensortopo

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fields/tensor_array.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/component_names.hpp"
+#include "tensortopo/io/io_error.hpp"
+
+namespace tensortopo::detail {
+namespace {
+
+using Sources = std::vector<ArraySource>;
+
+[[noreturn]] void refuse(const RawGrid& grid, const std::string& problem) {
+  throw IoError(IoError::Kind::invalid, grid.file, problem);
+}
+
+bool may_be_tensor(const ArraySource& source) {
+  return source.components == 6 || source.components == 9;
+}
+
+std::string listed(const Sources& sources, bool candidates_only) {
+  std::string text;
+  std::size_t shown = 0, all = 0;
+  for (const ArraySource& s : sources) {
+    if (candidates_only && !may_be_tensor(s)) continue;
+    if (++all > 12) continue;
+    ++shown;
+    text += (text.empty() ? "" : ", ") + std::string("`") + s.name + "` (" +
+            std::to_string(s.components) + ")";
+  }
+  if (all > shown) text += " and " + std::to_string(all - shown) + " more";
+  return text.empty() ? "none" : text;
+}
+
+std::string inventory(const RawGrid& grid) {
+  return "arrays and their component counts: on points " + listed(grid.point_data, false) +
+         "; on cells " + listed(grid.cell_data, false);
+}
+
+const ArraySource* find(const RawGrid& grid, const Sources& sources, const std::string& name) {
+  const ArraySource* found = nullptr;
+  for (const ArraySource& s : sources) {
+    if (s.name != name) continue;
+    if (found != nullptr) refuse(grid, "has several arrays named `" + name + "`");
+    found = &s;
+  }
+  return found;
+}
+
+std::string quoted(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name.substr(0, 40);
+  return "\"" + text + "\"";
+}
+
+/// The order of the components: what the file says, else the caller, else VTK's.
+TensorComponents order_of(const RawGrid& grid, const ArraySource& source,
+                          const ReadOptions& options) {
+  const bool is_full = source.components == 9;
+  if (are_named(source.component_names)) {
+    const std::string names = quoted(source.component_names);
+    const auto spelled = spelled_order(source.component_names);
+    if (spelled && options.components && *options.components != *spelled)
+      throw IoError(IoError::Kind::inapplicable, grid.file,
+                    "--components " + std::string(name_of(*options.components)) +
+                        ": contradicts the file, which names the components of `" + source.name +
+                        "` " + names + " (" + std::string(name_of(*spelled)) + ")");
+    if (spelled) return {*spelled, ComponentSource::named};
+    if (!spelled_components(source.component_names).empty())
+      refuse(grid, "names the components of `" + source.name + "` " + names +
+                       ", an order that is not supported; write them in one of the orders of "
+                       "--components");
+    if (!options.components)
+      refuse(grid, "names the components of `" + source.name + "` " + names +
+                       ", which says no order; " +
+                       (is_full ? "name them XX XY XZ YX ..., or not at all"
+                                : "say with --components which it is"));
+  }
+  if (options.components) return {*options.components, ComponentSource::given};
+  return {is_full ? ComponentOrder::full : ComponentOrder::vtk, ComponentSource::assumed};
+}
+
+TensorChoice accept(const RawGrid& grid, const ArraySource& source, bool on_cells,
+                    const ReadOptions& options) {
+  if (on_cells && !options.cell_to_point)
+    refuse(grid, "the tensors `" + source.name +
+                     "` belong to cells; --cell-to-point averages them to the vertices");
+  if (options.components && source.components != 6)
+    throw IoError(IoError::Kind::inapplicable, grid.file,
+                  "--components: is the order of 6 components, and the tensors `" + source.name +
+                      "` have " + std::to_string(source.components));
+  return {source.name, source.components, on_cells, order_of(grid, source, options)};
+}
+
+TensorChoice choose_by_name(const RawGrid& grid, const ReadOptions& options) {
+  const ArraySource* on_points = find(grid, grid.point_data, options.tensor);
+  const ArraySource* on_cells = find(grid, grid.cell_data, options.tensor);
+  if (on_points == nullptr && on_cells == nullptr)
+    refuse(grid, "has no array `" + options.tensor + "`; " + inventory(grid));
+  const ArraySource& source = on_points != nullptr ? *on_points : *on_cells;
+  if (!may_be_tensor(source))
+    refuse(grid, "the array `" + source.name + "` has " + std::to_string(source.components) +
+                     " components; a symmetric tensor has 6 or 9");
+  return accept(grid, source, on_points == nullptr, options);
+}
+
+/// The mean of two entries, without overflow; exact where they are equal.
+double mean(double a, double b) { return a == b ? a : a / 2 + b / 2; }
+
+/// Whether a pair of entries differs by more than 1e-9 of the norm; scaled against overflow.
+bool is_asymmetric(const double* v) {
+  double largest = 0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(v[i]));
+  if (largest == 0) return false;
+  double square = 0;
+  for (int i = 0; i < 9; ++i) square += (v[i] / largest) * (v[i] / largest);
+  const double tolerance = 1e-9 * std::sqrt(square);
+  const auto differ = [&](int i, int j) {
+    return std::abs(v[i] / largest - v[j] / largest) > tolerance;
+  };
+  return differ(1, 3) || differ(2, 6) || differ(5, 7);
+}
+
+}  // namespace
+
+TensorChoice choose_tensor(const std::vector<RawGrid>& grids, const ReadOptions& options) {
+  const auto with_points =
+      std::find_if(grids.begin(), grids.end(), [](const RawGrid& g) { return g.points() > 0; });
+  const RawGrid& grid = with_points != grids.end() ? *with_points : grids.front();
+  if (!options.tensor.empty()) return choose_by_name(grid, options);
+  for (const bool on_cells : {false, true}) {
+    const Sources& sources = on_cells ? grid.cell_data : grid.point_data;
+    const auto candidates = std::count_if(sources.begin(), sources.end(), may_be_tensor);
+    if (candidates > 1)
+      refuse(grid, "has several arrays that may be the tensor: " + listed(sources, true) +
+                       "; choose one with --tensor");
+    if (candidates == 1)
+      return accept(grid, *std::find_if(sources.begin(), sources.end(), may_be_tensor), on_cells,
+                    options);
+  }
+  refuse(grid, "has no array of 6 or 9 components; " + inventory(grid));
+}
+
+std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const TensorChoice& choice,
+                                                  const ReadOptions& options,
+                                                  std::size_t& symmetrized) {
+  const ArraySource* source =
+      find(grid, choice.on_cells ? grid.cell_data : grid.point_data, choice.name);
+  if (source == nullptr || source->components != choice.components)
+    refuse(grid, "has no array `" + choice.name + "` of " + std::to_string(choice.components) +
+                     " components, as other pieces have");
+  if (order_of(grid, *source, options).order != choice.taken.order)
+    refuse(grid, "has the components of `" + choice.name + "` in another order than other pieces");
+  const auto places = places_in(choice.taken.order);
+
+  const std::vector<double> values = source->values();
+  std::vector<SymmetricTensor<double>> tensors(values.size() / choice.components);
+  for (std::size_t i = 0; i < tensors.size(); ++i) {
+    const double* v = values.data() + i * choice.components;
+    const auto place = [&] {
+      return (choice.on_cells ? "cell " : "point ") + std::to_string(i) + " of `" + choice.name +
+             "`";
+    };
+    for (std::size_t k = 0; k < choice.components; ++k)
+      if (!std::isfinite(v[k]))
+        refuse(grid, std::string("a tensor component is ") +
+                         (std::isnan(v[k]) ? "not a number" : "infinite") + " (" + place() + ")");
+    if (choice.components == 6) {
+      const auto at = [&](std::size_t k) { return v[places[k]]; };
+      tensors[i] = {at(0), at(1), at(2), at(3), at(4), at(5)};
+      continue;
+    }
+    if (is_asymmetric(v)) {
+      if (!options.symmetrize)
+        refuse(grid, "a tensor is not symmetric (" + place() +
+                         "); --symmetrize takes its symmetric part");
+      ++symmetrized;
+    }
+    tensors[i] = {v[0], v[4], v[8], mean(v[1], v[3]), mean(v[5], v[7]), mean(v[2], v[6])};
+  }
+  return tensors;
+}
+
+}  // namespace tensortopo::detail

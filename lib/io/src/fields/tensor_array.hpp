@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fields/raw_grid.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+
+namespace tensortopo::detail {
+
+/// Which array of a file is the tensor.
+struct TensorChoice {
+  std::string name;
+  std::size_t components;  ///< 6 or 9
+  bool on_cells;
+  TensorComponents taken;
+};
+
+/// The array asked for, or the only candidate. Throws IoError with the arrays that there are.
+TensorChoice choose_tensor(const std::vector<RawGrid>& grids, const ReadOptions& options);
+
+/// The tensors of one grid, finite, in our order; counts those that were not symmetric.
+/// Throws IoError.
+std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const TensorChoice& choice,
+                                                  const ReadOptions& options,
+                                                  std::size_t& symmetrized);
+
+}  // namespace tensortopo::detail
