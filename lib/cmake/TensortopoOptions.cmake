@@ -18,6 +18,7 @@ if(PROJECT_IS_TOP_LEVEL AND pybind11_FOUND AND NOT TENSORTOPO_SANITIZE)
   set(build_python ON)
 endif()
 option(TENSORTOPO_BUILD_PYTHON "Build the Python package (needs pybind11)" ${build_python})
+option(TENSORTOPO_BUILD_FUZZERS "Build the fuzzers of readers (needs Clang)" OFF)
 set(TENSORTOPO_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
 
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
