@@ -3,8 +3,11 @@
 
    compare COUNT: reads COUNT lines of kernel_values, computes the same forms with the program that
    Coq extracted, and fails if a coefficient differs or is missing.
-   A line: V, the 6 entries of each of V corners, V entries of a direction, num, den, then the
-   coefficients of the four forms in the order of the checker's table of monomials. *)
+   A line: V, the 6 entries of each of V corners, V entries of a direction, num, den, the
+   coefficients of the four forms in the order of the checker's table of monomials, and whether the
+   checker's rule says that all of the simplex is above the level num / den, and that it is below.
+   (The extracted rule may say so where the checker, which wants more coefficients to be positive,
+   does not.) *)
 let rec times n f = if n = 0 then [] else let x = f () in x :: times (n - 1) f
 
 (* Monomials of degree d in v variables by the number with the exponents as digits, least first. *)
@@ -18,7 +21,7 @@ let table v d =
   try Hashtbl.find tables (v, d)
   with Not_found -> let t = table v d in Hashtbl.add tables (v, d) t; t
 
-let compared = ref 0 and nonzero = ref 0
+let compared = ref 0 and nonzero = ref 0 and sides = ref 0
 
 let check next v name d form =
   let monomials = table v d in
@@ -53,9 +56,18 @@ let () =
       check next v "determinant" 3 (Kernel.det_form corners);
       check next v "increase" 4 (Kernel.increase_form corners d);
       check next v "level" 6 (Kernel.level_form num den corners);
+      let says name theirs ours =
+        if theirs = 1 then (
+          incr sides;
+          if not ours then (Printf.printf "%s of V = %d: the checker says so only\n" name v; exit 1)) in
+      let above = next () in
+      let below = next () in
+      says "above" above (Kernel.lies_above v num den corners);
+      says "below" below (Kernel.lies_below v num den corners);
       if !words <> [] then failwith "a line is too long";
       incr lines
     done
   with End_of_file -> ());
-  Printf.printf "%d simplices, %d coefficients, %d of them not 0: all equal\n" !lines !compared !nonzero;
-  if !lines <> wanted || !nonzero * 2 < !compared then exit 1
+  Printf.printf "%d simplices, %d coefficients, %d of them not 0: all equal; %d sides: all right\n"
+    !lines !compared !nonzero !sides;
+  if !lines <> wanted || !nonzero * 2 < !compared || !sides * 50 < wanted then exit 1
