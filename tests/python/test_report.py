@@ -66,6 +66,21 @@ def test_the_page_loads_nothing_and_runs_only_its_own_script(program, slab_file,
     assert "@" not in re.sub(r"<(script|style).*?</\1>", "", text, flags=re.S)
 
 
+def test_cells_that_are_left_out_are_listed_and_outlined(program, tetrahedron, tmp_path):
+    points, _, tets = tetrahedron
+    # The mode is constant.
+    tt.write(tmp_path / "f.vtu", tt.Field(points, [[1, 0, -1, 0, 0, 0]] * 4, tets))
+    program("report", tmp_path / "f.vtu", "--mode", "0", "--mode", "1/2", "-o", tmp_path / "r.html",
+            "--no-sweep", "--quiet", statuses=(0, 1))  # fmt: skip
+    facts = json.loads(part((tmp_path / "r.html").read_text(), "facts"))
+    assert [(u["cell"], u["reason"], u["mode"]) for u in facts["unresolved"]] == [
+        (0, "level_constant_in_cell", "0")
+    ]
+    assert facts["unresolved"][0]["centre"] == [0.25] * 3 and facts["unresolved_count"] == 1
+    assert facts["lines"]["unresolved"][2] == 6 * 2 * 3
+    assert [level["unresolved"] for level in facts["surfaces"]] == [1, 0]
+
+
 def test_names_are_text(program, tetrahedron, tmp_path):
     name = "a<b>&\"c</script>"
     file = tmp_path / "f&<b>.vtu"
