@@ -83,6 +83,9 @@ def test_what_a_file_says_is_obeyed_or_refused(tetrahedron, tmp_path):
     assert tt.read(file).sha256 == tt.Field(points, tensors, tets, "voigt").sha256
     with pytest.raises(tt.FileError, match="voigt"):
         tt.read(file, components="vtk")
+    digits = names.translate(str.maketrans("xyz", "123"))
+    file.write_text(text.replace('Name="T"', f'Name="T" {digits}'))
+    assert tt.read(file).sha256 == tt.Field(points, tensors, tets, "voigt").sha256
     file.write_text(text)
     assert tt.read(file, components="fsl").sha256 == tt.Field(points, tensors, tets, "fsl").sha256
     with pytest.raises(tt.FileError, match="no point array"):

@@ -205,7 +205,8 @@ class Field:
             Refine until the distance between triangles and level is proved to be at most this, in the
             unit of the points.
         certify : bool, default False
-            Also make a certificate, for `check`.
+            Also make a certificate, for `check`. It is about the tensors in VTK's order, in which `write`
+            writes them.
         progress : callable, optional
             Called as ``progress(stage, fraction)``, some twenty times a second at most. If it returns
             False, or raises, the extraction ends.

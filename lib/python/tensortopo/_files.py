@@ -40,7 +40,8 @@ def _order(path: Path, array: XmlArray, asked: Optional[str]) -> str:
     """The order of six components: obeyed if the file names one, else the one asked for."""
     named: Optional[str] = None
     if array.names is not None:
-        ends = tuple("".join(sorted(name[-2:])) for name in array.names)
+        digits = str.maketrans("123", "xyz")
+        ends = tuple("".join(sorted(name[-2:].translate(digits))) for name in array.names)
         for order, components in COMPONENT_ORDERS.items():
             if ends == components:
                 named = order
