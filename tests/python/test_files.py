@@ -161,5 +161,15 @@ def test_installed_bridges_give_meshes(slab):
     assert isinstance(mesh, meshio.Mesh) and len(mesh.cells[0].data) == len(surface.triangles)
 
 
+def test_files_of_other_kinds_go_to_meshio(slab, tmp_path):
+    meshio = pytest.importorskip("meshio")
+    mesh = meshio.Mesh(np.array(slab.points), [("tetra", np.array(slab.tets))],
+                       point_data={"S": np.array(slab.tensors)})  # fmt: skip
+    meshio.write(tmp_path / "f.vtk", mesh)
+    assert tt.read(tmp_path / "f.vtk").sha256 == slab.sha256
+    with pytest.raises(tt.FileError, match="none.msh"):
+        tt.read(tmp_path / "none.msh")
+
+
 def test_nothing_else_is_imported():
     assert "vtk" not in sys.modules and "vtkmodules" not in sys.modules

@@ -145,7 +145,11 @@ def read(
         ) from error
     from ._bridges import from_meshio
 
-    return from_meshio(meshio.read(file), tensor, components, symmetrize=symmetrize)
+    try:
+        mesh = meshio.read(file)
+    except Exception as error:  # of many kinds, from many readers
+        raise FileError(f"{file}: meshio does not read it ({error})") from error
+    return from_meshio(mesh, tensor, components, symmetrize=symmetrize)
 
 
 def _field_text(field: Field) -> str:
