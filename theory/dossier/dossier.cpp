@@ -46,7 +46,8 @@ std::string flaws_of(const Statement& s) {
 std::vector<const MachineChecked*> theorems_of(const Statement& s, const Theorems& theorems) {
   std::vector<const MachineChecked*> result;
   for (const MachineChecked& t : theorems) {
-    if (t.id == s.id) result.push_back(&t);
+    const bool is_step = std::find(s.steps.begin(), s.steps.end(), t.id) != s.steps.end();
+    if (t.id == s.id || is_step) result.push_back(&t);
   }
   return result;
 }
@@ -149,7 +150,10 @@ void add_inferences(std::ostringstream& out, const std::vector<Statement>& all,
   }
   out << kExtraction;
   for (const MachineChecked& t : theorems) {
-    if (find_statement(t.id) != nullptr) continue;
+    const bool is_listed = std::any_of(all.begin(), all.end(), [&](const Statement& s) {
+      return t.id == s.id || std::find(s.steps.begin(), s.steps.end(), t.id) != s.steps.end();
+    });
+    if (is_listed) continue;
     out << "- Coq, " << t.id << ": " << escaped(t.wording) << " (`" << t.theorem << "` in `"
         << t.file << ".v`)\n";
   }

@@ -57,8 +57,8 @@ inline constexpr std::string_view kErrata = R"(
 - **Theorem 5.** Torus and double torus exist in projective space. In space no component of a mode surface of a linear field of rank 4 is closed: each runs to infinity. The same holds for the circle
   of degenerate points. The neutral surface is one-sided in projective space only: every surface that one can extract is orientable.
 - **Theorem 6.** At most four extrema in a plane, if the critical points are isolated. If moreover they are simple, also over the complex numbers, then there are, with the points at infinity, two
-  extrema and one saddle, three and two, or four and three; two or four of the extrema are degenerate points. At least two different degenerate points exist in every plane; if
-  they are not simple there can be three. In a plane of symmetry they can fill a conic. In the chart w = 1 the equations have seven solutions, not nine, and true critical points with w = 0 are lost.
+  extrema and one saddle, three and two, or four and three; two or four of the extrema are degenerate points. Every plane has a degenerate point, and two different ones
+  unless the two tensors orthogonal to it map a common vector to 0. If they are not simple there can be one or three; in a plane of symmetry they can fill a conic. In the chart w = 1 the equations have seven solutions, not nine, and true critical points with w = 0 are lost.
 - **Loops inside.** The boundary of the complex domain can run inside a tetrahedron without meeting a face. The surface then has an Euler characteristic 2 less than face curves show: a handle more, or a
   tube that joins two sheets. At most one of the two loops can be inside.
 - **Crossings of the boundary.** The product of medium eigenvectors shows them only where these turn by less than a right angle. On neutral surfaces the lift to the sphere jumps too, at the singular lines.

@@ -52,21 +52,19 @@ std::vector<Statement> planar_statements() {
        .most_fields = 200},
       {.id = "plane-meets-degenerate-curve",
        .paper = "none (the extrema that Theorem 6 counts exist)",
-       .claim = "Every plane contains at least two different degenerate points, at infinity "
-                "perhaps.",
+       .claim = "Every plane contains a degenerate point, at infinity perhaps.",
        .hypotheses = "three independent tensors; the degenerate points, complex ones included, are "
                      "apart from each other",
-       .sharper = "Two or four if they are simple, that is apart over the complex numbers: four if "
-                  "three neutral tensors are orthogonal to the plane, two if one is. If they are "
-                  "not simple there can be three: so for the vertex tensors [0, 1, -1, 0, 0, 0], "
-                  "[0, 0, 0, 0, 0, 1], [2, -1, -1, 0, 3, 0].",
+       .sharper = "Two different ones, unless the two tensors orthogonal to the plane map a common "
+                  "vector to 0: then there is exactly one. Two or four if they are simple, that "
+                  "is apart over the complex numbers: four if three neutral tensors are orthogonal "
+                  "to the plane, two if one is. If they are not simple there can be three.",
        .special = "Tensors with a common eigenvector: a conic of degenerate points.",
        .check = check_degenerate_points(),
-       .needed = {{"simple degenerate points, for two or four", three_degenerate_points}},
-       .steps = {"common-zero", "degenerate-points", "numbers-of-extrema"},
-       .reader = "On the cone of zeros of N1 the form N2 has the sum 0 on three orthogonal "
-                 "vectors: it is zero on them, or has both signs. The cone is connected, a closed "
-                 "curve of directions (or two planes, or all): so it has two zeros at least."},
+       .needed = {{"simple degenerate points, for two or four", three_degenerate_points},
+                  {"no common kernel of the tensors orthogonal to the plane, for two",
+                   one_degenerate_point}},
+       .steps = {"common-zero", "degenerate-points", "numbers-of-extrema"}},
       {.id = "complement-pencil",
        .paper = "none (a cubic instead of the equations of Theorem 6)",
        .claim =
@@ -77,11 +75,7 @@ std::vector<Statement> planar_statements() {
        .hypotheses = "N and T rational; a plane that contains T",
        .special = "Degenerate N: T is 0, and N is a zero of the cubic whatever the plane is.",
        .check = check_complement_pencil(),
-       .steps = {"critical-in-plane", "critical-multiplier", "complement-pencil"},
-       .reader =
-           "Completeness: at a critical T the gradient of det is, apart from T, a tensor N of "
-           "the complement (Lagrange). N is 0 exactly if T is degenerate; otherwise T is "
-           "along the companion of N, unless N is degenerate."},
+       .steps = {"critical-in-plane", "critical-multiplier", "complement-pencil"}},
       {.id = "planar-redundancy",
        .paper = theorem + ", proof: the third equation",
        .claim = "Where w and h are not 0, the third equation follows from the other two.",

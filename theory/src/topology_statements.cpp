@@ -100,11 +100,7 @@ Statement critical_surface() {
               "mu0 = 0.",
           .check = bifurcation_surface,
           .steps = {"saddle-in-space", "saddle-critical", "commuting-critical",
-                    "critical-multiplier", "saddle-signature"},
-          .reader =
-              "Critical points among tensors orthogonal to the characteristic one are those whose "
-              "T^2 - l T is a combination of it and of I (Lagrange); such a T commutes with it or "
-              "is degenerate."};
+                    "critical-multiplier", "saddle-signature"}};
 }
 
 Statement orientability() {
@@ -141,7 +137,7 @@ Statement closed_components() {
           .needed = {{"rank 3 or 4", neutral_tetrahedron}},
           .reader =
               "A closed component would bound a region, in which the mode has an extremum other "
-              "than on its boundary. Extrema in space are degenerate points (bifurcation-surface), "
+              "than on its boundary. Extrema in space are degenerate points (Coq), "
               "and the degenerate curve is connected with points at infinity "
               "(degenerate-curve-circle, plane-meets-degenerate-curve), so it leaves the region; "
               "but the region's boundary has no degenerate point.",

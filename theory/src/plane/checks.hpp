@@ -16,6 +16,7 @@ Outcome critical_points_along_a_circle();
 
 Check check_degenerate_points();
 Outcome three_degenerate_points();
+Outcome one_degenerate_point();
 
 Check check_spurious_solutions();
 Outcome fewer_than_nine_solutions();

@@ -153,6 +153,29 @@ Outcome three_degenerate_points() {
       "(1, 0, -sqrt(2)); three degenerate points");
 }
 
+// The complement is spanned by diag(1, -1, 0) and xy: (x^2 - y^2)^2 + (2 x y)^2 = (x^2 + y^2)^2.
+Outcome one_degenerate_point() {
+  const std::array<Tensor, 3> plane = {Tensor{1, 1, -2, 0, 0, 0}, Tensor{0, 0, 0, 0, 0, 1},
+                                       Tensor{0, 0, 0, 0, 1, 0}};
+  const Tensor first = {1, -1, 0, 0, 0, 0}, second = {0, 0, 0, 1, 0, 0};
+  for (const Tensor& t : plane) {
+    if (inner(t, first) != 0 || inner(t, second) != 0) return Outcome::holds();
+  }
+  // Forms of degree four that agree at (i, j, 4 - i - j) are equal.
+  for (int i = 0; i <= 4; ++i)
+    for (int j = 0; i + j <= 4; ++j) {
+      const Vector3<Rational> e = {Rational(i), Rational(j), Rational(4 - i - j)};
+      const Rational size = e.x * e.x + e.y * e.y;
+      if (squared(dot(e, first * e)) + squared(dot(e, second * e)) != size * size) {
+        return Outcome::holds();
+      }
+    }
+  return Outcome::violated(
+      "[1, 1, -2, 0, 0, 0] [0, 0, 0, 0, 0, 1] [0, 0, 0, 0, 1, 0]: dominant eigenvectors are the "
+      "common zeros of x^2 - y^2 and 2 x y, whose squares have the sum (x^2 + y^2)^2: (0, 0, 1) "
+      "alone, one degenerate point");
+}
+
 Outcome extrema_along_a_circle() {
   const WitnessPlane& witness = ring();
   const std::array<std::array<Rational, 2>, 5> points = {
