@@ -66,8 +66,10 @@ Json statistics_json(const ExtractStatistics& s) {
           {"sheets_graph", s.sheets_graph},
           {"sheets_manifold", s.sheets_manifold},
           {"sheets_dominant", s.sheets_dominant},
-          {"sheets_leaves", s.sheets_leaves},
-          {"sheets_rims", s.sheets_rims},
+          {"sheets_subdivision", s.sheets_leaves},
+          {"sheets_loops", s.sheets_rims},
+          {"sheets_leaves", s.sheets_leaves},  // deprecated
+          {"sheets_rims", s.sheets_rims},      // deprecated
           {"tets_nearby", s.tets_nearby},
           {"vertices_on_level", s.vertices_on_level},
           {"tets_coned", s.tets_coned},
@@ -113,8 +115,12 @@ std::string to_json(const ExtractReport& report) {
   json["seconds"] = seconds_json(report, statistics);
   json["statistics"] = statistics_json(statistics);
   json["predicates"] = {{"double", report.predicates.fast},
-                        {"longer", report.predicates.multiprecision},
+                        {"multiprecision", report.predicates.multiprecision},
+                        {"longer", report.predicates.multiprecision},  // deprecated
                         {"exact", report.predicates.exact}};
+  json["deprecated"] = {{"statistics.sheets_leaves", "statistics.sheets_subdivision"},
+                        {"statistics.sheets_rims", "statistics.sheets_loops"},
+                        {"predicates.longer", "predicates.multiprecision"}};
   // A path may hold bytes that are no UTF-8; JSON must not.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -91,6 +91,7 @@ function(tensortopo_in_batches)
 endfunction()
 
 if(TENSORTOPO_SANITIZE)
+  add_compile_definitions(TENSORTOPO_ASSERTIONS)
   add_compile_options(-fsanitize=${TENSORTOPO_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${TENSORTOPO_SANITIZE})

@@ -167,7 +167,7 @@ bool direct_as_proved(std::vector<std::array<std::int32_t, 3>>& triangles,
   return direction != 0;
 }
 
-bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
+bool are_proved_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const std::vector<BoundaryVertex>> boundaries,
                         std::span<const SheetTopology> sheets) {
   return direction_in_plan(triangles, boundaries, sheets) > 0;

@@ -36,7 +36,7 @@ bool direct_as_proved(std::vector<std::array<std::int32_t, 3>>& triangles,
 /// direction, and components, loops and Euler characteristics are the proved. Beside the boundary
 /// loops, no edge joins two boundary loop vertices on one face: the neighbour across it might have
 /// the same.
-bool are_planned_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
+bool are_proved_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const std::vector<BoundaryVertex>> boundaries,
                         std::span<const SheetTopology> sheets);
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include "extract/surface/coarsen_face_curves.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,11 +14,13 @@
 #include "extract/patch/quality/least_sine.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
-#include "extract/surface/pipeline.hpp"
+#include "extract/surface/trace_faces.hpp"
 
 namespace tensortopo {
 
 namespace {
+
+using Index = TetMesh::Index;
 
 /// A sample is taken out only if a triangle at it is a needle (sine of its least angle), and if the
 /// least angle then is so much larger.
@@ -34,9 +38,9 @@ double least_cosine(const Sampling& sampling) {
 }
 
 /// The triangles on the two sides of a face.
-class BothSides {
+class FacePatches {
  public:
-  BothSides(CellPatch* one, CellPatch* two, const Sampling& sampling)
+  FacePatches(CellPatch* one, CellPatch* two, const Sampling& sampling)
       : sides_{one, two}, flatness_(flatness(sampling)), least_cosine_(least_cosine(sampling)) {}
 
   double least_sine_around(CellPatch::Id v) const {
@@ -72,7 +76,7 @@ class BothSides {
   /// Takes samples out of a curve, in passes along it until none is left to take.
   /// @param chain its vertices, with its ends unless it is closed
   /// @param least how many samples stay
-  void given(std::vector<CellPatch::Id>& chain, bool closed, std::size_t least) {
+  void coarsen(std::vector<CellPatch::Id>& chain, bool closed, std::size_t least) {
     const std::size_t ends = closed ? 0 : 1;
     for (bool any = true; any;) {
       any = false;
@@ -115,25 +119,28 @@ class BothSides {
 
 }  // namespace
 
-/// Samples of face curves turn out to be too dense for the triangles beside them: they were needed
-/// to spread the sheet out on the manifold, or follow eigenvectors that turn where the level does
-/// not. Those that make needles, and that the level can do without, are taken out again.
 template <class Scalar>
-void Pipeline<Scalar>::coarsen_face_curves() {
-  const auto level = make_level<double>(level_.value);
-  std::vector<char> has_needle(tets_.size(), 0);
-  parallel_stage(options_, "tetrahedra", tets_.size(), 256, [&](std::size_t t) {
-    const auto& state = tets_[t];
-    if (state.patch.triangles.empty()) return;
+void coarsen_face_curves(const SurfaceInput<Scalar>& input, const VertexSides& sides,
+                         const TetComplex& cells, std::span<const CellProof<Scalar>> proofs,
+                         CellMeshes<Scalar>& meshes) {
+  const auto& boundary = meshes.boundary;
+  const auto& numbers = meshes.vertices;
+  const std::size_t count = meshes.cells.size();
+  const auto level = make_level<double>(input.level.value);
+  std::vector<char> has_needle(count, 0);
+  parallel_stage(input.options, "tetrahedra", count, 256, [&](std::size_t t) {
+    const auto& mesh = meshes.cells[t];
+    if (mesh.patch.triangles.empty()) return;
     std::array<Vector3<double>, 4> points;
-    for (std::size_t i = 0; i < 4; ++i) points[i] = mesh_.points[as_size(vertices_of(t)[i])];
+    for (std::size_t i = 0; i < 4; ++i)
+      points[i] = input.mesh.points[as_size(input.vertices_of(cells, t)[i])];
     const double unit = unit_of(points);
     has_needle[t] = std::any_of(
-        state.patch.triangles.begin(), state.patch.triangles.end(), [&](const auto& triangle) {
+        mesh.patch.triangles.begin(), mesh.patch.triangles.end(), [&](const auto& triangle) {
           if (std::any_of(triangle.begin(), triangle.end(), [](Index v) { return v < 0; }))
             return true;  // not known yet
           const auto at = [&](std::size_t i) {
-            return unit * boundary_position_[as_size(triangle[i])];
+            return unit * numbers.position[as_size(triangle[i])];
           };
           const auto p = at(0), q = at(1), r = at(2);
           const auto n = cross(q - p, r - p);
@@ -141,20 +148,20 @@ void Pipeline<Scalar>::coarsen_face_curves() {
         });
   });
   const auto may_change = [&](Index t) {
-    const auto& state = tets_[as_size(t)];
-    return !state.unresolved && state.method != Method::cone && state.level == nullptr;
+    const auto& mesh = meshes.cells[as_size(t)];
+    return !mesh.unresolved && mesh.mesher != Mesher::cone && proofs[as_size(t)].level == nullptr;
   };
   // Colours: no two faces of one tetrahedron in one, so that each may change its tetrahedra.
   std::vector<std::vector<std::size_t>> colours;
-  std::vector<std::uint32_t> taken(tets_.size(), 0);
-  for (std::size_t f = 0; f < complex_.faces.size(); ++f) {
-    if (!arcs_[f] || face_moved_[f]) continue;
-    if (std::all_of(arcs_[f]->begin(), arcs_[f]->end(),
-                    [](const auto& arc) { return arc.samples.empty(); }))
+  std::vector<std::uint32_t> taken(count, 0);
+  for (std::size_t f = 0; f < cells.faces.size(); ++f) {
+    const auto arcs = boundary.arcs[f];
+    if (boundary.moved[f]) continue;
+    if (std::all_of(arcs.begin(), arcs.end(), [](const auto& arc) { return arc.samples.empty(); }))
       continue;
     std::uint32_t used = 0;
     bool any = false, all = true;
-    for (const Index t : complex_.face_tets[f]) {
+    for (const Index t : cells.face_tets[f]) {
       if (t < 0) continue;
       used |= taken[as_size(t)];
       any |= has_needle[as_size(t)] != 0;
@@ -162,45 +169,50 @@ void Pipeline<Scalar>::coarsen_face_curves() {
     }
     if (!any || !all) continue;
     const auto colour = static_cast<std::size_t>(std::countr_one(used));
-    for (const Index t : complex_.face_tets[f])
+    for (const Index t : cells.face_tets[f])
       if (t >= 0) taken[as_size(t)] |= 1u << colour;
     if (colour == colours.size()) colours.emplace_back();
     colours[colour].push_back(f);
   }
-  std::vector<std::unique_ptr<CellPatch>> patch(tets_.size());
-  parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {
+  std::vector<std::unique_ptr<CellPatch>> patches(count);
+  parallel_stage(input.options, "tetrahedra", count, 64, [&](std::size_t t) {
     if (taken[t] == 0) return;
-    const auto tet = tet_with_curves(t);
-    patch[t] = std::make_unique<CellPatch>(tet, level, arc_vertices(t, tet), tets_[t].patch);
+    const auto tet = tet_with_curves(input, sides, cells, boundary, t);
+    const CellSurroundings<Scalar> around{cells, boundary, numbers, t};
+    patches[t] =
+        std::make_unique<CellPatch>(tet, level, around.arc_vertices(tet), meshes.cells[t].patch);
   });
   for (const auto& faces : colours)
-    parallel_stage(options_, "tetrahedra", faces.size(), 16, [&](std::size_t k) {
+    parallel_stage(input.options, "tetrahedra", faces.size(), 16, [&](std::size_t k) {
       const auto f = faces[k];
       const auto side = [&](std::size_t i) {
-        const Index t = complex_.face_tets[f][i];
-        return t < 0 ? nullptr : patch[as_size(t)].get();
+        const Index t = cells.face_tets[f][i];
+        return t < 0 ? nullptr : patches[as_size(t)].get();
       };
-      BothSides sides(side(0), side(1), sampling_on(f));
-      auto next = face_vertex_[f];
-      for (const auto& arc : *arcs_[f]) {
+      FacePatches around(side(0), side(1), input.sampling_on(cells, f));
+      auto next = numbers.of_face[f];
+      for (const auto& arc : boundary.arcs[f]) {
         const auto end = [&](const ArcEnd& e) {
-          return edge_vertex_[as_size(complex_.face_edges[f][static_cast<std::size_t>(e.edge)])] +
-                 static_cast<Index>(e.crossing);
+          const auto edge = as_size(cells.face_edges[f][as_size(e.edge)]);
+          return static_cast<Index>(boundary.crossings.rows.first(edge)) + e.crossing;
         };
         std::vector<CellPatch::Id> chain;
         if (!arc.closed) chain.push_back(end(arc.begin));
         for (std::size_t i = 0; i < arc.samples.size(); ++i) chain.push_back(next++);
         if (!arc.closed) chain.push_back(end(arc.end));
         // Two curves never share both ends, so that one without samples is an edge of its own.
-        sides.given(chain, arc.closed, arc.closed ? 3 : arc.begin.edge == arc.end.edge ? 1 : 0);
+        around.coarsen(chain, arc.closed, arc.closed ? 3 : arc.begin.edge == arc.end.edge ? 1 : 0);
       }
     });
-  parallel_stage(options_, "tetrahedra", tets_.size(), 64, [&](std::size_t t) {
-    if (patch[t]) tets_[t].patch.triangles = patch[t]->triangles();
+  parallel_stage(input.options, "tetrahedra", count, 64, [&](std::size_t t) {
+    if (patches[t]) meshes.cells[t].patch.triangles = patches[t]->triangles();
   });
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar) template void Pipeline<Scalar>::coarsen_face_curves();
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                     \
+  template void coarsen_face_curves(const SurfaceInput<Scalar>&, const VertexSides&,       \
+                                    const TetComplex&, std::span<const CellProof<Scalar>>, \
+                                    CellMeshes<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -21,17 +21,17 @@ namespace {
 
 /// Meshes the sheets of one tetrahedron on its medium eigenvector manifold.
 template <class Scalar>
-class Mesher : ChartMesher<Scalar> {
+class ManifoldMesher : ChartMesher<Scalar> {
   using Base = ChartMesher<Scalar>;
   using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals,
       Base::triangulate;
   using Base::images_, Base::inner_, Base::boundaries_, Base::segments_;
 
  public:
-  Mesher(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
-         const CellTopology<Scalar>& proved, std::span<const SampleRequest<Scalar>> requests,
-         const FaceArcVertices& vertices, const Level<Scalar>& level, const Sampling& sampling,
-         Patch<Scalar>& out)
+  ManifoldMesher(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
+                 const CellTopology<Scalar>& proved,
+                 std::span<const SampleRequest<Scalar>> requests, const FaceArcVertices& vertices,
+                 const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out)
       : Base(manifold, tet, proved, vertices, level, out),
         on_(manifold),
         chart_(manifold.manifold),
@@ -268,7 +268,8 @@ bool mesh_on_manifold(const TetManifold& manifold, const TetWithCurves<Scalar>& 
                       const FaceArcVertices& vertices, const Level<Scalar>& level,
                       const Sampling& sampling, Patch<Scalar>& out) {
   Patch<Scalar> patch;
-  if (!Mesher<Scalar>(manifold, tet, proved, requests, vertices, level, sampling, patch).mesh())
+  if (!ManifoldMesher<Scalar>(manifold, tet, proved, requests, vertices, level, sampling, patch)
+           .mesh())
     return false;
   out = std::move(patch);
   return true;

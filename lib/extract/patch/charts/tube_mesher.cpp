@@ -89,7 +89,7 @@ class TubeMesher {
   bool mesh() {
     for (std::size_t s = 0; s < proved_.sheets.size(); ++s)
       if (!mesh_a_tube(proved_.sheets[s], proved_.tubes[s])) return false;
-    return are_planned_sheets(out_.triangles, boundaries_, proved_.sheets);
+    return are_proved_sheets(out_.triangles, boundaries_, proved_.sheets);
   }
 
   bool mesh_a_tube(const SheetTopology& sheet, const DegenerateArc& arc) {
