@@ -324,6 +324,16 @@ std::vector<LieRow> lies_of_claims() {
       entry("cones: vertices", "cones", tell_cone),
       whole("components", "components"),
       entry("components: numbers", "components", tell_component),
+      {"embedded", [](Exhibit& e, Pick& pick) {  // a triangle has a corner twice, nearly
+        Json& level = any_level(e, pick);
+        const std::size_t first = level["triangles"][0], count = level["triangles"][1];
+        if (count == 0) return false;
+        const auto& t = e.surface.triangles[first + pick.below(count)];
+        e.surface.points[static_cast<std::size_t>(t[0])] =
+            e.surface.points[static_cast<std::size_t>(t[1])];
+        level["embedded"] = true, level["distance"] = nullptr;
+        return e.rehash(), true;
+      }},
       {"distance: bounds, coarse", tell_distance},
       {"distance: reach", tell_reaches},
   };

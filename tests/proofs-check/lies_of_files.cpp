@@ -115,7 +115,10 @@ std::size_t any_triangle(const Exhibit& e, Pick& pick) {
 bool move_far(Exhibit& e, Pick& pick) {
   drop_distances(e);
   Vector3<double>& p = e.surface.points[pick.below(e.surface.points.size())];
-  constexpr std::array kFar{1e300, 100.0, 3.0};
+  double size = 0;  // farther than anything in the mesh is from anything else
+  for (const auto& q : e.mesh.points)
+    size = std::max({size, 4 * std::abs(q.x), 4 * std::abs(q.y), 4 * std::abs(q.z)});
+  const std::array kFar{1e300, 100 * size, size};
   (pick.coin() ? p.x : pick.coin() ? p.y : p.z) += pick.step() * kFar[pick.below(3)];
   return make_consistent(e), true;
 }
@@ -194,9 +197,20 @@ bool other_tet(Exhibit& e, Pick& pick) {
   return make_consistent(e), true;
 }
 
+/// A hole: a triangle amid others of its tetrahedron.
 bool remove_triangle(Exhibit& e, Pick& pick) {
   drop_distances(e);
-  const auto t = static_cast<std::ptrdiff_t>(any_triangle(e, pick));
+  const std::size_t which = any_triangle(e, pick);
+  std::size_t neighbours = 0;
+  for (std::size_t s = 0; s < e.surface.triangles.size(); ++s) {
+    std::size_t common = 0;
+    for (const Index v : e.surface.triangles[s])
+      common += static_cast<std::size_t>(std::count(e.surface.triangles[which].begin(),
+                                                    e.surface.triangles[which].end(), v));
+    if (common == 2 && e.surface.tet[s] == e.surface.tet[which]) ++neighbours;
+  }
+  if (neighbours != 3) return false;
+  const auto t = static_cast<std::ptrdiff_t>(which);
   e.surface.triangles.erase(e.surface.triangles.begin() + t);
   e.surface.tet.erase(e.surface.tet.begin() + t);
   for (Json& level : e.certificate["levels"]) {

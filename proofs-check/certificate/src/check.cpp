@@ -7,6 +7,8 @@
 #include "compare_distance.hpp"
 #include "compare_places.hpp"
 #include "curve_names.hpp"
+#include "embedded.hpp"
+#include "parallel.hpp"
 
 namespace certificate {
 namespace {
@@ -38,6 +40,28 @@ Level level_of(const Json& claims) {
   return {invariant, value_of(claims["value"], invariant)};
 }
 
+/// @param claimed  only true is a claim that means something
+void compare_embedding(const LevelCase& c, bool claimed, Ledger& ledger) {
+  const std::span triangles =
+      std::span(c.surface.triangles).subspan(c.triangles.first, c.triangles.count);
+  if (!claimed) return ledger.refute("embedded", "false", "the key is left out instead");
+  const EmbeddingResult result = find_conflict(c.surface.points, triangles);
+  const auto name = [&](std::size_t t) {
+    return std::to_string(c.triangles.first + t) + ' ' + Json(triangles[t]).dump();
+  };
+  if (result.conflict) {
+    const auto [s, t] = *result.conflict;
+    ledger.refute("embedded", "triangles that meet in common vertices and edges only",
+                  s == t ? "triangle " + name(s) + " has no area"
+                         : "triangles " + name(s) + " and " + name(t) + " meet elsewhere");
+  } else if (!result.decided) {
+    ledger.leave_open("embedded", "more triangles near each other than the budget allows");
+  } else {
+    ledger.of_level().embedded = true;
+    ledger.certify();
+  }
+}
+
 void check_level(const Json& claims, const Level& level, const Input& input, const Field& field,
                  const Triangles& surface, Ledger& ledger, const Progress& progress) {
   ledger.begin_level(claims.contains("mode") ? "mode " + claims["mode"].get<std::string>()
@@ -47,7 +71,7 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
   ledger.begin("left out");
   if (!mark_left_out(claims, input, reason_of, left_out, ledger)) return;
   const std::size_t left_open = ledger.open();
-  const Topology topology = derive_topology(input, field, level, left_out, progress);
+  const Topology topology = derive_topology(input, field, level, left_out, in_parallel(progress));
   const Range vertices_of_level = range_of(claims["vertices"]);
   LevelCase c{input, field, level, surface, claims, vertices_of_level,
               range_of(claims["triangles"]), left_out, topology, progress, {}};
@@ -71,6 +95,9 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
     ledger.begin("orientation");
     compare_orientation(c, *placed, ledger);
   }
+  ledger.begin("embedded");
+  if (const auto embedded = claims.find("embedded"); embedded != claims.end())
+    compare_embedding(c, embedded->get<bool>(), ledger);
   ledger.begin("distances");
   // Where something is refuted or open, the level may have more sheets, and vertices need not be
   // where they are claimed to be.
@@ -193,7 +220,7 @@ class Checking {
 
   const Json& certificate_;
   const Progress& progress_;
-  Input input_;
+  InputFile input_;
   Report report_;
   Ledger ledger_;
 };

@@ -6,6 +6,7 @@
 
 #include "compare_list.hpp"
 #include "curve_names.hpp"
+#include "given_tensor.hpp"
 
 namespace certificate {
 namespace {
@@ -23,7 +24,7 @@ bool above_at(const LevelCase& c, const std::array<Vertex, 2>& edge, const mpz_c
   }
   long shift = 0;
   const Tensor<Ball> ball = enclosure(sum, shift);
-  return c.level.above(ball, sum);
+  return is_above(c.level, ball, sum);
 }
 
 /// The names of a loop in the certificate, or nothing if something on it has none.

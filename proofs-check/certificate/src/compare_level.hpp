@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "compare_list.hpp"
+#include "files.hpp"
 #include "topology.hpp"
 
 namespace certificate {

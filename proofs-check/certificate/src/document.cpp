@@ -40,6 +40,7 @@ Json make_shape() {
       "components": ["*1", {"euler_characteristic": "integer", "boundary_loops": "integer",
                             "orientable": "boolean", "triangles": "natural",
                             "first_vertex": "natural"}],
+      "embedded or none": "boolean",
       "distance or null": {"reach": ["*0", "integer"], "bound": "text",
                            "coarse": ["*1", "natural"], "coarse_bound": "text"}}]})");
   Json level = result["levels"][1];

@@ -94,13 +94,7 @@ class Digest {
 
 }  // namespace
 
-std::size_t Input::tet_at(std::uint64_t cell) const {
-  const auto place = std::lower_bound(cells.begin(), cells.end(), cell);
-  return place == cells.end() || *place != cell ? kNone
-                                                : static_cast<std::size_t>(place - cells.begin());
-}
-
-std::string Input::sha256() const {
+std::string InputFile::sha256() const {
   return Digest().add(points.size()).add(points).add(tensors).add(tets.size()).add(tets).hex();
 }
 
@@ -163,7 +157,7 @@ std::string listing_of(const std::string& order) {
   return result;
 }
 
-Input read_input(const std::string& name, const std::string& tensor,
+InputFile read_input(const std::string& name, const std::string& tensor,
                  const std::string& components) {
   const Named file{name};
   const auto order = kOrders.find(components);
@@ -172,7 +166,7 @@ Input read_input(const std::string& name, const std::string& tensor,
   const std::size_t width = components == "full" ? 9 : 6;
   const Grid grid = has_extension(name, ".vtk") ? read_legacy_grid(name, tensor, width)
                                                 : read_xml_grid(name, tensor, width);
-  Input input;
+  InputFile input;
   for (const std::string& part : grid.names)
     if (!part.empty()) input.names += (input.names.empty() ? "" : " ") + part;
   if (spelling_of(grid.names, order->second) == Spelling::differs)

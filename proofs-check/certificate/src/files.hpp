@@ -7,22 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "input.hpp"
+
 namespace certificate {
 
-/// The input: points with tensors (XX YY ZZ XY YZ XZ), tetrahedra in ascending vertices, and
-/// their positions among all cells of the file.
-struct Input {
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<double, 6>> tensors;
-  std::vector<std::array<std::uint32_t, 4>> tets;
-  std::vector<std::uint64_t> cells;
+/// An input with what its file says besides.
+struct InputFile : Input {
   std::size_t other_cells = 0;   ///< that are neither tetrahedra nor points, lines or faces
   std::string names;             ///< of the components, if the file has some
 
-  /// Which tetrahedron is that cell of the file? kNone if none is.
-  std::size_t tet_at(std::uint64_t cell) const;
   std::string sha256() const;
 };
 
@@ -62,7 +55,7 @@ std::string listing_of(const std::string& order);
 /// Reads a .vtu of one piece (ascii, inline or appended, plain or zlib, of either byte order), or a
 /// legacy .vtk (ASCII or BINARY). Every number is finite and every index in range. Names of
 /// components that spell another order are refused. Throws Malformed.
-Input read_input(const std::string& file, const std::string& tensor,
+InputFile read_input(const std::string& file, const std::string& tensor,
                  const std::string& components);
 /// The same of a .vtp with triangles only, or polylines only, a cell array `tet`, and any others.
 Triangles read_triangles(const std::string& file);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
+#include "input.hpp"
 
 namespace certificate {
 
@@ -42,6 +43,12 @@ void parallel_for(std::size_t count, const F& f, const Progress& progress = {},
   work(true);
   for (std::thread& thread : others) thread.join();
   if (problem) std::rethrow_exception(problem);
+}
+
+/// The same for the kernel.
+inline ForAll in_parallel(const Progress& progress) {
+  return [progress](std::size_t count, const std::function<void(std::size_t)>& f,
+                    const char* what) { parallel_for(count, f, progress, what); };
 }
 
 }  // namespace certificate

@@ -47,6 +47,8 @@ std::string text_of(const LevelReport& level, bool of_curves) {
   }
   text += '\n';
   if (of_curves) return text;
+  text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
+                         : "  that the triangles are embedded is not claimed\n";
   if (level.bound.empty()) return text + "  no distance is claimed\n";
   char bound[32];
   std::snprintf(bound, sizeof(bound), "%.6g", std::strtod(level.bound.c_str(), nullptr));
@@ -146,6 +148,7 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   }
   for (const auto& [reason, tets] : level.left_out) json["left_out"][reason] = tets;
   if (of_curves) return json;
+  json["embedded"] = level.embedded;
   json["distance"] = nullptr;
   if (!level.bound.empty())
     json["distance"] = {{"bound", std::strtod(level.bound.c_str(), nullptr)},

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refinement.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -174,18 +173,30 @@ Refinement::Place Refinement::place_on(Id a, Id b) const {
 std::optional<Refinement::Place> Refinement::small_field(std::span<const Id> part) const {
   Place place{part.size(), {}, {1}};
   std::copy(part.begin(), part.end(), place.points.begin());
-  const auto others = static_cast<Eigen::Index>(part.size()) - 1;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram(others, others);
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> right(others);
-  const auto at = [&](Eigen::Index i) { return part[static_cast<std::size_t>(i) + 1]; };
-  for (Eigen::Index i = 0; i < others; ++i) {
-    right(i) = -closeness(at(i), part[0]);
-    for (Eigen::Index j = 0; j < others; ++j) gram(i, j) = i == j ? 1 : closeness(at(i), at(j));
+  // The matrix of products of the others, and right sides: eliminated row by row, as it is positive
+  // definite. What comes out is a place to cut, and need not be exact.
+  const std::size_t others = part.size() - 1;
+  std::array<std::array<double, 4>, 3> rows{};
+  for (std::size_t i = 0; i < others; ++i) {
+    for (std::size_t j = 0; j < others; ++j)
+      rows[i][j] = i == j ? 1 : closeness(part[i + 1], part[j + 1]);
+    rows[i][3] = -closeness(part[i + 1], part[0]);
   }
-  if (!(gram.determinant() > 0x1p-8)) return std::nullopt;
-  right = gram.llt().solve(right).eval();
-  if (!(std::min(1.0, right.minCoeff()) > (1 + right.sum()) / 64)) return std::nullopt;
-  std::copy(right.begin(), right.end(), place.shares.begin() + 1);
+  double determinant = 1, sum = 0, least = 1;
+  for (std::size_t i = 0; i < others; ++i) {
+    const double pivot = rows[i][i];
+    determinant *= pivot;
+    if (!(pivot > 0)) return std::nullopt;
+    for (double& x : rows[i]) x /= pivot;
+    for (std::size_t j = 0; j < others; ++j)
+      for (std::size_t k = 4; j != i && k-- > i;) rows[j][k] -= rows[j][i] * rows[i][k];
+  }
+  if (!(determinant > 0x1p-8)) return std::nullopt;
+  for (std::size_t i = 0; i < others; ++i) {
+    place.shares[i + 1] = rows[i][3];
+    sum += rows[i][3], least = std::min(least, rows[i][3]);
+  }
+  if (!(least > (1 + sum) / 64)) return std::nullopt;
   round(place);
   if (!(place.smallness < kNearlyVanishing)) return std::nullopt;
   return place;

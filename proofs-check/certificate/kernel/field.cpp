@@ -44,12 +44,8 @@ Tensor<mpz_class> Field::exact(std::uint32_t vertex) const {
     t[k] *= multiples_.tensor;
   }
   return {
-      2 * t[0] - t[1] - t[2],
-      2 * t[1] - t[0] - t[2],
-      2 * t[2] - t[0] - t[1],
-      3 * t[4],
-      3 * t[5],
-      3 * t[3],
+      2 * t[0] - t[1] - t[2], 2 * t[1] - t[0] - t[2], 2 * t[2] - t[0] - t[1],
+      3 * t[4], 3 * t[5], 3 * t[3],
       multiples_.trace ? mpz_class(t[0] + t[1] + t[2]) : 0,
       multiples_.one << static_cast<unsigned long>(multiples_.one == 0 ? 0 : -exponents_[vertex])};
 }

@@ -3,20 +3,19 @@
 #include "topology.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <map>
-
-#include "parallel.hpp"
 
 namespace certificate {
 namespace {
 
-template <class Simplices, class Vertices>
-auto* find_in(Simplices& simplices, const Vertices& vertices) {
-  const auto place =
-      std::lower_bound(simplices.begin(), simplices.end(), vertices,
-                       [](const auto& s, const Vertices& v) { return s.vertices < v; });
-  return place != simplices.end() && place->vertices == vertices ? &*place : nullptr;
+/// The item of an ascending list of which a member has this value; or null.
+template <class Items, class Value, class Member>
+auto* find_in(Items& items, const Value& value, Member member) {
+  const auto place = std::lower_bound(items.begin(), items.end(), value,
+                                      [&](const auto& x, const Value& v) { return x.*member < v; });
+  return place != items.end() && (*place).*member == value ? &*place : nullptr;
 }
 
 /// One entry for each of these simplices, in ascending order.
@@ -167,24 +166,15 @@ void Derivation::settle(ConeTopology& cone) const {
 
 }  // namespace
 
-namespace {
-
-template <class Cells>
-auto find_cell(const Cells& cells, std::size_t tet) {
-  const auto place = std::lower_bound(cells.begin(), cells.end(), tet,
-                                      [](const auto& c, std::size_t t) { return c.tet < t; });
-  return place != cells.end() && place->tet == tet ? &*place : nullptr;
+const TetTopology* Topology::tet(std::size_t t) const { return find_in(tets, t, &TetTopology::tet); }
+const ConeTopology* Topology::cone(std::size_t t) const {
+  return find_in(cones, t, &ConeTopology::tet);
 }
-
-}  // namespace
-
-const TetTopology* Topology::tet(std::size_t tet) const { return find_cell(tets, tet); }
-const ConeTopology* Topology::cone(std::size_t tet) const { return find_cell(cones, tet); }
 const EdgeTopology* Topology::edge(const std::array<Vertex, 2>& vertices) const {
-  return find_in(edges, vertices);
+  return find_in(edges, vertices, &EdgeTopology::vertices);
 }
 const FaceTopology* Topology::face(const std::array<Vertex, 3>& vertices) const {
-  return find_in(faces, vertices);
+  return find_in(faces, vertices, &FaceTopology::vertices);
 }
 
 int orientation(const Input& input, const std::array<Vertex, 4>& tet) {
@@ -204,29 +194,29 @@ int orientation(const Input& input, const std::array<Vertex, 4>& tet) {
 }
 
 Topology derive_topology(const Input& input, const Field& field, const Level& level,
-                         const std::vector<bool>& left_out, const Progress& progress) {
+                         const std::vector<bool>& left_out, const ForAll& for_all) {
   Topology out;
   std::vector<char> above(input.points.size());
   std::atomic<std::size_t> on_level{0};
-  parallel_for(above.size(), [&](std::size_t v) {
+  for_all(above.size(), [&](std::size_t v) {
     const Corner corner = field.corner(static_cast<Vertex>(v), false);
     above[v] = level.above(corner);
     if (!field.is_zero(static_cast<Vertex>(v)) && level.on_level(corner)) ++on_level;
-  });
+  }, "sides");
   out.above.assign(above.begin(), above.end());
   out.on_level = on_level;
 
   const Derivation derivation(input, field, level, out);
   std::vector<Proved<4>> proofs(input.tets.size(), Proved<4>{Proof::empty, {}});
   const auto is_tip = [&](Vertex i) { return field.is_zero(i); };
-  parallel_for(
+  for_all(
       proofs.size(),
       [&](std::size_t t) {
         const auto& v = input.tets[t];
         if (!left_out[t] && std::none_of(v.begin(), v.end(), is_tip))
           proofs[t] = level.prove<4>(derivation.corners(v));
       },
-      progress, "where the level is");
+      "where the level is");
   std::vector<std::array<Vertex, 2>> edges;
   std::vector<std::array<Vertex, 3>> faces;
   for (std::uint32_t t = 0; t < proofs.size(); ++t) {
@@ -251,8 +241,7 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   out.edges = listed<EdgeTopology>(std::move(edges));
   out.faces = listed<FaceTopology>(std::move(faces));
   const auto settle_all = [&](auto& items, const char* what) {
-    parallel_for(
-        items.size(), [&](std::size_t i) { derivation.settle(items[i]); }, progress, what);
+    for_all(items.size(), [&](std::size_t i) { derivation.settle(items[i]); }, what);
   };
   settle_all(out.edges, "edges");
   settle_all(out.faces, "faces");

@@ -3,7 +3,9 @@
 // The topology of a level in a mesh, derived from the field alone.
 #pragma once
 
-#include "certificate_check/check_certificate.hpp"
+#include <compare>
+#include <vector>
+
 #include "field.hpp"
 #include "tet_level.hpp"
 
@@ -97,9 +99,10 @@ struct Topology {
   const ConeTopology* cone(std::size_t tet) const;  ///< null if there is none
 };
 
+/// The result does not depend on the order in which `for_all` calls.
 /// @param left_out tetrahedra of which nothing is asked
 Topology derive_topology(const Input& input, const Field& field, const Level& level,
-                         const std::vector<bool>& left_out, const Progress& progress);
+                         const std::vector<bool>& left_out, const ForAll& for_all);
 
 /// The vertices of a tetrahedron without that at place i.
 inline std::array<Vertex, 3> face_of(const std::array<Vertex, 4>& tet, std::size_t i) {

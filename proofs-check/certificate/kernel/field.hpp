@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "input.hpp"
 #include "level.hpp"
-#include "files.hpp"
 
 namespace certificate {
 

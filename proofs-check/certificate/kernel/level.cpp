@@ -112,17 +112,6 @@ bool Level::above(const Corner& corner) const {
       [&](const auto& rule) { return Simplex(*this, rule, std::array{corner}).lies(true); }, rule_);
 }
 
-bool Level::above(const Tensor<Ball>& ball, const Tensor<mpz_class>& exact) const {
-  /// A corner that need not be made.
-  struct Given : ExactTensors {
-    const Tensor<mpz_class>& tensor;
-    explicit Given(const Tensor<mpz_class>& t) : tensor(t) {}
-    Tensor<mpz_class> exact(std::uint32_t) const override { return tensor; }
-  };
-  const Given source(exact);
-  return above({&ball, 0, &source, 0});
-}
-
 bool Level::on_level(const Corner& corner) const {
   return std::visit(
       [&](const auto& rule) {

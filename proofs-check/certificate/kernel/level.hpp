@@ -62,7 +62,6 @@ class Level {
   Multiples multiples() const;
   /// Is the tensor above? (On the level is below.)
   bool above(const Corner& corner) const;
-  bool above(const Tensor<Ball>& ball, const Tensor<mpz_class>& exact) const;
   /// Is it exactly on the level? @pre it is not zero
   bool on_level(const Corner& corner) const;
 
