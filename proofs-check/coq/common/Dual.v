@@ -4,7 +4,7 @@
    The derivative of the mode. At a traceless T it is, along a traceless U, a positive multiple of
    <dual T, U> with dual T = |T|^2 T^2 - 3 det(T) T - |T|^4/3 I, a traceless tensor with the
    eigenvectors of T. It is zero exactly for degenerate T. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem Mode ModeRange ModeOnSimplex.
+From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode ModeOnSimplex.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 

@@ -4,7 +4,8 @@
    Where the boundary of the complex domain touches itself. With the characteristic eigenvalues
    b1 > b2 > 0 > b3 on e1, e2, e3: it passes through e3 exactly for s0 = (b1 - b2) / (b1 + b2), whose
    mode is sqrt(1 - mode(N)^2); and in an octant it meets the edges as Theorem 5 says. *)
-From TensorTopo Require Import Tensors Frames Mode MediumEigenvector CharacteristicFrame BoundaryParameter.
+From TensorTopo Require Import Tensors Frames Mode MediumEigenvector CharacteristicFrame
+  BoundaryParameter.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 

@@ -6,7 +6,8 @@
    dual N is in the pencil of N1 and N2; then either N is not degenerate, T is a multiple of the dual
    of N, and N solves a binary cubic; or N is degenerate, T is neutral, and the dominant eigenvector
    of N is the kernel of T. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem Mode ModeRange ModeOnSimplex Dual.
+From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode ModeRange
+  ModeOnSimplex Dual.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 

@@ -5,7 +5,8 @@
    characteristic determinant is negative they are so properly: the unit vector across the second
    eigenvector with the eigenvalues b2 and b2 (1 - s1) / (1 + s1) of the projected tensor is on the
    boundary for s1 and in the complex domain for every s2 > s1. At determinant 0 all are empty. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem Mode MediumEigenvector CharacteristicFrame.
+From TensorTopo Require Import Tensors Frames SpectralTheorem Mode MediumEigenvector
+  CharacteristicFrame.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 

@@ -6,7 +6,8 @@
    they are independent, exactly one. The degenerate tensors across N1 and N2 are the multiples of
    e e^T - I/3 for the common zeros e of the two quadratic forms. From one zero e a second one is
    found by eliminating the coordinate along e, which leaves a cubic. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem ModeRange CommonZeros.
+From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem ModeRange
+  CommonZeros.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 

@@ -3,7 +3,8 @@
 
    With ordered eigenvalues l1 >= l2 >= l3 of sum 0: mode 1 is l2 = l3 (linear degenerate),
    mode -1 is l1 = l2 (planar degenerate), mode 0 is l2 = 0, the mean of the others (neutral). *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem Mode Discriminant ModeRange.
+From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode Discriminant
+  ModeRange.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 

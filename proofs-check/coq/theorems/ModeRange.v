@@ -3,34 +3,9 @@
 
    The mode of a traceless tensor lies in [-1, 1]. It is 1 or -1 exactly for degenerate tensors,
    those with two equal eigenvalues. The idea: 1 - mode^2 is the discriminant over |T|^6. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem Mode Discriminant.
+From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode Discriminant.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
-
-(* With two equal eigenvalues: T = a I + b u u^T for a unit vector u. *)
-Definition degenerate t := exists a b u,
-  dot u u = 1 /\ t = add (scale a identity) (scale b (dyad u)).
-
-Lemma identity_spectral u v w : orthonormal u v w -> identity = spectral 1 1 1 u v w.
-Proof.
-  intros O. apply tensor_by_form. intros x y. rewrite form_spectral.
-  transitivity (dot x y); [coordinates; ring|]. rewrite (dot_resolved u v w x y O).
-  rewrite !(dot_sym u), !(dot_sym v), !(dot_sym w). ring.
-Qed.
-
-Lemma equal_pair_degenerate a b u v w : orthonormal u v w ->
-  spectral b a a u v w = add (scale a identity) (scale (b - a) (dyad u)).
-Proof.
-  intros O. rewrite (identity_spectral u v w O). unfold spectral. tensor_ring.
-Qed.
-
-Lemma degenerate_spectral t : degenerate t ->
-  exists a b u v w, orthonormal u v w /\ t = spectral b a a u v w.
-Proof.
-  intros [a [b [u [U E]]]]. destruct (frame_from_unit u U) as [v [w O]].
-  exists a, (a + b), u, v, w. split; [exact O|].
-  rewrite (equal_pair_degenerate a (a + b) u v w O), E. f_equal. f_equal. ring.
-Qed.
 
 Lemma mode_complement t l1 l2 l3 : t <> zero ->
   norm2 t ^ 3 - 54 * det t ^ 2 = 2 * ((l1 - l2) * (l2 - l3) * (l1 - l3)) ^ 2 ->

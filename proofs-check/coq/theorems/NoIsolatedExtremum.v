@@ -8,7 +8,8 @@
    the one at infinity included, has one, is.)
    V are the differences between points of the field in space: with a point's tensor t they span the
    field. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem Mode ModeRange ModeOnSimplex Dual Saddle.
+From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode ModeRange
+  ModeOnSimplex Dual Saddle.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 

@@ -5,7 +5,8 @@
    degenerate points, one critical point, the dual of N. Its mode is that of the bifurcation, and it
    is a saddle. The idea: where the derivative vanishes along all directions of the field, dual T is
    a multiple of N; and the dual of the dual of T is a multiple of T. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem Mode ModeRange ModeOnSimplex Dual.
+From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode ModeRange
+  ModeOnSimplex Dual.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 
