@@ -55,6 +55,7 @@ std::vector<Writing> writings() {
   all.push_back({"generate",
                  {"generate", "linear", "--count", "1", "-o", "@/g.vtu"},
                  {"g.vtu", "g.truth.json", "g.reference.vtp"}});
+  all.push_back({"convert", {"convert", "@/m.vtk", "-o", "@/t.vtu"}, {"t.vtu"}});
   all.push_back({"render",
                  {"render", "@/m.vtk", "--mode", "0.2", "--size", "16x16", "-o", "@/p.png"},
                  {"p.png"}});

@@ -18,7 +18,7 @@ TEST(Program, VersionNamesTheLibraries) {
 TEST(Program, EverySubcommandHasHelp) {
   EXPECT_EQ(run_program({"--help"}).status, 0);
   for (const char* name : {"extract", "analyze", "report", "render", "bench", "check", "generate",
-                           "conformance", "verify", "proofs"}) {
+                           "conformance", "convert", "verify", "proofs"}) {
     const Outcome run = run_program({name, "--help"});
     EXPECT_EQ(run.status, 0) << name;
     for (const char* option : {"--json", "--quiet", "--threads", "--help"}) {

@@ -167,7 +167,7 @@ TEST(ReadCells, AHoleIsNotTorn) {
 
 TEST(ReadCells, CurvedAndPolyhedralOnesAreRefusedEvenThen) {
   for (const auto& [type, name] :
-       {std::pair{24, "quadratic tetrahedra"}, std::pair{25, "quadratic hexahedra"},
+       {std::pair{31, "quadratic linear wedges"}, std::pair{33, "biquadratic quadratic hexahedra"},
         std::pair{42, "polyhedra"}, std::pair{71, "Lagrange tetrahedra"},
         std::pair{200, "unknown type 200"}}) {
     Cells cells = mixed;

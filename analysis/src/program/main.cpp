@@ -135,6 +135,7 @@ int main(int argc, char** argv) {
   tensortopo::CommonOptions common;
   tensortopo::Action action;
   tensortopo::add_extract_subcommand(app, common, action);
+  tensortopo::add_convert_subcommand(app, common, action);
   tensortopo::add_analyze_subcommand(app, common, action);
   tensortopo::add_report_subcommand(app, common, action);
   tensortopo::add_render_subcommand(app, common, action);

@@ -9,7 +9,9 @@
 
 namespace tensortopo {
 void add_read_options(CLI::App& app, ReadOptions& options) {
-  app.add_option("--tensor", options.tensor, "Name of the mesh's tensor array")->type_name("NAME");
+  app.add_option("--tensor", options.tensor,
+                 "Name of the mesh's tensor array, or of six scalars: 'S_{xx,yy,zz,xy,yz,xz}'")
+      ->type_name("NAME");
   app.add_option_function<std::string>(
          "--components",
          [&options](const std::string& name) { options.components = component_order(name); },
@@ -21,11 +23,20 @@ void add_read_options(CLI::App& app, ReadOptions& options) {
                "Average tensors on cells to the vertices");
   app.add_flag("--tetrahedralize", options.tetrahedralize,
                "Split other linear 3D cells into tetrahedra");
+  app.add_option_function<std::string>(
+         "--quadratic",
+         [&options](const std::string& what) {
+           options.quadratic =
+               what == "split" ? QuadraticCells::split : QuadraticCells::corners;
+         },
+         "Quadratic cells: split around all nodes (default), or taken by their corners")
+      ->check(CLI::IsMember({"split", "corners"}));
 }
 
 void refuse_read_options(const CLI::App& app, const std::string& why) {
   refuse_given(app,
-               {"--tensor", "--components", "--symmetrize", "--cell-to-point", "--tetrahedralize"},
+               {"--tensor", "--components", "--symmetrize", "--cell-to-point", "--tetrahedralize",
+                "--quadratic"},
                why);
 }
 

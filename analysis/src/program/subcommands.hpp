@@ -14,6 +14,7 @@ using Action = std::function<ExitStatus()>;
 
 /// Each adds a subcommand to the program and sets `action` if the caller chooses it.
 void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& action);
+void add_convert_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_report_subcommand(CLI::App& program, CommonOptions& common, Action& action);
 void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& action);

@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "bytes/format_error.hpp"
 #include "fields/cell_kind.hpp"
+#include "fields/quadratic_cells.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/mesh/validate.hpp"
 
@@ -59,7 +61,10 @@ bool is_ghost(double mark) {
 class Assembly {
  public:
   Assembly(const ReadOptions& options, TetMesh& mesh, ReadReport& report)
-      : options_(options), mesh_(mesh), report_(report) {}
+      : options_(options),
+        mesh_(mesh),
+        report_(report),
+        quadratic_(mesh, mesh.tensors.size() == mesh.points.size() && !mesh.points.empty()) {}
 
   void add(const RawGrid& grid, const std::vector<Index>& vertices,
            const std::vector<SymmetricTensor<double>>& on_cells) {
@@ -74,6 +79,14 @@ class Assembly {
         ++report_.skipped_ghost_cells;
       } else if (kind.use == Use::skip) {
         ++report_.skipped_cells_2d_1d;
+      } else if (quadratic_kind(grid.types[c]).nodes > 0) {
+        corners.clear();
+        for (std::int64_t i = grid.offsets[c]; i < grid.offsets[c + 1]; ++i)
+          corners.push_back(
+              vertices[static_cast<std::size_t>(grid.connectivity[static_cast<std::size_t>(i)])]);
+        const auto id = static_cast<std::int64_t>(first_cell_ + c);
+        take_quadratic(grid, c, corners, id, on_cells.empty());
+        if (!on_cells.empty()) average(corners, on_cells[c]);
       } else if (kind.use != Use::tetrahedron &&
                  (kind.use != Use::split || !options_.tetrahedralize)) {
         refusals.add(grid.types[c], c);
@@ -114,6 +127,11 @@ class Assembly {
     }
   }
 
+  void count_vertices() {
+    report_.added_vertices = quadratic_.added_vertices();
+    report_.curved_edges = quadratic_.curved_edges();
+  }
+
   /// Gives all tetrahedra positive volume; those of split cells are no news.
   void orient() {
     const bool some_split = report_.split_cells > 0;
@@ -126,6 +144,37 @@ class Assembly {
   }
 
  private:
+  /// Leaves the corners alone in `nodes` if it takes the cell by them.
+  void take_quadratic(const RawGrid& grid, std::size_t cell, std::vector<Index>& nodes,
+                      std::int64_t id, bool may_split) {
+    const std::uint8_t type = grid.types[cell];
+    const QuadraticKind kind = quadratic_kind(type);
+    if (options_.for_certificate)
+      throw IoError(IoError::Kind::inapplicable, grid.file,
+                    "has quadratic cells (cell " + std::to_string(cell) +
+                        "), which the checker of certificates does not read; write it anew with "
+                        "tensortopo convert");
+    const std::string place = " (cell " + std::to_string(cell) + ")";
+    if (nodes.size() != kind.nodes)
+      throw IoError(IoError::Kind::invalid, grid.file,
+                    "a quadratic cell has " + std::to_string(nodes.size()) + " nodes where " +
+                        std::to_string(kind.nodes) + " belong" + place);
+    ++report_.quadratic_cells;
+    quadratic_.count_curved(type, nodes);
+    if (may_split && options_.quadratic == QuadraticCells::split) {
+      const std::size_t before = mesh_.tets.size();
+      naming_file(grid.file, "cell " + std::to_string(cell),
+                  [&] { quadratic_.split(type, nodes, mesh_.tets); });
+      ++report_.split_cells;
+      mesh_.cell_ids.insert(mesh_.cell_ids.end(), mesh_.tets.size() - before, id);
+      from_split_.resize(mesh_.tets.size(), true);
+    } else {
+      nodes.resize(kind.corners);
+      take(kind.linear_type, nodes, id);
+      from_split_.resize(mesh_.tets.size(), cell_kind(kind.linear_type).use == Use::split);
+    }
+  }
+
   void take(std::uint8_t type, const std::vector<Index>& corners, std::int64_t id) {
     const std::size_t before = mesh_.tets.size();
     const bool split = cell_kind(type).use == Use::split;
@@ -136,7 +185,7 @@ class Assembly {
       mesh_.tets.push_back({corners[0], corners[1], corners[2], corners[3]});
     }
     mesh_.cell_ids.insert(mesh_.cell_ids.end(), mesh_.tets.size() - before, id);
-    if (options_.tetrahedralize) from_split_.resize(mesh_.tets.size(), split);
+    from_split_.resize(mesh_.tets.size(), split);
   }
 
   void average(const std::vector<Index>& corners, const SymmetricTensor<double>& tensor) {
@@ -154,7 +203,8 @@ class Assembly {
   TetMesh& mesh_;
   ReadReport& report_;
   std::size_t first_cell_ = 0;
-  std::vector<char> from_split_;  // for each tetrahedron, if any may be split
+  QuadraticSplitter quadratic_;
+  std::vector<char> from_split_;  // for each tetrahedron
   std::vector<SymmetricTensor<double>> sums_;
   std::vector<std::size_t> numbers_;
 };
@@ -173,6 +223,7 @@ void assemble_cells(const std::vector<RawGrid>& pieces, const VertexMap& map,
     assembly.add(pieces[k], map[k],
                  on_cells.empty() ? std::vector<SymmetricTensor<double>>{} : on_cells[k]);
   if (!on_cells.empty()) assembly.finish_averages(pieces.front().file);
+  assembly.count_vertices();
   assembly.orient();
 }
 

@@ -83,13 +83,18 @@ std::vector<OuterFace> check(const std::filesystem::path& file, const TetMesh& m
   throw IoError(IoError::Kind::invalid, file, text);
 }
 
-void write_notes(ReadReport& report) {
+void write_notes(const ReadOptions& options, ReadReport& report) {
   const auto note = [&](std::size_t count, const char* what) {
     if (count > 0) report.notes.push_back(std::to_string(count) + " " + what);
   };
   note(report.skipped_cells_2d_1d, "cells of dimension below 3 skipped");
   note(report.skipped_ghost_cells, "ghost cells skipped");
   note(report.split_cells, "cells split into tetrahedra");
+  note(report.quadratic_cells, options.quadratic == QuadraticCells::split
+                                   ? "quadratic cells split around their nodes"
+                                   : "quadratic cells taken by their corners");
+  note(report.added_vertices, "vertices added at centres of faces and quadratic cells");
+  note(report.curved_edges, "edges of quadratic cells are curved and taken as straight");
   note(report.reoriented_cells, "tetrahedra of negative volume turned around");
   note(report.symmetrized_tensors, "tensors symmetrized");
   note(report.averaged_vertices, "vertices given the mean of the cells around them");
@@ -144,7 +149,7 @@ ReadResult detail::read_mesh_of(const std::shared_ptr<const InputFile>& file,
   ReadReport& report = result.report;
   report.torn_faces = torn_faces(split.grids, split.map, result.mesh, check(file->path, result.mesh));
   report.unreferenced_points = count_unreferenced_points(result.mesh);
-  write_notes(report);
+  write_notes(options, report);
   return result;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "fields/component_names.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -95,6 +97,54 @@ TensorChoice accept(const RawGrid& grid, const ArraySource& source, bool on_cell
   return {source.name, source.components, on_cells, order_of(grid, source, options)};
 }
 
+/// `before{a,b,c}after` stands for several names; else no names.
+std::vector<std::string> names_of_pattern(const std::string& pattern) {
+  const std::size_t open = pattern.find('{'), close = pattern.find('}', open);
+  std::vector<std::string> names;
+  if (open == std::string::npos || close == std::string::npos) return names;
+  for (std::size_t at = open + 1; at <= close;) {
+    const std::size_t end = std::min(pattern.find(',', at), close);
+    names.push_back(pattern.substr(0, open) + pattern.substr(at, end - at) +
+                    pattern.substr(close + 1));
+    at = end + 1;
+  }
+  return names;
+}
+
+/// Joins the arrays of one component that a pattern names into one, if the file has none of the
+/// pattern itself as its name.
+void join_named(RawGrid& grid, const std::string& pattern) {
+  const std::vector<std::string> names = names_of_pattern(pattern);
+  if (names.empty()) return;
+  if (names.size() != 6 && names.size() != 9)
+    refuse(grid, "--tensor: `" + pattern + "` names " + std::to_string(names.size()) +
+                     " arrays; a symmetric tensor has 6 or 9 components");
+  for (Sources* sources : {&grid.point_data, &grid.cell_data}) {
+    std::vector<std::function<std::vector<double>()>> parts;
+    for (const std::string& name : names) {
+      const ArraySource* source = find(grid, *sources, name);
+      if (source == nullptr) break;
+      if (source->components != 1)
+        refuse(grid, "the array `" + name + "` has " + std::to_string(source->components) +
+                         " components; one of each is joined");
+      parts.push_back(source->values);
+    }
+    if (parts.size() < names.size()) continue;
+    ArraySource joined{pattern, names.size(), names, {}};
+    joined.values = [parts] {
+      std::vector<double> all;
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        const std::vector<double> part = parts[k]();
+        all.resize(part.size() * parts.size());
+        for (std::size_t i = 0; i < part.size(); ++i) all[i * parts.size() + k] = part[i];
+      }
+      return all;
+    };
+    sources->push_back(std::move(joined));
+    return;
+  }
+}
+
 TensorChoice choose_by_name(const RawGrid& grid, const ReadOptions& options) {
   const ArraySource* on_points = find(grid, grid.point_data, options.tensor);
   const ArraySource* on_cells = find(grid, grid.cell_data, options.tensor);
@@ -126,7 +176,8 @@ bool is_asymmetric(const double* v) {
 
 }  // namespace
 
-TensorChoice choose_tensor(const std::vector<RawGrid>& grids, const ReadOptions& options) {
+TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& options) {
+  for (RawGrid& each : grids) join_named(each, options.tensor);
   const auto with_points =
       std::find_if(grids.begin(), grids.end(), [](const RawGrid& g) { return g.points() > 0; });
   const RawGrid& grid = with_points != grids.end() ? *with_points : grids.front();

@@ -19,7 +19,8 @@ struct TensorChoice {
 };
 
 /// The array asked for, or the only candidate. Throws IoError with the arrays that there are.
-TensorChoice choose_tensor(const std::vector<RawGrid>& grids, const ReadOptions& options);
+/// Arrays that `options.tensor` joins are added to the grids.
+TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& options);
 
 /// The tensors of one grid, finite, in our order; counts those that were not symmetric.
 /// Throws IoError.

@@ -15,8 +15,16 @@
 
 namespace tensortopo {
 
+/// What is made of quadratic cells.
+enum class QuadraticCells {
+  split,    ///< linear parts around all their nodes
+  corners,  ///< linear cells of their corners; the other nodes are left out
+};
+
 struct ReadOptions {
-  /// Name of the tensor array; empty for the only array that has 6 or 9 components.
+  /// Name of the tensor array; empty for the only array that has 6 or 9 components. Or of six
+  /// arrays of one component each: `S_{xx,yy,zz,xy,yz,xz}` stands for S_xx, S_yy, ..., in any order
+  /// that `component_order` knows; the names say which component each is.
   std::string tensor;
   /// Order of 6 components; empty for the one that the file names, else VTK's. Refused
   /// (inapplicable) if the array has 9, or if the file names its components otherwise.
@@ -27,6 +35,7 @@ struct ReadOptions {
   bool cell_to_point = false;
   /// Split other linear 3D cells into tetrahedra.
   bool tetrahedralize = false;
+  QuadraticCells quadratic = QuadraticCells::split;
   /// Refuse (inapplicable), before any array is read, what the checker of certificates does not
   /// read: several pieces, in one file or in several, and arrays compressed with LZ4 or LZMA.
   bool for_certificate = false;
@@ -52,6 +61,9 @@ struct ReadReport {
   std::size_t skipped_cells_2d_1d = 0;  ///< points, lines, faces
   std::size_t skipped_ghost_cells = 0;  ///< marked as another piece's by `vtkGhostType`
   std::size_t split_cells = 0;          ///< cells that became several tetrahedra
+  std::size_t quadratic_cells = 0;      ///< of these, or taken by their corners
+  std::size_t added_vertices = 0;       ///< centres of faces and of quadratic cells
+  std::size_t curved_edges = 0;         ///< of quadratic cells, taken as two straight ones, or as one
   std::size_t reoriented_cells = 0;     ///< negative volume as listed; see repair_orientation
   std::size_t symmetrized_tensors = 0;  ///< xy and yx (or another pair) differed
   std::size_t averaged_vertices = 0;    ///< got their tensor from cells
@@ -86,8 +98,11 @@ struct ReadResult {
 ///           belong to points win over tensors that belong to cells.
 /// Cells     Splitting joins each cell's smallest vertex to the faces away from it, and each face
 ///           is split from its own smallest vertex, so cells that share a face agree on it. Parts
-///           of a cell with coinciding corners that have no volume are left out. Quadratic and
-///           polyhedral cells are refused. `cell_ids` count the cells of the file from 0 (of a
+///           of a cell with coinciding corners that have no volume are left out. Quadratic cells
+///           (tetrahedra of 10 nodes, hexahedra of 20 and 27, wedges of 15, pyramids of 13) are
+///           split around their nodes, with the centres that they have no nodes for, or taken by
+///           their corners (always if the tensors are on cells); others of higher order, and
+///           polyhedra, are refused. `cell_ids` count the cells of the file from 0 (of a
 ///           file in pieces: through all pieces in order).
 /// Pieces    Points of different pieces that agree in position and tensor become one. Equal
 ///           position and different tensors is an error: the field would be torn there.
