@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -17,6 +18,7 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "overall_progress.hpp"
 #include "read_field.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
@@ -128,6 +130,20 @@ SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction
   return report;
 }
 
+/// The share of a surface's area that lies in other tetrahedra than these (ascending).
+double share_outside(const SurfaceMesh& surface, const std::vector<TetMesh::Index>& tets) {
+  double outside = 0, all = 0;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const auto& t = surface.triangles[i];
+    const auto& p = surface.points[as_size(t[0])];
+    const auto n = cross(surface.points[as_size(t[1])] - p, surface.points[as_size(t[2])] - p);
+    const double area = std::sqrt(dot(n, n)) / 2;
+    all += area;
+    if (!std::binary_search(tets.begin(), tets.end(), surface.tet[i])) outside += area;
+  }
+  return all > 0 ? outside / all : 1;
+}
+
 CurveReport curve_report(const ModeValue& mode, const CurveExtraction& extraction) {
   CurveReport report;
   report.mode = mode;
@@ -228,6 +244,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   std::vector<CertifiedCurves> certified_curves;
   double seconds_certify = 0;
   OtherMethod other(command);
+  OverallProgress overall(progress, modes.size());
   // What the modes have in common.
   std::optional<PreparedField<double>> prepared;
   auto surfaces_left = std::count_if(modes.begin(), modes.end(),
@@ -238,12 +255,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     options.meshing = command.drawing;
     options.keep_samples = command.all_samples;
     options.keep_topology = certifying;
-    if (progress) {
-      options.progress = [&, label = "mode " + short_text(modes[i]) + ": "](std::string_view stage,
-                                                                            double fraction) {
-        progress(label + std::string(stage), fraction);
-      };
-    }
+    overall.begin("mode " + short_text(modes[i]) + ": ");
+    if (overall) options.progress = std::ref(overall);
     const Clock extract_clock;
     if (is_degenerate(modes[i])) {
       const auto kind = modes[i].approx() > 0 ? Degeneracy::linear : Degeneracy::planar;
@@ -255,7 +268,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       }
       report.curves.push_back(curve_report(modes[i], extraction));
       if (certifying) {
-        tell(progress, "mode " + short_text(modes[i]) + ": certificate", 0);
+        overall("certificate", 0);
         const Clock certify_clock;
         certified_curves.push_back(certify(read.mesh, kind, extraction));
         seconds_certify += certify_clock.seconds();
@@ -291,7 +304,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     report.surfaces.push_back(surface_report(modes[i], extraction));
     report.seconds_invariants += invariants_clock.seconds();
     if (certifying) {
-      tell(progress, "mode " + short_text(modes[i]) + ": certificate", 0);
+      overall("certificate", 0);
       const Clock certify_clock;
       if (!level) level = certify(read.mesh, modes[i], extraction);
       seconds_certify += certify_clock.seconds();
@@ -302,6 +315,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
           distance.coarse.empty() ? distance.bound
                                   : std::max(distance.bound, distance.coarse_bound);
       report.surfaces.back().tets_farther = farther.size();
+      report.surfaces.back().area_within = share_outside(extraction.surface, farther);
       if (!farther.empty())
         report.surfaces.back().first_farther =
             read.mesh.cell_ids[static_cast<std::size_t>(farther.front())];
@@ -315,7 +329,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   }
 
   if (command.strict && !report.unresolved.empty()) return report;
-  tell(progress, "writing", 0);
+  overall.finish("writing");
   // The writer needs half as much again, in large arrays that do not fit between what is left.
   prepared.reset();
   give_back_memory();

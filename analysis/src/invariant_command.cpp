@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
 #include "certificate.hpp"
+#include "overall_progress.hpp"
 #include "read_field.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
@@ -63,17 +65,14 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   std::vector<CertifiedLevel> certified;
   double seconds_certify = 0;
   std::vector<InvariantLevel> done;
+  OverallProgress overall(progress, command.levels.size());
   for (const InvariantLevel& level : command.levels) {
     if (std::find(done.begin(), done.end(), level) != done.end()) continue;
     done.push_back(level);
     InvariantOptions options;
     options.pieces = command.pieces;
-    if (progress)
-      options.progress = [&, label = std::string(name_of(level.invariant())) + " " +
-                                     short_text(level) +
-                                     ": "](std::string_view stage, double fraction) {
-        progress(label + std::string(stage), fraction);
-      };
+    overall.begin(std::string(name_of(level.invariant())) + ' ' + short_text(level) + ": ");
+    if (overall) options.progress = std::ref(overall);
     auto start = Clock::now();
     InvariantExtraction extraction = extract_invariant_surface(read.mesh, level, options);
     report.seconds_extract += seconds_since(start);
@@ -81,7 +80,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
       unresolved.insert(read.mesh.cell_ids[static_cast<std::size_t>(t)]);
     report.surfaces.push_back(surface_report(level, extraction));
     if (certifying) {
-      if (progress) options.progress("certificate", 0);
+      overall("certificate", 0);
       start = Clock::now();
       certified.push_back(certify(read.mesh, level, extraction));
       seconds_certify += seconds_since(start);
@@ -90,7 +89,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   }
   report.unresolved.assign(unresolved.begin(), unresolved.end());
   if (command.strict && !report.unresolved.empty()) return report;
-  if (progress) progress("writing", 0);
+  overall.finish("writing");
   FileGroup files;
   std::string levels;
   for (const InvariantLevel& level : done)

@@ -72,7 +72,7 @@ TEST(LostSummary, LeavesNoFileWhenItsReaderIsGone) {
     signal(SIGPIPE, SIG_DFL);
     dup2(ends[1], STDOUT_FILENO);
     execl(TENSORTOPO_PROGRAM, TENSORTOPO_PROGRAM, "extract", in.c_str(), "-o", s.c_str(), "--mode",
-          "0.5", "--quiet", nullptr);
+          "0.5", "--json", nullptr);
     _exit(127);
   }
   close(ends[1]);

@@ -5,6 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -18,7 +19,7 @@
 namespace tensortopo {
 namespace {
 
-double number_of(RidgeKind kind) { return kind == RidgeKind::ridge ? 1 : -1; }
+int number_of(RidgeKind kind) { return kind == RidgeKind::ridge ? 1 : -1; }
 
 }  // namespace
 
@@ -50,16 +51,19 @@ void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file) {
   points->SetDataTypeToDouble();
   for (const auto& p : ridges.points) points->InsertNextPoint(p.x, p.y, p.z);
   vtkNew<vtkCellArray> cells;
-  vtkNew<vtkDoubleArray> kinds, lengths, strengths;
+  vtkNew<vtkIntArray> kinds, kinds_of_points;
+  vtkNew<vtkDoubleArray> lengths, strengths;
   kinds->SetName("kind");
+  kinds_of_points->SetName("kind");
+  kinds_of_points->SetNumberOfValues(static_cast<vtkIdType>(ridges.points.size()));
+  kinds_of_points->FillValue(0);
   lengths->SetName("length");
   strengths->SetName("line_strength");
-  std::vector<double> kind(ridges.points.size());
   for (const auto& line : ridges.lines) {
     cells->InsertNextCell(static_cast<int>(line.points.size()));
     for (const auto v : line.points) {
       cells->InsertCellPoint(v);
-      kind[static_cast<std::size_t>(v)] = number_of(line.kind);
+      kinds_of_points->SetValue(v, number_of(line.kind));
     }
     kinds->InsertNextValue(number_of(line.kind));
     lengths->InsertNextValue(line.length);
@@ -76,7 +80,7 @@ void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file) {
       return std::array{values[i], 0.0, 0.0};
     });
   };
-  add("kind", kind);
+  data->GetPointData()->AddArray(kinds_of_points);
   add("curvature", ridges.curvature);
   add("other_curvature", ridges.other_curvature);
   add("strength", ridges.strength);

@@ -73,12 +73,21 @@ SweepReport run_sweep(const SweepCommand& command, const Progress& progress) {
   report.tetrahedra = read.mesh.tets.size();
   report.notes = read.report.all_notes();
   report.options = command.sweep;
-  report.sweep = sweep_modes(read.mesh, command.sweep, progress);
+  // Checking takes most of the time.
+  const double sweep_ends = command.check_modes > 0 ? 0.2 : 0.95;
+  const auto part = [&](double from, double to) -> Progress {
+    if (!progress) return {};
+    return [&progress, from, to](std::string_view stage, double fraction) {
+      progress(stage, from + (stage == "levels" ? 0.5 * (to - from) : 0) +
+                          fraction * (to - from) * (stage == "checking" ? 1 : 0.5));
+    };
+  };
+  report.sweep = sweep_modes(read.mesh, command.sweep, part(0, sweep_ends));
   if (command.check_modes > 0)
-    report.check =
-        check_sweep(report.sweep, command.input, command.read, command.check_modes, progress);
+    report.check = check_sweep(report.sweep, command.input, command.read, command.check_modes,
+                               part(sweep_ends, 0.95));
   if (!command.picture.empty()) {
-    if (progress) progress("drawing", 1);
+    if (progress) progress("drawing", 0.95);
     try {
       write_text(command.picture, sweep_chart(report.sweep, command.sweep));
     } catch (const IoError&) {

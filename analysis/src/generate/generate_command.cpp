@@ -91,7 +91,7 @@ LevelTruth truth_of(const Sheet& sheet, const ModeValue& mode, const GenerateCom
 }
 
 Generated write_field(const GenerateCommand& command, const Sheet& sheet, const Path& field,
-                      FieldTruth truth) {
+                      FieldTruth truth, std::vector<std::string>& notes) {
   const FamilyMember& member = sheet.all;
   const TetMesh& mesh = member.mesh;
   truth.kind = name_of(command.kind);
@@ -109,6 +109,11 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
   }
 
   References references;
+  if (mesh.tets.size() > kLargeMesh && !command.no_reference && !command.always_reference)
+    notes.push_back(fmt::format(
+        "no reference surface and no facts of single edges and faces, for more than {} tetrahedra "
+        "({}); --reference writes the surface",
+        kLargeMesh, mesh.tets.size()));
   references.points = nlohmann::ordered_json::array();
   const auto modes = modes_to_extract(command.modes.empty() ? member.modes : command.modes, false);
   for (const ModeValue& mode : modes)
@@ -187,7 +192,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
   truth.members = command.count;
   if (command.together && command.count > 1) {
     report.files.push_back(
-        write_field(command, all_members(command, request), command.output, truth));
+        write_field(command, all_members(command, request), command.output, truth, report.notes));
     return report;
   }
   for (int i = 0; i < command.count; ++i) {
@@ -197,7 +202,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
     if (command.count > 1)
       field.replace_filename(fmt::format("{}-{:04}.vtu", command.output.stem().string(), i));
     report.files.push_back(
-        write_field(command, {family_member(command.kind, request), {}, {}}, field, truth));
+        write_field(command, {family_member(command.kind, request), {}, {}}, field, truth, report.notes));
   }
   return report;
 }

@@ -37,6 +37,7 @@ struct Generated {
 };
 
 struct GenerateReport {
+  std::vector<std::string> notes;
   FieldKind kind = FieldKind::linear;
   std::vector<Generated> files;
 };

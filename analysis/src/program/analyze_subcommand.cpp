@@ -37,7 +37,8 @@ ExitStatus sweep(const AnalyzeOptions& options, const CommonOptions& common) {
   const SweepReport report = run_sweep(command, bar.callback());
   bar.erase();
   say_notes(report.input, report.notes, common.quiet);
-  print(common.json ? to_json(report) + '\n' : to_text(report));
+  print_report(
+      common, "analyze-sweep", [&] { return to_json(report); }, [&] { return to_text(report); }, true);
   return report.check && report.is_contradicted() ? ExitStatus::undecided : ExitStatus::done;
 }
 
@@ -56,7 +57,8 @@ ExitStatus surface(const AnalyzeOptions& options, const CommonOptions& common) {
   const SurfaceAnalysis analysis = run_surface_analysis(command, bar.callback());
   bar.erase();
   say_notes(command.mesh, analysis.mesh_notes, common.quiet);
-  print(common.json ? to_json(analysis) + '\n' : to_text(analysis));
+  print_report(
+      common, "analyze-surface", [&] { return to_json(analysis); }, [&] { return to_text(analysis); }, true);
   return ExitStatus::done;
 }
 

@@ -98,7 +98,8 @@ ExitStatus scaling(const BenchOptions& options, const CommonOptions& common) {
   if (!options.chart.empty()) write_text(options.chart, scaling_chart(report));
   bar.erase();
   say_notes(command.input, report.notes, common.quiet);
-  print(common.json ? to_json(report) + '\n' : to_text(report));
+  print_report(
+      common, "bench-scaling", [&] { return to_json(report); }, [&] { return to_text(report); }, true);
   return ExitStatus::done;
 }
 
@@ -121,7 +122,8 @@ ExitStatus bench(const BenchOptions& options, const CommonOptions& common) {
     write_text(options.curves, curves_chart(report.curves, command.input.filename().string()));
   bar.erase();
   say_notes(command.input, report.notes, common.quiet);
-  print(common.json ? to_json(report) + '\n' : to_text(report));
+  print_report(
+      common, "bench", [&] { return to_json(report); }, [&] { return to_text(report); }, true);
   return ExitStatus::done;
 }
 

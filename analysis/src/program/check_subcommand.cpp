@@ -33,11 +33,8 @@ void add_check_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       ProgressBar bar(!common.quiet);
       const CheckOutcome outcome = run_check((*files)[0], (*files)[1], (*files)[2], *demands, bar.callback());
       bar.erase();
-      if (common.json) {
-        print(outcome.json + '\n');
-      } else if (!common.quiet) {
-        print(outcome.text);
-      }
+      print_report(
+          common, "check", [&] { return outcome.json; }, [&] { return outcome.text; });
       return outcome.all_certified ? ExitStatus::done : ExitStatus::undecided;
     };
   });

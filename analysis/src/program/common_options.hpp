@@ -21,6 +21,7 @@ struct CommonOptions {
   bool json = false;
   bool quiet = false;
   int threads = 0;  ///< 0: all
+  const CLI::App* chosen = nullptr;  ///< the subcommand
   std::vector<CLI::Option*> reads, writes;  ///< of all subcommands: options that name files
 };
 
@@ -72,7 +73,7 @@ inline void refuse_given(const CLI::App& app, std::initializer_list<const char*>
 
 inline void add_common_options(CLI::App& app, CommonOptions& common) {
   app.add_flag("--json", common.json, "Print one JSON object on standard output, nothing else");
-  app.add_flag("--quiet", common.quiet, "No progress and no notes on standard error");
+  app.add_flag("--quiet", common.quiet, "No progress and no notes; and no summary where the result is a file");
   app.add_option("--threads", common.threads, "Threads to use (default: all)")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));

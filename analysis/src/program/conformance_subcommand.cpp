@@ -33,7 +33,8 @@ ExitStatus suite(const ConformanceOptions& options, const CommonOptions& common)
   ProgressBar bar(!common.quiet);
   const SuiteReport report = run_suite(entries, bar.callback());
   bar.erase();
-  print(common.json ? to_json(report) + '\n' : to_markdown(report));
+  print_report(
+      common, "conformance-suite", [&] { return to_json(report); }, [&] { return to_markdown(report); }, true);
   return ExitStatus::done;
 }
 
@@ -48,7 +49,8 @@ ExitStatus conformance(const ConformanceOptions& options, const CommonOptions& c
   const ConformanceReport report = run_conformance(command, bar.callback());
   bar.erase();
   say_notes(command.input, report.notes, common.quiet);
-  print(common.json ? to_json(report) + '\n' : to_text(report));
+  print_report(
+      common, "conformance", [&] { return to_json(report); }, [&] { return to_text(report); }, true);
   return report.score.conforms() ? ExitStatus::done : ExitStatus::undecided;
 }
 

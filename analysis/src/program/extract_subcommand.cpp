@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -64,6 +65,17 @@ Method other_method(const ExtractCommandOptions& options) {
   return nullptr;
 }
 
+/// Says of surfaces that are nearly everywhere that the mesh may be too coarse for the field.
+void say_crowded(const ExtractReport& report) {
+  constexpr std::size_t kFew = 1000;
+  for (const SurfaceReport& surface : report.surfaces)
+    if (report.tetrahedra > kFew && 2 * surface.statistics.tets_crossed > report.tetrahedra)
+      std::cerr << "tensortopo: " << report.input.string() << ": mode " << short_text(surface.mode)
+                << ": the surface meets " << 100 * surface.statistics.tets_crossed / report.tetrahedra
+                << " % of the tetrahedra: the field is noise at this mesh's size, or the mesh too "
+                   "coarse for it\n";
+}
+
 ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& common) {
   ExtractCommand command = options.command;
   command.provenance = provenance_of(*options.app, common);
@@ -87,7 +99,8 @@ ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& co
               << (report.written ? "" : "; nothing written") << (advice.empty() ? "" : "; ")
               << advice << '\n';
   }
-  print(common.json ? to_json(report) + '\n' : to_text(report));
+  print_report(common, "extract", [&] { return to_json(report); }, [&] { return to_text(report); });
+  if (!common.quiet) say_crowded(report);
   bool is_farther = false;
   for (const SurfaceReport& surface : report.surfaces) {
     if (!surface.first_farther) continue;
@@ -96,7 +109,10 @@ ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& co
       std::cerr << "tensortopo: " << report.output.string() << ": mode " << short_text(surface.mode)
                 << ": in " << surface.tets_farther << " tetrahedra (the first is cell "
                 << *surface.first_farther
-                << ") the distance to the level is not proved to be below --max-error\n";
+                << ") the distance to the level is not proved to be below --max-error, where "
+                   "more samples did not help; "
+                << std::floor(1000 * surface.area_within) / 10
+                << " % of the area is within it\n";
   }
   if (is_farther) return ExitStatus::undecided;
   if (say_undecided(report.certificate, common.quiet)) return ExitStatus::undecided;

@@ -26,7 +26,8 @@ ExitStatus generate(const GenerateOptions& options, const CommonOptions& common)
   ProgressBar bar(!common.quiet);
   const GenerateReport report = run_generate(command, bar.callback());
   bar.erase();
-  print(common.json ? to_json(report) + '\n' : to_text(report));
+  say_notes(command.output, report.notes, common.quiet);
+  print_report(common, "generate", [&] { return to_json(report); }, [&] { return to_text(report); });
   return ExitStatus::done;
 }
 

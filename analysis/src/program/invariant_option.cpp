@@ -62,7 +62,7 @@ ExitStatus extract_invariant(const InvariantOption& option, const ExtractCommand
   if (!unresolved.empty())
     std::cerr << "tensortopo: " << report.input.string() << ": " << unresolved
               << (report.written ? "" : "; nothing written") << '\n';
-  print(common.json ? to_json(report) + '\n' : to_text(report));
+  print_report(common, "extract-invariant", [&] { return to_json(report); }, [&] { return to_text(report); });
   if (say_undecided(report.certificate, common.quiet)) return ExitStatus::undecided;
   return own.strict && !unresolved.empty() ? ExitStatus::undecided : ExitStatus::done;
 }

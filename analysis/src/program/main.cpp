@@ -21,6 +21,7 @@
 
 #include "program/distinct_files.hpp"
 #include "program/exhaustion.hpp"
+#include "program/help.hpp"
 #include "program/subcommands.hpp"
 #include "program/versions.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -132,6 +133,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", tensortopo::version_text(),
                        "Print the version, and those of the libraries, and exit");
   app.require_subcommand(1);
+  tensortopo::set_help_style(app);
   tensortopo::CommonOptions common;
   tensortopo::Action action;
   tensortopo::add_extract_subcommand(app, common, action);
@@ -145,6 +147,7 @@ int main(int argc, char** argv) {
   tensortopo::add_conformance_subcommand(app, common, action);
   tensortopo::add_verify_subcommand(app, common, action);
   tensortopo::add_proofs_subcommand(app, common, action);
+  tensortopo::add_help_subcommand(app, common, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -152,16 +155,12 @@ int main(int argc, char** argv) {
     std::cout.flush();
     if (std::cout) return status;
     return static_cast<int>(fail(ExitStatus::cannot_write, "standard output: cannot write"));
-  } catch (const CLI::RequiredError& error) {
-    // Of a first word that is no subcommand the parser says only that there is none.
-    const std::string word = app.get_subcommands().empty() && argc > 1 ? argv[1] : "";
-    const std::string what = word.empty() || word.front() == '-'
-                                 ? std::string(error.what())
-                                 : "there is no subcommand '" + word + "'";
-    return static_cast<int>(fail(ExitStatus::bad_usage, what + " (see --help)"));
   } catch (const CLI::ParseError& error) {
+    const std::string unknown = tensortopo::unknown_word(app, argc, argv);
     return static_cast<int>(
-        fail(ExitStatus::bad_usage, std::string(error.what()) + " (see --help)"));
+        fail(ExitStatus::bad_usage,
+             unknown.empty() ? std::string(error.what()) + " (see --help)" : unknown));
   }
+  common.chosen = app.get_subcommands().front();
   return static_cast<int>(run(action, common));
 }

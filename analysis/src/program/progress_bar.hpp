@@ -10,8 +10,10 @@
 
 namespace tensortopo {
 
-/// One line on standard error that says what goes on; erased at the end.
-/// Silent unless standard error is a terminal.
+/// Says on standard error what goes on, how much of it is done, and how long it will take about.
+///
+/// On a terminal this is one line, erased at the end. Elsewhere (a file, a pipe, a terminal without
+/// escapes, TERM=dumb) it is a line a minute, so that only long runs are heard of.
 class ProgressBar {
  public:
   explicit ProgressBar(bool wanted);
@@ -25,13 +27,22 @@ class ProgressBar {
   void erase();
 
  private:
-  void show(std::string_view stage, double fraction);
+  using Clock = std::chrono::steady_clock;
 
+  void show(std::string_view stage, double fraction);
+  void show_line(std::string_view stage, double fraction, double seconds);
+
+  enum class Kind { silent, bar, lines };
+  Kind kind_;
   bool shown_ = false;
-  bool active_;
   std::string stage_;
   bool full_ = false;  ///< the stage has been shown as done
-  std::chrono::steady_clock::time_point last_{};
+  Clock::time_point start_ = Clock::now(), last_{};
+  std::chrono::seconds next_line_;
 };
+
+/// "", or how long the rest will take about, if a part of the work took so many seconds: " (3 min
+/// left)". Nothing is said of short runs and of small parts.
+std::string time_left(double fraction, double seconds);
 
 }  // namespace tensortopo

@@ -19,7 +19,8 @@ void add_proofs_subcommand(CLI::App& program, CommonOptions& common, Action& act
   app.callback([command, &common, &action] {
     action = [command, &common] {
       const ProofsReport report = run_proofs(*command);
-      print(common.json ? report.json + '\n' : report.text);
+      print_report(
+          common, "proofs", [&] { return report.json; }, [&] { return report.text; }, true);
       return report.all_established ? ExitStatus::done : ExitStatus::undecided;
     };
   });

@@ -25,7 +25,7 @@ namespace {
 struct RenderOptions {
   RenderCommand command;
   std::filesystem::path input, mesh;
-  std::string size, view, focus, texture, panels, direction, animation;
+  std::string tet, size, view, focus, texture, panels, direction, animation;
   InvariantOption invariant;
   std::vector<std::string> modes;
   const CLI::App* app = nullptr;  ///< knows which options were given
@@ -42,6 +42,14 @@ RenderCommand command_of(const RenderOptions& options) {
     command.mesh = options.input;
   }
   if (!command.mesh) refuse_read_options(*options.app, "is about a mesh (--mesh)");
+  if (options.tet == "any") {
+    command.any_tet = true;
+  } else if (!options.tet.empty()) {
+    std::int64_t id = 0;
+    if (!CLI::detail::lexical_cast(options.tet, id))
+      throw UsageError("--tet " + options.tet + ": no such tetrahedron");
+    command.tet = id;
+  }
   if (!options.size.empty()) parse_size(options.size, command.view);
   if (!options.view.empty()) parse_view(options.view, command.view);
   if (!options.focus.empty()) parse_focus(options.focus, command.view);
@@ -83,8 +91,10 @@ ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
     }
     for (const auto& file : report.empty) json["empty"].push_back(file.string());
     if (!report.notes.empty()) json["notes"] = report.notes;
-    print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
-  } else {
+    print(with_provenance(
+        json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), common,
+        "render"));
+  } else if (!common.quiet) {
     const std::string files =
         report.frames.empty() || is_film(command.output)
             ? output
@@ -146,10 +156,13 @@ void add_render_subcommand(CLI::App& program, CommonOptions& common, Action& act
                "With --texture major or minor: the principal directions of the smooth field, by "
                "derivatives recovered at the mesh's vertices");
   app.add_option(
-         "--tet", options->command.tet,
-         "Draw the medium eigenvector manifold and the surface of this tetrahedron; the cell "
-         "data 'tet' of an extracted .vtp names those that the surface meets")
-      ->type_name("ID");
+         "--tet", options->tet,
+         "Draw the medium eigenvector manifold and the surface of this tetrahedron, or of `any` "
+         "that the surface meets; the cell data 'tet' of an extracted .vtp names all of those")
+      ->type_name("ID|any")
+      ->check([](const std::string& text) -> std::string {
+        return text == "any" ? std::string() : whole_number()(text);
+      });
   app.add_option("--panels", options->panels,
                  "With --tet: some of curves, manifold, triangles, surface, octant "
                  "(default: manifold,surface)")

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "program/common_options.hpp"
 #include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/io/io_error.hpp"
 
@@ -18,6 +19,22 @@ namespace tensortopo {
 inline void print(std::string_view text) {
   std::cout << text << std::flush;
   if (!std::cout) throw IoError(IoError::Kind::unwritable, "standard output", "cannot write");
+}
+
+/// A report's JSON object with what made it in front: `schema` (name and number: the file
+/// analysis/schema/NAME.json), `version` of the program, and `options` that were given.
+std::string with_provenance(const std::string& json, const CommonOptions& common,
+                            std::string_view schema);
+
+/// Prints a report as JSON or text. Of subcommands whose result is a file `--quiet` prints no text.
+template <class Json, class Text>
+void print_report(const CommonOptions& common, std::string_view schema, const Json& json,
+                  const Text& text, bool is_result = false) {
+  if (common.json) {
+    print(with_provenance(json(), common, schema));
+  } else if (is_result || !common.quiet) {
+    print(text());
+  }
 }
 
 /// Says, unless it is to be quiet, what there is to say of a file; a line each.

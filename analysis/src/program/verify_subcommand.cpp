@@ -44,7 +44,8 @@ void add_verify_subcommand(CLI::App& program, CommonOptions& common, Action& act
       const VerifyReport report = run_verify(*command, bar.callback());
       bar.erase();
       if (report.mesh) say_notes(report.mesh->file, report.mesh->notes, common.quiet);
-      print(common.json ? to_json(report) + '\n' : to_text(report));
+      print_report(
+          common, "verify", [&] { return to_json(report); }, [&] { return to_text(report); }, true);
       return report.all_established() ? ExitStatus::done : ExitStatus::undecided;
     };
   });

@@ -15,6 +15,8 @@
 
 namespace tensortopo {
 
+std::string program_version() { return TENSORTOPO_VERSION; }
+
 std::string version_text() {
   std::string text = "tensortopo " TENSORTOPO_VERSION "\nbuilt on";
   const auto add = [&](std::string_view name, std::string_view version) {

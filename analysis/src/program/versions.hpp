@@ -6,6 +6,9 @@
 
 namespace tensortopo {
 
+/// The program's version alone.
+std::string program_version();
+
 /// The program's version, and those of the libraries that it was built on. Ends without newline.
 std::string version_text();
 

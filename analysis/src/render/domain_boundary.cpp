@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace tensortopo {
@@ -19,7 +21,29 @@ struct KeyedFace {
   Face face;  // as seen from outside
 };
 
+/// For each point the first one at its place.
+std::vector<TetMesh::Index> first_at_place(const TetMesh& mesh) {
+  std::vector<TetMesh::Index> order(mesh.points.size()), first(mesh.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](TetMesh::Index v) {
+    const auto& p = mesh.points[static_cast<std::size_t>(v)];
+    return std::tuple{p.x, p.y, p.z, v};
+  };
+  std::sort(order.begin(), order.end(),
+            [&](TetMesh::Index v, TetMesh::Index w) { return place(v) < place(w); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto v = static_cast<std::size_t>(order[i]);
+    first[v] = order[i];
+    if (i == 0) continue;
+    const auto before = static_cast<std::size_t>(order[i - 1]);
+    const auto &p = mesh.points[v], &q = mesh.points[before];
+    if (p.x == q.x && p.y == q.y && p.z == q.z) first[v] = first[before];
+  }
+  return first;
+}
+
 std::vector<KeyedFace> all_faces(const TetMesh& mesh) {
+  const std::vector<TetMesh::Index> first = first_at_place(mesh);
   // Of a positive tetrahedron, counter-clockwise seen from outside.
   constexpr std::array<std::array<std::size_t, 3>, 4> outward{
       {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
@@ -27,7 +51,9 @@ std::vector<KeyedFace> all_faces(const TetMesh& mesh) {
   faces.reserve(4 * mesh.tets.size());
   for (const auto& tet : mesh.tets) {
     for (const auto& corner : outward) {
-      const Face face{tet[corner[0]], tet[corner[1]], tet[corner[2]]};
+      Face face;
+      for (std::size_t i = 0; i < 3; ++i)
+        face[i] = first[static_cast<std::size_t>(tet[corner[i]])];
       Face key = face;
       std::sort(key.begin(), key.end());
       faces.push_back({key, face});

@@ -9,7 +9,8 @@
 
 namespace tensortopo {
 
-/// The faces that belong to one tetrahedron only, turned outwards.
+/// The faces that belong to one tetrahedron only, turned outwards. Points at one place count as one:
+/// where nodes are duplicated there is no boundary.
 vtkSmartPointer<vtkPolyData> domain_boundary(const TetMesh& mesh);
 
 }  // namespace tensortopo

@@ -76,13 +76,13 @@ void check(const RenderCommand& command) {
        "--mode and --animate extract from a mesh, but surfaces are given");
   need(command.mesh || command.texture == Texture::none || command.texture == Texture::dominant,
        "--texture needs the field that the surface was extracted from (--mesh)");
-  need(!command.recover || (!command.tet && (command.texture == Texture::major ||
+  need(!command.recover || (!command.one_tet() && (command.texture == Texture::major ||
                                              command.texture == Texture::minor)),
        "--recover is about --texture major or minor, and not of one tetrahedron");
   need(command.levels.empty() || (command.surfaces.empty() && command.mesh && !modes && !frames &&
-                                  !command.tet && command.texture == Texture::none),
+                                  !command.one_tet() && command.texture == Texture::none),
        "--invariant extracts from a mesh and is drawn alone, in plain colours");
-  if (command.tet) {
+  if (command.one_tet()) {
     need(command.surfaces.empty(), "--tet takes a mesh, not surfaces");
     need(modes || frames, "--tet needs --mode or --animate");
     need(std::isfinite(command.beyond) && command.beyond >= 1 && command.beyond <= 1000,
@@ -137,10 +137,14 @@ RenderReport run_render(const RenderCommand& command, const Progress& progress) 
   require_folder(command.output);
   if (is_film(command.output)) require_ffmpeg(command.output);
   if (progress) progress("reading", 0);
+  const bool is_outline = command.surfaces.empty() && command.modes.empty() &&
+                          command.frames.empty() && command.levels.empty();
   RenderSubject subject(command);
   RenderReport report;
   report.mesh_notes = subject.mesh_notes();
   report.empty = subject.empty();
+  if (is_outline)
+    report.notes.push_back("only the mesh's outline is drawn; --mode M or --surface FILE draw more");
   const std::size_t count = command.frames.empty() ? 1 : command.frames.size();
   std::vector<std::string> pictures;
   try {

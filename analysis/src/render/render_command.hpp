@@ -38,6 +38,8 @@ struct RenderCommand {
   bool recover = false;  ///< a texture of the smooth field's curvature, by recovered derivatives
 
   std::optional<std::int64_t> tet;  ///< draw this tetrahedron of the mesh, by its cell in the file
+  bool any_tet = false;             ///< or one that the surface meets
+  bool one_tet() const { return any_tet || tet.has_value(); }
   std::vector<Panel> panels;        ///< none: the manifold and the surface
   double beyond = 1;                ///< see TetPicture
   std::optional<Vector3<double>> marked;

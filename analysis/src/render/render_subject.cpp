@@ -3,8 +3,10 @@
 #include "render/render_subject.hpp"
 
 #include <fmt/format.h>
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,7 @@
 #include <utility>
 
 #include "render/domain_boundary.hpp"
+#include "render/feature_edges.hpp"
 #include "render/surface_input.hpp"
 #include "render/tet_surface.hpp"
 #include "short_text.hpp"
@@ -23,6 +26,38 @@
 
 namespace tensortopo {
 namespace {
+
+/// The sides of the box around a shape, two triangles each.
+vtkSmartPointer<vtkPolyData> bounding_box(vtkPolyData& shape) {
+  double b[6];
+  shape.GetBounds(b);
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  for (int corner = 0; corner < 8; ++corner)
+    points->InsertNextPoint(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)]);
+  constexpr vtkIdType kSides[6][4]{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                   {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& side : kSides) {
+    triangles->InsertNextCell({side[0], side[1], side[2]});
+    triangles->InsertNextCell({side[0], side[2], side[3]});
+  }
+  auto box = vtkSmartPointer<vtkPolyData>::New();
+  box->SetPoints(points);
+  box->SetPolys(triangles);
+  return box;
+}
+
+/// A tetrahedron from the middle of the list of those that a mode's surface meets.
+std::size_t crossed_tet(const TetMesh& mesh, const ModeValue& mode) {
+  if (std::abs(mode.approx()) == 1)
+    throw UsageError("--tet any: modes 1 and -1 have curves, name a tetrahedron");
+  const SurfaceMesh surface = extract_mode_surface<double>(mesh, mode).surface;
+  if (surface.tet.empty())
+    throw UsageError(
+        fmt::format("--tet any: the field has no surface of mode {}", short_text(mode)));
+  return static_cast<std::size_t>(surface.tet[surface.tet.size() / 2]);
+}
 
 std::size_t place_of_cell(const TetMesh& mesh, std::int64_t cell) {
   const auto found = std::find(mesh.cell_ids.begin(), mesh.cell_ids.end(), cell);
@@ -66,7 +101,8 @@ std::string missed_note(const ModeValue& mode, std::int64_t tet, double beyond) 
         short_text(mode), tet);
   return fmt::format(
       "mode {}: the surface misses tetrahedron {}, so nothing is drawn in it. Those "
-      "that it meets are in the cell data 'tet' of an extracted .vtp; --beyond 4 "
+      "that it meets are in the cell data 'tet' of an extracted .vtp, and --tet any "
+      "takes one of them; --beyond 4 "
       "shows the linear field outside",
       short_text(mode), tet);
 }
@@ -78,10 +114,22 @@ RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
     ReadResult read = read_mesh(*command.mesh, command.read);
     mesh_ = std::move(read.mesh);
     mesh_notes_ = read.report.all_notes();
-    if (command.tet) {
+    if (command.any_tet) {
+      tet_ = crossed_tet(mesh_, command.frames.empty() ? command.modes.front()
+                                                       : command.frames.front());
+      mesh_notes_.push_back(fmt::format("--tet any: tetrahedron {}", mesh_.cell_ids[tet_]));
+    } else if (command.tet) {
       tet_ = place_of_cell(mesh_, *command.tet);
     } else {
       domain_ = domain_boundary(mesh_);
+      // A software renderer takes a minute for 20,000 of them, and nobody sees anything behind.
+      constexpr std::size_t kMostCreases = 5000;
+      if (const auto creases = feature_edges(surface_of(*domain_), EdgeKind::crease).size();
+          creases > kMostCreases) {
+        mesh_notes_.push_back(fmt::format(
+            "the boundary has {} creases: its bounding box is drawn instead", creases));
+        domain_ = bounding_box(*domain_);
+      }
     }
   }
   for (const auto& file : command.surfaces) {
@@ -137,7 +185,7 @@ Sheet RenderSubject::extracted(const InvariantLevel& level, RenderReport& report
 vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue>& modes,
                                                      RenderReport& report) {
   for (const ModeValue& mode : modes) report.modes.push_back(mode.approx());
-  if (command_.tet) {
+  if (command_.one_tet()) {
     TetPicture picture;
     picture.field = tet_field(mesh_, tet_);
     picture.modes = modes;
@@ -155,11 +203,11 @@ vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue
       report.marked.insert(report.marked.end(), result.marked.begin(), result.marked.end());
       report.notes.insert(report.notes.end(), result.notes.begin(), result.notes.end());
       for (const ModeValue& missed : result.missed)
-        report.notes.push_back(missed_note(missed, *command_.tet, command_.beyond));
+        report.notes.push_back(missed_note(missed, mesh_.cell_ids[tet_], command_.beyond));
       return result.image;
     } catch (const std::invalid_argument& problem) {
       throw IoError(IoError::Kind::invalid, *command_.mesh,
-                    fmt::format("{} (tetrahedron {})", problem.what(), *command_.tet));
+                    fmt::format("{} (tetrahedron {})", problem.what(), mesh_.cell_ids[tet_]));
     }
   }
   std::vector<Sheet> sheets = sheets_;
@@ -178,7 +226,13 @@ vtkSmartPointer<vtkImageData> RenderSubject::picture(const std::vector<ModeValue
       if (sheet.mode) report.modes.push_back(*sheet.mode);
       if (sheet.value) report.values.push_back(*sheet.value);
     }
-  return draw(sheets, domain_, command_.view);
+  const bool has_surface = std::any_of(sheets.begin(), sheets.end(), [](const Sheet& s) {
+    return s.shape->GetNumberOfPoints() > 0;
+  });
+  Drawn drawn = draw(std::move(sheets), domain_, command_.view);
+  if (has_surface && !drawn.surface_in_view)
+    report.notes.push_back("nothing of the surface is in view (--focus, --zoom)");
+  return drawn.image;
 }
 
 }  // namespace tensortopo

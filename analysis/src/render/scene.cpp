@@ -3,7 +3,10 @@
 #include "render/scene.hpp"
 
 #include <fmt/format.h>
+#include <vtkCamera.h>
 #include <vtkMath.h>
+#include <vtkMatrix4x4.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +31,22 @@ std::string name_of(const Sheet& sheet) {
   return *sheet.mode == 0 ? "mode 0, neutral" : fmt::format("mode {:+g}", *sheet.mode);
 }
 
+bool any_in_view(vtkRenderer& renderer, const std::vector<Sheet>& sheets, double aspect) {
+  vtkMatrix4x4& projection =
+      *renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
+  for (const Sheet& sheet : sheets)
+    for (vtkIdType i = 0; i < sheet.shape->GetNumberOfPoints(); ++i) {
+      double place[4]{0, 0, 0, 1}, seen[4];
+      sheet.shape->GetPoint(i, place);
+      projection.MultiplyPoint(place, seen);
+      if (seen[3] > 0 && std::abs(seen[0]) <= seen[3] && std::abs(seen[1]) <= seen[3]) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
-vtkSmartPointer<vtkImageData> draw(std::vector<Sheet> sheets, vtkPolyData* domain,
-                                   const View& view) {
+Drawn draw(std::vector<Sheet> sheets, vtkPolyData* domain, const View& view) {
   const auto place = [](const Sheet& s) {
     return std::pair{-s.mode.value_or(-2), s.value.value_or(0)};  // all modes first
   };
@@ -72,8 +87,10 @@ vtkSmartPointer<vtkImageData> draw(std::vector<Sheet> sheets, vtkPolyData* domai
   if (vtkMath::AreBoundsInitialized(bounds) == 0)  // nothing is visible
     for (int k = 0; k < 3; ++k) bounds[2 * k] = 0, bounds[2 * k + 1] = 1;
   add_legend(*renderer, legend, unit);
-  aim(*renderer, bounds, view, {static_cast<double>(view.width) / view.height, 0, 0, {}});
-  return grab({renderer}, view.width, view.height);
+  const double aspect = static_cast<double>(view.width) / view.height;
+  aim(*renderer, bounds, view, {aspect, 0, 0, {}});
+  const bool in_view = any_in_view(*renderer, sheets, aspect);
+  return {grab({renderer}, view.width, view.height), in_view};
 }
 
 }  // namespace tensortopo

@@ -13,10 +13,14 @@
 
 namespace tensortopo {
 
+struct Drawn {
+  vtkSmartPointer<vtkImageData> image;
+  bool surface_in_view = false;  ///< a vertex of a sheet is within the picture's frame
+};
+
 /// Draws sheets, named by descending mode, and, unless null, the boundary of their domain. Needs a
 /// display.
 /// The image is RGB, one byte a channel. Throws std::runtime_error.
-vtkSmartPointer<vtkImageData> draw(std::vector<Sheet> sheets, vtkPolyData* domain,
-                                   const View& view);
+Drawn draw(std::vector<Sheet> sheets, vtkPolyData* domain, const View& view);
 
 }  // namespace tensortopo

@@ -29,6 +29,7 @@ struct SurfaceReport {
   double max_abs_residual = 0;   ///< largest |mode at a vertex - mode|
   std::optional<double> distance_bound;  ///< to the level, both ways, if proved
   std::size_t tets_farther = 0;  ///< tetrahedra without the distance that was asked for
+  double area_within = 0;  ///< share of the area in the other tetrahedra, if a distance was asked for
   std::optional<std::int64_t> first_farther;  ///< the first of these, a cell of the file
   std::map<std::string, std::size_t> unresolved;  ///< by the name of the reason
   ExtractStatistics statistics;
