@@ -156,7 +156,11 @@ int main(int argc, char** argv) {
     if (std::cout) return status;
     return static_cast<int>(fail(ExitStatus::cannot_write, "standard output: cannot write"));
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = tensortopo::unknown_word(app, argc, argv);
+    // Of a word that it does not know the parser says that another is missing, or too many are.
+    const bool may_be_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                                dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    const std::string unknown =
+        may_be_unknown ? tensortopo::unknown_word(app, argc, argv) : std::string();
     return static_cast<int>(
         fail(ExitStatus::bad_usage,
              unknown.empty() ? std::string(error.what()) + " (see --help)" : unknown));
