@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "bench/level_distance.hpp"
 #include "bench/timing.hpp"
@@ -189,6 +191,34 @@ TEST(Bench, FewerThanFiveTimingsAreRefused) {
   EXPECT_EQ(
       run_program({"bench", "--input", field("s4_slab"), "--mode", "0.5", "--repeat", "4"}).status,
       2);
+}
+
+TEST(Bench, AReportHasARowForEachFieldAndModeAndSaysWhatItIsOf) {
+  const Folder folder;
+  const std::string g = folder / "g.vtu", page = folder / "m.md";
+  ASSERT_EQ(run_program({"generate", "linear", "-o", g, "--field-only"}).status, 0);
+  const Outcome run = run_program({"bench", "--report", page, "--input", g, "--mode", "-1/10",
+                                   "--mode", "0"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string text = contents(page);
+  for (const char* part : {"# Measurements", "| machine | ", "| commit | ", "| date | 20",
+                           "| load at the start | ", "| g | 1 | ±1/10 | ", "| g | 1 | 0 | ",
+                           "## Certificates", "## Degenerate curves", "## Next to modes 1 and -1"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+  // Every row of a table has as many columns as its head.
+  std::istringstream lines(text);
+  std::ptrdiff_t columns = 0;
+  int rows = 0;
+  for (std::string line; std::getline(lines, line); ++rows) {
+    if (line.empty() || line.front() != '|') {
+      columns = 0;
+      continue;
+    }
+    const auto count = std::count(line.begin(), line.end(), '|');
+    if (columns == 0) columns = count;
+    EXPECT_EQ(count, columns) << line;
+  }
+  EXPECT_GT(rows, 20);
 }
 
 }  // namespace

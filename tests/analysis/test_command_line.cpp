@@ -111,7 +111,7 @@ TEST(CommandLine, ReportsSayWhatMadeThem) {
   EXPECT_TRUE(contains(run_program({"--version"}).out,
                        "tensortopo " + json["version"].get<std::string>() + "\n"));
   const nlohmann::json options{{"KIND", "linear"}, {"output", g},         {"seed", "5"},
-                               {"mode", {"0", "1/2"}}, {"json", true}};
+                               {"mode", {"0", "1/2"}}};
   EXPECT_EQ(json["options"], options);
 }
 

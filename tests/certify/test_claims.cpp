@@ -9,6 +9,7 @@
 
 #include "certify_case.hpp"
 #include "extract/level/exact_side.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo::test {
@@ -201,6 +202,7 @@ TEST(Claims, ConesHaveASheetForEachCurveOfWhatIsOpposite) {
 }
 
 TEST(Claims, EulerCharacteristicsAddUpWithConesAsWell) {
+  Compared compared("sheets of cones", 4);
   for (std::uint64_t seed = 20241105; seed < 20241109; ++seed) {
     TetMesh mesh;
     const auto c = with_zero_vertices(mesh, seed, "1/4");
@@ -215,6 +217,7 @@ TEST(Claims, EulerCharacteristicsAddUpWithConesAsWell) {
     std::set<LevelTopology::Vertex> tips, halfway;
     for (const auto& cone : c.level.topology.cones)
       for (const auto& s : cone.sheets) {
+        ++compared;
         ++sum;
         if (s.size() == 2) continue;
         const auto other = s.size() == 3 ? s[1] : s[0];

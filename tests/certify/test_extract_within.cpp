@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "certify_case.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/certify/extract_within.hpp"
 
 namespace tensortopo::test {
@@ -48,6 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, Within, testing::Values("1/2", "-1/2", "1/10"))
 // Denser samples do not help beside the singular line of a neutral surface: this ends all the same,
 // and says where.
 TEST(Within, GivesUpWhereMoreSamplesDoNotHelp) {
+  Compared compared("triangles within the distance", 100);
   TetMesh mesh = cube_mesh(2);
   fill_with_smooth_tensors(mesh, 20241301, 4, 2);
   const double distance = 0.005;
@@ -55,6 +57,7 @@ TEST(Within, GivesUpWhereMoreSamplesDoNotHelp) {
   for (std::size_t i = 0; i < within.extraction.surface.triangles.size(); ++i) {
     const auto t = within.extraction.surface.tet[i];
     if (std::binary_search(within.farther.begin(), within.farther.end(), t)) continue;
+    ++compared;
     for (const auto v : within.extraction.surface.triangles[i])
       EXPECT_LE(reach_length(within.level.distance.reach[static_cast<std::size_t>(v)]), distance);
   }

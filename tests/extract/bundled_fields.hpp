@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "tensortopo/io/read_mesh.hpp"
@@ -17,6 +19,17 @@ inline std::vector<std::filesystem::path> bundled_files() {
     if (entry.path().extension() == ".vtu") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// The one whose name begins so ("s1"). Throws std::runtime_error unless there is exactly one: a test
+/// of a field that was renamed must not pass for want of one.
+inline std::filesystem::path bundled_file(const std::string& name) {
+  std::vector<std::filesystem::path> found;
+  for (const auto& file : bundled_files())
+    if (file.filename().string().rfind(name + '_', 0) == 0) found.push_back(file);
+  if (found.size() != 1)
+    throw std::runtime_error(std::to_string(found.size()) + " bundled fields are called " + name);
+  return found.front();
 }
 
 inline TetMesh read(const std::filesystem::path& file) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/topology/boundary/face_curves.hpp"
+#include "support/compared.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,6 +57,7 @@ double mode_at(const FaceCase& face, const std::array<double, 3>& weights) {
 }
 
 TEST(PlanarWitness, HasTheArcsAndLoopsStated) {
+  Compared compared("levels of witnesses", 10);
   for (const auto& witness : planar_witnesses())
     for (const auto& curve : witness.curves) {
       SCOPED_TRACE(witness.name + " at " + mode_of(curve.mode).text());
@@ -63,6 +65,7 @@ TEST(PlanarWitness, HasTheArcsAndLoopsStated) {
       const Curves curves(face);
       if (curve.tangent && !curves.arcs) continue;  // a touch is no crossing: no proof may close
       ASSERT_TRUE(curves.arcs);
+      ++compared;
       EXPECT_EQ(curves.topology().closed_loops, curve.closed_loops);
       EXPECT_EQ(curves.topology().open_arcs, curve.open_arcs);
     }

@@ -13,6 +13,7 @@
 #include "extract/topology/subdivision_mesh.hpp"
 #include "extract_case.hpp"
 #include "strata_laws.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -133,6 +134,7 @@ double size_at(const LevelSimplex<double, 4>& simplex, const std::array<double, 
 }
 
 TEST(SmallField, IsSmallestWhereTheSharesSay) {
+  Compared compared("tetrahedra", static_cast<std::size_t>(trials(100)) / 4);
   const std::uint64_t seed = 20241304;
   SCOPED_TRACE(announce(seed));
   for (int trial = 0; trial < trials(100); ++trial) {
@@ -148,6 +150,7 @@ TEST(SmallField, IsSmallestWhereTheSharesSay) {
         {&corners[0], &corners[1], &corners[2], &corners[3]});
     // A zero next to the boundary is left to the halves.
     if (!shares) continue;
+    ++compared;
     std::array<double, 4> weights;
     double total = 0;
     for (std::size_t i = 0; i < 4; ++i) total += weights[i] = static_cast<double>((*shares)[i]);

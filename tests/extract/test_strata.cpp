@@ -10,6 +10,7 @@
 
 #include "strata_laws.hpp"
 #include "support/brute_force.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -49,6 +50,9 @@ std::set<std::string> reasons_of(Stratum stratum, bool at_special_mode) {
       return {};
   }
 }
+
+/// Not those with nothing but special levels, vertices without deviator, or no surface.
+bool is_seen_by_brute_force(Stratum) { return true; }
 
 class Strata : public testing::TestWithParam<Stratum> {
  protected:
@@ -131,6 +135,7 @@ TEST_P(StrataAtTheirMode, HaveTheTopologyOfASlightlyLargerMode) {
 // Turning all tensors, scaling each by its own power of two, moving the points by an affine map:
 // others in each case.
 TEST_P(Strata, AreTheSameInOtherFramesAndUnits) {
+  Compared compared("fields");
   Random random(20241204);
   for_each_case(20241203, 3, [&](const TetTensors& tensors, const std::string& mode) {
     const Outcome before = outcome(extract(reference_tet_mesh(tensors), mode));
@@ -145,6 +150,7 @@ TEST_P(Strata, AreTheSameInOtherFramesAndUnits) {
     patch << ", scaled by 2^" << exponent << ", moved by " << map;
     SCOPED_TRACE(patch.str());
     if (before.reason == "inconsistent_samples") return;  // of samples, which scaling moves
+    ++compared;
     TetTensors other = tensors;
     for (auto& t : other) t = turned(t, q);
     EXPECT_EQ(outcome(extract(reference_tet_mesh(other), mode)), before);
@@ -164,6 +170,7 @@ TEST_P(Strata, AreTheSameInOtherFramesAndUnits) {
 }
 
 TEST_P(Strata, AreTheSameInAnyNumbering) {
+  Compared compared("numberings");
   for_each_case(20241205, 2, [&](const TetTensors& tensors, const std::string& mode) {
     const Outcome before = outcome(extract(reference_tet_mesh(tensors), mode));
     if (before.reason == "inconsistent_samples") return;
@@ -176,6 +183,7 @@ TEST_P(Strata, AreTheSameInAnyNumbering) {
       const Outcome after = outcome(extract(reference_tet_mesh(other), mode));
       if (after.reason == "inconsistent_samples") continue;
       EXPECT_EQ(after, before);
+      ++compared;
     }
   });
 }
@@ -207,6 +215,7 @@ TEST_P(Strata, LeaveTheRestOfAMeshSound) {
 }
 
 TEST_P(Strata, HaveTheTopologyThatBruteForceSees) {
+  Compared compared(name_of(GetParam()), is_seen_by_brute_force(GetParam()) ? 1 : 0);
   for_each_case(20241212, 1, [&](const TetTensors& tensors, const std::string& mode) {
     const Extraction extraction = extract(reference_tet_mesh(tensors), mode);
     const auto& known = extraction.statistics;
@@ -220,6 +229,7 @@ TEST_P(Strata, HaveTheTopologyThatBruteForceSees) {
         brute_force_topology(corners_of(tensors), level, {.ladder = {{48, 64}, {96, 128}}});
     if (expected) {
       EXPECT_EQ(topology_in_tet(extraction), *expected);
+      ++compared;
     }
   });
 }

@@ -4,6 +4,8 @@
 
 #include <iostream>
 
+#include "support/brute_force.hpp"
+#include "support/compared.hpp"
 #include "support/random_fields.hpp"
 #include "tensortopo/field/degenerate_arcs.hpp"
 #include "tensortopo/field/level_count.hpp"
@@ -35,6 +37,31 @@ TEST(LevelCount, HasOneLevelFromBothSides) {
   std::cout << compared << " compared, " << other_than_a_disc << " other than a disc\n";
   EXPECT_GT(compared, 800);
   EXPECT_GT(other_than_a_disc, 100);
+}
+
+// The sum over the sheets that brute force sees.
+TEST(LevelCount, HasTheEulerCharacteristicThatBruteForceSees) {
+  const std::uint64_t seed = 20250572;
+  SCOPED_TRACE(seed);
+  Random random(seed);
+  Compared compared("levels that brute force decides", 60), several("with several sheets", 10);
+  for (int trial = 0; trial < 60; ++trial) {
+    const TetTensors tensors = random.tet_tensors();
+    for (const char* text : {"-4/5", "1/3", "1/2"}) {
+      const ModeValue mode = ModeValue::parse(text);
+      if (!degenerate_arcs(tensors, {0, 0, 0, 0}, ModeValue::parse("9/10")) ||
+          !degenerate_arcs(tensors, {0, 0, 0, 0}, ModeValue::parse("-9/10")))
+        continue;
+      const auto count = count_level(tensors, mode, 1);
+      const auto seen = brute_force_topology(corners_of(tensors), mode.approx());
+      if (!count || !seen) continue;
+      int euler = 0;
+      for (const auto& sheet : seen->components) euler += sheet.euler;
+      EXPECT_EQ(count->level(), euler) << text << '\n' << exact_text(tensors);
+      ++compared;
+      several.count(seen->components.size() > 1);
+    }
+  }
 }
 
 // What critical points between two levels change is what tells their counts apart.

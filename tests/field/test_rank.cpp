@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "support/compared.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "witness.hpp"
@@ -70,11 +71,13 @@ TEST(Rank, SeesOneUlpThatNoFloatingFilterCan) {
 }
 
 TEST(Rank, DoesNotDependOnTheScale) {
+  test::Compared compared("ranks", 20);
   for (const auto& f : witness::all) {
     if (f.rank < 4 && f.denominator[0] != 1) continue;
     for (const double scale : {0x1p-1000, 0x1p-300, 0x1p300, 0x1p1000}) {
       Tensors t = witness::unit_tetrahedron_tensors<double>(f);
       for (auto& x : t) x = scale * x;
+      ++compared;
       EXPECT_EQ(exact_rank(t), f.rank) << f.name << ' ' << scale;
     }
   }

@@ -4,6 +4,7 @@
 
 #include "../field/witness.hpp"
 #include "manifold_case.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/scalar/constants.hpp"
 
 namespace tensortopo {
@@ -38,12 +39,14 @@ TEST(ComplexDomainBoundary, BifurcatesWhereTheSquaresOfTheModesSumToOne) {
 }
 
 TEST(ComplexDomainBoundary, ParameterizationIsOnItClosedAndRegular) {
+  Compared compared("boundary curves", 10);
   const Real50 turn = 2 * pi<Real50>(), h("1e-10");
   for (const auto& f : witness::full_rank)
     for (const char* text : {"1e-9", "0.1", "0.4", "0.6", "0.9", "0.9998", "1"}) {
       const Manifold m = manifold_of(f, text);
       if (m.complex_domain_empty()) continue;
       for (int loop = 0; loop < m.loop_count(); ++loop) {
+        ++compared;
         EXPECT_LT(norm(m.boundary_point(loop, 0) - m.boundary_point(loop, turn)), tiny());
         for (int i = 0; i < 40; ++i) {
           const Real50 phi = turn * i / 40;

@@ -4,6 +4,7 @@
 
 #include "../field/witness.hpp"
 #include "manifold_case.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/manifold/asymmetric_field.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 
@@ -150,6 +151,7 @@ TEST(TensorOfVector, OfTheSingularitiesNeighbourhoodStaysExactInDoubles) {
 }
 
 TEST(TensorOfVector, DoubleAgreesWithFiftyDigits) {
+  Compared compared("tensors", 1000);
   for (const auto& f : witness::full_rank)
     for (const char* text : {"0", "0.2", "0.5", "0.95"}) {
       const MediumEigenvectorManifold<double> coarse(
@@ -172,6 +174,7 @@ TEST(TensorOfVector, DoubleAgreesWithFiftyDigits) {
         const SymmetricTensor<Real50> difference = {t.xx - u.xx, t.yy - u.yy, t.zz - u.zz,
                                                     t.xy - u.xy, t.yz - u.yz, t.xz - u.xz};
         // The root at the boundary amplifies errors by 1 / sqrt(Delta).
+        ++compared;
         EXPECT_LT(static_cast<double>(norm(difference)), 4e-15 / std::sqrt(delta))
             << f.name << ' ' << text << ' ' << delta;
       }

@@ -8,6 +8,7 @@
 
 #include "brute_force.hpp"
 #include "generators.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "witness_fields.hpp"
 
@@ -110,11 +111,13 @@ TEST(BruteForce, RefusesWhatIsNotASurface) {
 }
 
 TEST(BruteForce, ThinTubesNeedTheFineRungs) {
+  Compared compared("thin tubes");
   const auto& witness = field_witness("offdiag3d");
   for (const TetCase& tet : witness.cases) {
     if (!tet.thin) continue;
     BruteForceTrace trace;
     brute_force_topology(corners_of(witness.field.at(tet.points)), tet.mode.value(), {}, &trace);
+    ++compared;
     EXPECT_GT(trace.rungs, 1);
   }
 }
@@ -134,6 +137,7 @@ TEST(BruteForce, ExactCountsCatchCrossingsThatTheLatticeMisses) {
 }
 
 TEST(BruteForce, DoesNotDependOnTheOrderOfTheVertices) {
+  Compared compared("tetrahedra", 15);
   Random random(5);
   for (int trial = 0; trial < 30; ++trial) {
     const double mode = trial % 2 ? 0.4 : -0.85;
@@ -143,6 +147,7 @@ TEST(BruteForce, DoesNotDependOnTheOrderOfTheVertices) {
     std::swap(corners[0], corners[1]);
     const auto second = brute_force_topology(corners, mode);
     if (first && second) {
+      ++compared;
       EXPECT_EQ(first->components, second->components) << "trial " << trial;
     }
   }
@@ -187,6 +192,7 @@ TEST(BruteForce, AcceptedAnswersStandUpToAFinerLattice) {
 // Loops and arcs on the faces are the boundary of the surface: arcs chain up to loops through the
 // edges, so that the faces alone give the number of boundary loops that touch no edge.
 TEST(BruteForce, FacesAndTetrahedronTellOneStory) {
+  Compared compared("tetrahedra", 10);
   Random random(9);
   for (int trial = 0; trial < 25; ++trial) {
     const auto corners = corners_of(random.tet_tensors());
@@ -204,6 +210,7 @@ TEST(BruteForce, FacesAndTetrahedronTellOneStory) {
     }
     if (!resolved) continue;
     for (const auto& component : whole->components) loops += component.loops;
+    ++compared;
     EXPECT_EQ(arcs, whole->crossings()) << "trial " << trial;
     EXPECT_GE(loops, closed) << "trial " << trial;
     EXPECT_EQ(loops > closed, arcs > 0) << "trial " << trial;

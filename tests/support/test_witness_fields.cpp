@@ -8,6 +8,7 @@
 #include "high_precision_mode.hpp"
 #include "level_sign.hpp"
 #include "random_fields.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "witness_fields.hpp"
 
@@ -78,12 +79,14 @@ TEST(FieldWitness, HasTheRankStated) {
 }
 
 TEST(FieldWitness, ModeIsStationaryAtTheSaddle) {
+  Compared compared("saddles");
   for (const auto& witness : field_witnesses()) {
     if (!witness.saddle) continue;
     const std::array<Vector3<double>, 4> points{
         {{-9, -9, -9}, {9, -9, -9}, {-9, 9, -9}, {-9, -9, 9}}};
     const TetMesh mesh = single_tet_mesh(points, witness.field.at(points));
     const auto precise = precise_mode(mesh, 0, witness.saddle->point, witness.saddle->mode);
+    ++compared;
     EXPECT_LT(std::abs(precise.residual), 1e-15) << witness.name;
     EXPECT_LT(precise.gradient, 1e-14) << witness.name;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/bench_command.hpp"
+#include "bench/measurements.hpp"
 #include "bench/scaling.hpp"
 #include "program/mode_option.hpp"
 #include "program/progress_bar.hpp"
@@ -26,7 +27,8 @@ struct BenchOptions {
   BenchCommand command;
   std::vector<std::string> modes, only;
   std::string scaling;
-  std::filesystem::path curves, chart;
+  std::filesystem::path curves, chart, report;
+  std::vector<std::filesystem::path> inputs;
   std::size_t largest = ScalingCommand().largest;
   const CLI::App* app = nullptr;  ///< knows which options were given
 };
@@ -76,6 +78,36 @@ void require_picture(const std::filesystem::path& file) {
   require_folder(file);
 }
 
+/// Empty if none was given. Throws UsageError for several.
+std::filesystem::path only_input(const BenchOptions& options) {
+  if (options.inputs.size() > 1) throw UsageError("--input: several go with --report only");
+  return options.inputs.empty() ? std::filesystem::path() : options.inputs.front();
+}
+
+ExitStatus report(const BenchOptions& options, const CommonOptions& common) {
+  refuse_given(*options.app, {"--only", "--curves", "--scaling", "--chart", "--largest", "--json"},
+               "has no effect on --report");
+  require_folder(options.report);
+  MeasurementsCommand command;
+  command.inputs = options.inputs;
+  if (command.inputs.empty()) command.inputs = {bundled_field()};
+  command.read = options.command.read;
+  command.modes = surface_modes(options);
+  if (command.modes.empty())
+    for (const char* mode : {"0", "1/10", "1/2", "9/10", "99/100"})
+      command.modes.push_back(ModeValue::parse(mode));
+  for (ModeValue& mode : command.modes)
+    if (mode.sign() < 0) mode = mode.opposite();
+  command.repeat = options.command.repeat;
+  command.all = options.command.all;
+  ProgressBar bar(!common.quiet);
+  const std::string page = measurements_page(command, bar.callback());
+  bar.erase();
+  write_text(options.report, page);
+  if (!common.quiet) print(options.report.string() + ": written\n");
+  return ExitStatus::done;
+}
+
 ExitStatus scaling(const BenchOptions& options, const CommonOptions& common) {
   ScalingCommand command;
   command.over = scalings().at(options.scaling);
@@ -88,7 +120,7 @@ ExitStatus scaling(const BenchOptions& options, const CommonOptions& common) {
     refuse_given(*options.app, {"--largest"}, "goes with --scaling size");
   }
   require_picture(options.chart);
-  command.input = options.command.input;
+  command.input = only_input(options);
   command.read = options.command.read;
   command.modes = surface_modes(options);
   command.largest = options.largest;
@@ -104,10 +136,12 @@ ExitStatus scaling(const BenchOptions& options, const CommonOptions& common) {
 }
 
 ExitStatus bench(const BenchOptions& options, const CommonOptions& common) {
+  if (!options.report.empty()) return report(options, common);
   if (!options.scaling.empty()) return scaling(options, common);
   refuse_given(*options.app, {"--chart", "--largest"}, "only with --scaling");
   require_picture(options.curves);
   BenchCommand command = options.command;
+  command.input = only_input(options);
   command.modes = surface_modes(options);
   if (command.input.empty()) {
     command.input = bundled_field();
@@ -135,10 +169,18 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
   const auto options = std::make_shared<BenchOptions>();
   options->app = &app;
   BenchCommand& command = options->command;
-  reads(common, app.add_option("--input", command.input,
+  reads(common, app.add_option("--input", options->inputs,
                                "Tetrahedral mesh with tensors (default: the smallest of "
-                               "examples/data, and without --mode then 1/2)"))
-      ->type_name("FILE");
+                               "examples/data, and without --mode then 1/2); with --report "
+                               "repeatable"))
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  writes(common,
+         app.add_option("--report", options->report,
+                        "Write a page of measurements: times, certificates, curves, for each "
+                        "--input and --mode (default: 0, 1/10, 1/2, 9/10, 99/100); with --all "
+                        "other methods at equal error as well"))
+      ->type_name("OUT.md");
   add_mode_option(app, options->modes)
       ->description("Mode M; surfaces of M and -M are timed; repeatable")
       ->required(false);

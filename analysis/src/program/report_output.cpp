@@ -11,12 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The options and arguments that were given: true for flags, lists where several are allowed.
+/// The options and arguments that were given, but for those that no result depends on: true for
+/// flags, lists where several are allowed.
 Json given_options(const CLI::App& subcommand) {
   Json json = Json::object();
   for (const CLI::Option* option : subcommand.get_options()) {
     if (option->count() == 0) continue;
     std::string name = option->get_lnames().empty() ? option->get_name() : option->get_lnames()[0];
+    if (name == "json" || name == "quiet" || name == "threads") continue;
     if (option->get_expected_max() == 0) {
       json[name] = true;
     } else if (option->results().size() == 1 && option->get_expected_max() == 1) {

@@ -31,8 +31,10 @@ constexpr int kExecFailed = 127;
   dup2(nowhere, STDERR_FILENO);
   fcntl(report, F_SETFD, 0);
   const std::string number = std::to_string(report);
-  execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "64x64x24", "-nolisten",
-         "tcp", static_cast<char*>(nullptr));
+  // Without -noreset a server starts anew when its last client leaves, and meanwhile refuses the
+  // next picture's connection, which VTK answers by ending the process.
+  execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "64x64x24", "-noreset",
+         "-nolisten", "tcp", static_cast<char*>(nullptr));
   _exit(kExecFailed);
 }
 

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/measurements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "bench/bench_command.hpp"
+#include "bench/machine.hpp"
+#include "bench/timing.hpp"
+#include "check/check_command.hpp"
+#include "short_text.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/temporary_folder.hpp"
+
+namespace tensortopo {
+namespace {
+
+/// Extracts to files that the next step reads, whatever group of files there is around.
+ExtractReport run_now(const ExtractCommand& command) {
+  FileGroup read_below(FileGroup::Bond::apart);
+  ExtractReport report = run_extract(command);
+  read_below.commit();
+  return report;
+}
+
+/// "±1/2", "0".
+std::string both_signs(const ModeValue& mode) {
+  return (mode.sign() == 0 ? "" : "±") + short_text(mode);
+}
+
+class Page {
+ public:
+  Page(const MeasurementsCommand& command, const Progress& progress)
+      : command_(command), progress_(progress) {}
+
+  std::string text() {
+    heading();
+    times();
+    certificates();
+    curves();
+    next_to_ends();
+    if (command_.all) other_methods();
+    return text_ + fmt::format("\nLoad at the end: {}.\n", load_text());
+  }
+
+ private:
+  template <class... Arguments>
+  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+  }
+  static std::string name(const std::filesystem::path& field) { return field.stem().string(); }
+  void tell(std::string_view stage) {
+    if (progress_) progress_(stage, std::min(1.0, 0.02 * static_cast<double>(++told_)));
+  }
+
+  void heading() {
+    add("# Measurements\n\nWritten by `tensortopo bench --report`, not by hand.\n\n"
+        "| | |\n| --- | --- |\n");
+    add("| machine | {} |\n| load at the start | {} |\n| commit | {} |\n| date | {} |\n",
+        machine_text(), load_text(), commit_text(), date_text());
+    add("| repetitions | {}, interleaved; medians are reported |\n\n", command_.repeat);
+    add("The load is the number of processes that want to run: where it is larger than the number "
+        "of threads, seconds are too long, and only ratios are worth reading.\n");
+  }
+
+  void times() {
+    add("\n## Extraction\n\nSeconds without reading and writing, by stage and for all, and of "
+        "`vtkContourGrid`, which contours the modes of the vertices linearly; "
+        "`vtkContour3DLinearGrid` is VTK's threaded filter.\n\n"
+        "| field | tetrahedra | modes | triangles | edges | faces | tetrahedra | assembly | all | "
+        "with certificate | vtkContourGrid | all over it | certified over it | all over "
+        "vtkContour3DLinearGrid |\n|{}\n",
+        dashes(14));
+    for (const auto& input : command_.inputs)
+      for (const ModeValue& mode : command_.modes) {
+        tell("timing " + name(input));
+        BenchCommand bench;
+        bench.input = input;
+        bench.read = command_.read;
+        bench.modes = {mode};
+        bench.repeat = command_.repeat;
+        bench.all = command_.all;
+        reports_.push_back(run_bench(bench));
+        const BenchReport& r = reports_.back();
+        const auto median = [&](const char* series) {
+          for (const BenchSeries& s : r.series)
+            if (s.name == series) return s.median();
+          return std::nan("");
+        };
+        const double ours = median("extract"), certified = median("certified"),
+                     vtk = median("vtk_contour");
+        add("| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | "
+            "{:.1f} | {:.1f} | {:.0f} |\n",
+            name(input), r.tetrahedra, both_signs(mode), r.series.front().triangles,
+            r.stages.at("edges"), r.stages.at("faces"), r.stages.at("tets"), r.stages.at("stitch"),
+            ours, certified, vtk, ours / vtk, certified / vtk,
+            ours / median("vtk_contour_3d_linear_grid"));
+      }
+  }
+
+  void certificates() {
+    add("\n## Certificates\n\nWhole programs, files read and written, once each: `extract`, "
+        "`extract --certify`, `check`. Claims as the independent checker judges them.\n\n"
+        "| field | modes | unresolved tetrahedra | claims | certified | undecided | refuted | "
+        "extract, s | certify over extract | check over extract | certificate over .vtp |\n|{}\n",
+        dashes(11));
+    for (const auto& input : command_.inputs)
+      for (const ModeValue& mode : command_.modes) {
+        tell("certifying " + name(input));
+        TemporaryFolder folder;
+        ExtractCommand extract = extraction(input, mode, folder);
+        const double plain = seconds_of([&] { run_now(extract); });
+        extract.certificate = folder.file("c.json");
+        ExtractReport report;
+        const double certified = seconds_of([&] { report = run_now(extract); });
+        CheckOutcome outcome;
+        const double check = seconds_of([&] {
+          outcome = run_check(input.string(), extract.output.string(),
+                              extract.certificate.string());
+        });
+        add("| {} | {} | {} | {} | {} | {} | {} | {:.2f} | {:.1f} | {:.1f} | {:.1f} |\n",
+            name(input), both_signs(mode), report.unresolved.size(),
+            outcome.certified + outcome.undecided + outcome.refuted, outcome.certified,
+            outcome.undecided, outcome.refuted, plain, certified / plain, check / plain,
+            static_cast<double>(report.certificate->bytes) / static_cast<double>(report.bytes));
+      }
+  }
+
+  void curves() {
+    add("\n## Degenerate curves\n\n| field | linear: curves (closed) | planar: curves (closed) | "
+        "unresolved tetrahedra | seconds |\n|{}\n",
+        dashes(5));
+    for (const auto& input : command_.inputs) {
+      tell("curves of " + name(input));
+      TemporaryFolder folder;
+      const ExtractReport report = run_now(extraction(input, ModeValue::parse("1"), folder));
+      add("| {} ", name(input));
+      for (const CurveReport& curve : report.curves)
+        add("| {} ({}) ", curve.invariants.components, curve.invariants.closed_components);
+      add("| {} | {:.2f} |\n", report.unresolved.size(), report.seconds_extract);
+    }
+  }
+
+  void next_to_ends() {
+    const std::vector<std::string> modes{"9999/10000", "999999/1000000"};
+    add("\n## Next to modes 1 and -1\n\nTetrahedra that hold the surface, those left unresolved, "
+        "and seconds without reading and writing.\n\n| field |");
+    for (const std::string& mode : modes) add(" ±{} |", short_text(ModeValue::parse(mode)));
+    add("\n|{}\n", dashes(modes.size() + 1));
+    for (const auto& input : command_.inputs) {
+      add("| {} |", name(input));
+      for (const std::string& mode : modes) {
+        tell("next to the ends of " + name(input));
+        TemporaryFolder folder;
+        const ExtractReport report =
+            run_now(extraction(input, ModeValue::parse(mode), folder));
+        std::size_t crossed = 0;
+        for (const SurfaceReport& s : report.surfaces) crossed += s.statistics.tets_crossed;
+        add(" {}, {}, {:.2f} s |", crossed, report.unresolved.size(), report.seconds_extract);
+      }
+      add("\n");
+    }
+  }
+
+  void other_methods() {
+    add("\n## Other methods, at equal error\n\nTheir seconds over ours at the lowest resolution at "
+        "which our error is not larger (`analysis/README.md`, Benchmarks).\n\n"
+        "| field | modes | ratio | value | |\n|{}\n",
+        dashes(5));
+    for (const BenchReport& r : reports_)
+      for (const BenchRatio& ratio : r.ratios) {
+        if (ratio.name.rfind("extract_over", 0) == 0 || ratio.name.rfind("certified", 0) == 0)
+          continue;
+        add("| {} | {} | {} | {} | {} |\n", name(r.input), both_signs(r.modes.front()), ratio.name,
+            ratio.value ? fmt::format("{:.2f}", *ratio.value) : "none", ratio.note);
+      }
+  }
+
+  static std::string dashes(std::size_t columns) {
+    std::string text;
+    for (std::size_t i = 0; i < columns; ++i) text += " --- |";
+    return text;
+  }
+
+  /// The surfaces, or curves, of both signs.
+  ExtractCommand extraction(const std::filesystem::path& input, const ModeValue& mode,
+                            TemporaryFolder& folder) const {
+    ExtractCommand extract;
+    extract.input = input;
+    extract.read = command_.read;
+    extract.modes = {mode};
+    extract.generalized = true;
+    extract.output = folder.file("s.vtp");
+    return extract;
+  }
+
+  const MeasurementsCommand& command_;
+  const Progress& progress_;
+  std::string text_;
+  std::vector<BenchReport> reports_;
+  int told_ = 0;
+};
+
+}  // namespace
+
+std::string measurements_page(const MeasurementsCommand& command, const Progress& progress) {
+  return Page(command, progress).text();
+}
+
+}  // namespace tensortopo
