@@ -27,6 +27,23 @@ if(HOW MATCHES "find_package")
     endif()
   endforeach()
   list(APPEND options "-DCMAKE_PREFIX_PATH=${prefix}")
+  # A component that is not there is named, with what can be done.
+  execute_process(COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CMAKE_CURRENT_LIST_DIR}/project"
+      -B "${build}/without" ${options} -DTENSORTOPO_COMPONENTS=nonsense
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE message)
+  string(REGEX REPLACE "[ \n]+" " " message "${message}")
+  if(status EQUAL 0 OR NOT message MATCHES "has no component nonsense: known is io")
+    message(FATAL_ERROR "a missing component is not explained: ${message}")
+  endif()
+  # The program's manual page and completion are installed with it.
+  if(EXISTS "${prefix}/bin/tensortopo")
+    foreach(file IN ITEMS share/man/man1/tensortopo.1
+        share/bash-completion/completions/tensortopo share/tensortopo/schema/extract.json)
+      if(NOT EXISTS "${prefix}/${file}")
+        message(FATAL_ERROR "${file} is not installed")
+      endif()
+    endforeach()
+  endif()
   if(HOW STREQUAL "find_package_with_io")
     list(APPEND options -DTENSORTOPO_COMPONENTS=io)
     set(program consumer_io)
