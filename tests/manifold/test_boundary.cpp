@@ -39,7 +39,7 @@ TEST(ComplexDomainBoundary, BifurcatesWhereTheSquaresOfTheModesSumToOne) {
 }
 
 TEST(ComplexDomainBoundary, ParameterizationIsOnItClosedAndRegular) {
-  Compared compared("boundary curves", 10);
+  test::Compared compared("boundary curves", 10);
   const Real50 turn = 2 * pi<Real50>(), h("1e-10");
   for (const auto& f : witness::full_rank)
     for (const char* text : {"1e-9", "0.1", "0.4", "0.6", "0.9", "0.9998", "1"}) {

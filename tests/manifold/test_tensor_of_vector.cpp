@@ -151,7 +151,7 @@ TEST(TensorOfVector, OfTheSingularitiesNeighbourhoodStaysExactInDoubles) {
 }
 
 TEST(TensorOfVector, DoubleAgreesWithFiftyDigits) {
-  Compared compared("tensors", 1000);
+  test::Compared compared("tensors", 1000);
   for (const auto& f : witness::full_rank)
     for (const char* text : {"0", "0.2", "0.5", "0.95"}) {
       const MediumEigenvectorManifold<double> coarse(

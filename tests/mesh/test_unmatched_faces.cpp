@@ -78,7 +78,7 @@ TEST(UnmatchedFaces, AreNoneWhereCellsTouchInVerticesAndEdges) {
 
 /// However the vertices are numbered and the mesh is turned, and whatever its size.
 TEST(UnmatchedFaces, DoNotDependOnNumbersAxesAndScale) {
-  Compared compared("meshes", 100);
+  test::Compared compared("meshes", 100);
   std::mt19937 random(5);
   for (int i = 0; i < 200; ++i) {
     TetMesh mesh = i % 2 == 0 ? with_diagonals(false) : with_hanging_node(0);
