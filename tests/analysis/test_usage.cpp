@@ -247,7 +247,7 @@ TEST(Usage, WhatIsNoSuiteIsBadInputInOurWords) {
 TEST(Usage, AFolderIsNoFileToCheck) {
   const Folder folder;
   const std::string here = folder / ".";
-  expect_line(run_program({"check", here, here, here}), 3, "cannot be read");
+  expect_line(run_program({"check", here, here, here}), 3, "is no regular file");
 }
 
 /// Not after minutes of work.

@@ -66,8 +66,9 @@ class Page {
     add("| machine | {} |\n| load at the start | {} |\n| commit | {} |\n| date | {} |\n",
         machine_text(), load_text(), commit_text(), date_text());
     add("| repetitions | {}, interleaved; medians are reported |\n\n", command_.repeat);
-    add("The load is the number of processes that want to run: where it is larger than the number "
-        "of threads, seconds are too long, and only ratios are worth reading.\n");
+    add("The load is the number of processes that want to run. Where it is larger than the number of "
+        "threads, others took part of the time: seconds are too long, and ratios of short to long "
+        "times as well. Counts do not depend on it.\n");
   }
 
   void times() {
