@@ -31,7 +31,8 @@ ExitStatus report(const ReportOptions& options, const CommonOptions& common) {
   ProgressBar bar(!common.quiet);
   const ReportSummary summary = run_report(command, bar.callback());
   bar.erase();
-  print(common.json ? to_json(summary) + '\n' : to_text(summary));
+  print_report(
+      common, "report", [&] { return to_json(summary); }, [&] { return to_text(summary); });
   const bool is_open = summary.verdict == "refuted" || summary.verdict == "undecided";
   return is_open ? ExitStatus::undecided : ExitStatus::done;
 }
