@@ -39,7 +39,8 @@ std::string with_provenance(const std::string& text, const CommonOptions& common
             {"version", program_version()},
             {"options", common.chosen == nullptr ? Json::object() : given_options(*common.chosen)}};
   const Json report = Json::parse(text);
-  for (const auto& [key, value] : report.items()) json[key] = value;
+  for (const auto& [key, value] : report.items())
+    if (!json.contains(key)) json[key] = value;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
