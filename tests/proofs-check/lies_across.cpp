@@ -115,9 +115,9 @@ bool mirror(Exhibit& e, Pick& pick) {
   return e.rehash(), true;
 }
 
-/// The surface in another place, or of another size, than the mesh.
+/// The surface outside the mesh, or of another size.
 bool move_surface(Exhibit& e, Pick& pick) {
-  const double factor = pick.coin() ? 1 : 2, by = factor == 1 ? 0.25 * pick.step() : 0;
+  const double factor = pick.coin() ? 1 : 1e6, by = factor == 1 ? 1e6 * pick.step() : 0;
   for (auto& p : e.surface.points) p = {factor * p.x + by, factor * p.y, factor * p.z};
   for (Json& level : e.certificate["levels"]) level["distance"] = nullptr;
   return e.rehash(), true;
