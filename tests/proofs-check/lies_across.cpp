@@ -232,7 +232,7 @@ bool move_under_coarse(Exhibit& e, Pick& pick) {
                          {"bound", "0x1p-1"}, {"coarse", coarse}, {"coarse_bound", "0x1p+100"}};
   }
   auto& p = e.surface.points[pick.below(e.surface.points.size())];
-  (pick.coin() ? p.x : p.z) += pick.step() * (pick.coin() ? 1e300 : 5);
+  (pick.coin() ? p.x : p.z) += pick.step() * (pick.coin() ? 1e300 : 1e6);
   return e.rehash(), true;
 }
 
