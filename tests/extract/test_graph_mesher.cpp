@@ -21,7 +21,7 @@ double area(const SurfaceMesh& surface) {
   return sum;
 }
 
-Extraction mesh(const TetMesh& mesh, const std::string& mode, MeshingMethod meshing,
+Extraction extract_by(const TetMesh& mesh, const std::string& mode, MeshingMethod meshing,
                 double resolution = Sampling().resolution) {
   ExtractOptions options;
   options.sampling.resolution = resolution;
@@ -38,8 +38,8 @@ TEST_P(DrawnAsGraphs, SheetsOfRealFieldsAreFlawlessAndOfTheSameTopology) {
   for (const auto& file : bundled_files()) {
     SCOPED_TRACE(file.filename().string() + " at " + mode);
     const TetMesh mesh = read(file);
-    const Extraction graph = mesh(mesh, mode, MeshingMethod::graph);
-    const Extraction manifold = mesh(mesh, mode, MeshingMethod::manifold);
+    const Extraction graph = extract_by(mesh, mode, MeshingMethod::graph);
+    const Extraction manifold = extract_by(mesh, mode, MeshingMethod::manifold);
     EXPECT_EQ(flaws(graph, mesh), "");
     EXPECT_EQ(summary(graph.surface), summary(manifold.surface));
     EXPECT_EQ(unresolved_text(graph), unresolved_text(manifold));
@@ -66,8 +66,8 @@ TEST(GraphMesher, GivesRandomSheetsTheirTopologyAndArea) {
       auto tensors = random.tet_tensors();
       for (auto& t : tensors) t = 0.5 * tensors[0] + 0.5 * t;
       const TetMesh mesh = reference_tet_mesh(tensors);
-      const Extraction graph = mesh(mesh, mode, MeshingMethod::graph, 8);
-      const Extraction manifold = mesh(mesh, mode, MeshingMethod::manifold, 8);
+      const Extraction graph = extract_by(mesh, mode, MeshingMethod::graph, 8);
+      const Extraction manifold = extract_by(mesh, mode, MeshingMethod::manifold, 8);
       EXPECT_EQ(flaws(graph, mesh), "");
       EXPECT_EQ(summary(graph.surface), summary(manifold.surface));
       graphs += graph.statistics.sheets_graph;
