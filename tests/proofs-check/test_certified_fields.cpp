@@ -299,7 +299,8 @@ TEST(CertifiedFields, ProgressIsToldStageByStage) {
         last = part;
       });
   // This certificate claims no distances.
-  const std::vector<std::string> expected{"where the level is", "edges", "faces", "tetrahedra"};
+  const std::vector<std::string> expected{"sides of vertices", "where the level is", "edges",
+                                          "faces", "tetrahedra"};
   EXPECT_EQ(stages, expected);
   EXPECT_EQ(to_json(report), to_json(check(s)));
 }

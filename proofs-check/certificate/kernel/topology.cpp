@@ -202,7 +202,7 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
     const Corner corner = field.corner(static_cast<Vertex>(v), false);
     above[v] = level.above(corner);
     if (!field.is_zero(static_cast<Vertex>(v)) && level.on_level(corner)) ++on_level;
-  }, "sides");
+  }, "sides of vertices");
   out.above.assign(above.begin(), above.end());
   out.on_level = on_level;
 
