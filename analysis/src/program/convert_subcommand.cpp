@@ -24,8 +24,8 @@ ExitStatus convert(const ConvertOptions& options, const CommonOptions& common) {
   if (lower_extension(options.output) != ".vtu")
     throw UsageError(options.output.string() + ": -o must end in .vtu");
   const ReadResult read = read_mesh(options.input, options.read);
-  say_notes(options.input, read.report.all_notes(), common.quiet);
   write_mesh(read.mesh, options.output, read.report.tensor_name);
+  say_notes(options.input, read.report.all_notes(), common.quiet);
   const std::size_t points = read.mesh.points.size(), tets = read.mesh.tets.size();
   if (common.json) {
     const nlohmann::ordered_json json{
