@@ -22,10 +22,9 @@ Scalar root_between(const Deviator<Scalar>& below, const Deviator<Scalar>& above
   const Scalar half = Scalar(1) / Scalar(2);
   Scalar lo(0), hi(1);
   // An end on the level, to rounding, need not be the crossing: the mode may leave it for the side
-  // that it counts to, and cross the level further on.
+  // that it counts to, even with derivative zero, and cross the level further on. As there is one
+  // crossing, any point inside on the end's own side has it beyond.
   const auto inward = [&](bool at_below) {
-    const auto at = level_slope(at_below ? below : above, level);
-    if (!(inner(at.slope, step3) < Scalar(0))) return false;
     for (Scalar k = half; k > tiny; k = half * k) {
       const Scalar place = at_below ? k : Scalar(1) - k;
       const Scalar f = level_function(below + place * step, level);
@@ -35,8 +34,10 @@ Scalar root_between(const Deviator<Scalar>& below, const Deviator<Scalar>& above
     }
     return false;
   };
-  if (!(f0 < Scalar(0)) && !inward(true)) return Scalar(0);
-  if (!(f1 > Scalar(0)) && !inward(false)) return Scalar(1);
+  // More roundings than `level_function` may be off by, of the larger value.
+  const Scalar unsure = Scalar(65536) * tiny * (f1 - f0);
+  if (!(f0 < -unsure) && !inward(true) && !(f0 < Scalar(0))) return Scalar(0);
+  if (!(f1 > unsure) && !inward(false) && !(f1 > Scalar(0))) return Scalar(1);
   Scalar t = -f0 / (f1 - f0);
   if (!(t > lo && t < hi)) t = half * (lo + hi);
   for (int iteration = 0; iteration < 400; ++iteration) {
