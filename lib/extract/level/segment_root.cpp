@@ -21,6 +21,9 @@ Scalar root_between(const Deviator<Scalar>& below, const Deviator<Scalar>& above
   const Scalar f0 = level_function(below, level), f1 = level_function(above, level);
   const Scalar half = Scalar(1) / Scalar(2);
   Scalar lo(0), hi(1);
+  // More roundings than `level_function` may be off by, of the larger value.
+  const Scalar unsure =
+      Scalar(65536) * tiny * ((f0 < Scalar(0) ? -f0 : f0) + (f1 < Scalar(0) ? -f1 : f1));
   // An end on the level, to rounding, need not be the crossing: the mode may leave it for the side
   // that it counts to, even with derivative zero, and cross the level further on. As there is one
   // crossing, any point inside on the end's own side has it beyond.
@@ -28,14 +31,12 @@ Scalar root_between(const Deviator<Scalar>& below, const Deviator<Scalar>& above
     for (Scalar k = half; k > tiny; k = half * k) {
       const Scalar place = at_below ? k : Scalar(1) - k;
       const Scalar f = level_function(below + place * step, level);
-      if (at_below ? !(f < Scalar(0)) : !(f > Scalar(0))) continue;
+      if (at_below ? !(f < -unsure) : !(f > unsure)) continue;
       (at_below ? lo : hi) = place;
       return true;
     }
     return false;
   };
-  // More roundings than `level_function` may be off by, of the larger value.
-  const Scalar unsure = Scalar(65536) * tiny * (f1 - f0);
   if (!(f0 < -unsure) && !inward(true) && !(f0 < Scalar(0))) return Scalar(0);
   if (!(f1 > unsure) && !inward(false) && !(f1 > Scalar(0))) return Scalar(1);
   Scalar t = -f0 / (f1 - f0);
