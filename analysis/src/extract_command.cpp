@@ -254,7 +254,6 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     options.sampling = command.sampling;
     options.meshing = command.drawing;
     options.keep_samples = command.all_samples;
-    options.embedded = command.embedded;
     options.keep_topology = certifying;
     overall.begin("mode " + short_text(modes[i]) + ": ");
     if (overall) options.progress = std::ref(overall);
@@ -303,7 +302,6 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     }
     const Clock invariants_clock;
     report.surfaces.push_back(surface_report(modes[i], extraction));
-    if (options.embedded) report.surfaces.back().not_embedded = extraction.not_embedded.size();
     report.seconds_invariants += invariants_clock.seconds();
     if (certifying) {
       overall("certificate", 0);

@@ -30,7 +30,6 @@ Json surface_json(const SurfaceReport& surface) {
   json["distance_bound"] = surface.distance_bound ? Json(*surface.distance_bound) : Json();
   json["tets_farther"] = surface.tets_farther;
   if (surface.distance_bound) json["area_within"] = surface.area_within;
-  if (surface.not_embedded) json["not_embedded"] = *surface.not_embedded;
   json["unresolved"] = counts(surface.unresolved);
   json["parts"] = parts_json(surface.invariants);
   return json;

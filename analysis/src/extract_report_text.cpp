@@ -129,12 +129,6 @@ std::string to_text(const ExtractReport& report) {
                    "critical mode: {} tetrahedra drawn at one next to it, of the same topology\n",
                    total.tets_nearby);
   }
-  for (const SurfaceReport& s : report.surfaces)
-    if (s.not_embedded.value_or(0) > 0)
-      fmt::format_to(out,
-                     "mode {}: in {} tetrahedra triangles intersect, or are at 90 degrees or more "
-                     "to the gradient; their topology is the proved\n",
-                     short_text(s.mode), *s.not_embedded);
   if (total.sheets_rims > 0) {
     fmt::format_to(out, "drawn between their rims, without a vertex inside: {} sheets\n",
                    total.sheets_rims);

@@ -3,18 +3,10 @@
 #pragma once
 
 #include "embedding/surface_defects.hpp"
-#include "tensortopo/extract/extract_options.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo::embedding {
-
-/// Surfaces without triangles that intersect, as far as that can be had.
-inline ExtractOptions embedded() {
-  ExtractOptions options;
-  options.embedded = true;
-  return options;
-}
 
 /// Coordinates as they are written: .vtp, .ply, .obj and .off hold the same doubles.
 inline Surface surface_of(const SurfaceMesh& mesh) {

@@ -222,8 +222,7 @@ AgainstGradient against_gradient(const Surface& surface, const Field& field) {
     if (!is_defined(field, tet) || !has_area(t)) continue;
     ++result.compared;
     if (!is_upward(field, tet, t, -1)) result.at_centroid.push_back(i);
-    if (!(is_upward(field, tet, t, 0) && is_upward(field, tet, t, 1) &&
-          is_upward(field, tet, t, 2)))
+    if (!(is_upward(field, tet, t, 0) && is_upward(field, tet, t, 1) && is_upward(field, tet, t, 2)))
       ++result.at_corners;
   }
   return result;
@@ -245,7 +244,7 @@ Residuals residuals(const Surface& surface, const Field& field, const Mode& mode
     ++result.compared;
     result.largest = std::max(result.largest, off);
     if (!(off <= rounding(field, t, surface.points[v]) + 0x1p-40 * (1 - std::abs(asked))))
-      result.off.push_back(v);
+      ++result.off;
   }
   return result;
 }

@@ -60,7 +60,7 @@ struct Mode {
 /// How far the mode at the vertices is from the one asked for.
 struct Residuals {
   double largest = 0;
-  std::vector<std::size_t> off;  ///< vertices that rounding does not explain, ascending
+  std::size_t off = 0;  ///< vertices that rounding does not explain
   std::size_t compared = 0;
 };
 

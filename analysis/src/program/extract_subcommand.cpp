@@ -149,8 +149,6 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->check(positive_number());
   app.add_flag("--improve", command.improve,
                "Flip edges and move vertices within their tetrahedra and faces for better angles");
-  app.add_flag("--embedded", command.embedded,
-               "Refine until no triangles of a tetrahedron intersect, and all face larger modes");
   app.add_flag("--all-samples", command.all_samples,
                "Keep samples of face curves that make needles and that the level can do without");
   app.add_option("--method", options->method, "How to extract")

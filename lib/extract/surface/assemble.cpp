@@ -75,9 +75,7 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   result.statistics.zero_deviator_vertices = active.zero_vertices;
   SurfaceMesh& surface = result.surface;
   for (std::size_t t = 0; t < tets; ++t)
-    if (meshes.cells[t].has_defects && !meshes.cells[t].unresolved)
-      result.not_embedded.push_back(cells.tets[t]);
-    else if (auto& mesh = meshes.cells[t]; mesh.unresolved) {
+    if (auto& mesh = meshes.cells[t]; mesh.unresolved) {
       mesh.patch = {};
       result.unresolved.push_back({cells.tets[t], *mesh.unresolved});
     }

@@ -108,7 +108,6 @@ bool CellMesher<Scalar>::ask_for_manifold() {
 /// eigenvector, the subdivision of the proof, this with fans for discs, the boundary loops alone.
 template <class Scalar>
 void CellMesher<Scalar>::choose_next() {
-  if (make_finer()) return;
   auto& mesher = mesh_.mesher;
   if (mesher == Mesher::small_disc) {
     state_.manifold = tet_manifold(tet_, level());
@@ -207,7 +206,7 @@ bool CellMesher<Scalar>::mesh_sheets(const FaceArcVertices& vertices) {
     return false;
   for (const auto& sheet : topology.sheets)
     if (!mesh_sheet(sheet, vertices)) return false;
-  if (state_.refinements == 0) release_large_subdivision(topology);
+  release_large_subdivision(topology);
   // Samples that fell together (a vertex of the mesh on the level) can pinch a sheet: then the
   // tetrahedron is reported rather than meshed wrongly.
   std::vector<std::vector<BoundaryVertex>> loops;
@@ -216,7 +215,7 @@ bool CellMesher<Scalar>::mesh_sheets(const FaceArcVertices& vertices) {
 }
 
 template <class Scalar>
-bool CellMesher<Scalar>::mesh_topology() {
+bool CellMesher<Scalar>::try_mesher() {
   mesh_.patch = {};
   const auto& topology = *proof_.topology;
   auto& mesher = mesh_.mesher;
@@ -235,7 +234,6 @@ bool CellMesher<Scalar>::mesh_topology() {
   }
   const auto vertices = around_.arc_vertices(tet_);
   Sampling sampling = input_.sampling_in(around_.cells, around_.t);
-  if (!state_.must_be_embedded || !input_.options.embedded) sampling.defect_rounds = 0;
   switch (mesher) {
     case Mesher::tubes:
       return mesh_tubes<Scalar>(*state_.manifold, tet_, topology, vertices, level(), sampling,

@@ -20,11 +20,6 @@ struct MeshingState {
   std::unique_ptr<TetManifold> manifold;        ///< if meshed there
   std::vector<SampleRequest<Scalar>> requests;  ///< samples that the mesher wants on the faces
   UnresolvedReason last_resort{};               ///< why boundary loops are the last resort
-  bool must_be_embedded = true;                 ///< `PatchDefects` are not accepted
-  bool was_meshed = false;                      ///< with the proved topology, but with defects
-  int halvings = 0;                             ///< of steps along boundary loops beside defects
-  int refinements = 0;                          ///< of the subdivision at defects
-  std::vector<SampleRequest<Scalar>> beside_defects;  ///< samples of boundary loops there
 };
 
 /// Meshes one tetrahedron; what it reads stays as it is in the meantime.
@@ -37,20 +32,12 @@ class CellMesher {
 
   /// Begins with rings around the arcs of the degenerate curve, where all sheets are tubes.
   void begin_with_tubes();
-  /// Tries the mesher whose turn it is; whether the patch has the proved topology and no defects.
+  /// Tries the mesher whose turn it is; whether the patch has the proved topology.
   bool try_mesher();
   /// After a failure: chooses the next one, and what samples it needs; or gives up.
   void choose_next();
 
  private:
-  bool is_in_chart() const {
-    return mesh_.mesher == Mesher::graph || mesh_.mesher == Mesher::manifold ||
-           mesh_.mesher == Mesher::dominant;
-  }
-  void flip();
-  bool find_defects();
-  bool make_finer();
-  bool mesh_topology();
   bool mesh_small_discs();
   bool mesh_graph();
   void mesh_cone();

@@ -40,10 +40,8 @@ double least_cosine(const Sampling& sampling) {
 /// The triangles on the two sides of a face.
 class FacePatches {
  public:
-  FacePatches(CellPatch* one, CellPatch* two, const Sampling& sampling, bool must_be_embedded)
-      : sides_{one, two},
-        must_be_embedded_(must_be_embedded),
-        flatness_(flatness(sampling)), least_cosine_(least_cosine(sampling)) {}
+  FacePatches(CellPatch* one, CellPatch* two, const Sampling& sampling)
+      : sides_{one, two}, flatness_(flatness(sampling)), least_cosine_(least_cosine(sampling)) {}
 
   double least_sine_around(CellPatch::Id v) const {
     double sine = 1;
@@ -67,12 +65,6 @@ class FacePatches {
       if (side == nullptr) return true;
       const double offset = side->offset_after(v, u);
       return offset <= flatness_ || offset <= side->offset_around(v);
-    });
-  }
-
-  bool stays_embedded(CellPatch::Id v, CellPatch::Id u) const {
-    return !must_be_embedded_ || std::all_of(sides_.begin(), sides_.end(), [&](const CellPatch* side) {
-      return side == nullptr || side->is_embedded_after(v, u);
     });
   }
 
@@ -107,7 +99,7 @@ class FacePatches {
         }
         if (ways[0].sine < ways[1].sine) std::swap(ways[0], ways[1]);
         const auto way = std::find_if(ways.begin(), ways.end(), [&](const Way& w) {
-          return w.sine > 0 && stays_close(v, w.to) && stays_embedded(v, w.to);
+          return w.sine > 0 && stays_close(v, w.to);
         });
         if (way == ways.end()) {
           ++i;
@@ -122,7 +114,6 @@ class FacePatches {
 
  private:
   std::array<CellPatch*, 2> sides_;
-  bool must_be_embedded_;
   double flatness_, least_cosine_;
 };
 
@@ -198,7 +189,7 @@ void coarsen_face_curves(const SurfaceInput<Scalar>& input, const VertexSides& s
         const Index t = cells.face_tets[f][i];
         return t < 0 ? nullptr : patches[as_size(t)].get();
       };
-      FacePatches around(side(0), side(1), input.sampling_on(cells, f), input.options.embedded);
+      FacePatches around(side(0), side(1), input.sampling_on(cells, f));
       auto next = numbers.of_face[f];
       for (const auto& arc : boundary.arcs[f]) {
         const auto end = [&](const ArcEnd& e) {

@@ -21,7 +21,6 @@ struct CellMesh {
   int sheets = 0;                              ///< how many were proved
   bool refined = false;                        ///< by a refinement
   std::optional<UnresolvedReason> unresolved;  ///< not proved, or proved and not meshed
-  bool has_defects = false;                    ///< the patch has `PatchDefects`
 };
 
 /// The triangles of all tetrahedra, with the sampling of faces that meshing needed.

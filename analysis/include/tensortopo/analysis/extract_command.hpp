@@ -37,7 +37,6 @@ struct ExtractCommand {
   Sampling sampling;
   MeshingMethod drawing = MeshingMethod::manifold;
   bool all_samples = false;  ///< `ExtractOptions::keep_samples`
-  bool embedded = false;     ///< `ExtractOptions::embedded`
   bool improve = false;  ///< surfaces by `improve_triangles`
   Provenance provenance;
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone

@@ -31,7 +31,6 @@ struct SurfaceReport {
   std::size_t tets_farther = 0;  ///< tetrahedra without the distance that was asked for
   double area_within = 0;  ///< share of the area in the other tetrahedra, if a distance was asked for
   std::optional<std::int64_t> first_farther;  ///< the first of these, a cell of the file
-  std::optional<std::size_t> not_embedded;  ///< tetrahedra, if `ExtractOptions::embedded`
   std::map<std::string, std::size_t> unresolved;  ///< by the name of the reason
   ExtractStatistics statistics;
 };

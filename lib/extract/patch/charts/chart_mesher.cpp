@@ -5,73 +5,31 @@
 #include <algorithm>
 #include <map>
 
-#include "extract/level/position.hpp"
-#include "extract/patch/charts/defect_cuts.hpp"
 #include "extract/patch/patch_check.hpp"
+#include "extract/patch/quality/edge_flips.hpp"
 #include "extract/patch/quality/split_triangles.hpp"
 #include "extract/run/extractor_scalars.hpp"
 
 namespace tensortopo {
 
-namespace {
-
-/// Vertices for triangles with defects: so many, and twice as many as there are others.
-constexpr std::size_t kMostAdded = 200;
-
-}  // namespace
-
 template <class Scalar>
 ChartMesher<Scalar>::ChartMesher(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                                  const CellTopology<Scalar>& proved,
                                  const FaceArcVertices& vertices, const Level<Scalar>& level,
-                                 const Sampling& sampling, Patch<Scalar>& out)
-    : tet_(tet),
-      proved_(proved),
-      level_(level),
-      defect_rounds_(sampling.defect_rounds),
-      out_(out),
-      inner_(manifold, tet, level, out) {
+                                 Patch<Scalar>& out)
+    : tet_(tet), proved_(proved), level_(level), out_(out), inner_(manifold, tet, level, out) {
   for (const auto& loop : proved.loops) {
     boundaries_.push_back(loop_vertices(loop, vertices));
-    for (const auto& vertex : boundaries_.back()) {
-      inner_.take(vertex.position);
-      boundary_places_[vertex.id] = vertex.position;
-    }
+    for (const auto& vertex : boundaries_.back()) inner_.take(vertex.position);
   }
-}
-
-template <class Scalar>
-Vector3<double> ChartMesher<Scalar>::place_in_space(std::int32_t corner) const {
-  if (corner >= 0) return boundary_places_.at(corner);
-  return position_at(out_.inner[static_cast<std::size_t>(-1 - corner)].weights,
-                     tet_.simplex.exponents, tet_.points);
 }
 
 template <class Scalar>
 bool ChartMesher<Scalar>::triangulate() {
   ChartTriangulation triangulation;
-  const auto points = points_;  // images are added
-  const UpwardTest test(tet_);
-  const auto judge = [&](const auto& triangles) {
-    return cuts_at_defects(triangles, places_in_space_, segments_, test);
-  };
-  std::size_t room = kMostAdded;
-  const auto add = [&](const ChartTriangulation::Place& place) {
-    if (room == 0) return std::optional<ChartTriangulation::Point>();
-    --room;
-    Vector3<double> v{0, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i) v += place.weights[i] * images_[place.corners[i]].v;
-    const auto image = add_inner_image(v);
-    return image ? std::optional(points_[*image]) : std::nullopt;
-  };
-  if (!triangulation.build(
-          points, segments_,
-          [&](const auto& clearance) {
-            auto samples = grid_samples(clearance);
-            room += 2 * images_.size();
-            return samples;
-          },
-          judge, add, defect_rounds_))
+  const auto points = points_;  // `grid_samples` adds to the images
+  if (!triangulation.build(points, segments_,
+                           [&](const auto& clearance) { return grid_samples(clearance); }))
     return false;
   triangles_ = std::move(triangulation.triangles);
   return true;
@@ -128,8 +86,9 @@ template <class Scalar>
 bool ChartMesher<Scalar>::emit() {
   for (const auto& t : triangles_)
     out_.triangles.push_back({images_[t[0]].corner, images_[t[1]].corner, images_[t[2]].corner});
-  drop_unused_inner(out_);
-  return direct_as_proved(out_.triangles, boundaries_, proved_.sheets);
+  if (!direct_as_proved(out_.triangles, boundaries_, proved_.sheets)) return false;
+  flip_edges<Scalar>(tet_, level_, boundaries_, out_);
+  return true;
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar) template class ChartMesher<Scalar>;

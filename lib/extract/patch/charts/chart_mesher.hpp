@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -20,7 +19,7 @@ class ChartMesher {
  public:
   ChartMesher(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
               const CellTopology<Scalar>& proved, const FaceArcVertices& vertices,
-              const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out);
+              const Level<Scalar>& level, Patch<Scalar>& out);
   virtual ~ChartMesher() = default;
 
  protected:
@@ -36,11 +35,8 @@ class ChartMesher {
                         const ChartTriangulation::Point& point) {
     images_.push_back({corner, faces, v});
     points_.push_back(point);
-    places_in_space_.push_back(place_in_space(corner));
     return images_.size() - 1;
   }
-
-  Vector3<double> place_in_space(std::int32_t corner) const;
 
   /// The image of a new vertex of the level inside the tetrahedron, at this place; nothing if there
   /// is none.
@@ -51,8 +47,7 @@ class ChartMesher {
   virtual std::vector<ChartTriangulation::Point> grid_samples(
       const ChartTriangulation::Clearance& clearance) = 0;
 
-  /// The regions that the segments bound, with samples of a grid in them, and more where triangles
-  /// would not be embedded in space.
+  /// The regions that the segments bound, with samples of a grid in them.
   bool triangulate();
 
   /// A diagonal between two boundary loop vertices on one face might be chosen by the neighbour as
@@ -71,14 +66,11 @@ class ChartMesher {
   const TetWithCurves<Scalar>& tet_;
   const CellTopology<Scalar>& proved_;
   const Level<Scalar>& level_;
-  int defect_rounds_;
   Patch<Scalar>& out_;
   InnerVertices<Scalar> inner_;
   std::vector<std::vector<BoundaryVertex>> boundaries_;
   std::vector<Image> images_;
   std::vector<ChartTriangulation::Point> points_;  ///< of the images, in the chart
-  std::vector<Vector3<double>> places_in_space_;   ///< of the images
-  std::map<std::int32_t, Vector3<double>> boundary_places_;
   std::vector<std::array<std::size_t, 2>> segments_;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };

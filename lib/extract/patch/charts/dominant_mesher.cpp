@@ -35,7 +35,7 @@ class DominantMesher : ChartMesher<Scalar> {
                  const CellTopology<Scalar>& proved, const FaceArcVertices& vertices,
                  const Level<Scalar>& level, const Sampling& sampling, DominantChart::About about,
                  Patch<Scalar>& out)
-      : Base(manifold, tet, proved, vertices, level, sampling, out),
+      : Base(manifold, tet, proved, vertices, level, out),
         chart_(manifold.characteristic, level.parameter, about),
         turn_(sampling.largest_turn()) {}
 

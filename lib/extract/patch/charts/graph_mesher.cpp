@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
-#include "extract/level/position.hpp"
 #include "extract/patch/charts/chart_triangulation.hpp"
-#include "extract/patch/charts/defect_cuts.hpp"
 #include "extract/patch/charts/line_view.hpp"
 #include "extract/patch/patch_check.hpp"
+#include "extract/patch/quality/edge_flips.hpp"
 #include "extract/run/extractor_scalars.hpp"
 
 namespace tensortopo {
@@ -32,7 +30,6 @@ class GraphMesher {
         view_(view),
         proved_(proved),
         level_(level),
-        rounds_(kRounds + sampling.defect_rounds),
         turn_(std::cos(std::min(sampling.largest_turn(), 1.5))),
         wide_turn_(std::cos(std::min(2 * sampling.largest_turn(), 1.5))),
         out_(out) {}
@@ -42,20 +39,9 @@ class GraphMesher {
     const BoundaryEdges boundary(boundaries_);
     ChartTriangulation triangulation;
     const auto points = points_;  // `add` makes more
-    const UpwardTest test(tet_);
-    const auto judge = [&](const auto& triangles) {
-      std::vector<Cut> cuts;
-      cuts.reserve(triangles.size());
-      for (const auto& t : triangles) cuts.push_back(cut(t, boundary));
-      // Only where nothing else is to be done.
-      if (rounds_ > kRounds &&
-          std::all_of(cuts.begin(), cuts.end(), [](Cut c) { return c == Cut::none; }))
-        return cuts_at_defects(triangles, places_in_space_, segments_, test);
-      return cuts;
-    };
-    if (!triangulation.build(
-            points, segments_, [](const auto&) { return std::vector<ChartTriangulation::Point>(); },
-            judge, [&](const auto& place) { return add(place); }, rounds_))
+    if (!triangulation.build_fine(
+            points, segments_, [&](const auto& corners) { return cut(corners, boundary); },
+            [&](const auto& place) { return add(place); }, kRounds))
       return false;
     return emit(triangulation.triangles);
   }
@@ -77,7 +63,6 @@ class GraphMesher {
       const auto mapped = view_.mapped(v.position);
       corners_.push_back({v.id, v.faces, mapped, v.medium, v.dominant});
       points_.push_back(view_.seen(mapped));
-      places_in_space_.push_back(v.position);
       segments_.push_back({first + i, first + (i + 1) % n});
     }
     boundaries_.push_back(std::move(boundary));
@@ -106,40 +91,37 @@ class GraphMesher {
     return far ? Cut::amid : Cut::none;
   }
 
-  std::optional<ChartTriangulation::Point> add(const ChartTriangulation::Place& place) {
+  bool add(const ChartTriangulation::Place& place) {
     typename LineView<Scalar>::Weights mapped{};
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t i = 0; i < 4; ++i)
         mapped[i] += place.weights[c] * corners_[place.corners[c]].mapped[i];
     const auto vertex = view_.on_level(mapped, level_);
-    if (!vertex) return std::nullopt;
+    if (!vertex) return false;
     out_.inner.push_back(*vertex);
     corners_.push_back({-static_cast<std::int32_t>(out_.inner.size()), 0, view_.mapped(*vertex),
                         vector_cast<double>(medium_eigenvector(vertex->tensor, level_)),
                         vector_cast<double>(dominant_eigenvector(vertex->tensor, level_))});
-    places_in_space_.push_back(
-        position_at(vertex->weights, tet_.simplex.exponents, tet_.points));
-    return place.at;
+    return true;
   }
 
   bool emit(const std::vector<std::array<std::size_t, 3>>& triangles) {
     for (const auto& t : triangles)
       out_.triangles.push_back({corners_[t[0]].id, corners_[t[1]].id, corners_[t[2]].id});
-    drop_unused_inner(out_);
-    return direct_as_proved(out_.triangles, boundaries_, proved_.sheets);
+    if (!direct_as_proved(out_.triangles, boundaries_, proved_.sheets)) return false;
+    flip_edges<Scalar>(tet_, level_, boundaries_, out_);
+    return true;
   }
 
   const TetWithCurves<Scalar>& tet_;
   const LineView<Scalar>& view_;
   const CellTopology<Scalar>& proved_;
   const Level<Scalar>& level_;
-  int rounds_;
   double turn_, wide_turn_;  ///< cosines
   Patch<Scalar>& out_;
 
   std::vector<Corner> corners_;
   std::vector<ChartTriangulation::Point> points_;
-  std::vector<Vector3<double>> places_in_space_;  ///< of the corners
   std::vector<std::array<std::size_t, 2>> segments_;
   std::vector<std::vector<BoundaryVertex>> boundaries_;
 };

@@ -32,7 +32,7 @@ class ManifoldMesher : ChartMesher<Scalar> {
                  const CellTopology<Scalar>& proved,
                  std::span<const SampleRequest<Scalar>> requests, const FaceArcVertices& vertices,
                  const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out)
-      : Base(manifold, tet, proved, vertices, level, sampling, out),
+      : Base(manifold, tet, proved, vertices, level, out),
         on_(manifold),
         chart_(manifold.manifold),
         turn_(sampling.largest_turn()) {

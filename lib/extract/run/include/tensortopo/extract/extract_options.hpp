@@ -12,9 +12,6 @@ namespace tensortopo {
 struct Sampling {
   /// Samples per unit (radian) of turning of the medium eigenvector.
   double resolution = 4;
-  /// How often triangles that are not embedded, or at 90 degrees to the gradient or more, are made
-  /// finer before another way of meshing is tried.
-  int defect_rounds = 12;
   double largest_turn() const { return 1 / resolution; }
 };
 
@@ -33,10 +30,6 @@ struct ExtractOptions {
   /// Keep the samples of face curves that meshing on the manifold needed, but that make needles of
   /// the triangles beside them and that the level can do without. They are dropped otherwise.
   bool keep_samples = false;
-  /// Refine until in each tetrahedron no two triangles intersect and each is within 90 degrees of the
-  /// gradient of the mode, decided exactly for the coordinates that are written; tetrahedra where
-  /// that fails are listed in `Extraction::not_embedded`. Takes up to several times as long.
-  bool embedded = false;
   bool keep_topology = false;  ///< fill `Extraction::topology`
   /// Called now and then, from one thread at a time, with the stage and how much of it is done.
   std::function<void(std::string_view stage, double fraction)> progress;

@@ -47,9 +47,6 @@ struct ExtractStatistics {
 struct Extraction {
   SurfaceMesh surface;
   std::vector<UnresolvedCell> unresolved;
-  /// Tetrahedra whose triangles have the proved topology, but intersect each other or are at 90
-  /// degrees to the gradient of the mode or more.
-  std::vector<TetMesh::Index> not_embedded;
   LevelTopology topology;  ///< if asked for
   ExtractStatistics statistics;
 };
