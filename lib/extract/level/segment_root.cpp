@@ -21,7 +21,8 @@ Scalar root_between(const Deviator<Scalar>& below, const Deviator<Scalar>& above
   const Scalar f0 = level_function(below, level), f1 = level_function(above, level);
   const Scalar half = Scalar(1) / Scalar(2);
   Scalar lo(0), hi(1);
-  // More roundings than `level_function` may be off by, of the larger value.
+  // Values below this may be rounding. A guide to where to look, not a bound: it places a sample,
+  // and decides no topology.
   const Scalar unsure =
       Scalar(65536) * tiny * ((f0 < Scalar(0) ? -f0 : f0) + (f1 < Scalar(0) ? -f1 : f1));
   // An end on the level, to rounding, need not be the crossing: the mode may leave it for the side
