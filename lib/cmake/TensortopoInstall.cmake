@@ -27,23 +27,6 @@ install(FILES
   "${PROJECT_BINARY_DIR}/tensortopoConfigVersion.cmake"
   DESTINATION "${package_dir}")
 
-# Debian packages: cpack --config build/release/CPackConfig.cmake -G DEB. Of components, so far the
-# Python package alone.
-if(PROJECT_IS_TOP_LEVEL AND TENSORTOPO_BUILD_PYTHON)
-  set(CPACK_GENERATOR DEB)
-  set(CPACK_PACKAGE_CONTACT "the tensortopo authors")
-  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-  set(CPACK_COMPONENTS_ALL python)
-  set(CPACK_DEB_COMPONENT_INSTALL ON)
-  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tensortopo)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-meshio")
-  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-    "Mode surfaces and degenerate curves of piecewise linear fields, from numpy arrays to numpy arrays, with certificates and their checker.")
-  set(CPACK_STRIP_FILES ON)
-  include(CPack)
+if(PROJECT_IS_TOP_LEVEL)
+  include(TensortopoPackages)
 endif()

@@ -94,6 +94,14 @@ Json distance_json(const DistanceClaim& claim, const TetMesh& mesh) {
           {"coarse_bound", exact(claim.coarse_bound)}};
 }
 
+Json stability_json(const StabilityClaim& claim, std::size_t first_vertex) {
+  Json components = Json::array();
+  for (const auto v : claim.components) components.push_back(first_vertex + as_size(v));
+  return {{"radius", exact(claim.radius)},
+          {"of", claim.of_deviator ? "deviator" : "tensor"},
+          {"components", std::move(components)}};
+}
+
 Json undecided_json(const std::vector<UndecidedCell>& cells, const TetMesh& mesh) {
   Json undecided = Json::array();
   for (const auto& cell : cells)
@@ -127,6 +135,8 @@ Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size
   json["cones"] = cones_json(level, first_vertex, mesh);
   json["components"] = std::move(components);
   json["distance"] = distance_json(level.distance, mesh);
+  if (level.stability) json["stability"] = stability_json(*level.stability, first_vertex);
+  if (level.embedded) json["embedded"] = true;
   return json;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "claims.hpp"
@@ -7,7 +9,10 @@
 #include "distance_proof.hpp"
 #include "for_each.hpp"
 #include "extract/level/level.hpp"
+#include "extract/surface/renumber_extraction.hpp"
 #include "tensortopo/certify/certified_level.hpp"
+#include "tensortopo/extract/embedded.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
 
 namespace tensortopo {
 
@@ -24,9 +29,31 @@ Brackets brackets_of(const LevelTopology& topology, const ScaledField<double>& f
   return brackets;
 }
 
-}  // namespace
+/// The claims in the mesh's own numbers. Brackets of an edge that is reversed are mirrored, which is
+/// exact.
+void renumber(CertifiedLevel& claims, Extraction& extraction, std::span<const Index> vertices,
+              std::span<const Index> tets) {
+  std::swap(claims.topology, extraction.topology);
+  const auto moved = renumber(extraction, vertices, tets);
+  std::swap(claims.topology, extraction.topology);
+  std::vector<std::vector<DyadicBracket>> brackets(moved.size());
+  for (std::size_t e = 0; e < moved.size(); ++e) {
+    brackets[e] = std::move(claims.brackets[moved[e].from]);
+    if (!moved[e].is_reversed) continue;
+    std::reverse(brackets[e].begin(), brackets[e].end());
+    for (DyadicBracket& b : brackets[e]) b.place = (std::uint64_t{1} << b.depth) - 1 - b.place;
+  }
+  claims.brackets = std::move(brackets);
+  for (auto& cell : claims.undecided) cell.tet = tets[as_size(cell.tet)];
+  std::sort(claims.undecided.begin(), claims.undecided.end(),
+            [](const auto& p, const auto& q) { return p.tet < q.tet; });
+  for (Index& t : claims.distance.coarse) t = tets[as_size(t)];
+  std::sort(claims.distance.coarse.begin(), claims.distance.coarse.end());
+}
 
-CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction) {
+/// @param extraction  in the numbers of this mesh
+CertifiedLevel certify_in_order(const TetMesh& mesh, const ModeValue& mode,
+                                Extraction& extraction) {
   const SurfaceMesh& surface = extraction.surface;
   const ScaledField<double> field(mesh);
   const auto level = make_level<double>(mode);
@@ -42,8 +69,19 @@ CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& e
   drop_cells(mesh, result, brackets_of(result.topology, field, level),
              [](Index) { return std::string(); });
   result.components = components_of(surface);
+  result.embedded = is_embedded(surface);
   result.distance = prove_distance(mesh, surface, decided_triangles(mesh, surface, result),
                                    result.topology, field, level);
+  return result;
+}
+
+}  // namespace
+
+CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction) {
+  const CanonicalMesh canonical = canonical_mesh(mesh);
+  renumber(extraction, inverse_permutation(canonical.vertices), inverse_permutation(canonical.tets));
+  CertifiedLevel result = certify_in_order(canonical.mesh, mode, extraction);
+  renumber(result, extraction, canonical.vertices, canonical.tets);
   return result;
 }
 

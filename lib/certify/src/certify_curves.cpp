@@ -13,6 +13,7 @@
 #include "for_each.hpp"
 #include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
 
 namespace tensortopo {
 
@@ -23,6 +24,17 @@ using FaceVertices = std::array<Index, 3>;
 
 /// Of boxes: narrower ones only where points are nearer to each other.
 constexpr int kDepth = 40, kGreatestDepth = 52;
+
+/// result[i] = values[place[i]].
+template <class Value>
+std::array<Value, 3> permuted(const std::array<Value, 3>& values,
+                              const std::array<std::size_t, 3>& place) {
+  return {values[place[0]], values[place[1]], values[place[2]]};
+}
+
+WeightBounds in_order(const WeightBounds& bounds, const std::array<std::size_t, 3>& place) {
+  return {permuted(bounds.low, place), permuted(bounds.high, place)};
+}
 
 /// A box that holds the point, as bounded and as rounded.
 std::optional<FacePointClaim> box_around(const WeightBounds& bounds,
@@ -57,12 +69,25 @@ bool meet(const FacePointClaim& p, const FacePointClaim& q) {
 }
 
 /// The points of a face with boxes around them, in the order in which they were extracted; nothing
-/// if they cannot be told apart.
+/// if they cannot be separated.
 class FaceClaims {
  public:
-  FaceClaims(const TetMesh& mesh, Degeneracy kind) : mesh_(mesh), kind_(kind), field_(mesh) {}
+  FaceClaims(const TetMesh& mesh, Degeneracy kind)
+      : mesh_(mesh),
+        kind_(kind),
+        field_(mesh),
+        rank_(inverse_permutation(canonical_mesh(mesh).vertices)) {}
 
-  std::optional<std::vector<FacePointClaim>> operator()(const FaceVertices& face) const {
+  /// @param given  the face's vertices; boxes are of the weights of the second and third of these
+  std::optional<std::vector<FacePointClaim>> operator()(const FaceVertices& given) const {
+    // Points are extracted with the vertices in canonical order.
+    FaceVertices face = given;
+    std::sort(face.begin(), face.end(),
+              [&](Index u, Index v) { return rank_[as_size(u)] < rank_[as_size(v)]; });
+    std::array<std::size_t, 3> place;  // of the given vertices in that order
+    for (std::size_t i = 0; i < 3; ++i)
+      place[i] =
+          static_cast<std::size_t>(std::find(face.begin(), face.end(), given[i]) - face.begin());
     std::array<ScaledTensor, 3> tensors;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t v = as_size(face[i]);
@@ -77,7 +102,9 @@ class FaceClaims {
       for (const FacePoint& point : found.points) {
         const auto bounds = weight_bounds(tensors, point);
         const auto box =
-            bounds ? box_around(*bounds, coordinates(tensors, point), depth) : std::nullopt;
+            bounds ? box_around(in_order(*bounds, place),
+                                permuted(coordinates(tensors, point), place), depth)
+                   : std::nullopt;
         if (!box) return std::nullopt;
         claims.push_back(*box);
       }
@@ -109,6 +136,7 @@ class FaceClaims {
   const TetMesh& mesh_;
   const Degeneracy kind_;
   const ScaledField<double> field_;
+  const std::vector<Index> rank_;  ///< of each vertex, in canonical order
 };
 
 /// The vertices of polylines that are inside faces of the mesh, by face, ascending.

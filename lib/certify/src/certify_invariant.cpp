@@ -12,6 +12,7 @@
 #include "for_each.hpp"
 #include "surface_topology.hpp"
 #include "tensortopo/certify/certified_level.hpp"
+#include "tensortopo/extract/embedded.hpp"
 
 namespace tensortopo {
 
@@ -65,7 +66,7 @@ Brackets brackets_of(const TetMesh& mesh, const QuadraticLevel& level, LevelTopo
     for (auto& crossing : edge.crossings) {
       above = !above;
       crossing.rising = above;
-      crossings.push_back({crossing.weight, crossing.rising});
+      crossings.push_back({crossing.weights[1], crossing.rising});
     }
     brackets[e] =
         find_brackets(crossings, [&](double t) { return form.is_above(t); });
@@ -116,6 +117,7 @@ CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
     return found == critical.end() ? std::string() : found->second;
   });
   result.components = components_of(surface);
+  result.embedded = is_embedded(surface);
   result.distance = prove_distance(mesh, surface, decided_triangles(mesh, surface, result),
                                    result.topology, form);
   return result;

@@ -34,10 +34,10 @@ class EdgeSides {
 
   bool is_usable() const { return is_usable_; }
 
-  /// The barycentric coordinate of the second vertex, from that among scaled tensors.
-  double coordinate(double weight) const {
-    // T_i = 2^-exponent U_i: (1 - w) U_0 + w U_1 is along (1 - w) / s_0 T_0 + w / s_1 T_1.
-    const double first = (1 - weight) / scale_[0], second = weight / scale_[1];
+  /// The barycentric coordinate of the second vertex, from those among scaled tensors.
+  double coordinate(const std::array<double, 2>& weights) const {
+    // T_i = 2^-exponent U_i: v U_0 + w U_1 is along v / s_0 T_0 + w / s_1 T_1.
+    const double first = weights[0] / scale_[0], second = weights[1] / scale_[1];
     return second / (first + second);
   }
 
@@ -63,7 +63,7 @@ std::optional<std::vector<DyadicBracket>> crossing_brackets(const LevelTopology:
   if (!sides.is_usable()) return std::nullopt;
   std::vector<NearCrossing> crossings;
   for (const auto& crossing : edge.crossings)
-    crossings.push_back({sides.coordinate(crossing.weight), crossing.rising});
+    crossings.push_back({sides.coordinate(crossing.weights), crossing.rising});
   return find_brackets(crossings, [&](double t) { return sides.is_above(t); });
 }
 

@@ -20,7 +20,7 @@ namespace tensortopo {
 /// face and hold the arc, as its ends do not leave their edges and no other crossing is near; so
 /// what the segments over a sheet hold has degree one over the level's sheet, and covers it: each
 /// point of the level is within the reach of the triangles, too. (For a sheet that meets no edge of
-/// the tetrahedron see `uncovered_closed_rims`.) Around vertices without deviator both are cones:
+/// the tetrahedron see `uncovered_closed_loops`.) Around isotropic vertices both are cones:
 /// what holds of the curve on the opposite face holds, shrunk, of all of it, and tips stay in
 /// place.
 ///

@@ -169,7 +169,7 @@ class LevelInCell : public CellInSpace {
   }
 
  private:
-  /// A vertex without deviator must not decide on the scale.
+  /// An isotropic vertex must not decide on the scale.
   static std::array<int, 4> exponents(const ScaledField<double>& field,
                                       const std::array<TetMesh::Index, 4>& vertices) {
     const auto other = *std::find_if(vertices.begin(), vertices.end(),

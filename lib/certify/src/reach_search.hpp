@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "closed_rims.hpp"
+#include "closed_loops.hpp"
 #include "level_in_cell.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
@@ -104,7 +104,7 @@ class ReachSearch {
  private:
   using Cell = CellWithCorners<decltype(std::declval<const Cells&>().at(Index{}))>;
 
-  /// Is the level's function undefined there, as between vertices of the mesh without deviator?
+  /// Is the level's function undefined there, as between isotropic vertices of the mesh?
   bool is_apex(Index vertex) const {
     const auto& carrier = surface_.carrier_vertices[as_size(vertex)];
     return std::all_of(carrier.begin(), carrier.end(), [&](Index v) {
@@ -303,7 +303,7 @@ DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
   ReachSearch<Cells> search(surface, triangles, topology, cells);
   for (const auto i : search.run()) claim.coarse.push_back(surface.tet[i]);
   claim.reach = std::move(search).reach();
-  const auto uncovered = uncovered_closed_rims(surface, triangles, topology, claim.reach);
+  const auto uncovered = uncovered_closed_loops(surface, triangles, topology, claim.reach);
   claim.coarse.insert(claim.coarse.end(), uncovered.begin(), uncovered.end());
   std::sort(claim.coarse.begin(), claim.coarse.end());
   claim.coarse.erase(std::unique(claim.coarse.begin(), claim.coarse.end()), claim.coarse.end());

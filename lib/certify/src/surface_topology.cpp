@@ -19,7 +19,7 @@ using Vertex = SurfaceMesh::Index;
 using Face = std::array<Index, 3>;
 using Loop = std::vector<LevelTopology::BoundaryArc>;
 
-/// The curves on the faces of a tetrahedron, as its rims have them.
+/// The curves on the faces of a tetrahedron, as its boundary loops have them.
 struct FaceCurves {
   std::vector<std::pair<Face, std::array<Vertex, 2>>> arcs;
   std::vector<std::pair<Face, Vertex>> loops;
@@ -29,14 +29,14 @@ class TetReader {
  public:
   TetReader(const TetMesh& mesh, const SurfaceMesh& surface) : mesh_(mesh), surface_(surface) {}
 
-  /// Nothing if a rim is not as it should be.
+  /// Nothing if a boundary loop is not as it should be.
   std::optional<LevelTopology::Tet> read(Index tet, std::span<const std::size_t> triangles,
                                          FaceCurves& curves) const;
 
  private:
   bool is_crossing(Vertex v) const { return surface_.carrier[as_size(v)] == Carrier::edge; }
   std::optional<Face> face_of(Vertex v, Vertex w) const;
-  std::optional<Loop> read(Index tet, std::vector<Vertex> rim, FaceCurves& curves) const;
+  std::optional<Loop> read(Index tet, std::vector<Vertex> loop_vertices, FaceCurves& curves) const;
 
   const TetMesh& mesh_;
   const SurfaceMesh& surface_;
@@ -54,30 +54,34 @@ std::optional<Face> TetReader::face_of(Vertex v, Vertex w) const {
   return face;
 }
 
-/// A rim as arcs: each from one crossing to the next in one face, or all of it a closed curve.
-std::optional<Loop> TetReader::read(Index tet, std::vector<Vertex> rim, FaceCurves& curves) const {
+/// A boundary loop as arcs: each from one crossing to the next in one face, or all of it a closed
+/// curve.
+std::optional<Loop> TetReader::read(Index tet, std::vector<Vertex> loop_vertices,
+                                    FaceCurves& curves) const {
   std::size_t first = 0;
-  for (std::size_t i = 1; i < rim.size(); ++i)
-    if (std::pair(!is_crossing(rim[i]), rim[i]) < std::pair(!is_crossing(rim[first]), rim[first]))
+  for (std::size_t i = 1; i < loop_vertices.size(); ++i)
+    if (std::pair(!is_crossing(loop_vertices[i]), loop_vertices[i]) <
+        std::pair(!is_crossing(loop_vertices[first]), loop_vertices[first]))
       first = i;
-  std::rotate(rim.begin(), rim.begin() + static_cast<std::ptrdiff_t>(first), rim.end());
-  const bool is_closed_curve = !is_crossing(rim[0]);
-  const auto at = [&](std::size_t i) { return rim[i % rim.size()]; };
+  std::rotate(loop_vertices.begin(), loop_vertices.begin() + static_cast<std::ptrdiff_t>(first),
+              loop_vertices.end());
+  const bool is_closed_curve = !is_crossing(loop_vertices[0]);
+  const auto at = [&](std::size_t i) { return loop_vertices[i % loop_vertices.size()]; };
   Loop loop;
-  for (std::size_t i = 0; i < rim.size();) {
+  for (std::size_t i = 0; i < loop_vertices.size();) {
     const auto face = face_of(at(i), at(i + 1));
     if (!face) return std::nullopt;
     std::size_t end = i + 1;
-    for (; end < rim.size() && !is_crossing(rim[end]); ++end)
+    for (; end < loop_vertices.size() && !is_crossing(loop_vertices[end]); ++end)
       if (face_of(at(end), at(end + 1)) != face) return std::nullopt;
     const auto& corners = mesh_.tets[as_size(tet)];
     const auto opposite = std::find_if(corners.begin(), corners.end(), [&](Index c) {
       return std::find(face->begin(), face->end(), c) == face->end();
     });
     if (opposite == corners.end()) return std::nullopt;
-    loop.push_back({rim[i], *opposite});
+    loop.push_back({loop_vertices[i], *opposite});
     if (is_closed_curve)
-      curves.loops.push_back({*face, rim[i]});
+      curves.loops.push_back({*face, loop_vertices[i]});
     else
       curves.arcs.push_back({*face, {std::min(at(i), at(end)), std::max(at(i), at(end))}});
     i = end;
@@ -101,7 +105,8 @@ std::optional<LevelTopology::Tet> TetReader::read(Index tet,
       const auto& v = surface_.triangles[triangles[i]];
       if (!sides.emplace(std::array{v[k], v[(k + 1) % 3]}, i).second) return std::nullopt;
     }
-  std::map<Vertex, std::pair<Vertex, std::size_t>> next;  // along the rims, and the triangle
+  std::map<Vertex, std::pair<Vertex, std::size_t>>
+      next;  // along the boundary loops, and the triangle
   for (const auto& [side, i] : sides) {
     const auto other = sides.find({side[1], side[0]});
     if (other == sides.end()) {
@@ -125,11 +130,11 @@ std::optional<LevelTopology::Tet> TetReader::read(Index tet,
   }
   while (!next.empty()) {
     const std::size_t sheet = find(next.begin()->second.second);
-    std::vector<Vertex> rim;
+    std::vector<Vertex> loop_vertices;
     Vertex v = next.begin()->first;
-    while (const auto step = next.extract(v)) rim.push_back(v), v = step.mapped().first;
-    if (v != rim[0]) return std::nullopt;
-    auto loop = read(tet, std::move(rim), curves);
+    while (const auto step = next.extract(v)) loop_vertices.push_back(v), v = step.mapped().first;
+    if (v != loop_vertices[0]) return std::nullopt;
+    auto loop = read(tet, std::move(loop_vertices), curves);
     if (!loop) return std::nullopt;
     sheets[sheet].loops.push_back(std::move(*loop));
   }
@@ -152,13 +157,13 @@ std::vector<LevelTopology::Edge> edges_of(const TetMesh& mesh, const SurfaceMesh
     const auto& ends = surface.carrier_vertices[v];
     const auto& a = mesh.points[as_size(ends[0])];
     const auto d = mesh.points[as_size(ends[1])] - a;
-    found[{ends[0], ends[1]}].push_back(
-        {dot(surface.points[v] - a, d) / dot(d, d), false, static_cast<Vertex>(v)});
+    const double weight = dot(surface.points[v] - a, d) / dot(d, d);
+    found[{ends[0], ends[1]}].push_back({{1 - weight, weight}, false, static_cast<Vertex>(v)});
   }
   std::vector<LevelTopology::Edge> result;
   for (auto& [vertices, crossings] : found) {
     std::stable_sort(crossings.begin(), crossings.end(),
-                     [](const auto& p, const auto& q) { return p.weight < q.weight; });
+                     [](const auto& p, const auto& q) { return p.weights[1] < q.weights[1]; });
     result.push_back({vertices, std::move(crossings)});
   }
   return result;

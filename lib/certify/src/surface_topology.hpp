@@ -12,8 +12,9 @@ namespace tensortopo {
 /// these and the carriers of their vertices. Crossings have barycentric coordinates as weights, and
 /// `rising` is left to the caller.
 ///
-/// Nothing is read of tetrahedra that are undecided. Those whose rims do not run along faces from
-/// crossing to crossing are left out, and appended to `undecided` as `inconsistent_samples`.
+/// Nothing is read of tetrahedra that are undecided. Those whose boundary loops do not run along
+/// faces from crossing to crossing are left out, and appended to `undecided` as
+/// `inconsistent_samples`.
 LevelTopology topology_of(const TetMesh& mesh, const SurfaceMesh& surface,
                           std::vector<UndecidedCell>& undecided);
 

@@ -11,6 +11,8 @@
 #include "extract/curves/special_positions.hpp"
 #include "extract/level/proofs/screen.hpp"
 #include "extract/run/parallel_stage.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
+#include "tensortopo/mesh/renumber.hpp"
 #include "tensortopo/scalar/constants.hpp"
 
 namespace tensortopo {
@@ -198,7 +200,15 @@ class CurveExtractor {
 
 CurveExtraction extract_degenerate_curves(const TetMesh& mesh, Degeneracy kind,
                                           const ExtractOptions& options) {
-  return CurveExtractor(mesh, kind, options).run();
+  const CanonicalMesh canonical = canonical_mesh(mesh);
+  CurveExtraction result = CurveExtractor(canonical.mesh, kind, options).run();
+  renumber(result.curves, canonical.vertices, canonical.tets);
+  for (auto* list : {&result.unresolved, &result.special}) {
+    for (UnresolvedCurve& cell : *list) cell.tet = canonical.tets[as_size(cell.tet)];
+    std::sort(list->begin(), list->end(),
+              [](const auto& p, const auto& q) { return p.tet < q.tet; });
+  }
+  return result;
 }
 
 }  // namespace tensortopo

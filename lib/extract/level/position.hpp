@@ -26,7 +26,8 @@ Vector3<double> position_at(const std::array<Scalar, Vertices>& weights,
   const int largest = *std::max_element(exponents.begin(), exponents.end());
   Wide total(0), x(0), y(0), z(0);
   for (std::size_t i = 0; i < Vertices; ++i) {
-    const Wide w = ldexp(Wide(weights[i]), exponents[i] - largest);
+    const Wide w = exponents[i] == largest ? Wide(weights[i])
+                                           : Wide(ldexp(Wide(weights[i]), exponents[i] - largest));
     total += w;
     x += w * Wide(points[i].x);
     y += w * Wide(points[i].y);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "extract/level/power_of_two.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
@@ -22,7 +23,7 @@ inline double unit_of(const std::array<Vector3<double>, 4>& points) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   const auto side = high - low;
-  return std::ldexp(1.0, -std::ilogb(std::max({side.x, side.y, side.z})));
+  return times_power(1, -floor_log2(std::max({side.x, side.y, side.z})));
 }
 
 /// The linear field of a tetrahedron in space: barycentric coordinates from a position.
@@ -42,7 +43,7 @@ class TetGeometry {
     }
     // T_i = 2^-exponent U_i; a common power of two keeps the largest at U's scale.
     const int least = *std::min_element(exponents.begin(), exponents.end());
-    for (std::size_t i = 0; i < 4; ++i) scale_[i] = std::ldexp(1.0, least - exponents[i]);
+    for (std::size_t i = 0; i < 4; ++i) scale_[i] = times_power(1, least - exponents[i]);
   }
 
   /// Barycentric coordinate i.
@@ -80,15 +81,15 @@ class TetGeometry {
       if (x == points_[i]) weights = {}, weights[i] = 1;
     int largest = std::numeric_limits<int>::min();
     for (std::size_t i = 0; i < 4; ++i)
-      if (weights[i] != 0) largest = std::max(largest, std::ilogb(weights[i]) - exponents_[i]);
+      if (weights[i] != 0) largest = std::max(largest, floor_log2(weights[i]) - exponents_[i]);
     Deviator<double> t{};
     for (std::size_t i = 0; i < 4; ++i)
-      if (weights[i] != 0) t = t + std::ldexp(weights[i], -exponents_[i] - largest) * scaled[i];
+      if (weights[i] != 0) t = t + times_power(weights[i], -exponents_[i] - largest) * scaled[i];
     double size = 0;
     for (const double c : {t.a, t.b, t.xy, t.yz, t.xz}) size = std::max(size, std::abs(c));
     if (size == 0) return t;
-    const int shift = -std::ilogb(size);
-    const auto shifted = [&](double c) { return std::ldexp(c, shift); };
+    const int shift = -floor_log2(size);
+    const auto shifted = [&](double c) { return times_power(c, shift); };
     return {shifted(t.a), shifted(t.b), shifted(t.xy), shifted(t.yz), shifted(t.xz)};
   }
 

@@ -26,6 +26,9 @@ template <class Scalar>
 struct Patch {
   std::vector<InnerVertex<Scalar>> inner;
   std::vector<std::array<std::int32_t, 3>> triangles;
+  /// If it was made from the subdivision of the proof: cells in which a triangle is at 90 degrees
+  /// to the gradient or more.
+  std::vector<std::uint32_t> cells_against;
 };
 
 /// The vertices along the arcs of a tetrahedron's faces, in the final sampling.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/patch/patch_check.hpp"
+#include "extract/run/extractor_scalars.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 
 #include <algorithm>
@@ -172,5 +173,33 @@ bool are_proved_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const SheetTopology> sheets) {
   return direction_in_plan(triangles, boundaries, sheets) > 0;
 }
+
+template <class Scalar>
+void drop_unused_inner(Patch<Scalar>& meshed, std::size_t first_inner,
+                       std::size_t first_triangle) {
+  std::vector<std::int32_t> kept(meshed.inner.size() - first_inner, 0);
+  const auto number = [&](std::int32_t corner) {
+    return static_cast<std::size_t>(-1 - corner) - first_inner;
+  };
+  for (std::size_t i = first_triangle; i < meshed.triangles.size(); ++i)
+    for (const auto corner : meshed.triangles[i])
+      if (corner < 0) kept[number(corner)] = 1;
+  auto count = first_inner;
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    if (kept[k] == 0) continue;
+    meshed.inner[count++] = meshed.inner[first_inner + k];
+    kept[k] = -static_cast<std::int32_t>(count);
+  }
+  if (count == meshed.inner.size()) return;
+  meshed.inner.resize(count);
+  for (std::size_t i = first_triangle; i < meshed.triangles.size(); ++i)
+    for (auto& corner : meshed.triangles[i])
+      if (corner < 0) corner = kept[number(corner)];
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar) \
+  template void drop_unused_inner(Patch<Scalar>&, std::size_t, std::size_t);
+TENSORTOPO_FOR_EACH_PRECISION(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
 
 }  // namespace tensortopo

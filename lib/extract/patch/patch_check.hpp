@@ -40,4 +40,10 @@ bool are_proved_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const std::vector<BoundaryVertex>> boundaries,
                         std::span<const SheetTopology> sheets);
 
+/// Takes away the inner vertices from the first on that no triangle has.
+/// @param triangles  those before this one have none of these vertices
+template <class Scalar>
+void drop_unused_inner(Patch<Scalar>& meshed, std::size_t first_inner = 0,
+                       std::size_t first_triangle = 0);
+
 }  // namespace tensortopo

@@ -156,6 +156,21 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget, double small
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::cut_cells(const LevelSimplex<Scalar, Vertices>& simplex,
+                                                      const Level<Scalar>& level,
+                                                      std::span<const std::uint32_t> cells,
+                                                      std::size_t budget) {
+  simplex_ = &simplex;
+  level_ = &level;
+  for (const auto c : cells) {
+    if (!cells_[c].alive) continue;
+    const auto [u, v] = longest_edge(cells_[c].vertices).ends;
+    if (!cut_edge(u, v)) return false;
+  }
+  return run(budget);
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
 bool Refinement<Scalar, Vertices, Corners>::run_along_saddles(
     std::size_t budget,
     std::span<const std::array<std::int64_t, 4>> saddles) requires(Vertices == 4 && Corners == 4) {

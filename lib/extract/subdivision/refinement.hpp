@@ -75,6 +75,11 @@ class Refinement {
   ///     large, which is so around a single point at which no size is small enough
   bool run(std::size_t budget, double smallest = 0);
 
+  /// Cuts some of the cells, and refines again until every cell is simple.
+  /// @return false as for `run`
+  bool cut_cells(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
+                 std::span<const std::uint32_t> cells, std::size_t budget);
+
   /// The same, where the level may come close to one that crosses itself along a line: vertices are
   /// put where such a line meets the faces, and edges are as long as the mode bends along them, so
   /// that cells are long along the line. Of a refinement that has just begun.

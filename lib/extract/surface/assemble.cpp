@@ -38,14 +38,14 @@ void count_sheets(std::span<const CellProof<Scalar>> proofs, const CellMeshes<Sc
       case Mesher::dominant:
         return statistics.sheets_dominant;
       case Mesher::loops:
-        return statistics.sheets_rims;
+        return statistics.sheets_loops;
       case Mesher::cone:
         return statistics.sheets_cones;
       case Mesher::subdivision:
       case Mesher::fan:
         break;
     }
-    return statistics.sheets_leaves;
+    return statistics.sheets_subdivision;
   };
   for (std::size_t t = 0; t < proofs.size(); ++t) {
     const auto& mesh = meshes.cells[t];
@@ -75,13 +75,15 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   result.statistics.zero_deviator_vertices = active.zero_vertices;
   SurfaceMesh& surface = result.surface;
   for (std::size_t t = 0; t < tets; ++t)
-    if (auto& mesh = meshes.cells[t]; mesh.unresolved) {
+    if (meshes.cells[t].has_defects && !meshes.cells[t].unresolved)
+      result.not_embedded.push_back(cells.tets[t]);
+    else if (auto& mesh = meshes.cells[t]; mesh.unresolved) {
       mesh.patch = {};
       result.unresolved.push_back({cells.tets[t], *mesh.unresolved});
     }
 
-  // Output ids: used edge vertices, used face vertices (those of faces that got more samples
-  // last), inner vertices, copies of edge vertices.
+  // Output ids: used edge vertices, isotropic vertices, used face vertices, inner vertices, copies
+  // of edge vertices; each by the edge, vertex, face or tetrahedron.
   const auto boundary_count = numbers.position.size();
   std::vector<Index> new_id(boundary_count, -1);
   std::size_t triangle_count = 0;
@@ -92,8 +94,17 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
         if (corner >= 0) new_id[as_size(corner)] = 0;
   }
   Index next = 0;
-  for (auto& id : new_id)
-    if (id == 0) id = next++;
+  const auto number = [&](std::size_t v) {
+    if (new_id[v] == 0) new_id[v] = next++;
+  };
+  for (std::size_t v = 0; v < rows.values().size(); ++v) number(v);
+  for (const Index v : numbers.of_zero)
+    if (v >= 0) number(as_size(v));
+  for (std::size_t f = 0; f < cells.faces.size(); ++f) {
+    auto v = as_size(numbers.of_face[f]);
+    for (const auto& arc : meshes.boundary.arcs[f])
+      for (std::size_t k = 0; k < arc.samples.size(); ++k) number(v++);
+  }
   const auto boundary_used = next;
   const CrossingCopies copies = crossing_copies(cells, meshes);
   if (input.options.keep_topology)

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "extract/surface/active_cells.hpp"
-#include "extract/surface/mesh_cells.hpp"
+#include "extract/surface/boundary/active_cells.hpp"
+#include "extract/surface/cells/mesh_cells.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 
 namespace tensortopo {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "extract/run/extractor_scalars.hpp"
-#include "extract/surface/cone_edges.hpp"
+#include "extract/surface/cells/cone_edges.hpp"
 #include "extract/surface/cone_points.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 

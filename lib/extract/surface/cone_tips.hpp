@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "extract/surface/mesh_cells.hpp"
+#include "extract/surface/cells/mesh_cells.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 
 namespace tensortopo {

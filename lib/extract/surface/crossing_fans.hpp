@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "extract/surface/mesh_cells.hpp"
+#include "extract/surface/cells/mesh_cells.hpp"
 
 namespace tensortopo {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "extract/surface/surface_input.hpp"
+#include "extract/surface/boundary/surface_input.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 
 namespace tensortopo {

@@ -10,9 +10,10 @@
 #include "extract/run/parallel_stage.hpp"
 #include "extract/run/release.hpp"
 #include "extract/surface/assemble.hpp"
-#include "extract/surface/coarsen_face_curves.hpp"
-#include "extract/surface/find_crossings.hpp"
-#include "extract/surface/trace_faces.hpp"
+#include "extract/surface/boundary/find_crossings.hpp"
+#include "extract/surface/boundary/trace_faces.hpp"
+#include "extract/surface/cells/coarsen_face_curves.hpp"
+#include "extract/surface/renumber_extraction.hpp"
 
 namespace tensortopo {
 
@@ -38,15 +39,25 @@ bool keep_off_pinched(const SurfaceInput<Scalar>& input, const TetComplex& cells
   return any;
 }
 
+/// The options, with what they say of single tetrahedra in the order of these.
+ExtractOptions in_canonical_order(const ExtractOptions& options, const CanonicalMesh& canonical) {
+  ExtractOptions result = options;
+  for (std::size_t t = 0; t < result.density.size(); ++t)
+    result.density[t] = options.density[as_size(canonical.tets[t])];
+  return result;
+}
+
 /// @param last_use  the field again if nobody reads it afterwards
 template <class Scalar>
 Extraction extract(const PreparedField<Scalar>& prepared, const ModeValue& mu,
-                   const ExtractOptions& options, PreparedField<Scalar>* last_use) {
+                   const ExtractOptions& given_options, PreparedField<Scalar>* last_use) {
   if (std::abs(mu.approx()) >= 1)
     throw std::invalid_argument("mode surfaces exist for |mode| < 1, not for " + mu.text());
   const auto level = make_level<Scalar>(mu);
   NearbyLevels<Scalar> nearby_levels(mu);
-  const SurfaceInput<Scalar> input{*prepared.mesh, prepared, prepared.field,
+  const CanonicalMesh& canonical = *prepared.canonical;
+  const ExtractOptions options = in_canonical_order(given_options, canonical);
+  const SurfaceInput<Scalar> input{canonical.mesh, prepared, prepared.field,
                                    options,        level,    nearby_levels};
   Stopwatch watch;
   double seconds_edges = 0, seconds_faces = 0, seconds_tets = 0;
@@ -70,6 +81,7 @@ Extraction extract(const PreparedField<Scalar>& prepared, const ModeValue& mu,
     seconds_tets += watch.lap();
     Extraction result =
         assemble(input, sides, std::move(active), std::move(proofs), std::move(meshes));
+    renumber(result, canonical.vertices, canonical.tets);
     auto& statistics = result.statistics;
     statistics.vertices_on_level = sides.count_on_level;
     statistics.seconds_edges = seconds_edges;

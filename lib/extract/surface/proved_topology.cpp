@@ -81,8 +81,8 @@ LevelTopology proved_topology(const SurfaceInput<Scalar>& input, const TetComple
     LevelTopology::Edge edge{cells.edges[e], {}};
     for (std::size_t k = 0; k < rows[e].size(); ++k) {
       const auto& crossing = rows[e][k];
-      edge.crossings.push_back(
-          {static_cast<double>(crossing.weight), crossing.rising, new_id[rows.first(e) + k]});
+      const auto weight = static_cast<double>(crossing.weight);
+      edge.crossings.push_back({{1 - weight, weight}, crossing.rising, new_id[rows.first(e) + k]});
     }
     result.edges.push_back(std::move(edge));
   }

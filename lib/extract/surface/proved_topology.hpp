@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "extract/surface/mesh_cells.hpp"
+#include "extract/surface/cells/mesh_cells.hpp"
 #include "tensortopo/extract/level_topology.hpp"
 
 namespace tensortopo {

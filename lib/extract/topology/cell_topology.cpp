@@ -176,6 +176,21 @@ bool add_subdivision(const TetWithCurves<Scalar>& tet, const Level<Scalar>& leve
   return sheets_from_subdivision(tet, level, proved);
 }
 
+template <class Scalar>
+bool refine_subdivision(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+                        std::span<const std::uint32_t> cells, CellTopology<Scalar>& proved) {
+  auto& refinement = proved.subdivision->refinement;
+  constexpr std::size_t kMostAdded = 20000;
+  bool is_proved =
+      refinement.cut_cells(tet.simplex, level, cells, refinement.cells().size() + kMostAdded);
+  if (is_proved) {
+    proved.subdivision->mesh = subdivision_mesh(refinement);
+    is_proved = sheets_from_subdivision(tet, level, proved);
+  }
+  if (!is_proved) proved.subdivision.reset();
+  return is_proved;
+}
+
 namespace {
 
 /// The loops, and the sheets if the level is a graph in the whole tetrahedron.
@@ -288,6 +303,8 @@ std::vector<SampleRequest<Scalar>> subdivision_requests(const TetWithCurves<Scal
       const TetWithCurves<Scalar>&, const CellTopology<Scalar>&);                              \
   template InnerVertex<Scalar> node_point(const Refinement<Scalar, 4>&,                        \
                                           const SubdivisionMesh::Node&, const Level<Scalar>&); \
+  template bool refine_subdivision(const TetWithCurves<Scalar>&, const Level<Scalar>&,         \
+                                   std::span<const std::uint32_t>, CellTopology<Scalar>&);     \
   template bool add_subdivision(const TetWithCurves<Scalar>&, const Level<Scalar>&,            \
                                 CellTopology<Scalar>&, Budget);                                \
   template std::optional<CellTopology<Scalar>> prove_cell_by_subdivision(                      \

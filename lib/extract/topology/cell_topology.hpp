@@ -54,6 +54,12 @@ template <class Scalar>
 bool add_subdivision(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                      CellTopology<Scalar>& proved, Budget budget = Budget::regular);
 
+/// Cuts some cells of the subdivision.
+/// @return false if it cannot be proved again; then there is none
+template <class Scalar>
+bool refine_subdivision(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+                        std::span<const std::uint32_t> cells, CellTopology<Scalar>& proved);
+
 /// `prove_cell` at this very level: from one monotone tetrahedron or from a refinement.
 template <class Scalar>
 std::optional<CellTopology<Scalar>> prove_cell_by_subdivision(const TetWithCurves<Scalar>& tet,

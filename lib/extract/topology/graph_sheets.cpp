@@ -50,7 +50,11 @@ template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_of_graph(
     const TetWithCurves<Scalar>& tet, std::span<const std::vector<BoundaryArc>> loops,
     const std::array<Scalar, 4>& direction) {
-  if (loops.size() == 1) return std::vector<SheetTopology>{{{0}, 1, -1}};
+  if (loops.size() == 1) {
+    std::vector<SheetTopology> disc(1);
+    disc[0].loops.push_back(0);
+    return disc;
+  }
   std::array<bool, 4> enters{};
   for (std::size_t i = 0; i < 4; ++i) {
     if (direction[i] == Scalar(0)) return std::nullopt;

@@ -110,6 +110,9 @@ struct Derivatives {
   Range p, q;
 };
 
+/// (In mode_along_segments.cpp.)
+DeviatorBox box_of(const IntervalTensor& t);
+
 inline void look_around(CriticalPoint& point, const Derivatives& d,
                         std::span<const SymmetricTensor<double>> around) {
   for (std::size_t i = 0; i < around.size(); ++i)

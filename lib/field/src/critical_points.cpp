@@ -45,6 +45,7 @@ CriticalPoint critical_vertex(const SymmetricTensor<double>& tensor,
   point.towards.assign(around.size(), Verdict::unknown);
   const IntervalTensor t = enclosure(tensor);
   enclose_mode(point, t);
+  point.deviator = box_of(t);
   look_around(point, Derivatives(t), around);
   return point;
 }
@@ -72,6 +73,7 @@ std::vector<CriticalPoint> critical_points_on_edge(
     if (!root.is_certain) enclose_mode_along(point, line, increase, root.x);
     point.is_certain = root.is_certain;
     point.index = root.slope < 0 ? 1 : 0;
+    point.deviator = box_of(t);
     if (point.is_certain) look_around(point, Derivatives(t), around);
     points.push_back(std::move(point));
   }

@@ -104,6 +104,7 @@ std::vector<CriticalPoint> critical_points_in_tet(
   CriticalPoint point = point_of(saddle, tensors, corners, sign);
   const Tensor t = Range(-sign) * saddle.g;
   enclose_mode(point, t);
+  point.deviator = box_of(t);
   const Derivatives d(t);
   const std::array<Tensor, 3> u{corners[1] - corners[0], corners[2] - corners[0],
                                 corners[3] - corners[0]};

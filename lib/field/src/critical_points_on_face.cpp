@@ -150,6 +150,7 @@ class FaceSearch {
     const Range p = range_of(line.norm, root.x), q = range_of(line.determinant, root.x);
     const Tensor t = Range(-sign) * normalized(critical_tensor(thrice(n), p, q));
     enclose_mode(point, t);
+    point.deviator = box_of(t);
     const Derivatives d(t);
     const Tensor u = corners_[1] - corners_[0], v = corners_[2] - corners_[0];
     const Range uu = d.second(u, u), uv = d.second(u, v), vv = d.second(v, v);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <tuple>
 #include <type_traits>
 
 #include "tensortopo/hash/sha256.hpp"
@@ -103,7 +104,8 @@ std::vector<ArrayHash> array_hashes(const CurveMesh& curves) {
   return list;
 }
 
-std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface) {
+std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface,
+                                    std::span<const CellArray> more) {
   std::vector<ArrayHash> list;
   add_array(list, "points", "dominant_eigenvector", 3, surface.dominant_eigenvector);
   add_array(list, "points", "medium_eigenvector", 3, surface.medium_eigenvector);
@@ -112,6 +114,11 @@ std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface) {
   add_array(list, "points", "residual", 1, surface.residual);
   add_array(list, "points", "value", 1, surface.value);
   add_array(list, "triangles", "component", 1, surface.component);
+  for (const CellArray& array : more)
+    add_array(list, "triangles", array.name.c_str(), 1, array.values);
+  std::sort(list.begin(), list.end(), [](const ArrayHash& a, const ArrayHash& b) {
+    return std::tie(a.of, a.name) < std::tie(b.of, b.name);
+  });
   return list;
 }
 

@@ -4,10 +4,15 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <tuple>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "tensortopo/mesh/as_size.hpp"
 
 namespace tensortopo {
 
@@ -15,21 +20,13 @@ namespace {
 
 using Index = TetMesh::Index;
 
-struct FaceUse {
-  std::array<Index, 3> vertices;
+/// An edge or face of one tetrahedron, filed under its least vertex.
+struct Use {
+  std::uint64_t rest;  ///< its other vertices, the lesser one first
   Index tet;
-  int opposite;
-  friend bool operator<(const FaceUse& p, const FaceUse& q) {
-    return std::tie(p.vertices, p.tet) < std::tie(q.vertices, q.tet);
-  }
-};
-
-struct EdgeUse {
-  std::array<Index, 2> vertices;
-  Index tet;
-  int edge;
-  friend bool operator<(const EdgeUse& p, const EdgeUse& q) {
-    return std::tie(p.vertices, p.tet) < std::tie(q.vertices, q.tet);
+  std::int32_t place;  ///< which edge or face of the tetrahedron
+  friend bool operator<(const Use& p, const Use& q) {
+    return p.rest != q.rest ? p.rest < q.rest : p.tet < q.tet;
   }
 };
 
@@ -40,68 +37,98 @@ void for_each_index(std::size_t count, const Body& body) {
   });
 }
 
-/// How many simplices there are in a sorted list of their uses.
-template <class Use>
-std::size_t count_simplices(const std::vector<Use>& uses) {
-  std::size_t count = 0;
-  for (std::size_t u = 0; u < uses.size(); ++u)
-    count += u == 0 || uses[u].vertices != uses[u - 1].vertices;
-  return count;
+/// The uses of edges or faces in the order of the vertices, and of the tetrahedra.
+struct SortedUses {
+  std::vector<std::size_t> begin;  ///< of each least vertex its first use; at last, how many
+  std::vector<std::size_t> first;  ///< of each least vertex its first simplex; at last, how many
+  std::vector<Use> uses;
+
+  std::size_t simplices() const { return first.back(); }
+
+  /// Calls `visit(simplex, use, is_first)` for each use, in parallel: those of a simplex by one
+  /// thread, in order.
+  template <class Visit>
+  void for_each_use(const Visit& visit) const {
+    for_each_index(begin.size() - 1, [&](std::size_t v) {
+      std::size_t next = first[v];
+      for (std::size_t u = begin[v]; u < begin[v + 1]; ++u) {
+        const bool is_first = u == begin[v] || uses[u].rest != uses[u - 1].rest;
+        next += is_first;
+        visit(v, next - 1, uses[u], is_first);
+      }
+    });
+  }
+};
+
+/// @param count   simplices of a tetrahedron
+/// @param key_of  the least vertex of one of them, and the rest
+template <class KeyOf>
+SortedUses sorted_uses(std::size_t vertices, std::span<const Index> tets, std::size_t count,
+                       const KeyOf& key_of) {
+  SortedUses sorted;
+  sorted.begin.assign(vertices + 1, 0);
+  sorted.uses.resize(count * tets.size());
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    for (std::size_t k = 0; k < count; ++k) ++sorted.begin[key_of(t, k).first + 1];
+  std::partial_sum(sorted.begin.begin(), sorted.begin.end(), sorted.begin.begin());
+  std::vector<std::size_t> next(sorted.begin.begin(), sorted.begin.end() - 1);
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto [least, rest] = key_of(t, k);
+      sorted.uses[next[least]++] = {rest, static_cast<Index>(t), static_cast<std::int32_t>(k)};
+    }
+  // How many simplices each vertex is the least of, then sums.
+  sorted.first.assign(vertices + 1, 0);
+  for_each_index(vertices, [&](std::size_t v) {
+    const auto begin = sorted.uses.begin() + static_cast<std::ptrdiff_t>(sorted.begin[v]),
+               end = sorted.uses.begin() + static_cast<std::ptrdiff_t>(sorted.begin[v + 1]);
+    std::sort(begin, end);
+    for (auto use = begin; use != end; ++use)
+      sorted.first[v + 1] += use == begin || use->rest != std::prev(use)->rest;
+  });
+  std::partial_sum(sorted.first.begin(), sorted.first.end(), sorted.first.begin());
+  return sorted;
 }
 
 // Edges come before faces, not beside them: the lists of uses are larger than what becomes of them.
 void collect_edges(const TetMesh& mesh, TetComplex& complex) {
   const auto& tets = complex.tets;
-  std::vector<EdgeUse> uses(6 * tets.size());
-  for_each_index(tets.size(), [&](std::size_t t) {
-    const auto& v = mesh.tets[static_cast<std::size_t>(tets[t])];
-    for (std::size_t e = 0; e < 6; ++e) {
-      const Index a = v[static_cast<std::size_t>(kTetEdges[e][0])];
-      const Index b = v[static_cast<std::size_t>(kTetEdges[e][1])];
-      uses[6 * t + e] = {
-          {std::min(a, b), std::max(a, b)}, static_cast<Index>(t), static_cast<int>(e)};
-    }
+  const auto uses = sorted_uses(mesh.points.size(), tets, 6, [&](std::size_t t, std::size_t e) {
+    const auto& v = mesh.tets[as_size(tets[t])];
+    const Index a = v[as_size(kTetEdges[e][0])], b = v[as_size(kTetEdges[e][1])];
+    return std::pair{as_size(std::min(a, b)), std::uint64_t{as_size(std::max(a, b))}};
   });
-  tbb::parallel_sort(uses.begin(), uses.end());
-  complex.edges.reserve(count_simplices(uses));
+  complex.edges.resize(uses.simplices());
   complex.tet_edges.resize(tets.size());
-  for (std::size_t u = 0; u < uses.size(); ++u) {
-    const auto& use = uses[u];
-    if (u == 0 || use.vertices != uses[u - 1].vertices) complex.edges.push_back(use.vertices);
-    complex.tet_edges[static_cast<std::size_t>(use.tet)][static_cast<std::size_t>(use.edge)] =
-        static_cast<Index>(complex.edges.size() - 1);
-  }
+  uses.for_each_use([&](std::size_t least, std::size_t edge, const Use& use, bool is_first) {
+    if (is_first) complex.edges[edge] = {static_cast<Index>(least), static_cast<Index>(use.rest)};
+    complex.tet_edges[as_size(use.tet)][as_size(use.place)] = static_cast<Index>(edge);
+  });
 }
 
 void collect_faces(const TetMesh& mesh, TetComplex& complex) {
   const auto& tets = complex.tets;
-  std::vector<FaceUse> uses(4 * tets.size());
-  for_each_index(tets.size(), [&](std::size_t t) {
-    const auto& v = mesh.tets[static_cast<std::size_t>(tets[t])];
-    for (std::size_t f = 0; f < 4; ++f) {
-      std::array<Index, 3> face;
-      for (std::size_t i = 0, k = 0; i < 4; ++i)
-        if (i != f) face[k++] = v[i];
-      std::sort(face.begin(), face.end());
-      uses[4 * t + f] = {face, static_cast<Index>(t), static_cast<int>(f)};
-    }
+  constexpr int kBits = 32;
+  const auto uses = sorted_uses(mesh.points.size(), tets, 4, [&](std::size_t t, std::size_t f) {
+    const auto& v = mesh.tets[as_size(tets[t])];
+    const Index a = v[f == 0 ? 1 : 0], b = v[f < 2 ? 2 : 1], c = v[f == 3 ? 2 : 3];
+    const Index least = std::min({a, b, c}), largest = std::max({a, b, c});
+    const auto between = as_size(a) + as_size(b) + as_size(c) - as_size(least) - as_size(largest);
+    return std::pair{as_size(least), std::uint64_t{between} << kBits | as_size(largest)};
   });
-  tbb::parallel_sort(uses.begin(), uses.end());
-  const std::size_t faces = count_simplices(uses);
-  complex.faces.reserve(faces);
-  complex.face_tets.reserve(faces);
+  complex.faces.resize(uses.simplices());
+  complex.face_tets.resize(uses.simplices());
   complex.tet_faces.resize(tets.size());
-  for (std::size_t u = 0; u < uses.size(); ++u) {
-    const auto& use = uses[u];
-    if (u == 0 || use.vertices != uses[u - 1].vertices) {
-      complex.faces.push_back(use.vertices);
-      complex.face_tets.push_back({use.tet, -1});
+  uses.for_each_use([&](std::size_t least, std::size_t face, const Use& use, bool is_first) {
+    if (is_first) {
+      complex.faces[face] = {static_cast<Index>(least), static_cast<Index>(use.rest >> kBits),
+                             static_cast<Index>(use.rest & 0xffffffffu)};
+      complex.face_tets[face] = {use.tet, -1};
     } else {
-      complex.face_tets.back()[1] = use.tet;
+      complex.face_tets[face][1] = use.tet;
     }
-    complex.tet_faces[static_cast<std::size_t>(use.tet)][static_cast<std::size_t>(use.opposite)] =
-        static_cast<Index>(complex.faces.size() - 1);
-  }
+    complex.tet_faces[as_size(use.tet)][as_size(use.place)] = static_cast<Index>(face);
+  });
 }
 
 }  // namespace

@@ -67,9 +67,10 @@ CertificateSubject subject_of(const TetMesh& mesh, const CertificateNames& names
 template <class Output, class Claims>
 std::string certificate_of(const TetMesh& mesh, const CertificateNames& names,
                            CertificateSubject subject, const Output& output,
+                           const std::vector<ArrayHash>& arrays,
                            const std::vector<Claims>& claims) {
   subject.vertices = output.points.size();
-  for (const ArrayHash& array : array_hashes(output))
+  for (const ArrayHash& array : arrays)
     subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
   const auto encoding = names.cbor ? CertificateEncoding::cbor : CertificateEncoding::json;
   return certificate_bytes(subject, claims, mesh, encoding);
@@ -106,6 +107,8 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
   const TetMesh& mesh = shared_->mesh;
   ModeSurfaces result;
   std::vector<CertifiedLevel> certified;
+  std::optional<StabilityRun> stability;
+  if (request.uncertainty) stability.emplace(mesh, *request.uncertainty);
   for (const ModeValue& mode : modes) {
     const ModeProgress progress = labelled(request.progress, mode);
     ExtractOptions options;
@@ -134,11 +137,13 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
     part.statistics = counted(extraction.statistics);
     for (const UnresolvedCell& cell : extraction.unresolved)
       result.unresolved.push_back({cell.tet, std::string(name_of(cell.reason)), mode});
+    if (stability) part.stability = stability->add(mode, options, extraction);
     if (request.certify && !level) {
       tell(progress, "certificate");
       level = certify(mesh, mode, extraction);
     }
     if (level) {
+      if (stability) level->stability = stability->claim(*part.stability);
       const DistanceClaim& distance = level->distance;
       part.distance_bound = distance.coarse.empty()
                                 ? distance.bound
@@ -149,13 +154,15 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
     result.parts.push_back(std::move(part));
     append_surface(result.surface, std::move(extraction.surface));
   }
+  if (stability) result.more = stability->arrays();
   if (request.certify) {
     tell(request.progress, "certificate");
     CertificateSubject subject = subject_of(mesh, request.names);
     subject.cells = result.surface.triangles.size();
     subject.output_sha256 = surface_sha256(result.surface, mesh);
     result.certificate =
-        certificate_of(mesh, request.names, std::move(subject), result.surface, certified);
+        certificate_of(mesh, request.names, std::move(subject), result.surface,
+                       array_hashes(result.surface, result.more), certified);
   } else {
     result.claims = 0;
   }
@@ -197,7 +204,8 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
     subject.cells = result.curves.lines.size();
     subject.output_sha256 = curves_sha256(result.curves, mesh);
     result.certificate =
-        certificate_of(mesh, request.names, std::move(subject), result.curves, certified);
+        certificate_of(mesh, request.names, std::move(subject), result.curves,
+                       array_hashes(result.curves), certified);
   }
   return result;
 }

@@ -6,6 +6,8 @@
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
+#include <cstring>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,19 @@ using Input = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
 inline void make_read_only(const py::array& array) {
   py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+}
+
+/// The rows of an array of two dimensions.
+template <class Row, class T>
+std::vector<Row> rows_of(const Input<T>& array, const char* name) {
+  constexpr auto width = static_cast<py::ssize_t>(sizeof(Row) / sizeof(T));
+  if (array.ndim() != 2 || array.shape(1) != width)
+    throw py::value_error(std::string(name) + ": expected shape (n, " + std::to_string(width) +
+                          ")");
+  std::vector<Row> rows(static_cast<std::size_t>(array.shape(0)));
+  if (!rows.empty())
+    std::memcpy(static_cast<void*>(rows.data()), array.data(), rows.size() * sizeof(Row));
+  return rows;
 }
 
 /// A view of rows that belong to `owner`: no copy, read-only. One number a row gives one dimension.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,17 @@ py::dict dict_of(const SurfaceInvariants::Part& part) {
                   "orientable"_a = part.orientable, "manifold"_a = part.manifold);
 }
 
+py::object stability_of(const std::optional<StabilitySummary>& summary) {
+  using namespace py::literals;
+  if (!summary) return py::none();
+  py::dict reasons;
+  for (const auto& [reason, count] : summary->reasons) reasons[py::str(reason)] = count;
+  return py::dict("stable_tets"_a = summary->stable_tets,
+                  "unstable_tets"_a = summary->unstable_tets,
+                  "crossed_stable_tets"_a = summary->crossed_stable_tets, "reasons"_a = reasons,
+                  "stable_components"_a = summary->components.size());
+}
+
 py::dict surface_level(const ModePart& part) {
   using namespace py::literals;
   const SurfaceInvariants& i = part.invariants;
@@ -48,6 +60,7 @@ py::dict surface_level(const ModePart& part) {
   return py::dict("mode"_a = part.mode.text(), "vertices"_a = part.vertices,
                   "triangles"_a = part.cells, "parts"_a = parts,
                   "distance_bound"_a = part.distance_bound, "tets_farther"_a = part.tets_farther,
+                  "stability"_a = stability_of(part.stability),
                   "statistics"_a = statistics_of(part));
 }
 
@@ -66,15 +79,30 @@ std::vector<ModeValue> modes_of(const std::vector<std::string>& texts) {
   return modes;
 }
 
+/// Of a number, a text as the program takes it, or one radius for each vertex.
+std::optional<Uncertainty> uncertainty_of(const py::object& given) {
+  if (given.is_none()) return std::nullopt;
+  if (py::isinstance<py::str>(given)) return parse_uncertainty(given.cast<std::string>());
+  Uncertainty result;
+  if (py::isinstance<py::float_>(given)) {
+    result.value = given.cast<double>();
+  } else {
+    result.kind = Uncertainty::Kind::per_vertex;
+    result.radii = given.cast<std::vector<double>>();
+  }
+  return result;
+}
+
 py::dict extract_surfaces(const Mesh& self, const std::vector<std::string>& modes, bool generalized,
                           double resolution, bool all_samples, bool improve, bool graph,
-                          double max_error, bool certify, const std::string& tensor,
-                          const py::object& progress) {
+                          double max_error, bool certify, const py::object& uncertainty,
+                          const std::string& tensor, const py::object& progress) {
   SurfaceRequest request;
   request.modes = modes_of(modes);
   request.generalized = generalized, request.resolution = resolution;
   request.all_samples = all_samples, request.improve = improve, request.graph = graph;
   request.max_error = max_error, request.certify = certify;
+  request.uncertainty = uncertainty_of(uncertainty);
   request.names.tensor = tensor;
   ModeSurfaces made = watched(progress, [&](const Progress& report) {
     request.progress = report;
@@ -93,6 +121,8 @@ py::dict extract_surfaces(const Mesh& self, const std::vector<std::string>& mode
   out["carrier_vertices"] = array_of<Index>(std::move(s.carrier_vertices));
   out["tet"] = array_of<Index>(std::move(s.tet));
   out["component"] = array_of<Index>(std::move(s.component));
+  for (CellArray& array : made.more)
+    out[py::str(array.name)] = array_of<std::int32_t>(std::move(array.values));
   out["unresolved"] = list_of(made.unresolved);
   py::list levels;
   for (const ModePart& part : made.parts) levels.append(surface_level(part));
@@ -145,7 +175,8 @@ py::dict extract_curves(const Mesh& self, bool linear, bool planar, double resol
 void define_extraction(py::class_<Mesh>& mesh) {
   mesh.def("surfaces", &extract_surfaces, py::arg("modes"), py::arg("generalized"),
            py::arg("resolution"), py::arg("all_samples"), py::arg("improve"), py::arg("graph"),
-           py::arg("max_error"), py::arg("certify"), py::arg("tensor"), py::arg("progress"));
+           py::arg("max_error"), py::arg("certify"), py::arg("uncertainty"), py::arg("tensor"),
+           py::arg("progress"));
   mesh.def("curves", &extract_curves, py::arg("linear"), py::arg("planar"), py::arg("resolution"),
            py::arg("certify"), py::arg("tensor"), py::arg("progress"));
 }

@@ -3,7 +3,6 @@
 #include "mesh.hpp"
 
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
@@ -45,19 +44,6 @@ const char* name_of(MeshDefect::Kind kind) {
       return "overlapping_cells";
   }
   return "other";
-}
-
-/// The rows of an array of two dimensions.
-template <class Row, class T>
-std::vector<Row> rows_of(const Input<T>& array, const char* name) {
-  constexpr auto width = static_cast<py::ssize_t>(sizeof(Row) / sizeof(T));
-  if (array.ndim() != 2 || array.shape(1) != width)
-    throw py::value_error(std::string(name) + ": expected shape (n, " + std::to_string(width) +
-                          ")");
-  std::vector<Row> rows(static_cast<std::size_t>(array.shape(0)));
-  if (!rows.empty())
-    std::memcpy(static_cast<void*>(rows.data()), array.data(), rows.size() * sizeof(Row));
-  return rows;
 }
 
 /// A vertex that no index can hold is one that does not exist.
@@ -114,7 +100,9 @@ void define_mesh(py::module_& m) {
         return field_sha256(self.mesh);
       });
   define_extraction(mesh);
+  define_persistence(mesh);
   define_sweep(mesh);
+  define_partition(m, mesh);
 }
 
 void define_families(py::module_& m) {

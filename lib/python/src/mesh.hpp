@@ -26,7 +26,9 @@ struct Mesh {
 };
 
 void define_mesh(pybind11::module_& m);
+void define_partition(pybind11::module_& m, pybind11::class_<Mesh>& mesh);
 void define_extraction(pybind11::class_<Mesh>& mesh);
+void define_persistence(pybind11::class_<Mesh>& mesh);
 void define_sweep(pybind11::class_<Mesh>& mesh);
 void define_families(pybind11::module_& m);
 void define_tensors(pybind11::module_& m);

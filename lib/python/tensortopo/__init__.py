@@ -28,6 +28,8 @@ from ._families import Generated, field_kinds, generate
 from ._field import Field
 from ._files import read, write
 from ._modes import exact_mode
+from ._partition import MergedSurface, PieceSurface, extract_piece, merge_pieces
+from ._persistence import CurvePersistence, Persistence, PersistencePair
 from ._surface import (
     CARRIERS,
     Component,
@@ -50,13 +52,18 @@ __all__ = [
     "Component",
     "CriticalPoint",
     "CurveLevel",
+    "CurvePersistence",
     "Curves",
     "Defect",
     "Field",
     "FileError",
     "Finding",
     "Generated",
+    "MergedSurface",
     "MeshError",
+    "Persistence",
+    "PersistencePair",
+    "PieceSurface",
     "PyVistaAccessor",
     "Statement",
     "Surface",
@@ -74,11 +81,13 @@ __all__ = [
     "deviator",
     "eigen",
     "exact_mode",
+    "extract_piece",
     "field_kinds",
     "from_meshio",
     "from_pyvista",
     "generate",
     "lode_angle",
+    "merge_pieces",
     "mode",
     "read",
     "register_pyvista",

@@ -124,7 +124,7 @@ def to_meshio(output: Any) -> Any:
 
     if isinstance(output, Surface):
         cells = [("triangle", output.triangles)]
-        cell_data = {"tet": [output.cell_ids], "component": [output.component]}
+        cell_data = {name: [values] for name, values in _cell_data(output).items()}
     elif isinstance(output, Curves):
         segments = [np.column_stack((line[:-1], line[1:])) for line in output.lines]
         lengths = [len(s) for s in segments]
@@ -165,9 +165,16 @@ def to_pyvista(output: Any) -> Any:
         raise TypeError(f"expected a Surface or Curves, not {type(output).__name__}")
     for name, values in _point_data(output).items():
         mesh.point_data[name] = np.array(values)
-    mesh.cell_data["tet"] = np.array(output.cell_ids)
-    mesh.cell_data["component"] = np.array(output.component)
+    for name, values in _cell_data(output).items():
+        mesh.cell_data[name] = np.array(values)
     return mesh
+
+
+def _cell_data(output: Any) -> dict[str, Any]:
+    data = {"tet": output.cell_ids, "component": output.component}
+    if isinstance(output, Surface) and output.stable is not None:
+        data["instability"], data["stable"] = output.instability, output.stable
+    return data
 
 
 def _point_data(output: Any) -> dict[str, Any]:

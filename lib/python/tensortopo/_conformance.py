@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -17,17 +15,9 @@ from ._errors import FileError
 from ._field import Field
 from ._files import write
 from ._modes import Mode, mode_text
+from ._program import find_program
 from ._tensors import real_array
 from ._vtk_xml import piece_text, write_whole
-
-
-def _program(path: Optional[str]) -> str:
-    found = path or os.environ.get("TENSORTOPO_PROGRAM") or shutil.which("tensortopo")
-    if found is None:
-        raise FileError(
-            "tensortopo: the program is not on the path; pass program=, or set TENSORTOPO_PROGRAM"
-        )
-    return found
 
 
 def conformance(
@@ -82,7 +72,7 @@ def conformance(
         raise ValueError("triangles: expected integers of shape (t, 3)")
     if corners.size and not (0 <= corners.min() and corners.max() < len(place)):
         raise ValueError("triangles: a vertex does not exist")
-    command = [_program(program), "conformance", f"--mode={mode_text(mode)}", "--json", "--quiet",
+    command = [find_program(program), "conformance", f"--mode={mode_text(mode)}", "--json", "--quiet",
                f"--resolution={float(resolution)!r}"]  # fmt: skip
     if merge > 0:
         command.append(f"--merge={float(merge)!r}")

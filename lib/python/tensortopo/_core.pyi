@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -40,6 +40,7 @@ class Mesh:
         graph: bool,
         max_error: float,
         certify: bool,
+        uncertainty: Union[None, float, str, list[float]],
         tensor: str,
         progress: _Progress,
     ) -> dict[str, Any]: ...
@@ -52,10 +53,21 @@ class Mesh:
         tensor: str,
         progress: _Progress,
     ) -> dict[str, Any]: ...
+    def piece(
+        self,
+        mode: str,
+        vertex_ids: npt.NDArray[np.int64],
+        owned: npt.NDArray[np.bool_],
+        resolution: float,
+        all_samples: bool,
+        progress: _Progress,
+    ) -> dict[str, Any]: ...
+    def persistence(self, progress: _Progress) -> dict[str, Any]: ...
     def sweep(
         self, start: str, stop: str, samples: int, most_levels: int, progress: _Progress
     ) -> dict[str, Any]: ...
 
+def merge_pieces(pieces: list[dict[str, Any]]) -> dict[str, Any]: ...
 def parse_mode(text: str) -> str: ...
 def mode(tensors: _Doubles) -> _Doubles: ...
 def lode_angle(tensors: _Doubles) -> _Doubles: ...

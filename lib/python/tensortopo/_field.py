@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _core
 from ._errors import Defect, MeshError, UnresolvedError
 from ._modes import Mode, mode_text, mode_texts
+from ._persistence import Persistence, persistence_of
 from ._surface import Curves, Surface
 from ._sweep import Sweep, sweep_of
 from ._tensors import real_array, tensor_rows
@@ -180,6 +181,7 @@ class Field:
         resolution: float = 4,
         max_error: Optional[float] = None,
         certify: bool = False,
+        uncertainty: Union[None, float, str, npt.ArrayLike] = None,
         progress: Optional[Progress] = None,
         *,
         all_samples: bool = False,
@@ -207,6 +209,11 @@ class Field:
         certify : bool, default False
             Also make a certificate, for `check`. It is about the tensors in VTK's order, in which `write`
             writes them.
+        uncertainty : float, str or array_like, shape (n,), optional
+            Also say what is the same for every field whose deviators differ by at most so much, in the
+            Frobenius norm, at the vertices: in the unit of the tensors; ``"1%"`` of each vertex' own
+            deviator; or a radius for each vertex (of which no certificate claims anything). See
+            `Surface.stable`.
         progress : callable, optional
             Called as ``progress(stage, fraction)``, some twenty times a second at most. If it returns
             False, or raises, the extraction ends.
@@ -248,6 +255,7 @@ class Field:
             graph=method == "graph",
             max_error=0.0 if max_error is None else _positive(max_error, "max_error"),
             certify=certify,
+            uncertainty=_uncertainty(uncertainty, len(self.points)),
             tensor=self.tensor_name,
             progress=progress,
         )
@@ -300,6 +308,24 @@ class Field:
             raise UnresolvedError(curves.unresolved)
         return curves
 
+    def persistence(self, *, progress: Optional[Progress] = None) -> Persistence:
+        """At which modes components of the mode's level sets are born and die.
+
+        Every component of {mode >= m} and {mode <= m}, and with these every degenerate curve, with
+        the relative noise that it survives. Values are enclosed, and the paths that join critical
+        points are proved.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            As in `mode_surface`.
+
+        Returns
+        -------
+        Persistence
+        """
+        return persistence_of(self._mesh.persistence(progress))
+
     def sweep(
         self,
         start: Mode,
@@ -336,6 +362,19 @@ class Field:
 
     def __repr__(self) -> str:
         return f"Field({len(self.points)} points, {len(self.tets)} tetrahedra)"
+
+
+def _uncertainty(
+    value: Union[None, float, str, npt.ArrayLike], vertices: int
+) -> Union[None, float, str, list[float]]:
+    if value is None or isinstance(value, str):
+        return value
+    radii = np.asarray(value, dtype=np.float64)
+    if radii.ndim == 0:
+        return float(radii)
+    if radii.shape != (vertices,):
+        raise ValueError(f"uncertainty: must be a number, or one for each of {vertices} vertices")
+    return [float(radius) for radius in radii]
 
 
 def _positive(value: float, name: str) -> float:

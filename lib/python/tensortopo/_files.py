@@ -3,7 +3,11 @@
 """Fields from files, and outputs to files, without VTK."""
 from __future__ import annotations
 
+import operator
 import os
+import subprocess
+import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Optional, Union
 
@@ -11,10 +15,13 @@ import numpy as np
 
 from ._errors import FileError
 from ._field import Field
+from ._program import find_program, has_program
 from ._surface import Curves, Surface, _Output
 from ._tensors import COMPONENT_ORDERS
 from ._vtk_xml import XmlArray, XmlPiece, piece_text, read_piece, write_whole
 
+# What the program reads beyond plain .vtu; lib/io has the table.
+_PROGRAMS_FORMATS = (".pvtu", ".vtk", ".vti", ".pvd", ".frd", ".e", ".exo", ".nii", ".nii.gz")
 _TETRA = 10
 _FLAT = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36}  # points, lines, faces
 _LINEAR_NAMES = {11: "voxels", 12: "hexahedra", 13: "wedges", 14: "pyramids"}
@@ -94,18 +101,40 @@ def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Op
                  symmetrize=symmetrize)  # fmt: skip
 
 
+def _converted(file: Path, words: Sequence[str], tensor: Optional[str], components: Optional[str],
+               symmetrize: bool) -> Field:  # fmt: skip
+    """The field that ``tensortopo convert`` makes of a file."""
+    command = [find_program(), "convert", str(file), "--quiet", *words]
+    command += [] if tensor is None else ["--tensor", tensor]
+    command += [] if components is None else ["--components", components]
+    command += ["--symmetrize"] if symmetrize else []
+    with tempfile.TemporaryDirectory() as folder:
+        made = Path(folder) / "field.vtu"
+        done = subprocess.run([*command, "-o", str(made)], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            lines = done.stderr.strip().splitlines() or [f"{file}: tensortopo convert failed"]
+            raise FileError(lines[-1].removeprefix("tensortopo: "))
+        piece = read_piece(made)
+    return _field_of(file, piece, None, None, False)
+
+
 def read(
     path: Union[str, os.PathLike[str]],
     tensor: Optional[str] = None,
     components: Optional[str] = None,
     *,
     symmetrize: bool = False,
+    step: Optional[int] = None,
+    mask: Optional[Union[str, os.PathLike[str]]] = None,
+    options: Sequence[str] = (),
 ) -> Field:
     """The field in a file.
 
     A .vtu of linear tetrahedra in one piece is read here: text, inline and appended binary,
-    uncompressed or by zlib. Other names go to meshio, where it is installed. What neither reads, the
-    program does: ``tensortopo convert IN -o OUT.vtu``.
+    uncompressed or by zlib. Other formats of the program (.pvtu, .vtk, .vti, .pvd, .frd, .e, .exo,
+    .nii, .nii.gz) are read by ``tensortopo convert``, if the program is found: what
+    ``TENSORTOPO_PROGRAM`` names, or ``tensortopo`` on the path. Further names, and these without the
+    program, go to meshio, where it is installed.
 
     Parameters
     ----------
@@ -117,11 +146,18 @@ def read(
         if the file names another one.
     symmetrize : bool, default False
         As in `Field`.
+    step : int, optional
+        Of a file of several steps: which, from 1; by default the last.
+    mask : str or path, optional
+        Of a NIfTI image: an image that is not 0 where voxels are taken.
+    options : sequence of str
+        Further options of ``tensortopo convert``, such as ``["--cell-to-point"]``.
 
     Returns
     -------
     Field
-        With the numbers exactly as in the file; ``cell_ids`` count its cells from 0.
+        With the numbers exactly as in the file; ``cell_ids`` count its cells from 0, or the
+        tetrahedra that the program made of them.
 
     Raises
     ------
@@ -131,17 +167,24 @@ def read(
         As `Field`.
     """
     file = Path(path)
+    words = [*options]
+    words += [] if step is None else ["--step", str(operator.index(step))]
+    words += [] if mask is None else ["--mask", os.fspath(mask)]
+    if words:
+        return _converted(file, words, tensor, components, symmetrize)
     if file.suffix.lower() == ".vtu":
         piece = read_piece(file)
         if piece.kind != "UnstructuredGrid":
             raise FileError(f"{file}: holds no unstructured grid")
         return _field_of(file, piece, tensor, components, symmetrize)
+    if file.name.lower().endswith(_PROGRAMS_FORMATS) and has_program():
+        return _converted(file, words, tensor, components, symmetrize)
     try:
         import meshio
     except ImportError as error:
         raise FileError(
-            f"{file}: only .vtu is read without meshio; install meshio, or rewrite the file with: "
-            f"tensortopo convert {file} -o OUT.vtu"
+            f"{file}: only .vtu is read without the program and meshio; put tensortopo on the path, "
+            "or name it with TENSORTOPO_PROGRAM"
         ) from error
     from ._bridges import from_meshio
 
@@ -172,12 +215,15 @@ def _field_text(field: Field) -> str:
 
 def _output_text(output: _Output) -> str:
     point_data: dict[str, Any] = {"mode": output.mode}
+    cell_data: dict[str, Any] = {"tet": output.cell_ids, "component": output.component}
     counts = {"NumberOfPoints": len(output.points), "NumberOfVerts": 0}
     if isinstance(output, Surface):
         point_data["medium_eigenvector"] = output.medium_eigenvectors
         point_data["dominant_eigenvector"] = output.dominant_eigenvectors
         point_data["normal"] = output.normals
         point_data["residual"] = output.residual
+        if output.stable is not None:
+            cell_data["instability"], cell_data["stable"] = output.instability, output.stable
         n = len(output.triangles)
         connectivity = output.triangles.astype(np.int64).ravel()
         offsets = np.arange(3, 3 * n + 1, 3, dtype=np.int64)
@@ -196,7 +242,7 @@ def _output_text(output: _Output) -> str:
         counts,
         {
             "PointData": point_data,
-            "CellData": {"tet": output.cell_ids, "component": output.component},
+            "CellData": cell_data,
             "Points": {"Points": output.points},
             section: {"connectivity": connectivity, "offsets": offsets},
         },

@@ -79,6 +79,9 @@ class SurfaceLevel:
         ``max_error``.
     tets_farther : int
         Tetrahedra in which ``max_error`` is not proved.
+    stability : dict or None
+        With ``uncertainty``: ``stable_tets`` and ``unstable_tets`` of the mesh, ``crossed_stable_tets``,
+        ``reasons`` (unstable tetrahedra by the reason's name), ``stable_components``.
     statistics : dict
         What the extraction counted, and its seconds.
     """
@@ -89,6 +92,7 @@ class SurfaceLevel:
     components: tuple[Component, ...]
     distance_bound: Optional[float]
     tets_farther: int
+    stability: Optional[dict[str, Any]]
     statistics: dict[str, float] = dataclass_field(repr=False)
 
 
@@ -172,6 +176,11 @@ class Surface(_Output):
         component, numbered in the order of first triangles.
     cell_ids : ndarray of int64, shape (t,)
         The id of that tetrahedron.
+    stable, instability : ndarray of int32, shape (t,), or None
+        With ``uncertainty``: 1 where the level is proved to have the same topology in that tetrahedron
+        for all fields within it, else 0; and why it is not: 0 it is, 1 a deviator is not larger than
+        its radius, 2 a vertex can be on either side, 3, 4 and 5 there is no proof for an edge, a face or
+        the inside, 6 unresolved. 1 and 2 are exact: there are two such fields that differ.
     levels : tuple of SurfaceLevel
         One for each mode, with its topology.
     unresolved : tuple of Unresolved
@@ -185,6 +194,8 @@ class Surface(_Output):
     triangles: Indices
     normals: Doubles
     medium_eigenvectors: Doubles
+    stable: Optional[Indices] = None
+    instability: Optional[Indices] = None
 
     def __init__(self, made: dict[str, Any], cell_ids: Ids) -> None:
         super().__init__(made, cell_ids)
@@ -196,6 +207,7 @@ class Surface(_Output):
                 tuple(Component(**part) for part in level["parts"]),
                 level["distance_bound"],
                 level["tets_farther"],
+                level["stability"],
                 level["statistics"],
             )
             for level in made["levels"]

@@ -72,7 +72,7 @@ def _flat(tensors: Any, components: str) -> tuple[Array, tuple[int, ...]]:
 
 
 def mode(tensors: Any, *, components: str = "vtk") -> Array:
-    """The mode 3 sqrt(6) det D / |D|^3 of each tensor's deviator D.
+    """The mode ``3 sqrt(6) det(D) / |D|^3`` of each tensor's deviator D.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def mode(tensors: Any, *, components: str = "vtk") -> Array:
     Returns
     -------
     ndarray, shape (...)
-        In [-1, 1]; not a number for tensors without deviator, which have no mode.
+        In [-1, 1]; not a number for isotropic tensors, which have no mode.
 
     Notes
     -----

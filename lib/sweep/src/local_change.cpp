@@ -78,6 +78,25 @@ std::string_view name_of(LocalChange change) {
   return "undecided";
 }
 
+std::vector<std::vector<int>> parts_of_sign(const SignedLink& link, Verdict sign) {
+  std::vector<int> parent(link.signs.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto belongs = [&](int v) { return link.signs[static_cast<std::size_t>(v)] == sign; };
+  for (const auto& t : link.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [v, w] = std::minmax(t[i], t[(i + 1) % 3]);
+      if (!belongs(v) || !belongs(w)) continue;
+      const auto [first, second] = std::minmax({root_of(parent, v), root_of(parent, w)});
+      parent[static_cast<std::size_t>(second)] = first;
+    }
+  std::map<int, std::vector<int>> parts;
+  for (int v = 0; v < static_cast<int>(parent.size()); ++v)
+    if (belongs(v)) parts[root_of(parent, v)].push_back(v);
+  std::vector<std::vector<int>> result;
+  for (auto& [root, part] : parts) result.push_back(std::move(part));
+  return result;
+}
+
 LocalEffect local_effect(const SignedLink& link) {
   LocalEffect effect;
   std::map<Edge, int> edges;

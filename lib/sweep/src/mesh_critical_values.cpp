@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "tensortopo/field/critical_points.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
@@ -94,7 +95,7 @@ class Collecting {
     std::vector<std::size_t> looked_at(kept.size(), 0);
     tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t block) {
       const auto keep = [&](const CriticalPoint& found, std::span<const Index> simplex,
-                            const SignedLink& link) {
+                            const SignedLink& link, const std::vector<Index>& around) {
         if (!is_in_range(found)) return;
         ++looked_at[block];
         MeshCriticalPoint point;
@@ -103,6 +104,12 @@ class Collecting {
         point.low = found.low;
         point.high = found.high;
         point.dimension = dimension;
+        point.weights = found.weights;
+        point.is_certain = found.is_certain;
+        point.deviator = found.deviator;
+        point.index = found.index;
+        point.link = link;
+        point.around = around;
         point.vertices.fill(-1);
         std::copy(simplex.begin(), simplex.end(), point.vertices.begin());
         for (std::size_t i = 0; i < simplex.size(); ++i)
@@ -143,7 +150,7 @@ class Collecting {
       for (const auto& f : faces)
         link.triangles.push_back(
             {place_of(neighbours, f[0]), place_of(neighbours, f[1]), place_of(neighbours, f[2])});
-      keep(point, std::array{static_cast<Index>(v)}, link);
+      keep(point, std::array{static_cast<Index>(v)}, link, neighbours);
     });
   }
 
@@ -172,7 +179,7 @@ class Collecting {
           link.triangles.push_back({i, j, n});
           link.triangles.push_back({i, j, n + 1});
         }
-        keep(point, ends, link);
+        keep(point, ends, link, ring);
       }
     });
   }
@@ -199,7 +206,7 @@ class Collecting {
                                                                 (point.index == 1 && i % 2 == 0)));
         for (int apex = 0; apex < n; ++apex)
           for (int i = 0; i < 4; ++i) link.triangles.push_back({apex, n + i, n + (i + 1) % 4});
-        keep(point, corners, link);
+        keep(point, corners, link, apices);
       }
     });
   }
@@ -218,7 +225,7 @@ class Collecting {
         for (int x = 0; x < 2; ++x)
           for (int y = 2; y < 4; ++y)
             for (int z = 4; z < 6; ++z) link.triangles.push_back({x, y, z});
-        keep(point, v, link);
+        keep(point, v, link, {});
       }
     });
   }
@@ -232,7 +239,14 @@ class Collecting {
 }  // namespace
 
 MeshCriticalValues mesh_critical_values(const TetMesh& mesh, double low, double high) {
-  return Collecting(mesh, low, high).run();
+  const CanonicalMesh canonical = canonical_mesh(mesh);
+  MeshCriticalValues result = Collecting(canonical.mesh, low, high).run();
+  for (MeshCriticalPoint& point : result.points) {
+    for (Index& v : point.vertices)
+      if (v >= 0) v = canonical.vertices[as_size(v)];
+    for (Index& v : point.around) v = canonical.vertices[as_size(v)];
+  }
+  return result;
 }
 
 }  // namespace tensortopo

@@ -11,13 +11,15 @@
 /// the cells that no proof covers, with their reasons.
 class TENSORTOPOFILTERS_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopology {
  public:
-  static vtkTensorDegenerateCurves* New();
+  static vtkTensorDegenerateCurves* New();  ///< as of any VTK filter
   vtkTypeMacro(vtkTensorDegenerateCurves, vtkTensorTopology)
-  void PrintSelf(std::ostream& os, vtkIndent indent) override;
+  void PrintSelf(std::ostream& os, vtkIndent indent) override;  ///< for debugging
 
+  ///@{
   /// 1 linear, 2 planar, 3 both (default).
   vtkSetClampMacro(Curves, int, 1, 3);
   vtkGetMacro(Curves, int);
+  ///@}
 
  protected:
   vtkTensorDegenerateCurves();

@@ -18,34 +18,48 @@
 /// and global ids of points; then all samples are kept, and the pieces fit each other bit for bit.
 class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
  public:
-  static vtkTensorModeSurface* New();
+  static vtkTensorModeSurface* New();  ///< as of any VTK filter
   vtkTypeMacro(vtkTensorModeSurface, vtkTensorTopology)
-  void PrintSelf(std::ostream& os, vtkIndent indent) override;
+  void PrintSelf(std::ostream& os, vtkIndent indent) override;  ///< for debugging
 
+  ///@{
   /// Modes in (-1, 1), exactly: decimals and fractions, separated by spaces, commas or semicolons.
   vtkSetStdStringFromCharMacro(Modes);
   vtkGetCharFromStdStringMacro(Modes);
+  ///@}
+  ///@{
   /// With this on, the mode is the shortest decimal of ModeNumber, for a slider. Default off.
   vtkSetMacro(UseModeNumber, bool);
   vtkGetMacro(UseModeNumber, bool);
   vtkSetClampMacro(ModeNumber, double, -0.999999, 0.999999);
   vtkGetMacro(ModeNumber, double);
+  ///@}
+  ///@{
   /// After each mode also the opposite one. Default off.
   vtkSetMacro(Generalized, bool);
   vtkGetMacro(Generalized, bool);
+  ///@}
+  ///@{
   /// The largest proved distance between triangles and level, in the unit of the points; 0, the
   /// default, for none.
   vtkSetClampMacro(MaximumError, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumError, double);
+  ///@}
+  ///@{
   /// Keep samples that make needles of triangles. Default off.
   vtkSetMacro(AllSamples, bool);
   vtkGetMacro(AllSamples, bool);
+  ///@}
+  ///@{
   /// Better angles, the same topology. Default off.
   vtkSetMacro(ImproveTriangles, bool);
   vtkGetMacro(ImproveTriangles, bool);
+  ///@}
+  ///@{
   /// Degenerate curves on output 1: 0 none (default), 1 linear, 2 planar, 3 both.
   vtkSetClampMacro(Curves, int, 0, 3);
   vtkGetMacro(Curves, int);
+  ///@}
 
  protected:
   vtkTensorModeSurface();

@@ -22,20 +22,26 @@ struct TensorGrid;
 class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
  public:
   vtkTypeMacro(vtkTensorTopology, vtkPolyDataAlgorithm)
-  void PrintSelf(std::ostream& os, vtkIndent indent) override;
+  void PrintSelf(std::ostream& os, vtkIndent indent) override;  ///< for debugging
 
+  ///@{
   /// The order of six components: 0 as the array names them, else VTK's (default); 1 VTK's (XX YY
   /// ZZ XY YZ XZ), 2 Voigt's (XX YY ZZ YZ XZ XY), 3 Abaqus' and MRtrix' (XX YY ZZ XY XZ YZ), 4
   /// NIfTI's and DIPY's (XX XY YY XZ YZ ZZ), 5 FSL's (XX XY XZ YY YZ ZZ).
   vtkSetClampMacro(ComponentOrder, int, 0, 5);
   vtkGetMacro(ComponentOrder, int);
+  ///@}
+  ///@{
   /// Samples per radian of turning of an eigenvector. Default 4.
   vtkSetClampMacro(Sampling, double, 0.01, 1000);
   vtkGetMacro(Sampling, double);
+  ///@}
+  ///@{
   /// A certificate is written there, for `tensortopo check`: .json or .cbor. Empty, the default,
   /// for none. Not with several pieces.
   vtkSetStdStringFromCharMacro(CertificateFile);
   vtkGetCharFromStdStringMacro(CertificateFile);
+  ///@}
 
  protected:
   vtkTensorTopology();

@@ -28,8 +28,12 @@ void for_each(std::size_t count, const Body& body) {
 }  // namespace
 
 template <class Scalar>
-PreparedField<Scalar>::PreparedField(const TetMesh& m, Use use)
-    : mesh(&m), field(m), norms(m.points.size()), lode_angles(m.points.size(), 0) {
+PreparedField<Scalar>::PreparedField(const TetMesh& given, Use use)
+    : canonical(std::make_shared<const CanonicalMesh>(canonical_mesh(given))),
+      field(canonical->mesh),
+      norms(given.points.size()),
+      lode_angles(given.points.size(), 0) {
+  const TetMesh& m = canonical->mesh;
   if constexpr (!std::is_same_v<Scalar, double>) {
     rounded_tensors.resize(m.points.size());
     for_each(m.points.size(),

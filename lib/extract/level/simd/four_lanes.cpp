@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 // Compiled for AVX2, where that is known, and called where the processor has it. Nothing in here
-// may have linkage but the two kernels: a function of a library that was compiled here could be
+// may have linkage but the kernels: a function of a library that was compiled here could be
 // the one that the linker keeps for all.
 #include "extract/level/simd/four_lanes.hpp"
 
 #include "extract/level/level_slope.hpp"
-#include "extract/level/proofs/direction_search.hpp"
 #include "extract/level/proofs/simple_simplex.hpp"
+#include "extract/level/simd/lane_search.hpp"
 #include "extract/level/simd/lanes.hpp"
 
 namespace tensortopo {
@@ -60,18 +60,18 @@ Lanes rounding_unit_of(const Lanes& norm) {
   return Lanes(unit_roundoff<double>()) * (Lanes(1) + Lanes(40) / norm);
 }
 
-/// What the proofs below want of a simplex.
+/// What all proofs want of a simplex.
 template <std::size_t Vertices>
-struct Ground {
+struct BoundedForms {
+  ModeForms<Lanes, Vertices> forms;
+  NormBounds<Lanes, Vertices> bounds;
   Mask sound;  ///< where the bounds hold and the lower one is positive
   Lanes norm;  ///< the largest of a vertex
-  LevelIncrease<Lanes, Vertices> increase;
 };
 
-/// As in `prove_simplex`: `largest_norm`, `mode_forms`, `norm_bounds`, and the cubics of these.
+/// As in `prove_simplex`: `largest_norm`, `mode_forms`, `norm_bounds`.
 template <std::size_t Vertices>
-Ground<Vertices> ground(const std::array<Deviator<Lanes>, Vertices>& tensors,
-                        const LaneLevel& level) {
+BoundedForms<Vertices> bounded_forms(const std::array<Deviator<Lanes>, Vertices>& tensors) {
   const auto forms = mode_forms(tensors);
   NormBounds<Lanes, Vertices> bounds;
   std::array<Lanes, Vertices> norm;
@@ -100,7 +100,58 @@ Ground<Vertices> ground(const std::array<Deviator<Lanes>, Vertices>& tensors,
   sound &= square > Lanes(0);
   bounds.lower = sqrt(square) * (Lanes(1) - room);
   sound &= bounds.lower > Lanes(0);
-  return {sound, sqrt(largest), LevelIncrease<Lanes, Vertices>(forms, bounds, level)};
+  return {forms, bounds, sound, sqrt(largest)};
+}
+
+/// Where `detail::has_strict_sign` would say yes: `sign` is 1 or -1.
+template <class Polynomial>
+Mask strictly_signed(const Polynomial& p, const Lanes& sign, const Lanes& bound) {
+  Mask all = ~Mask{};
+  for (std::size_t i = 0; i < p.size; ++i)
+    all &= sign * p.coefficients[i] > Lanes(static_cast<double>(p.multinomials[i])) * bound;
+  return all;
+}
+
+/// Of up to four simplices: where `is_proved_empty` would say yes, and where this tells.
+template <std::size_t Vertices>
+LaneEmptiness empty_lanes(std::span<const std::array<Deviator<double>, Vertices>> simplices,
+                          const LevelNumbers& numbers) {
+  const auto on = bounded_forms(in_lanes(simplices));
+  const LaneLevel level(numbers);
+  const Lanes u = rounding_unit_of(on.norm), cube = on.norm * on.norm * on.norm;
+  const Mask opposite = strictly_signed(on.forms.determinant, Lanes(-numbers.sign),
+                                        Lanes(detail::kDeterminantBound) * u * cube);
+  const RootBounds<Lanes, Vertices> root(on.forms, on.bounds);
+  const Mask above =
+      on.forms.determinant.coefficients[0] >
+      Lanes(3) * level.sqrt2 * level.mu * on.forms.norm.coefficients[0] * on.bounds.upper[0];
+  // As `side_form`, which takes the tangent on one side and the chord on the other.
+  auto bound = root.tangent;
+  const Mask by_tangent = numbers.mu > 0 ? above : ~above;
+  for (std::size_t i = 0; i < bound.size; ++i)
+    bound.coefficients[i] =
+        select(by_tangent, root.tangent.coefficients[i], root.chord.coefficients[i]);
+  const Lanes factor = Lanes(3) * level.sqrt2 * level.mu;
+  const auto form = root.l * on.forms.determinant - factor * (on.forms.norm * bound);
+  const Mask strict = strictly_signed(form, select(above, Lanes(1), Lanes(-1)),
+                                      Lanes(detail::kSideBound) * u * cube * on.norm);
+  return {bits(on.sound & (opposite | strict)), bits(on.sound)};
+}
+
+/// What proofs of a direction want of a simplex.
+template <std::size_t Vertices>
+struct Ground {
+  Mask sound;
+  Lanes norm;
+  LevelIncrease<Lanes, Vertices> increase;
+};
+
+/// The same with the cubics of these.
+template <std::size_t Vertices>
+Ground<Vertices> ground(const std::array<Deviator<Lanes>, Vertices>& tensors,
+                        const LaneLevel& level) {
+  const auto on = bounded_forms(tensors);
+  return {on.sound, on.norm, LevelIncrease<Lanes, Vertices>(on.forms, on.bounds, level)};
 }
 
 /// Where `detail::increases_along` would say yes.
@@ -115,126 +166,6 @@ Mask increases_in(const Ground<Vertices>& on, const std::array<Lanes, Vertices>&
     positive &= coefficients[k] > Lanes(Cubic::multinomials[k % Cubic::size]) * bound;
   return positive;
 }
-
-/// `DirectionSearch` in lanes.
-template <std::size_t Vertices>
-class LaneSearch {
- public:
-  /// The start, as in `likely_direction`.
-  LaneSearch(const LevelIncrease<Lanes, Vertices>& increase, bool of_sum_zero) {
-    d_.fill(Lanes(0));
-    for (std::size_t k = 0; k < count; ++k) {
-      std::array<Lanes, Vertices> unit;
-      for (std::size_t i = 0; i < Vertices; ++i)
-        unit[i] = increase.along[i][k] + increase.along[i][count + k];
-      if (of_sum_zero) {
-        Lanes mean(0);
-        for (const auto& x : unit) mean = mean + x / Lanes(static_cast<int>(Vertices));
-        for (auto& x : unit) x = x - mean;
-      }
-      Lanes square(0);
-      for (const auto& x : unit) square = square + x * x;
-      const Lanes factor = Lanes(1) / sqrt(square);
-      for (std::size_t i = 0; i < Vertices; ++i) {
-        unit_[i][k] = unit[i] * factor;
-        d_[i] = d_[i] + unit_[i][k];
-      }
-    }
-    for (auto& x : d_) x = x / Lanes(static_cast<int>(count));
-    weight_.fill(Lanes(1.0 / count));
-  }
-
-  /// Searches in the lanes given; the direction is 0 where there is none. Lanes with what is not a
-  /// number, or infinite, are taken out. One that takes longer than all others goes on alone.
-  void run(Mask& known, std::array<Lanes, Vertices>& direction) {
-    for (const auto& x : d_) known &= (x - x).v == Lanes(0).v;
-    Mask lanes = known, found{};
-    int step = 0;
-    unsigned left = 0;
-    for (;; ++step) {
-      Lanes low(0), high(-__builtin_inf());
-      Lanes least(0), most(0), place(0);
-      for (std::size_t k = 0; k < count; ++k, place = place + Lanes(1)) {
-        Lanes growth = d_[0] * unit_[0][k];
-        for (std::size_t i = 1; i < Vertices; ++i) growth = growth + d_[i] * unit_[i][k];
-        const Mask lower = k == 0 ? ~Mask{} : growth < low;
-        low = select(lower, growth, low);
-        least = select(lower, place, least);
-        const Mask higher = (weight_[k] > Lanes(0)) & (growth > high);
-        high = select(higher, growth, high);
-        most = select(higher, place, most);
-      }
-      const Mask enough = lanes & (low > Lanes(Search::enough));
-      found |= enough;
-      lanes &= ~enough;
-      Lanes square(0);
-      for (const auto& x : d_) square = square + x * x;
-      lanes &= square > Lanes(Search::nothing * Search::nothing);
-      left = bits(lanes);
-      if (left == 0 || step == kLongSearch) break;
-      if (step >= kTogether && (left & (left - 1)) == 0) break;
-      move(lanes, low, high, least, most);
-    }
-    Lanes largest(0);
-    for (const auto& x : d_) {
-      const Lanes size = abs(x);
-      largest = select(largest < size, size, largest);
-    }
-    for (std::size_t i = 0; i < Vertices; ++i)
-      direction[i] = select(found, d_[i] / largest, Lanes(0));
-    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
-      if (!(left >> lane & 1) || step == kLongSearch) continue;
-      const auto alone = finished(lane, step);
-      for (std::size_t i = 0; i < Vertices; ++i) direction[i].v[lane] = alone[i];
-    }
-  }
-
- private:
-  using Search = DirectionSearch<Vertices>;
-  static constexpr std::size_t count = Search::count;
-  static constexpr int kTogether = 4;
-  static std::size_t as_index(double place) {
-    return static_cast<std::size_t>(static_cast<int>(place));
-  }
-
-  /// A step of the lanes given, from the least of the unit directions in place of the most.
-  void move(Mask& lanes, const Lanes& low, const Lanes& high, const Lanes& least,
-            const Lanes& most) {
-    const auto at = [](const std::array<Lanes, count>& x, const Lanes& k) {
-      return Lanes(Lanes::Vector{x[as_index(k[0])].v[0], x[as_index(k[1])].v[1],
-                                 x[as_index(k[2])].v[2], x[as_index(k[3])].v[3]});
-    };
-    std::array<Lanes, Vertices> way;
-    Lanes gap(0);
-    for (std::size_t i = 0; i < Vertices; ++i) {
-      way[i] = at(unit_[i], least) - at(unit_[i], most);
-      gap = gap + way[i] * way[i];
-    }
-    lanes &= gap > Lanes(0);
-    const Lanes rest = at(weight_, most), whole = (high - low) / gap;
-    const Lanes shift = select(whole < rest, whole, rest);
-    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
-      if (lanes[lane] == 0) continue;
-      weight_[as_index(least[lane])].v[lane] += shift[lane];
-      weight_[as_index(most[lane])].v[lane] -= shift[lane];
-    }
-    for (std::size_t i = 0; i < Vertices; ++i) d_[i] = select(lanes, d_[i] + shift * way[i], d_[i]);
-  }
-
-  std::array<double, Vertices> finished(std::size_t lane, int step) const {
-    Search search;
-    for (std::size_t i = 0; i < Vertices; ++i) {
-      search.d[i] = d_[i][lane];
-      for (std::size_t k = 0; k < count; ++k) search.unit[i][k] = unit_[i][k][lane];
-    }
-    for (std::size_t k = 0; k < count; ++k) search.weight[k] = weight_[k][lane];
-    return search.run(step, kLongSearch);
-  }
-
-  std::array<std::array<Lanes, count>, Vertices> unit_;
-  std::array<Lanes, count> weight_;
-  std::array<Lanes, Vertices> d_;
-};
 
 /// As `detail::meets_outside`.
 template <std::size_t Vertices>
@@ -278,8 +209,8 @@ struct LaneSlope {
   SymmetricTensor<Lanes> slope{};
 };
 
-/// As `segment_root`, between ends that are strictly on their sides: the lanes in which they are
-/// not are taken out of `lanes`.
+/// As `segment_root`, between ends that are surely on their sides: the lanes in which they are not
+/// are taken out of `lanes`.
 Lanes roots_between(const Deviator<Lanes>& below, const Deviator<Lanes>& above,
                     const LaneLevel& level, Mask& lanes) {
   const Deviator<Lanes> step = above - below;
@@ -290,7 +221,8 @@ Lanes roots_between(const Deviator<Lanes>& below, const Deviator<Lanes>& above,
   };
   const Lanes f0 = value_at(below), f1 = value_at(above);
   const Lanes half(0.5), tiny(unit_roundoff<double>());
-  lanes &= (f0 < Lanes(0)) & (f1 > Lanes(0));
+  const Lanes unsure = Lanes(65536) * tiny * (abs(f0) + abs(f1));
+  lanes &= (f0 < -unsure) & (f1 > unsure);
   Lanes lo(0), hi(1), t = -f0 / (f1 - f0);
   t = select((t > lo) & (t < hi), t, half * (lo + hi));
   Mask active = lanes;
@@ -346,6 +278,21 @@ LaneProofs prove_four(std::span<const std::array<Deviator<double>, 4>> tets,
                       const LevelNumbers& level,
                       std::array<std::array<double, 4>, kLaneCount>& directions) {
   return prove_lanes(tets, LaneLevel(level), directions);
+}
+
+LaneEmptiness empty_four(std::span<const std::array<Deviator<double>, 2>> edges,
+                         const LevelNumbers& level) {
+  return empty_lanes(edges, level);
+}
+
+LaneEmptiness empty_four(std::span<const std::array<Deviator<double>, 3>> triangles,
+                         const LevelNumbers& level) {
+  return empty_lanes(triangles, level);
+}
+
+LaneEmptiness empty_four(std::span<const std::array<Deviator<double>, 4>> tets,
+                         const LevelNumbers& level) {
+  return empty_lanes(tets, level);
 }
 
 void cross_four(std::span<const std::array<Deviator<double>, 2>> ends, std::span<const char> rising,

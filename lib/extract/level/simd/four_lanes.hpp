@@ -15,6 +15,7 @@ inline constexpr std::size_t kLaneCount = 4;
 /// Of a level, what the kernels look at.
 struct LevelNumbers {
   double mu, sqrt2;
+  int sign;
 };
 
 /// A bit for each simplex: what `prove_simplex` gives is monotone, or none and not hidden by
@@ -30,6 +31,19 @@ LaneProofs prove_four(std::span<const std::array<Deviator<double>, 3>> triangles
 LaneProofs prove_four(std::span<const std::array<Deviator<double>, 4>> tets,
                       const LevelNumbers& level,
                       std::array<std::array<double, 4>, kLaneCount>& directions);
+
+/// A bit for each simplex: that `is_proved_empty` says yes, and that this is told at all.
+struct LaneEmptiness {
+  unsigned empty, known;
+};
+
+/// Of one to four edges, triangles or tetrahedra.
+LaneEmptiness empty_four(std::span<const std::array<Deviator<double>, 2>> edges,
+                         const LevelNumbers& level);
+LaneEmptiness empty_four(std::span<const std::array<Deviator<double>, 3>> triangles,
+                         const LevelNumbers& level);
+LaneEmptiness empty_four(std::span<const std::array<Deviator<double>, 4>> tets,
+                         const LevelNumbers& level);
 
 /// `single_crossings` of one to four edges.
 void cross_four(std::span<const std::array<Deviator<double>, 2>> ends, std::span<const char> rising,

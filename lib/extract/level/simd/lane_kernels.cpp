@@ -28,7 +28,7 @@ void prove_simplices(std::span<const std::array<Deviator<double>, Vertices>> ten
     const auto four = tensors.subspan(i, std::min(kLaneCount, tensors.size() - i));
     LaneProofs done{0, 0};
 #ifdef TENSORTOPO_FOUR_LANES
-    if (in_lanes) done = prove_four(four, {level.mu, level.sqrt2}, directions);
+    if (in_lanes) done = prove_four(four, {level.mu, level.sqrt2, level.sign}, directions);
 #endif
     for (std::size_t lane = 0; lane < four.size(); ++lane) {
       const bool monotone = done.monotone >> lane & 1, none = done.none >> lane & 1;
@@ -37,6 +37,22 @@ void prove_simplices(std::span<const std::array<Deviator<double>, Vertices>> ten
               ? Proof{monotone ? Proof::Kind::monotone : Proof::Kind::none, directions[lane], false}
               : prove_simplex(four[lane], level);
     }
+  }
+}
+
+template <std::size_t Vertices>
+void prove_empty(std::span<const std::array<Deviator<double>, Vertices>> tensors,
+                 const Level<double>& level, std::span<char> empty) {
+  [[maybe_unused]] const bool in_lanes = has_lanes();
+  for (std::size_t i = 0; i < tensors.size(); i += kLaneCount) {
+    const auto four = tensors.subspan(i, std::min(kLaneCount, tensors.size() - i));
+    LaneEmptiness done{0, 0};
+#ifdef TENSORTOPO_FOUR_LANES
+    if (in_lanes) done = empty_four(four, {level.mu, level.sqrt2, level.sign});
+#endif
+    for (std::size_t lane = 0; lane < four.size(); ++lane)
+      empty[i + lane] = done.known >> lane & 1 ? (done.empty >> lane & 1) != 0
+                                               : is_proved_empty(four[lane], level);
   }
 }
 
@@ -50,12 +66,18 @@ void single_crossings(std::span<const std::array<Deviator<double>, 2>> ends,
 #ifdef TENSORTOPO_FOUR_LANES
   for (std::size_t i = 0; i < ends.size(); i += kLaneCount) {
     const std::size_t count = std::min(kLaneCount, ends.size() - i);
-    cross_four(ends.subspan(i, count), rising.subspan(i, count), {level.mu, level.sqrt2},
-               weights.subspan(i, count));
+    cross_four(ends.subspan(i, count), rising.subspan(i, count),
+               {level.mu, level.sqrt2, level.sign}, weights.subspan(i, count));
   }
 #endif
 }
 
+template void prove_empty<2>(std::span<const std::array<Deviator<double>, 2>>, const Level<double>&,
+                             std::span<char>);
+template void prove_empty<3>(std::span<const std::array<Deviator<double>, 3>>, const Level<double>&,
+                             std::span<char>);
+template void prove_empty<4>(std::span<const std::array<Deviator<double>, 4>>, const Level<double>&,
+                             std::span<char>);
 template void prove_simplices<3>(std::span<const std::array<Deviator<double>, 3>>,
                                  const Level<double>&, std::span<SimplexProof<double, 3>>);
 template void prove_simplices<4>(std::span<const std::array<Deviator<double>, 4>>,

@@ -22,6 +22,13 @@ template <std::size_t Vertices>
 void prove_simplices(std::span<const std::array<Deviator<double>, Vertices>> tensors,
                      const Level<double>& level, std::span<SimplexProof<double, Vertices>> proofs);
 
+/// `is_proved_empty(tensors[i], level)` of several edges, triangles or tetrahedra.
+///
+/// @param empty  as many as tensors
+template <std::size_t Vertices>
+void prove_empty(std::span<const std::array<Deviator<double>, Vertices>> tensors,
+                 const Level<double>& level, std::span<char> empty);
+
 /// The crossing of each of several edges whose ends are on different sides of the level, if it is
 /// proved to be the only one without a cut: the weight of the second end, bit for bit that of
 /// `edge_crossings`.

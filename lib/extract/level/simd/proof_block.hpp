@@ -74,6 +74,38 @@ class ProofBlock {
   detail::BlockRows rows_;
 };
 
+/// Simplices that may be proved empty, in the same way; in a scalar without lanes one by one.
+template <class Scalar, std::size_t Vertices>
+class EmptyBlock {
+ public:
+  static constexpr std::size_t size = detail::BlockRows::size;
+
+  template <class Index>
+  void want(std::size_t place, const std::array<Index, Vertices>& vertices,
+            const std::vector<Deviator<Scalar>>& tensors) {
+    const std::size_t row = rows_.add(place);
+    for (std::size_t i = 0; i < Vertices; ++i)
+      tensors_[row][i] = tensors[static_cast<std::size_t>(vertices[i])];
+  }
+
+  void make(const Level<Scalar>& level) {
+    if constexpr (std::is_same_v<Scalar, double>)
+      prove_empty<Vertices>(std::span(tensors_).first(rows_.count()), level,
+                            std::span(empty_).first(rows_.count()));
+    else
+      for (std::size_t row = 0; row < rows_.count(); ++row)
+        empty_[row] = is_proved_empty(tensors_[row], level);
+  }
+
+  /// Whether it was asked for, and is proved empty.
+  bool is_empty(std::size_t place) const { return rows_.has(place) && empty_[rows_[place]] != 0; }
+
+ private:
+  std::array<std::array<Deviator<Scalar>, Vertices>, size> tensors_;
+  std::array<char, size> empty_;
+  detail::BlockRows rows_;
+};
+
 /// Edges whose ends are on different sides, in the same way: their crossing, if it is the only one.
 template <class Scalar>
 class CrossingBlock {

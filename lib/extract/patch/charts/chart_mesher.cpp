@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "extract/level/position.hpp"
+#include "extract/patch/charts/defect_cuts.hpp"
 #include "extract/patch/patch_check.hpp"
 #include "extract/patch/quality/edge_flips.hpp"
 #include "extract/patch/quality/split_triangles.hpp"
@@ -12,12 +14,24 @@
 
 namespace tensortopo {
 
+namespace {
+
+/// Vertices at defects: at most so many, and twice as many as there are others.
+constexpr std::size_t kMostAdded = 200;
+
+}  // namespace
+
 template <class Scalar>
 ChartMesher<Scalar>::ChartMesher(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                                  const CellTopology<Scalar>& proved,
                                  const FaceArcVertices& vertices, const Level<Scalar>& level,
-                                 Patch<Scalar>& out)
-    : tet_(tet), proved_(proved), level_(level), out_(out), inner_(manifold, tet, level, out) {
+                                 int defect_rounds, Patch<Scalar>& out)
+    : tet_(tet),
+      proved_(proved),
+      level_(level),
+      defect_rounds_(defect_rounds),
+      out_(out),
+      inner_(manifold, tet, level, out) {
   for (const auto& loop : proved.loops) {
     boundaries_.push_back(loop_vertices(loop, vertices));
     for (const auto& vertex : boundaries_.back()) inner_.take(vertex.position);
@@ -25,11 +39,46 @@ ChartMesher<Scalar>::ChartMesher(const TetManifold& manifold, const TetWithCurve
 }
 
 template <class Scalar>
+std::span<const Vector3<double>> ChartMesher<Scalar>::places_in_space() {
+  std::map<std::int32_t, Vector3<double>> of_boundary;
+  if (places_in_space_.empty())
+    for (const auto& boundary : boundaries_)
+      for (const auto& vertex : boundary) of_boundary[vertex.id] = vertex.position;
+  for (std::size_t i = places_in_space_.size(); i < images_.size(); ++i) {
+    const auto corner = images_[i].corner;
+    places_in_space_.push_back(
+        corner >= 0 ? of_boundary.at(corner)
+                    : position_at(out_.inner[static_cast<std::size_t>(-1 - corner)].weights,
+                                  tet_.simplex.exponents, tet_.points));
+  }
+  return places_in_space_;
+}
+
+template <class Scalar>
 bool ChartMesher<Scalar>::triangulate() {
   ChartTriangulation triangulation;
-  const auto points = points_;  // `grid_samples` adds to the images
-  if (!triangulation.build(points, segments_,
-                           [&](const auto& clearance) { return grid_samples(clearance); }))
+  const auto points = points_;  // images are added
+  DefectCuts cuts(tet_);
+  const auto judge = [&](const auto& triangles) {
+    return cuts(triangles, places_in_space(), segments_);
+  };
+  std::size_t room = kMostAdded;
+  const auto add = [&](const ChartTriangulation::Place& place) {
+    if (room == 0) return std::optional<ChartTriangulation::Point>();
+    --room;
+    Vector3<double> v{0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) v += place.weights[i] * images_[place.corners[i]].v;
+    const auto image = add_inner_image(v);
+    return image ? std::optional(points_[*image]) : std::nullopt;
+  };
+  if (!triangulation.build(
+          points, segments_,
+          [&](const auto& clearance) {
+            auto samples = grid_samples(clearance);
+            room += 2 * images_.size();
+            return samples;
+          },
+          judge, add, defect_rounds_))
     return false;
   triangles_ = std::move(triangulation.triangles);
   return true;
@@ -87,7 +136,10 @@ bool ChartMesher<Scalar>::emit() {
   for (const auto& t : triangles_)
     out_.triangles.push_back({images_[t[0]].corner, images_[t[1]].corner, images_[t[2]].corner});
   if (!direct_as_proved(out_.triangles, boundaries_, proved_.sheets)) return false;
-  flip_edges<Scalar>(tet_, level_, boundaries_, out_);
+  if (defect_rounds_ > 0)
+    drop_unused_inner(out_);
+  else
+    flip_edges<Scalar>(tet_, level_, boundaries_, out_);
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "extract/patch/charts/chart_triangulation.hpp"
@@ -19,7 +20,7 @@ class ChartMesher {
  public:
   ChartMesher(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
               const CellTopology<Scalar>& proved, const FaceArcVertices& vertices,
-              const Level<Scalar>& level, Patch<Scalar>& out);
+              const Level<Scalar>& level, int defect_rounds, Patch<Scalar>& out);
   virtual ~ChartMesher() = default;
 
  protected:
@@ -38,6 +39,9 @@ class ChartMesher {
     return images_.size() - 1;
   }
 
+  /// The places of the images in space.
+  std::span<const Vector3<double>> places_in_space();
+
   /// The image of a new vertex of the level inside the tetrahedron, at this place; nothing if there
   /// is none.
   virtual std::optional<std::size_t> add_inner_image(const Vector3<double>& along) = 0;
@@ -47,7 +51,8 @@ class ChartMesher {
   virtual std::vector<ChartTriangulation::Point> grid_samples(
       const ChartTriangulation::Clearance& clearance) = 0;
 
-  /// The regions that the segments bound, with samples of a grid in them.
+  /// The regions that the segments bound, with samples of a grid in them, and more where triangles
+  /// would not be embedded in space.
   bool triangulate();
 
   /// A diagonal between two boundary loop vertices on one face might be chosen by the neighbour as
@@ -59,18 +64,20 @@ class ChartMesher {
   /// neighbour across it might mesh as well: puts a vertex amid it.
   bool raise_flat_triangles();
 
-  /// Gives the triangles the direction that their boundary loops have, checks them against the
-  /// proved topology and exchanges diagonals.
+  /// Gives the triangles the direction that their boundary loops have, and checks them against the
+  /// proved topology. Exchanges diagonals, unless vertices were added at defects.
   bool emit();
 
   const TetWithCurves<Scalar>& tet_;
   const CellTopology<Scalar>& proved_;
   const Level<Scalar>& level_;
+  int defect_rounds_;
   Patch<Scalar>& out_;
   InnerVertices<Scalar> inner_;
   std::vector<std::vector<BoundaryVertex>> boundaries_;
   std::vector<Image> images_;
   std::vector<ChartTriangulation::Point> points_;  ///< of the images, in the chart
+  std::vector<Vector3<double>> places_in_space_;   ///< of the first images
   std::vector<std::array<std::size_t, 2>> segments_;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };

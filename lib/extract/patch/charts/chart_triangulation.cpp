@@ -66,9 +66,8 @@ std::vector<std::size_t> order_of_insertion(const std::vector<Kernel::Point_2>& 
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (order.size() <= short_outline) return order;
-  using Traits =
-      CGAL::Spatial_sort_traits_adapter_2<Kernel,
-                                          CGAL::Pointer_property_map<Kernel::Point_2>::const_type>;
+  using Traits = CGAL::Spatial_sort_traits_adapter_2<
+      Kernel, CGAL::Pointer_property_map<Kernel::Point_2>::const_type>;
   CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(points)));
   return order;
 }
@@ -102,13 +101,6 @@ bool insert_outline(const std::vector<ChartTriangulation::Point>& points,
 
 std::array<std::size_t, 3> corners_of(Triangulation::Face_handle face) {
   return {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
-}
-
-std::vector<std::array<std::size_t, 3>> triangles_of(const Triangulation& triangulation) {
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (auto face : triangulation.finite_face_handles())
-    if (inside(face)) triangles.push_back(corners_of(face));
-  return triangles;
 }
 
 /// Where to cut a triangle, with the triangle that holds the place.
@@ -149,11 +141,69 @@ ChartTriangulation::Place place_of(const Triangulation& triangulation,
   return {{centre.x(), centre.y()}, corners_of(holder), weights};
 }
 
+/// Inserts the points that judging asks for, once; false if none.
+class Refinement {
+ public:
+  Refinement(Triangulation& triangulation, std::size_t count)
+      : triangulation_(triangulation), next_(count) {}
+
+  std::vector<ChartTriangulation::Triangle> triangles() {
+    faces_.clear();
+    std::vector<ChartTriangulation::Triangle> triangles;
+    for (auto face : triangulation_.finite_face_handles())
+      if (inside(face)) faces_.push_back(face), triangles.push_back(corners_of(face));
+    return triangles;
+  }
+
+  /// @param cuts of the triangles asked for last
+  bool insert(const std::vector<ChartTriangulation::Cut>& cuts,
+              const ChartTriangulation::Adding& add) {
+    std::vector<ChartTriangulation::Place> places;
+    std::vector<double> room;  // squared
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
+      if (cuts[k] == ChartTriangulation::Cut::none) continue;
+      const auto place = place_of(triangulation_, faces_[k], cuts[k]);
+      // Neighbours ask for nearly the same place.
+      double squared = 1e300;
+      for (int i = 0; i < 3; ++i)
+        squared = std::min(squared, 0.5 * CGAL::squared_distance(
+                                              Kernel::Point_2(place.at[0], place.at[1]),
+                                              faces_[k]->vertex(i)->point()));
+      bool is_free = true;
+      for (std::size_t i = 0; i < places.size() && is_free; ++i) {
+        const double x = place.at[0] - places[i].at[0], y = place.at[1] - places[i].at[1];
+        is_free = x * x + y * y > std::min(squared, room[i]);
+      }
+      if (is_free) places.push_back(place), room.push_back(squared);
+    }
+    bool any = false;
+    Triangulation::Face_handle hint;
+    for (const auto& place : places) {
+      const auto point = add(place);
+      if (!point) continue;
+      const auto vertex = triangulation_.insert({(*point)[0], (*point)[1]}, hint);
+      hint = vertex->face();
+      vertex->info() = next_++;
+      any = true;
+    }
+    if (any) mark_regions(triangulation_);
+    return any;
+  }
+
+  bool are_distinct() const { return triangulation_.number_of_vertices() == next_; }
+
+ private:
+  Triangulation& triangulation_;
+  std::size_t next_;
+  std::vector<Triangulation::Face_handle> faces_;  ///< of the triangles asked for last
+};
+
 }  // namespace
 
 bool ChartTriangulation::build(const std::vector<Point>& points,
                                const std::vector<std::array<std::size_t, 2>>& segments,
-                               const std::function<std::vector<Point>(const Clearance&)>& samples) {
+                               const Sampling& samples, const Judging& judge, const Adding& add,
+                               int rounds) try {
   Triangulation triangulation;
   if (!insert_outline(points, segments, triangulation)) return false;
 
@@ -180,52 +230,16 @@ bool ChartTriangulation::build(const std::vector<Point>& points,
   }
   if (triangulation.number_of_vertices() != next) return false;
   mark_regions(triangulation);
-  triangles = triangles_of(triangulation);
-  return true;
-}
-
-bool ChartTriangulation::build_fine(const std::vector<Point>& points,
-                                    const std::vector<std::array<std::size_t, 2>>& segments,
-                                    const Cutting& cut, const Adding& add, int rounds) {
-  Triangulation triangulation;
-  if (!insert_outline(points, segments, triangulation)) return false;
-  std::size_t next = points.size();
-  std::vector<Place> places;
-  std::vector<double> room;  // squared
-  for (; rounds > 0; --rounds) {
-    places.clear(), room.clear();
-    for (auto face : triangulation.finite_face_handles()) {
-      if (!inside(face)) continue;
-      const Cut how = cut(corners_of(face));
-      if (how == Cut::none) continue;
-      const auto place = place_of(triangulation, face, how);
-      // Neighbours ask for nearly the same place.
-      double squared = 1e300;
-      for (int i = 0; i < 3; ++i)
-        squared = std::min(squared,
-                           0.5 * CGAL::squared_distance(Kernel::Point_2(place.at[0], place.at[1]),
-                                                        face->vertex(i)->point()));
-      bool is_free = true;
-      for (std::size_t i = 0; i < places.size() && is_free; ++i) {
-        const double x = place.at[0] - places[i].at[0], y = place.at[1] - places[i].at[1];
-        is_free = x * x + y * y > std::min(squared, room[i]);
-      }
-      if (is_free) places.push_back(place), room.push_back(squared);
-    }
-    const std::size_t before = next;
-    Triangulation::Face_handle hint;
-    for (const auto& place : places) {
-      if (!add(place)) continue;
-      const auto vertex = triangulation.insert({place.at[0], place.at[1]}, hint);
-      hint = vertex->face();
-      vertex->info() = next++;
-    }
-    if (next == before) break;
-    if (triangulation.number_of_vertices() != next) return false;
-    mark_regions(triangulation);
+  Refinement refinement(triangulation, next);
+  triangles = refinement.triangles();
+  for (; rounds > 0 && refinement.insert(judge(triangles), add); --rounds) {
+    if (!refinement.are_distinct()) return false;
+    triangles = refinement.triangles();
   }
-  triangles = triangles_of(triangulation);
   return true;
+} catch (const Triangulation::Intersection_of_constraints_exception&) {
+  // A point that rounding put on a constraint splits it into segments that meet others.
+  return false;
 }
 
 }  // namespace tensortopo

@@ -33,9 +33,9 @@ class DominantMesher : ChartMesher<Scalar> {
  public:
   DominantMesher(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                  const CellTopology<Scalar>& proved, const FaceArcVertices& vertices,
-                 const Level<Scalar>& level, const Sampling& sampling, DominantChart::About about,
-                 Patch<Scalar>& out)
-      : Base(manifold, tet, proved, vertices, level, out),
+                 const Level<Scalar>& level, const Sampling& sampling, int defect_rounds,
+                 DominantChart::About about, Patch<Scalar>& out)
+      : Base(manifold, tet, proved, vertices, level, defect_rounds, out),
         chart_(manifold.characteristic, level.parameter, about),
         turn_(sampling.largest_turn()) {}
 
@@ -166,11 +166,13 @@ class DominantMesher : ChartMesher<Scalar> {
 template <class Scalar>
 bool mesh_by_dominant(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                       const CellTopology<Scalar>& proved, const FaceArcVertices& vertices,
-                      const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out) {
+                      const Level<Scalar>& level, const Sampling& sampling, int defect_rounds,
+                      Patch<Scalar>& out) {
   using About = DominantChart::About;
   for (const auto about : {About::cone, About::first_plane, About::second_plane}) {
     Patch<Scalar> patch;
-    DominantMesher<Scalar> meshing(manifold, tet, proved, vertices, level, sampling, about, patch);
+    DominantMesher<Scalar> meshing(manifold, tet, proved, vertices, level, sampling, defect_rounds,
+                                   about, patch);
     if (!meshing.mesh()) continue;
     out = std::move(patch);
     return true;
@@ -181,7 +183,7 @@ bool mesh_by_dominant(const TetManifold& manifold, const TetWithCurves<Scalar>& 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                \
   template bool mesh_by_dominant(const TetManifold&, const TetWithCurves<Scalar>&,    \
                                  const CellTopology<Scalar>&, const FaceArcVertices&, \
-                                 const Level<Scalar>&, const Sampling&, Patch<Scalar>&);
+                                 const Level<Scalar>&, const Sampling&, int, Patch<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

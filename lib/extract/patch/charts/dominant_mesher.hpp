@@ -16,6 +16,7 @@ namespace tensortopo {
 template <class Scalar>
 bool mesh_by_dominant(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                       const CellTopology<Scalar>& proved, const FaceArcVertices& vertices,
-                      const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out);
+                      const Level<Scalar>& level, const Sampling& sampling, int defect_rounds,
+                      Patch<Scalar>& out);
 
 }  // namespace tensortopo

@@ -18,6 +18,6 @@ namespace tensortopo {
 template <class Scalar>
 bool mesh_as_graph(const TetWithCurves<Scalar>& tet, const CellTopology<Scalar>& proved,
                    const FaceArcVertices& vertices, const Level<Scalar>& level,
-                   const Sampling& sampling, Patch<Scalar>& out);
+                   const Sampling& sampling, int defect_rounds, Patch<Scalar>& out);
 
 }  // namespace tensortopo

@@ -31,8 +31,9 @@ class ManifoldMesher : ChartMesher<Scalar> {
   ManifoldMesher(const TetManifold& manifold, const TetWithCurves<Scalar>& tet,
                  const CellTopology<Scalar>& proved,
                  std::span<const SampleRequest<Scalar>> requests, const FaceArcVertices& vertices,
-                 const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out)
-      : Base(manifold, tet, proved, vertices, level, out),
+                 const Level<Scalar>& level, const Sampling& sampling, int defect_rounds,
+                 Patch<Scalar>& out)
+      : Base(manifold, tet, proved, vertices, level, defect_rounds, out),
         on_(manifold),
         chart_(manifold.manifold),
         turn_(sampling.largest_turn()) {
@@ -266,9 +267,10 @@ bool mesh_on_manifold(const TetManifold& manifold, const TetWithCurves<Scalar>& 
                       const CellTopology<Scalar>& proved,
                       std::span<const SampleRequest<Scalar>> requests,
                       const FaceArcVertices& vertices, const Level<Scalar>& level,
-                      const Sampling& sampling, Patch<Scalar>& out) {
+                      const Sampling& sampling, int defect_rounds, Patch<Scalar>& out) {
   Patch<Scalar> patch;
-  if (!ManifoldMesher<Scalar>(manifold, tet, proved, requests, vertices, level, sampling, patch)
+  if (!ManifoldMesher<Scalar>(manifold, tet, proved, requests, vertices, level, sampling,
+                              defect_rounds, patch)
            .mesh())
     return false;
   out = std::move(patch);
@@ -279,7 +281,7 @@ bool mesh_on_manifold(const TetManifold& manifold, const TetWithCurves<Scalar>& 
   template bool mesh_on_manifold(const TetManifold&, const TetWithCurves<Scalar>&,               \
                                  const CellTopology<Scalar>&,                                    \
                                  std::span<const SampleRequest<Scalar>>, const FaceArcVertices&, \
-                                 const Level<Scalar>&, const Sampling&, Patch<Scalar>&);
+                                 const Level<Scalar>&, const Sampling&, int, Patch<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -21,6 +21,6 @@ bool mesh_on_manifold(const TetManifold& manifold, const TetWithCurves<Scalar>& 
                       const CellTopology<Scalar>& proved,
                       std::span<const SampleRequest<Scalar>> requests,
                       const FaceArcVertices& vertices, const Level<Scalar>& level,
-                      const Sampling& sampling, Patch<Scalar>& out);
+                      const Sampling& sampling, int defect_rounds, Patch<Scalar>& out);
 
 }  // namespace tensortopo

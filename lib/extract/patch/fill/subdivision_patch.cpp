@@ -8,6 +8,8 @@
 #include "extract/level/position.hpp"
 #include "extract/level/segment_root.hpp"
 #include "extract/patch/fill/polygon.hpp"
+#include "extract/patch/patch_check.hpp"
+#include "extract/patch/patch_defects.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/patch/patch.hpp"
 
@@ -38,7 +40,8 @@ class SubdivisionTriangles {
         crossings_(crossings_of_subdivision(tet, proved)),
         inner_(mesh_.nodes.size(), 0),
         first_inner_(out.inner.size()),
-        first_triangle_(out.triangles.size()) {}
+        first_triangle_(out.triangles.size()),
+        test_(tet) {}
 
   bool add(const SubdivisionMesh::Polygon& polygon) {
     std::vector<Corner> corners;
@@ -62,28 +65,8 @@ class SubdivisionTriangles {
     return true;
   }
 
-  /// Takes away the vertices inside whose polygons all had fewer than three corners, as samples of
-  /// the boundary loop that they lie beside were one.
-  void drop_unused() {
-    std::vector<std::int32_t> kept(out_.inner.size() - first_inner_, 0);
-    const auto number = [&](std::int32_t corner) {
-      return static_cast<std::size_t>(-1 - corner) - first_inner_;
-    };
-    for (std::size_t i = first_triangle_; i < out_.triangles.size(); ++i)
-      for (const auto corner : out_.triangles[i])
-        if (corner < 0) kept[number(corner)] = 1;
-    auto count = first_inner_;
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-      if (kept[k] == 0) continue;
-      out_.inner[count++] = out_.inner[first_inner_ + k];
-      kept[k] = -static_cast<std::int32_t>(count);
-    }
-    if (count == out_.inner.size()) return;
-    out_.inner.resize(count);
-    for (std::size_t i = first_triangle_; i < out_.triangles.size(); ++i)
-      for (auto& corner : out_.triangles[i])
-        if (corner < 0) corner = kept[number(corner)];
-  }
+  /// Polygons of which samples of the boundary loop fell together leave vertices without triangles.
+  void drop_unused() { drop_unused_inner(out_, first_inner_, first_triangle_); }
 
  private:
   Corner inner_corner(std::uint32_t n) {
@@ -202,7 +185,35 @@ class SubdivisionTriangles {
   void cut(const SubdivisionMesh::Polygon& polygon, const std::vector<Corner>& corners) {
     std::vector<PolygonCorner> outline;
     for (const auto& c : corners) outline.push_back(c.corner);
-    const auto triangles = cut_polygon(outline);
+    auto triangles = cut_polygon(outline);
+    const auto is_upward = [&](const Vector3<double>& a, const Vector3<double>& b,
+                               const Vector3<double>& c) { return test_.is_upward(a, b, c); };
+    const auto at = [&](int i) { return outline[static_cast<std::size_t>(i)].position; };
+    // The other diagonal, or a vertex amid the polygon, where a triangle would be against the
+    // gradient.
+    const auto are_upward = [&](const std::vector<std::array<int, 3>>& list) {
+      return std::all_of(list.begin(), list.end(), [&](const auto& t) {
+        return is_upward(at(t[0]), at(t[1]), at(t[2]));
+      });
+    };
+    if (!triangles.empty() && !are_upward(triangles)) {
+      if (outline.size() == 4 && !((outline[0].faces & outline[2].faces) != 0 ||
+                                   (outline[1].faces & outline[3].faces) != 0)) {
+        const bool is_first = triangles[0][0] == 0 && triangles[0][1] == 1 && triangles[0][2] == 2;
+        std::vector<std::array<int, 3>> other{{0, 1, 2}, {0, 2, 3}};
+        if (is_first || !are_upward(other)) other = {{0, 1, 3}, {1, 2, 3}};
+        if (are_upward(other)) triangles = other;
+      }
+      if (!are_upward(triangles)) {
+        const auto middle = middle_of(polygon);
+        const auto centre = position_at(middle.weights, tet_.simplex.exponents, tet_.points);
+        bool all = true;
+        for (std::size_t i = 0; i < outline.size(); ++i)
+          all &= is_upward(outline[i].position, outline[(i + 1) % outline.size()].position, centre);
+        if (all) triangles.clear();
+        if (!all) out_.cells_against.push_back(polygon.cell);
+      }
+    }
     for (const auto& t : triangles)
       out_.triangles.push_back({corners[static_cast<std::size_t>(t[0])].id,
                                 corners[static_cast<std::size_t>(t[1])].id,
@@ -300,6 +311,7 @@ class SubdivisionTriangles {
   std::vector<std::int32_t> inner_;  ///< corner of a node inside, 0 if not made yet
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::int32_t> sides_;  ///< corner on a side
   std::size_t first_inner_, first_triangle_;  ///< how many there were of other sheets
+  UpwardTest test_;
 };
 
 }  // namespace

@@ -33,13 +33,18 @@ CellPatch::CellPatch(const TetWithCurves<Scalar>& tet, const Level<double>& leve
     : tensors_(rounded(tet.simplex.tensors)),
       level_(&level),
       geometry_(times(unit_of(tet.points), tet.points), tet.simplex.exponents),
-      length_(geometry_.longest_edge()) {
+      length_(geometry_.longest_edge()),
+      upward_(tet) {
   for (const auto& t : patch.triangles) ids_.insert(ids_.end(), t.begin(), t.end());
   std::sort(ids_.begin(), ids_.end());
   ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
   corners_.resize(ids_.size());
   const double unit = unit_of(tet.points);
   const auto points = times(unit, tet.points);
+  places_.resize(ids_.size());
+  for (std::size_t i = 0; i < ids_.size() && ids_[i] < 0; ++i)
+    places_[i] = position_at(patch.inner[static_cast<std::size_t>(-1 - ids_[i])].weights,
+                             tet.simplex.exponents, tet.points);
   for (std::size_t i = 0; i < ids_.size() && ids_[i] < 0; ++i)
     corners_[i].position = position_at(patch.inner[static_cast<std::size_t>(-1 - ids_[i])].weights,
                                        tet.simplex.exponents, points);
@@ -51,6 +56,7 @@ CellPatch::CellPatch(const TetWithCurves<Scalar>& tet, const Level<double>& leve
         auto& corner = corners_[static_cast<std::size_t>(place - ids_.begin())];
         corner.position = unit * vertex.position;
         corner.faces = vertex.faces;
+        places_[static_cast<std::size_t>(place - ids_.begin())] = vertex.position;
       }
   triangles_.reserve(patch.triangles.size());
   around_.resize(ids_.size() + 1);
@@ -190,6 +196,24 @@ double CellPatch::least_sine_after(Id vertex, Id neighbour, double least, double
     });
   });
   return faces_up ? sine : 0;
+}
+
+bool CellPatch::is_embedded_after(Id vertex, Id neighbour) const {
+  const Place v = place_of(vertex), u = place_of(neighbour);
+  thread_local std::vector<PatchTriangle> changed, others;
+  changed.clear(), others.clear();
+  for (const auto& triangle : triangles_) {
+    if (triangle[0] == triangle[1]) continue;
+    if (!has(triangle, v)) {
+      others.push_back(triangle);
+    } else if (!has(triangle, u)) {
+      auto t = triangle;
+      *std::find(t.begin(), t.end(), v) = u;
+      if (!upward_.is_upward(places_[t[0]], places_[t[1]], places_[t[2]])) return false;
+      changed.push_back(t);
+    }
+  }
+  return !intersects_any(places_, changed, others);
 }
 
 void CellPatch::move(Id vertex, Id neighbour) {

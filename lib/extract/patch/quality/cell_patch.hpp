@@ -8,6 +8,7 @@
 
 #include "extract/level/tet_geometry.hpp"
 #include "extract/patch/patch.hpp"
+#include "extract/patch/patch_defects.hpp"
 
 namespace tensortopo {
 
@@ -30,6 +31,10 @@ class CellPatch {
   /// @return 0 if it is below `least_sine`, or if sheets would change their topology, touch a face,
   ///         or turn over
   double least_sine_after(Id vertex, Id neighbour, double least_sine, double least_cosine);
+
+  /// Whether the triangles that the vertex's become when it moves to a neighbour face larger modes,
+  /// and intersect none (see `PatchDefects`).
+  bool is_embedded_after(Id vertex, Id neighbour) const;
 
   /// How far the level is from the triangles around a vertex, at most, at the middles of their
   /// edges and of themselves, to first order and in longest edges of the tetrahedron.
@@ -64,6 +69,8 @@ class CellPatch {
   double length_;
   std::vector<Id> ids_;  ///< ascending
   std::vector<Corner> corners_;
+  std::vector<Vector3<double>> places_;  ///< of the corners, as they are written
+  UpwardTest upward_;
   std::vector<Triangle> triangles_;                 ///< with three times the same corner: taken out
   std::vector<std::vector<std::uint32_t>> around_;  ///< the triangles of each corner, ascending
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 #include "extract/level/position.hpp"
@@ -42,8 +43,8 @@ class Flips {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   Flips(const TetGeometry& geometry, const std::array<Deviator<double>, 4>& tensors,
-        const Level<double>& level)
-      : geometry_(geometry), tensors_(tensors), level_(level) {}
+        const Level<double>& level, Folded folded)
+      : geometry_(geometry), tensors_(tensors), level_(level), folded_(folded) {}
 
   std::vector<Vector3<double>> points;
   std::vector<std::uint8_t> faces;  ///< of the tetrahedron, that hold the vertices
@@ -54,7 +55,7 @@ class Flips {
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       std::array<double, 3> offsets;
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t u = superlevel_[t][k];
+        const std::uint32_t u = across_[t][k];
         offsets[k] = u < t ? shapes_[u].offsets[corner_of(triangles[u], triangles[t][(k + 1) % 3])]
                            : middle_of(triangles[t][k], triangles[t][(k + 1) % 3]).offset;
       }
@@ -63,18 +64,18 @@ class Flips {
     std::vector<std::array<std::uint32_t, 2>> edges;
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k)
-        if (t < superlevel_[t][k]) edges.push_back({t, k});
+        if (t < across_[t][k]) edges.push_back({t, k});
     std::size_t flipped = 0;
     // Ends by itself: squares never grow, and angles do where these stay. This is for rounding.
     const std::size_t most = 4 * triangles.size();
     for (std::size_t next = 0; next < edges.size() && flipped < most; ++next) {
       const auto [t, k] = edges[next];
-      const std::uint32_t u = superlevel_[t][k];
+      const std::uint32_t u = across_[t][k];
       if (u == kNone || !flip(t, k)) continue;
       ++flipped;
       for (const std::uint32_t v : {t, u})
         for (std::uint32_t i = 0; i < 3; ++i)
-          if (superlevel_[v][i] != kNone && superlevel_[v][i] != t && superlevel_[v][i] != u)
+          if (across_[v][i] != kNone && across_[v][i] != t && across_[v][i] != u)
             edges.push_back({v, i});
     }
     return flipped;
@@ -93,7 +94,7 @@ class Flips {
     Vector3<double> up;
   };
 
-  /// superlevel_[t][k]: the triangle across the edge from corner k to the next.
+  /// across_[t][k]: the triangle across the edge from corner k to the next.
   void find_neighbours() {
     struct Side {
       std::uint64_t edge;  ///< smaller vertex first
@@ -103,16 +104,17 @@ class Flips {
     sides.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const auto [a, b] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-        sides.push_back({std::uint64_t{a} << 32 | b, t, k});
+        const auto edge = key(triangles[t][k], triangles[t][(k + 1) % 3]);
+        edges_.insert(edge);
+        sides.push_back({edge, t, k});
       }
     std::sort(sides.begin(), sides.end(),
               [](const Side& p, const Side& q) { return p.edge < q.edge; });
-    superlevel_.assign(triangles.size(), {kNone, kNone, kNone});
+    across_.assign(triangles.size(), {kNone, kNone, kNone});
     for (std::size_t i = 0; i + 1 < sides.size(); ++i)
       if (sides[i].edge == sides[i + 1].edge) {
-        superlevel_[sides[i].triangle][sides[i].corner] = sides[i + 1].triangle;
-        superlevel_[sides[i + 1].triangle][sides[i + 1].corner] = sides[i].triangle;
+        across_[sides[i].triangle][sides[i].corner] = sides[i + 1].triangle;
+        across_[sides[i + 1].triangle][sides[i + 1].corner] = sides[i].triangle;
       }
   }
 
@@ -142,24 +144,22 @@ class Flips {
             least_sine(points[t[0]], points[t[1]], points[t[2]], twice_area)};
   }
 
-  bool is_edge(std::uint32_t a, std::uint32_t b) const {
-    return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
-      return std::find(t.begin(), t.end(), a) != t.end() &&
-             std::find(t.begin(), t.end(), b) != t.end();
-    });
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+    const auto [low, high] = std::minmax(a, b);
+    return std::uint64_t{low} << 32 | high;
   }
 
   static std::uint32_t corner_of(const Triangle& t, std::uint32_t v) {
     return static_cast<std::uint32_t>(std::find(t.begin(), t.end(), v) - t.begin());
   }
 
-  void set_superlevel(std::uint32_t t, std::uint32_t from, std::uint32_t to) {
-    if (t != kNone) *std::find(superlevel_[t].begin(), superlevel_[t].end(), from) = to;
+  void set_across(std::uint32_t t, std::uint32_t from, std::uint32_t to) {
+    if (t != kNone) *std::find(across_[t].begin(), across_[t].end(), from) = to;
   }
 
   /// Replaces the edge of triangle t after its corner k by the other diagonal, if that is better.
   bool flip(std::uint32_t t, std::uint32_t k) {
-    const std::uint32_t u = superlevel_[t][k];
+    const std::uint32_t u = across_[t][k];
     const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3],
                         c = triangles[t][(k + 2) % 3];
     const std::uint32_t at_b = corner_of(triangles[u], b);
@@ -176,15 +176,20 @@ class Flips {
                  old_sine = std::min(shapes_[t].least_sine, shapes_[u].least_sine);
     const bool is_closer = squares < kCloser * old_squares && sine > kAnglesKept * old_sine;
     const bool is_wider = squares <= old_squares && sine > kWider * old_sine;
-    if (!(is_closer || is_wider) || is_edge(c, d)) return false;
-    const std::uint32_t bc = superlevel_[t][(k + 1) % 3], ca = superlevel_[t][(k + 2) % 3],
-                        ad = superlevel_[u][(at_b + 1) % 3], db = superlevel_[u][(at_b + 2) % 3];
+    const bool is_unfolded = folded_ == Folded::unfolded &&
+                             dot(normal(triangles[t]), normal(triangles[u])) <= 0 &&
+                             dot(normal(one), normal(two)) > 0;
+    if (!(is_closer || is_wider || is_unfolded) || edges_.contains(key(c, d))) return false;
+    edges_.erase(key(a, b));
+    edges_.insert(key(c, d));
+    const std::uint32_t bc = across_[t][(k + 1) % 3], ca = across_[t][(k + 2) % 3],
+                        ad = across_[u][(at_b + 1) % 3], db = across_[u][(at_b + 2) % 3];
     triangles[t] = one;
     triangles[u] = two;
-    superlevel_[t] = {ad, u, ca};
-    superlevel_[u] = {db, bc, t};
-    set_superlevel(ad, u, t);
-    set_superlevel(bc, t, u);
+    across_[t] = {ad, u, ca};
+    across_[u] = {db, bc, t};
+    set_across(ad, u, t);
+    set_across(bc, t, u);
     shapes_[t] = p;
     shapes_[u] = q;
     return true;
@@ -193,8 +198,10 @@ class Flips {
   const TetGeometry& geometry_;
   const std::array<Deviator<double>, 4>& tensors_;
   const Level<double>& level_;
-  std::vector<std::array<std::uint32_t, 3>> superlevel_;
+  Folded folded_;
+  std::vector<std::array<std::uint32_t, 3>> across_;
   std::vector<Shape> shapes_;
+  std::unordered_set<std::uint64_t> edges_;  ///< smaller vertex first
 };
 
 }  // namespace
@@ -202,14 +209,14 @@ class Flips {
 template <class Scalar>
 std::size_t flip_edges(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                        std::span<const std::vector<BoundaryVertex>> boundaries,
-                       Patch<Scalar>& patch) {
+                       Patch<Scalar>& patch, Folded folded) {
   const double unit = unit_of(tet.points);
   auto corners = tet.points;
   for (auto& p : corners) p = unit * p;
   const TetGeometry geometry(corners, tet.simplex.exponents);
   const std::array<Deviator<double>, 4> tensors = rounded(tet.simplex.tensors);
   const auto level_in_double = in_double(level);
-  Flips flips(geometry, tensors, level_in_double);
+  Flips flips(geometry, tensors, level_in_double, folded);
 
   std::vector<std::int32_t> ids;
   for (const auto& t : patch.triangles) ids.insert(ids.end(), t.begin(), t.end());
@@ -238,9 +245,10 @@ std::size_t flip_edges(const TetWithCurves<Scalar>& tet, const Level<Scalar>& le
   return count;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                \
-  template std::size_t flip_edges(const TetWithCurves<Scalar>&, const Level<Scalar>&, \
-                                  std::span<const std::vector<BoundaryVertex>>, Patch<Scalar>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                          \
+  template std::size_t flip_edges(const TetWithCurves<Scalar>&, const Level<Scalar>&,           \
+                                  std::span<const std::vector<BoundaryVertex>>, Patch<Scalar>&, \
+                                  Folded);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

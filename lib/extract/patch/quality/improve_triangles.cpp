@@ -11,6 +11,8 @@
 
 #include "extract/level/level_in_tet.hpp"
 #include "extract/patch/quality/least_sine.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
+#include "tensortopo/mesh/renumber.hpp"
 
 namespace tensortopo {
 namespace {
@@ -263,7 +265,11 @@ class Improver {
 
 ImprovementCounts improve_triangles(const TetMesh& mesh, const ModeValue& mode,
                                     SurfaceMesh& surface, int rounds) {
-  return Improver(mesh, mode, surface).run(rounds);
+  const CanonicalMesh canonical = canonical_mesh(mesh);
+  renumber(surface, inverse_permutation(canonical.vertices), inverse_permutation(canonical.tets));
+  const auto counts = Improver(canonical.mesh, mode, surface).run(rounds);
+  renumber(surface, canonical.vertices, canonical.tets);
+  return counts;
 }
 
 }  // namespace tensortopo

@@ -83,6 +83,7 @@ class Sampler {
         wide_turn_(std::cos(std::min(2 * sampling.largest_turn(), 0.5))) {}
 
   void sample(FaceArc<Scalar>& arc) {
+    if (needs_none(arc)) return;
     std::vector<CurvePoint<Scalar>> points;
     points.reserve(2 * arc.pieces.size() + 1);
     for (std::size_t p = 0; p < arc.pieces.size(); ++p) {
@@ -101,6 +102,17 @@ class Sampler {
     auto point = point_on_piece(piece, face_, fraction, level_);
     point.place = Scalar(static_cast<double>(index)) + fraction;
     return point;
+  }
+
+  /// Of most arcs, in one triangle from one edge to another: `between` would give none, and the
+  /// ends stay.
+  bool needs_none(const FaceArc<Scalar>& arc) {
+    if (arc.closed || arc.pieces.size() != 1 || arc.begin.edge == arc.end.edge) return false;
+    const auto& piece = arc.pieces[0];
+    const auto a = at(piece, 0, Scalar(0)), b = at(piece, 0, Scalar(1));
+    if (!is_close(a, b)) return false;
+    const auto m = at(piece, 0, Scalar(1) / Scalar(2));
+    return is_close(a, m) && is_close(m, b);
   }
 
   bool is_close(const CurvePoint<Scalar>& a, const CurvePoint<Scalar>& b) const {

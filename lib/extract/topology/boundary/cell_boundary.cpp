@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/topology/boundary/cell_boundary.hpp"
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 
 #include "extract/run/extractor_scalars.hpp"
@@ -24,7 +26,7 @@ bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<Boundar
     BoundaryArc piece;
     bool used;
   };
-  std::vector<Leaving> leaving;  // by crossing; few
+  boost::container::small_vector<Leaving, 8> leaving;  // by crossing; few
   std::size_t count = 0;
   for (const auto& arcs : tet.arcs) count += arcs.size();
   leaving.reserve(count);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/topology/boundary/graph_arcs.hpp"
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstddef>
 #include <utility>
 
@@ -20,7 +22,7 @@ constexpr std::size_t kMostCrossings = 8;
 /// How the crossings of the sides on which lines enter and leave come one after the other.
 class Sweep {
  public:
-  using Arcs = std::vector<std::array<ArcEnd, 2>>;
+  using Arcs = boost::container::small_vector<std::array<ArcEnd, 2>, 1>;
 
   Sweep(std::vector<ArcEnd> entering, std::vector<ArcEnd> leaving, bool above)
       : sides_{std::move(entering), std::move(leaving)}, above_{above, above} {
@@ -90,11 +92,11 @@ Sweep::Arcs joined(const LevelSimplex<Scalar, 3>& triangle,
                    const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
                    const std::array<Scalar, 3>& direction, std::size_t count) {
   if (count == 2) {
-    std::array<ArcEnd, 2> ends;
+    Sweep::Arcs one(1);
     for (std::size_t e = 0, k = 0; e < 3; ++e)
       for (int c = 0; c < static_cast<int>(crossings[e].size()); ++c)
-        ends[k++] = {static_cast<int>(e), c};
-    return {ends};
+        one[0][k++] = {static_cast<int>(e), c};
+    return one;
   }
   // A line enters through the edge opposite vertex i if its weight grows from 0.
   std::size_t alone = 3;

@@ -11,8 +11,9 @@
 #include <fmt/format.h>
 
 #include "bytes/format_error.hpp"
-#include "fields/cell_kind.hpp"
+#include "grids/cell_kind.hpp"
 #include "fields/quadratic_cells.hpp"
+#include "fields/solid_cells.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/mesh/validate.hpp"
 
@@ -52,79 +53,44 @@ class Refusals {
   std::map<std::uint8_t, std::pair<std::size_t, std::size_t>> types_;
 };
 
-/// Marks of `vtkGhostType` for a cell that belongs to another piece, or is blanked.
-bool is_ghost(double mark) {
-  constexpr unsigned duplicate = 1, hidden = 32;
-  return mark > 0 && mark < 256 && (static_cast<unsigned>(mark) & (duplicate | hidden)) != 0;
-}
-
 class Assembly {
  public:
-  Assembly(const ReadOptions& options, TetMesh& mesh, ReadReport& report)
+  Assembly(const ReadOptions& options, QuadraticCells quadratic_use, TetMesh& mesh,
+           ReadReport& report)
       : options_(options),
+        quadratic_use_(quadratic_use),
         mesh_(mesh),
         report_(report),
-        quadratic_(mesh, mesh.tensors.size() == mesh.points.size() && !mesh.points.empty()) {}
+        quadratic_(mesh) {}
 
-  void add(const RawGrid& grid, const std::vector<Index>& vertices,
-           const std::vector<SymmetricTensor<double>>& on_cells) {
-    std::vector<double> ghosts;
-    for (const ArraySource& source : grid.cell_data)
-      if (source.name == "vtkGhostType" && source.components == 1) ghosts = source.values();
+  void add(const RawGrid& grid, const std::vector<Index>& vertices) {
+    const std::vector<char> ghosts = ghost_cells(grid);
     Refusals refusals;
     std::vector<Index> corners;
     for (std::size_t c = 0; c < grid.cells(); ++c) {
       const CellKind kind = cell_kind(grid.types[c]);
-      if (!ghosts.empty() && is_ghost(ghosts[c])) {
+      if (!ghosts.empty() && ghosts[c] != 0) {
         ++report_.skipped_ghost_cells;
       } else if (kind.use == Use::skip) {
         ++report_.skipped_cells_2d_1d;
       } else if (quadratic_kind(grid.types[c]).nodes > 0) {
-        corners.clear();
-        for (std::int64_t i = grid.offsets[c]; i < grid.offsets[c + 1]; ++i)
-          corners.push_back(
-              vertices[static_cast<std::size_t>(grid.connectivity[static_cast<std::size_t>(i)])]);
-        const auto id = static_cast<std::int64_t>(first_cell_ + c);
-        take_quadratic(grid, c, corners, id, on_cells.empty());
-        if (!on_cells.empty()) average(corners, on_cells[c]);
+        corners = vertices_of(grid, c, vertices);
+        take_quadratic(grid, c, corners, static_cast<std::int64_t>(first_cell_ + c));
       } else if (kind.use != Use::tetrahedron &&
-                 (kind.use != Use::split || !options_.tetrahedralize)) {
+                 (kind.use != Use::split || !(options_.tetrahedralize || grid.is_regular))) {
         refusals.add(grid.types[c], c);
       } else {
-        corners.clear();
-        for (std::int64_t i = grid.offsets[c]; i < grid.offsets[c + 1]; ++i)
-          corners.push_back(
-              vertices[static_cast<std::size_t>(grid.connectivity[static_cast<std::size_t>(i)])]);
+        corners = vertices_of(grid, c, vertices);
         if (corners.size() != kind.corners)
           throw IoError(IoError::Kind::invalid, grid.file,
                         "a cell has " + std::to_string(corners.size()) + " corners where " +
                             std::to_string(kind.corners) + " belong (cell " + std::to_string(c) +
                             ")");
         take(grid.types[c], corners, static_cast<std::int64_t>(first_cell_ + c));
-        if (!on_cells.empty()) average(corners, on_cells[c]);
       }
     }
     refusals.check(grid);
     first_cell_ += grid.cells();
-  }
-
-  /// Divides the sums of cell tensors by their numbers.
-  void finish_averages(const std::filesystem::path& file) {
-    mesh_.tensors.resize(mesh_.points.size());
-    sums_.resize(mesh_.points.size());
-    numbers_.resize(mesh_.points.size());
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      if (numbers_[v] == 0) continue;
-      const SymmetricTensor<double>& s = sums_[v];
-      const double n = static_cast<double>(numbers_[v]);
-      mesh_.tensors[v] = {s.xx / n, s.yy / n, s.zz / n, s.xy / n, s.yz / n, s.xz / n};
-      for (const double x : {s.xx, s.yy, s.zz, s.xy, s.yz, s.xz})
-        if (!std::isfinite(x))
-          throw IoError(IoError::Kind::invalid, file,
-                        "the tensors around a vertex are too large to average (point " +
-                            std::to_string(v) + ")");
-      ++report_.averaged_vertices;
-    }
   }
 
   void count_vertices() {
@@ -146,7 +112,7 @@ class Assembly {
  private:
   /// Leaves the corners alone in `nodes` if it takes the cell by them.
   void take_quadratic(const RawGrid& grid, std::size_t cell, std::vector<Index>& nodes,
-                      std::int64_t id, bool may_split) {
+                      std::int64_t id) {
     const std::uint8_t type = grid.types[cell];
     const QuadraticKind kind = quadratic_kind(type);
     if (options_.for_certificate)
@@ -161,7 +127,7 @@ class Assembly {
                         std::to_string(kind.nodes) + " belong" + place);
     ++report_.quadratic_cells;
     quadratic_.count_curved(type, nodes);
-    if (may_split && options_.quadratic == QuadraticCells::split) {
+    if (quadratic_use_ == QuadraticCells::split) {
       const std::size_t before = mesh_.tets.size();
       naming_file(grid.file, "cell " + std::to_string(cell),
                   [&] { quadratic_.split(type, nodes, mesh_.tets); });
@@ -188,41 +154,26 @@ class Assembly {
     from_split_.resize(mesh_.tets.size(), split);
   }
 
-  void average(const std::vector<Index>& corners, const SymmetricTensor<double>& tensor) {
-    sums_.resize(mesh_.points.size());
-    numbers_.resize(mesh_.points.size());
-    for (auto v = corners.begin(); v != corners.end(); ++v) {
-      if (std::find(corners.begin(), v, *v) != v) continue;  // a corner listed twice counts once
-      auto& sum = sums_[static_cast<std::size_t>(*v)];
-      sum = sum + tensor;
-      ++numbers_[static_cast<std::size_t>(*v)];
-    }
-  }
-
   const ReadOptions& options_;
+  QuadraticCells quadratic_use_;
   TetMesh& mesh_;
   ReadReport& report_;
   std::size_t first_cell_ = 0;
   QuadraticSplitter quadratic_;
   std::vector<char> from_split_;  // for each tetrahedron
-  std::vector<SymmetricTensor<double>> sums_;
-  std::vector<std::size_t> numbers_;
 };
 
 }  // namespace
 
 void assemble_cells(const std::vector<RawGrid>& pieces, const VertexMap& map,
-                    const std::vector<std::vector<SymmetricTensor<double>>>& on_cells,
-                    const ReadOptions& options, TetMesh& mesh, ReadReport& report) {
-  Assembly assembly(options, mesh, report);
+                    QuadraticCells quadratic, const ReadOptions& options, TetMesh& mesh,
+                    ReadReport& report) {
+  Assembly assembly(options, quadratic, mesh, report);
   std::size_t cells = 0;  // nearly always all of them tetrahedra
   for (const RawGrid& grid : pieces) cells += grid.cells();
   mesh.tets.reserve(cells);
   mesh.cell_ids.reserve(cells);
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-    assembly.add(pieces[k], map[k],
-                 on_cells.empty() ? std::vector<SymmetricTensor<double>>{} : on_cells[k]);
-  if (!on_cells.empty()) assembly.finish_averages(pieces.front().file);
+  for (std::size_t k = 0; k < pieces.size(); ++k) assembly.add(pieces[k], map[k]);
   assembly.count_vertices();
   assembly.orient();
 }

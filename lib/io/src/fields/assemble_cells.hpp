@@ -5,16 +5,15 @@
 #include <vector>
 
 #include "fields/merge_points.hpp"
-#include "fields/raw_grid.hpp"
+#include "grids/raw_grid.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo::detail {
 
 /// Appends the tetrahedra of the pieces, and those of cells that are split, to a mesh that has its
-/// points. `on_cells` has one tensor per cell of each piece, or is empty; then the mesh has its
-/// tensors. Orients every tetrahedron. Throws IoError.
+/// points and tensors. Orients every tetrahedron. Throws IoError.
 void assemble_cells(const std::vector<RawGrid>& pieces, const VertexMap& map,
-                    const std::vector<std::vector<SymmetricTensor<double>>>& on_cells,
-                    const ReadOptions& options, TetMesh& mesh, ReadReport& report);
+                    QuadraticCells quadratic, const ReadOptions& options, TetMesh& mesh,
+                    ReadReport& report);
 
 }  // namespace tensortopo::detail

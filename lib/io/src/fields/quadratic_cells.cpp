@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bytes/format_error.hpp"
-#include "fields/cell_kind.hpp"
+#include "grids/cell_kind.hpp"
 
 namespace tensortopo::detail {
 namespace {
@@ -96,14 +96,14 @@ Index QuadraticSplitter::vertex_at(const std::vector<std::pair<Index, double>>& 
   for (const auto& [v, w] : sorted) {
     const auto i = static_cast<std::size_t>(v);
     point = point + w * mesh_.points[i];
-    if (with_tensors_) tensor = tensor + w * mesh_.tensors[i];
+    tensor = tensor + w * mesh_.tensors[i];
   }
   const auto& t = tensor;
   for (const double x : {point.x, point.y, point.z, t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
     if (!std::isfinite(x)) throw FormatError("the values around a face are too large to average");
   if (mesh_.points.size() >= INT32_MAX) throw FormatError("has too many points");
   mesh_.points.push_back(point);
-  if (with_tensors_) mesh_.tensors.push_back(tensor);
+  mesh_.tensors.push_back(tensor);
   ++added_;
   return static_cast<Index>(mesh_.points.size() - 1);
 }

@@ -31,8 +31,8 @@ class QuadraticSplitter {
  public:
   using Index = TetMesh::Index;
 
-  /// @param with_tensors  the mesh has a tensor at each vertex already
-  QuadraticSplitter(TetMesh& mesh, bool with_tensors) : mesh_(mesh), with_tensors_(with_tensors) {}
+  /// @param mesh  has its points and tensors
+  explicit QuadraticSplitter(TetMesh& mesh) : mesh_(mesh) {}
 
   /// Counts the cell's edges that are curved, each edge once.
   void count_curved(std::uint8_t vtk_type, std::span<const Index> nodes);
@@ -56,7 +56,6 @@ class QuadraticSplitter {
   void split_pyramid(std::span<const Index> n, std::vector<std::array<Index, 4>>& tets);
 
   TetMesh& mesh_;
-  bool with_tensors_;
   std::map<std::array<Index, 8>, Index> face_centres_;
   std::map<std::array<Index, 2>, Index> middles_;
   std::size_t added_ = 0, curved_ = 0;

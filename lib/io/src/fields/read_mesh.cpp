@@ -2,25 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/io/read_mesh.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <new>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "bytes/format_error.hpp"
 #include "bytes/input_file.hpp"
 #include "fields/assemble_cells.hpp"
+#include "fields/cell_means.hpp"
 #include "fields/merge_points.hpp"
-#include "fields/raw_grid.hpp"
-#include "fields/read_legacy.hpp"
+#include "grids/raw_grid.hpp"
+#include "formats/field_format.hpp"
 #include "fields/read_mesh_of.hpp"
-#include "fields/read_vtu.hpp"
 #include "fields/tensor_array.hpp"
 #include "tensortopo/hash/sha256.hpp"
 #include "tensortopo/io/io_error.hpp"
-#include "tensortopo/io/lower_extension.hpp"
+#include "tensortopo/io/read_geometry.hpp"
 #include "tensortopo/mesh/validate.hpp"
 #include "fields/torn_faces.hpp"
 
@@ -29,42 +31,28 @@ namespace {
 
 using namespace detail;
 
-std::vector<RawGrid> read_pieces(const std::shared_ptr<const InputFile>& index, Sha256& sum) {
-  std::vector<RawGrid> grids;
-  std::set<std::filesystem::path> seen;
-  for (const auto& path : read_pvtu(index)) {
-    const auto piece = load(path);
-    if (!seen.insert(std::filesystem::canonical(path)).second)
-      throw IoError(IoError::Kind::invalid, index->path,
-                    "names a piece twice (" + path.filename().string() + ")");
-    sum.add(piece->bytes);
-    for (RawGrid& grid : read_vtu(piece)) grids.push_back(std::move(grid));
-  }
-  return grids;
-}
-
-void require_known_extension(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
-  if (extension != ".vtu" && extension != ".pvtu" && extension != ".vtk")
-    throw IoError(IoError::Kind::invalid, path,
-                  "has the unknown extension \"" + extension + "\"; known are .vtu, .pvtu, .vtk");
-}
-
-std::vector<RawGrid> read_grids(const std::shared_ptr<const InputFile>& file, bool for_certificate,
-                                std::string& sha256) {
-  const std::filesystem::path& path = file->path;
-  const std::string extension = lower_extension(path);
-  if (for_certificate && extension == ".pvtu")
-    throw IoError(IoError::Kind::inapplicable, path,
-                  "names files of pieces, but a certificate is about the numbers in one file as "
-                  "they are; merge them into one .vtu");
+/// The grids of a file, and the hash of its bytes.
+std::vector<RawGrid> read_grids(const std::shared_ptr<const InputFile>& file,
+                                const ReadOptions& options, ReadResult& result) {
+  const FieldFormatEntry& entry = format_of(file->path);
+  const std::string_view extension = entry.format.extension;
+  if (options.for_certificate && !entry.format.is_checked)
+    throw IoError(IoError::Kind::inapplicable, file->path,
+                  fmt::format("the checker of certificates reads no {}, and a certificate is about "
+                              "the numbers in one file as they are; make one with tensortopo "
+                              "convert, and certify that",
+                              extension));
+  if (options.step && !entry.format.has_steps)
+    throw IoError(IoError::Kind::inapplicable, file->path,
+                  fmt::format("--step: a {} has no steps", extension));
+  if (!options.mask.empty() && !entry.format.takes_mask)
+    throw IoError(IoError::Kind::inapplicable, file->path,
+                  fmt::format("--mask: is for NIfTI images, not for a {}", extension));
   Sha256 sum;
   sum.add(file->bytes);
-  std::vector<RawGrid> grids;
-  if (extension == ".vtu") grids = read_vtu(file, for_certificate);
-  if (extension == ".pvtu") grids = read_pieces(file, sum);
-  if (extension == ".vtk") grids.push_back(read_legacy(file));
-  sha256 = sum.hex();
+  std::vector<RawGrid> grids =
+      entry.read(FieldSource{file, options, sum, result.report.notes});
+  result.sha256 = sum.hex();
   return grids;
 }
 
@@ -97,10 +85,36 @@ void write_notes(const ReadOptions& options, ReadReport& report) {
   note(report.curved_edges, "edges of quadratic cells are curved and taken as straight");
   note(report.reoriented_cells, "tetrahedra of negative volume turned around");
   note(report.symmetrized_tensors, "tensors symmetrized");
-  note(report.averaged_vertices, "vertices given the mean of the cells around them");
-  note(report.merged_points, "points merged where pieces meet");
+  note(report.averaged_vertices, options.mean == MeanWeights::volume
+                                     ? "vertices given the mean of the cells around them, by volume"
+                                     : "vertices given the mean of the cells around them");
+  note(report.doubled_vertices, "vertices doubled between materials, where tensors may jump");
+  note(report.merged_points, options.merge_points ? "points merged with others in their place"
+                                                  : "points merged where pieces meet");
   note(report.unreferenced_points, "points belong to no tetrahedron");
   if (report.torn_faces.count > 0) report.notes.push_back(report.torn_faces.text());
+}
+
+/// Merges points, and takes means of tensors of cells or points, as the options say.
+void take_means(std::vector<RawGrid>& grids, VertexMap& map,
+                const std::vector<std::vector<SymmetricTensor<double>>>& tensors,
+                const TensorChoice& choice, const ReadOptions& options, TetMesh& mesh,
+                ReadReport& report) {
+  const bool means_of_points = !choice.on_cells && options.merge_points && options.mean;
+  if (!choice.on_cells && !means_of_points && !(options.materials.empty() && !options.mean))
+    throw IoError(IoError::Kind::inapplicable, grids.front().file,
+                  std::string(options.mean ? "--mean" : "--materials") +
+                      ": no means are taken of tensors at points; with --merge-points --mean they "
+                      "are, of points in the same place");
+  const Materials materials = choice.on_cells || means_of_points ? materials_of(grids, options)
+                                                                 : Materials{};
+  if (options.merge_points)
+    report.merged_points +=
+        merge_vertices(grids, map, choice.on_cells ? Materials{} : materials, options.mean, mesh);
+  if (!choice.on_cells) return;
+  report.doubled_vertices = separate_materials(grids, map, materials, mesh);
+  report.averaged_vertices = average_cells(grids, map, tensors, choice,
+                                           options.mean.value_or(MeanWeights::plain), mesh);
 }
 
 /// What is left of a file's lists when the mesh is made: the cells that were split.
@@ -109,13 +123,48 @@ struct SplitCells {
   VertexMap map;
 };
 
+/// Whether each corner of one triangle has one of the other in its place.
+bool in_same_places(const TetMesh& mesh,
+                    const std::array<std::array<TetMesh::Index, 3>, 2>& triangles) {
+  const auto at = [&](TetMesh::Index v) { return mesh.points[static_cast<std::size_t>(v)]; };
+  return std::all_of(triangles[0].begin(), triangles[0].end(), [&](TetMesh::Index v) {
+    return std::any_of(triangles[1].begin(), triangles[1].end(),
+                       [&](TetMesh::Index w) { return at(v) == at(w); });
+  });
+}
+
+enum class Reading { field, geometry };
+
+/// Makes the mesh of what a file lists, but for its tensors.
+void assemble_geometry(std::vector<RawGrid>& grids, const ReadOptions& options,
+                       ReadResult& result) {
+  for (RawGrid& grid : grids)
+    naming_file(grid.file, "", [&] {
+      // A lattice has no more samples than an array of the file has values.
+      if (grid.lattice && grid.point_data.empty() && grid.cell_data.empty())
+        throw FormatError("has no arrays");
+      if (grid.lattice)
+        (grid.point_data.empty() ? grid.cell_data : grid.point_data).front().values();
+      fill_lattice(grid);
+    });
+  VertexMap map = merge_points(grids, {}, result.mesh);
+  if (options.merge_points)
+    result.report.merged_points = merge_vertices(grids, map, {}, std::nullopt, result.mesh);
+  result.mesh.tensors.assign(result.mesh.points.size(), {});
+  assemble_cells(grids, map, options.quadratic, options, result.mesh, result.report);
+}
+
 /// Makes the mesh of what a file lists.
 SplitCells read_unchecked(const std::shared_ptr<const InputFile>& file, const ReadOptions& options,
-                          ReadResult& result) {
+                          Reading what, ReadResult& result) {
   TetMesh& mesh = result.mesh;
   ReadReport& report = result.report;
-  std::vector<RawGrid> grids = read_grids(file, options.for_certificate, result.sha256);
+  std::vector<RawGrid> grids = read_grids(file, options, result);
 
+  if (what == Reading::geometry) {
+    assemble_geometry(grids, options, result);
+    return {};
+  }
   const TensorChoice choice = choose_tensor(grids, options);
   report.tensor_name = choice.name;
   report.components = choice.taken;
@@ -126,12 +175,17 @@ SplitCells read_unchecked(const std::shared_ptr<const InputFile>& file, const Re
     const std::size_t expected = choice.on_cells ? grids[k].cells() : grids[k].points();
     if (expected > 0)
       tensors[k] = read_tensors(grids[k], choice, options, report.symmetrized_tensors);
+    naming_file(file->path, "", [&] { fill_lattice(grids[k]); });
   }
 
   const std::vector<std::vector<SymmetricTensor<double>>> none;
-  const VertexMap map = merge_points(grids, choice.on_cells ? none : tensors, mesh);
+  VertexMap map = merge_points(grids, choice.on_cells ? none : tensors, mesh);
   report.merged_points = points - mesh.points.size();
-  assemble_cells(grids, map, choice.on_cells ? tensors : none, options, mesh, report);
+  take_means(grids, map, tensors, choice, options, mesh, report);
+  // A mean of cells is at their corners only.
+  const bool at_corners = choice.on_cells && choice.values != CellValues::nodes;
+  assemble_cells(grids, map, at_corners ? QuadraticCells::corners : options.quadratic, options,
+                 mesh, report);
   if (report.split_cells == 0) return {};
   for (RawGrid& grid : grids) {
     grid.coordinates = std::vector<double>();
@@ -142,15 +196,47 @@ SplitCells read_unchecked(const std::shared_ptr<const InputFile>& file, const Re
 
 }  // namespace
 
-ReadResult detail::read_mesh_of(const std::shared_ptr<const InputFile>& file,
-                                const ReadOptions& options) {
+namespace {
+
+ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const ReadOptions& options,
+                        Reading what) {
   ReadResult result;
-  const SplitCells split = read_unchecked(file, options, result);
+  const SplitCells split = read_unchecked(file, options, what, result);
   ReadReport& report = result.report;
   report.torn_faces = torn_faces(split.grids, split.map, result.mesh, check(file->path, result.mesh));
   report.unreferenced_points = count_unreferenced_points(result.mesh);
   write_notes(options, report);
+  if (report.torn_faces.count > 0 && in_same_places(result.mesh, report.torn_faces.vertices))
+    report.notes.push_back(
+        "points of torn faces are doubled; --merge-points makes one of those with equal tensors, "
+        "with --mean of all in one place");
   return result;
+}
+
+ReadResult read_named(const std::filesystem::path& file, const ReadOptions& options,
+                      Reading what) {
+  try {
+    format_of(file);  // before it is read
+    return read_checked(load(file), options, what);
+  } catch (const std::bad_alloc&) {
+    throw IoError(IoError::Kind::invalid, file, "is too large for this machine's memory");
+  } catch (const std::length_error&) {
+    throw IoError(IoError::Kind::invalid, file, "is too large for this machine's memory");
+  }
+}
+
+}  // namespace
+
+ReadResult detail::read_mesh_of(const std::shared_ptr<const InputFile>& file,
+                                const ReadOptions& options) {
+  return read_checked(file, options, Reading::field);
+}
+
+const char* ReadOptions::making_others() const {
+  if (cell_to_point || cell_values != CellValues::one) return "--cell-to-point";
+  if (tetrahedralize) return "--tetrahedralize";
+  if (merge_points) return "--merge-points";
+  return nullptr;
 }
 
 std::vector<std::string> ReadReport::all_notes() const {
@@ -175,14 +261,11 @@ std::string TornFaces::text() const {
 }
 
 ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
-  try {
-    require_known_extension(file);
-    return read_mesh_of(load(file), options);
-  } catch (const std::bad_alloc&) {
-    throw IoError(IoError::Kind::invalid, file, "is too large for this machine's memory");
-  } catch (const std::length_error&) {
-    throw IoError(IoError::Kind::invalid, file, "is too large for this machine's memory");
-  }
+  return read_named(file, options, Reading::field);
+}
+
+ReadResult read_geometry(const std::filesystem::path& file, const ReadOptions& options) {
+  return read_named(file, options, Reading::geometry);
 }
 
 }  // namespace tensortopo

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
-#include "fields/component_names.hpp"
+#include "grids/component_names.hpp"
+#include "fields/solid_cells.hpp"
 #include "tensortopo/io/io_error.hpp"
 
 namespace tensortopo::detail {
@@ -82,6 +84,9 @@ TensorComponents order_of(const RawGrid& grid, const ArraySource& source,
                                 : "say with --components which it is"));
   }
   if (options.components) return {*options.components, ComponentSource::given};
+  if (source.has_no_usual_order && !is_full)
+    refuse(grid, "does not say in which order the components of its tensors are; say it with "
+                 "--components (mrtrix, fsl, nifti or dipy: what wrote them)");
   return {is_full ? ComponentOrder::full : ComponentOrder::vtk, ComponentSource::assumed};
 }
 
@@ -145,11 +150,57 @@ void join_named(RawGrid& grid, const std::string& pattern) {
   }
 }
 
+/// Several tensors for each cell, where the caller says that there are.
+TensorChoice accept_several(const RawGrid& grid, const ArraySource& source,
+                            const ReadOptions& options) {
+  const auto unfit = [&](const std::string& why) {
+    refuse(grid, "--cell-values: the array `" + source.name + "` has " +
+                     std::to_string(source.components) + " components, " + why);
+  };
+  std::size_t components = 0, tensors = 0;
+  if (options.cell_values == CellValues::nodes) {
+    const std::vector<std::size_t> cells = solid_cells(grid);
+    if (cells.empty()) refuse(grid, "has no cells of dimension 3");
+    tensors = static_cast<std::size_t>(grid.offsets[cells.front() + 1] -
+                                       grid.offsets[cells.front()]);
+    for (const std::size_t n : {6u, 9u})
+      if (source.components == n * tensors) components = n;
+    if (components == 0)
+      unfit("and cells have " + std::to_string(tensors) + " nodes; 6 or 9 belong to each node");
+  } else {
+    const bool six = source.components % 6 == 0;
+    const bool nine = source.components % 9 == 0 && !options.components;
+    if (six == nine)
+      unfit(six ? "which may be tensors of 6 or of 9; --components says that they are of 6"
+                : "which are no tensors of 6 or 9");
+    components = six ? 6 : 9;
+    tensors = source.components / components;
+  }
+  ArraySource part{source.name, components, {}, {}};
+  std::optional<TensorComponents> taken;
+  for (std::size_t t = 0; t < (are_named(source.component_names) ? tensors : 1); ++t) {
+    if (are_named(source.component_names)) {
+      const auto first = source.component_names.begin() + static_cast<std::ptrdiff_t>(t * components);
+      part.component_names.assign(first, first + static_cast<std::ptrdiff_t>(components));
+    }
+    const TensorComponents order = order_of(grid, part, options);
+    if (taken && taken->order != order.order)
+      refuse(grid, "names the components of `" + source.name + "` in several orders");
+    taken = order;
+  }
+  return {source.name, components, true, *taken, options.cell_values, tensors};
+}
+
 TensorChoice choose_by_name(const RawGrid& grid, const ReadOptions& options) {
   const ArraySource* on_points = find(grid, grid.point_data, options.tensor);
   const ArraySource* on_cells = find(grid, grid.cell_data, options.tensor);
   if (on_points == nullptr && on_cells == nullptr)
     refuse(grid, "has no array `" + options.tensor + "`; " + inventory(grid));
+  if (options.cell_values != CellValues::one) {
+    if (on_cells == nullptr)
+      refuse(grid, "--cell-values: the array `" + options.tensor + "` belongs to points");
+    return accept_several(grid, *on_cells, options);
+  }
   const ArraySource& source = on_points != nullptr ? *on_points : *on_cells;
   if (!may_be_tensor(source))
     refuse(grid, "the array `" + source.name + "` has " + std::to_string(source.components) +
@@ -181,6 +232,9 @@ TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& optio
   const auto with_points =
       std::find_if(grids.begin(), grids.end(), [](const RawGrid& g) { return g.points() > 0; });
   const RawGrid& grid = with_points != grids.end() ? *with_points : grids.front();
+  if (options.cell_values != CellValues::one && options.tensor.empty())
+    throw IoError(IoError::Kind::inapplicable, grid.file,
+                  "--cell-values: name the array with --tensor; " + inventory(grid));
   if (!options.tensor.empty()) return choose_by_name(grid, options);
   for (const bool on_cells : {false, true}) {
     const Sources& sources = on_cells ? grid.cell_data : grid.point_data;
@@ -200,10 +254,14 @@ std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const Ten
                                                   std::size_t& symmetrized) {
   const ArraySource* source =
       find(grid, choice.on_cells ? grid.cell_data : grid.point_data, choice.name);
-  if (source == nullptr || source->components != choice.components)
-    refuse(grid, "has no array `" + choice.name + "` of " + std::to_string(choice.components) +
+  const std::size_t components = choice.components * choice.per_cell;
+  if (source == nullptr || source->components != components)
+    refuse(grid, "has no array `" + choice.name + "` of " + std::to_string(components) +
                      " components, as other pieces have");
-  if (order_of(grid, *source, options).order != choice.taken.order)
+  const TensorComponents taken = choice.values == CellValues::one
+                                     ? order_of(grid, *source, options)
+                                     : accept_several(grid, *source, options).taken;
+  if (taken.order != choice.taken.order)
     refuse(grid, "has the components of `" + choice.name + "` in another order than other pieces");
   const auto places = places_in(choice.taken.order);
 
@@ -212,7 +270,7 @@ std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const Ten
   for (std::size_t i = 0; i < tensors.size(); ++i) {
     const double* v = values.data() + i * choice.components;
     const auto place = [&] {
-      return (choice.on_cells ? "cell " : "point ") + std::to_string(i) + " of `" + choice.name +
+      return (choice.on_cells ? "cell " : "point ") + std::to_string(i / choice.per_cell) + " of `" + choice.name +
              "`";
     };
     for (std::size_t k = 0; k < choice.components; ++k)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fields/raw_grid.hpp"
+#include "grids/raw_grid.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo::detail {
@@ -16,13 +16,16 @@ struct TensorChoice {
   std::size_t components;  ///< 6 or 9
   bool on_cells;
   TensorComponents taken;
+  CellValues values = CellValues::one;  ///< if on cells
+  std::size_t per_cell = 1;             ///< tensors, one after the other
 };
 
 /// The array asked for, or the only candidate. Throws IoError with the arrays that there are.
 /// Arrays that `options.tensor` joins are added to the grids.
 TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& options);
 
-/// The tensors of one grid, finite, in our order; counts those that were not symmetric.
+/// The tensors of one grid, finite, in our order: of each point, or `per_cell` of each cell. Counts
+/// those that were not symmetric.
 /// Throws IoError.
 std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const TensorChoice& choice,
                                                   const ReadOptions& options,

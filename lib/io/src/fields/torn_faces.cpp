@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fields/cell_kind.hpp"
+#include "grids/cell_kind.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/mesh/unmatched_faces.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fields/merge_points.hpp"
-#include "fields/raw_grid.hpp"
+#include "grids/raw_grid.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/validate.hpp"
 

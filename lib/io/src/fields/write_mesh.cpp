@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/io/write_mesh.hpp"
 
-#include <array>
+#include <cstdint>
+#include <span>
 #include <stdexcept>
-
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
+#include <string>
+#include <vector>
 
 #include "output/atomic_file.hpp"
-#include "vtk/vtk_arrays.hpp"
+#include "vtk/xml_output.hpp"
 
 namespace tensortopo {
 
@@ -26,26 +22,36 @@ void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
       if (v < 0 || static_cast<std::size_t>(v) >= mesh.points.size())
         throw std::invalid_argument("write_mesh: a tetrahedron names a point that does not exist");
 
-  vtkNew<vtkDoubleArray> tensors;
-  tensors->SetName(tensor_name.c_str());
-  tensors->SetNumberOfComponents(6);
-  constexpr std::array names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-  for (std::size_t i = 0; i < names.size(); ++i)
-    tensors->SetComponentName(static_cast<vtkIdType>(i), names[i]);
-  tensors->SetNumberOfTuples(static_cast<vtkIdType>(mesh.tensors.size()));
-  double* out = tensors->GetPointer(0);
+  std::vector<double> components;
+  components.reserve(6 * mesh.tensors.size());
   for (const auto& t : mesh.tensors)
-    for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}) *out++ = x;
+    for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}) components.push_back(x);
+  constexpr std::uint8_t tetrahedron = 10;  // VTK's number
+  const std::vector<std::uint8_t> types(mesh.tets.size(), tetrahedron);
 
-  vtkNew<vtkUnstructuredGrid> grid;
-  grid->SetPoints(detail::vtk_points(mesh.points));
-  grid->SetCells(VTK_TETRA, detail::vtk_cells(mesh.tets));
-  grid->GetPointData()->AddArray(tensors);
-  grid->GetPointData()->SetActiveTensors(tensor_name.c_str());
-
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  detail::write_atomically(file, detail::run_vtk_writer(*writer));
+  detail::XmlOutput out("UnstructuredGrid");
+  out.open("UnstructuredGrid");
+  out.open("Piece", {{"NumberOfPoints", std::to_string(mesh.points.size())},
+                     {"NumberOfCells", std::to_string(mesh.tets.size())}});
+  out.open("PointData", {{"Tensors", tensor_name}});
+  out.array(tensor_name, components, detail::Patterns::some, 6,
+            {{"ComponentName0", "XX"},
+             {"ComponentName1", "YY"},
+             {"ComponentName2", "ZZ"},
+             {"ComponentName3", "XY"},
+             {"ComponentName4", "YZ"},
+             {"ComponentName5", "XZ"}});
+  out.close("PointData");
+  out.open("Points");
+  out.array("Points", mesh.points, detail::Patterns::some);
+  out.close("Points");
+  out.open("Cells");
+  out.corners(std::span(mesh.tets));
+  out.array("types", types);
+  out.close("Cells");
+  out.close("Piece");
+  out.close("UnstructuredGrid");
+  detail::write_atomically(file, out.finish());
 }
 
 }  // namespace tensortopo

@@ -43,24 +43,48 @@ Vector3<double> unit_normal(const Vector3<double>& p, const Vector3<double>& q,
   return {n.x / length, n.y / length, n.z / length};
 }
 
+/// The level that each vertex belongs to, of the surface and then of curves.
+struct Levels {
+  std::string name;  ///< "mode" or "value"; empty if vertices have none
+  std::vector<double> values;
+};
+
+Levels levels_of(const SurfaceMesh& surface, const CurveMesh& curves) {
+  const bool are_modes = surface.mode.size() == surface.points.size() &&
+                         curves.mode.size() == curves.points.size();
+  if (are_modes) {
+    Levels levels{"mode", surface.mode};
+    levels.values.insert(levels.values.end(), curves.mode.begin(), curves.mode.end());
+    return levels;
+  }
+  if (surface.value.size() == surface.points.size() && curves.points.empty())
+    return {"value", surface.value};
+  return {};
+}
+
 }  // namespace
 
 std::string to_ply(const SurfaceMesh& surface, const CurveMesh& curves) {
   std::size_t segments = 0;
   for (const auto& line : curves.lines) segments += line.size() - 1;
   const std::size_t points = surface.points.size() + curves.points.size();
+  const Levels levels = levels_of(surface, curves);
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double "
       "y\n"
-      "property double z\nelement face {}\nproperty list uchar int vertex_indices\n",
-      points, surface.triangles.size());
+      "property double z\n{}element face {}\nproperty list uchar int vertex_indices\n",
+      points, levels.name.empty() ? "" : "property double " + levels.name + "\n",
+      surface.triangles.size());
   if (segments > 0)
     bytes += fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", segments);
   bytes += "end_header\n";
-  bytes.reserve(bytes.size() + 24 * points + 13 * surface.triangles.size() + 8 * segments);
+  bytes.reserve(bytes.size() + 32 * points + 13 * surface.triangles.size() + 8 * segments);
+  std::size_t vertex = 0;
   for (const auto* list : {&surface.points, &curves.points})
-    for (const auto& p : *list)
+    for (const auto& p : *list) {
       for (const double x : {p.x, p.y, p.z}) append(bytes, x);
+      if (!levels.name.empty()) append(bytes, levels.values[vertex++]);
+    }
   for (const auto& t : surface.triangles) {
     append(bytes, std::uint8_t{3});
     for (const auto v : t) append(bytes, v);

@@ -13,6 +13,7 @@
 namespace tensortopo::detail {
 
 // Geometry in simple formats, as bytes.
+/// Of a .ply with the level of each vertex, if they have one: property `mode` or `value`.
 std::string to_ply(const SurfaceMesh& surface, const CurveMesh& curves);
 std::string to_obj(const SurfaceMesh& surface, const CurveMesh& curves);
 std::string to_off(const SurfaceMesh& surface);
@@ -22,6 +23,6 @@ std::string to_stl(const SurfaceMesh& surface);
 /// Geometry and arrays, whose names it appends to `names`; without points those of `kinds`.
 std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
                    const OutputKinds& kinds, const std::vector<FileNote>& notes,
-                   std::vector<std::string>& names);
+                   const std::vector<CellArray>& more, std::vector<std::string>& names);
 
 }  // namespace tensortopo::detail

@@ -73,7 +73,8 @@ WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
 
 WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
                           const std::filesystem::path& file, const OutputKinds& kinds,
-                          const std::vector<FileNote>& notes) {
+                          const std::vector<FileNote>& notes,
+                          const std::vector<CellArray>& more) {
   using Format = std::string (*)(const SurfaceMesh&, const CurveMesh&);
   static const std::map<std::string, Format> formats{
       {".obj", detail::to_obj},
@@ -91,6 +92,9 @@ WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, c
   }
   check(surface, mesh);
   check(curves, surface.points.size(), mesh);
+  for (const CellArray& array : more)
+    require(array.values.size() == surface.triangles.size(),
+            "an array is not one for each triangle");
   if (!curves.lines.empty() && (extension == ".off" || extension == ".stl"))
     throw IoError(IoError::Kind::unwritable, file, "cannot hold curves: use .vtp, .ply or .obj");
 
@@ -99,7 +103,7 @@ WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, c
   try {
     bytes = format->second != nullptr
                 ? format->second(surface, curves)
-                : detail::to_vtp(surface, curves, mesh, kinds, notes, report.arrays);
+                : detail::to_vtp(surface, curves, mesh, kinds, notes, more, report.arrays);
   } catch (const std::range_error& error) {
     throw IoError(IoError::Kind::unwritable, file,
                   std::string("cannot be written: ") + error.what());

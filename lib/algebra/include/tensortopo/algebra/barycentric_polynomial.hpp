@@ -136,13 +136,17 @@ constexpr auto product_coefficient(const P& p, const Q& q) {
 /// Products are plain convolutions.
 template <class Scalar, std::size_t Variables, std::size_t Degree>
 struct BarycentricPolynomial {
+  /// Number of coefficients.
   static constexpr std::size_t size = detail::binomial(Degree + Variables - 1, Variables - 1);
+  /// The exponents of each coefficient's monomial, in the order of `coefficients`.
   static constexpr const auto& exponents = detail::kExponents<Variables, Degree>;
   /// Coefficient i is this many times the Bernstein coefficient.
   static constexpr const auto& multinomials = detail::kMultinomials<Variables, Degree>;
 
+  /// One for each monomial, in the order of `exponents`.
   std::array<Scalar, size> coefficients{};
 
+  /// The sum, exactly if the scalar's sums are.
   friend BarycentricPolynomial operator+(const BarycentricPolynomial& p,
                                          const BarycentricPolynomial& q) {
     BarycentricPolynomial sum;
@@ -150,6 +154,7 @@ struct BarycentricPolynomial {
       sum.coefficients[i] = p.coefficients[i] + q.coefficients[i];
     return sum;
   }
+  /// The difference.
   friend BarycentricPolynomial operator-(const BarycentricPolynomial& p,
                                          const BarycentricPolynomial& q) {
     BarycentricPolynomial difference;
@@ -157,6 +162,7 @@ struct BarycentricPolynomial {
       difference.coefficients[i] = p.coefficients[i] - q.coefficients[i];
     return difference;
   }
+  /// The multiple.
   friend BarycentricPolynomial operator*(const Scalar& k, const BarycentricPolynomial& p) {
     BarycentricPolynomial product;
     for (std::size_t i = 0; i < size; ++i) product.coefficients[i] = k * p.coefficients[i];

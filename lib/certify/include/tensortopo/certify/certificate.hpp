@@ -15,17 +15,19 @@ namespace tensortopo {
 struct CertificateSubject {
   std::string tensor;             ///< name of the array
   std::string components;         ///< "vtk", "voigt", "abaqus", "nifti", "fsl" or "full"
+  /// Numbers of the input.
   std::size_t points = 0, tetrahedra = 0;
-  std::string field_sha256;
-  std::size_t vertices = 0, cells = 0;  ///< of the surface, or polylines: triangles, or lines
+  std::string field_sha256;  ///< hash of the input's numbers, in hexadecimal
+  /// Numbers of the surface, or polylines; cells are triangles, or lines.
+  std::size_t vertices = 0, cells = 0;
   std::string output_sha256;            ///< of the surface, or polylines
 
   /// A further array of the output's file.
   struct Array {
     std::string of;  ///< "points", "triangles" or "lines"
-    std::string name;
-    std::size_t components = 1;
-    std::string sha256;
+    std::string name;  ///< its name
+    std::size_t components = 1;  ///< numbers for each point or cell
+    std::string sha256;  ///< hash of its numbers, in hexadecimal
   };
   std::vector<Array> arrays;  ///< ascending by `of` and `name`
 };

@@ -14,34 +14,37 @@ namespace tensortopo {
 
 /// A degenerate point inside a face, with a box that holds it and no other of its kind.
 struct FacePointClaim {
-  CurveMesh::Index vertex = -1;
+  CurveMesh::Index vertex = -1;  ///< of the polylines
   /// Its barycentric coordinates at the face's second and third vertex, the face's vertices being
   /// in ascending order, are at most 2^-depth from place / 2^depth.
   std::array<std::uint64_t, 2> place{};
-  int depth = 0;
+  int depth = 0;  ///< how often the unit interval is halved
 };
 
 /// Everything that a certificate claims about the degenerate curves of one kind: see proofs-check's
 /// description of the file for what each claim means.
 struct CertifiedCurves {
+  /// A face of the mesh and the degenerate points inside it.
   struct Face {
     std::array<TetMesh::Index, 3> vertices{};  ///< ascending
     std::vector<FacePointClaim> points;        ///< by vertex
   };
+  /// A tetrahedron and the pieces of curves inside it.
   struct Tet {
-    TetMesh::Index tet = -1;
+    TetMesh::Index tet = -1;  ///< position in the mesh
     /// The vertices that a piece of the curve joins, ascending; in order.
     std::vector<std::array<CurveMesh::Index, 2>> pieces;
   };
   /// A connected component of the polylines.
   struct Curve {
-    bool closed = false;  ///< no vertex is the end of one line only
-    std::size_t lines = 0;
+    bool closed = false;                 ///< no vertex is the end of one line only
+    std::size_t lines = 0;               ///< how many the component has
     CurveMesh::Index first_vertex = -1;  ///< the smallest
   };
 
-  Degeneracy kind = Degeneracy::linear;
-  std::size_t vertices = 0, lines = 0;   ///< of the polylines
+  Degeneracy kind = Degeneracy::linear;  ///< linear (mode 1) or planar (mode -1)
+  /// Numbers of the polylines.
+  std::size_t vertices = 0, lines = 0;
   std::vector<UndecidedCell> undecided;  ///< ascending; special positions among them
   std::vector<Face> faces;               ///< with points, of all other tetrahedra; ascending
   std::vector<Tet> tets;                 ///< with pieces; ascending

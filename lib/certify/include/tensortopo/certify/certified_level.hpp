@@ -4,28 +4,30 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/quadric/extract_invariant_surface.hpp"
+#include "tensortopo/stability/stability_run.hpp"
 
 namespace tensortopo {
 
 /// A dyadic interval [place / 2^depth, (place + 1) / 2^depth] of barycentric coordinates on an
 /// edge, from its first vertex to its second.
 struct DyadicBracket {
-  std::uint64_t place = 0;
-  int depth = 0;
+  std::uint64_t place = 0;  ///< below 2^depth
+  int depth = 0;  ///< how often the edge is halved
 };
 
 /// A connected component of a surface, as claimed.
 struct ComponentClaim {
-  std::int64_t euler_characteristic = 0;
-  std::size_t boundary_loops = 0;
-  bool orientable = true;
-  std::size_t triangles = 0;
+  std::int64_t euler_characteristic = 0;  ///< vertices - edges + triangles
+  std::size_t boundary_loops = 0;  ///< closed curves that bound it
+  bool orientable = true;  ///< triangles can be turned to agree
+  std::size_t triangles = 0;  ///< how many it has
   SurfaceMesh::Index first_vertex = -1;  ///< the smallest
 };
 
@@ -39,20 +41,21 @@ struct DistanceClaim {
   /// Tetrahedra (positions in the mesh) where it does not: there the distances are below
   /// `coarse_bound`, the longest edge of one of them.
   std::vector<TetMesh::Index> coarse;
-  double coarse_bound = 0;
+  double coarse_bound = 0;  ///< in units of the mesh, as `bound`
 };
 
 /// A tetrahedron about which nothing is claimed.
 struct UndecidedCell {
-  TetMesh::Index tet = -1;
-  std::string reason;
+  TetMesh::Index tet = -1;  ///< position in the mesh
+  std::string reason;  ///< the name that reports use
 };
 
 /// Everything that a certificate claims about the surface of one level: see proofs-check's
 /// description of the file for what each claim means.
 struct CertifiedLevel {
-  std::variant<ModeValue, InvariantLevel> value;
-  std::size_t vertices = 0, triangles = 0;  ///< of the surface
+  std::variant<ModeValue, InvariantLevel> value;  ///< the mode, or the value of another invariant
+  /// Numbers of the surface.
+  std::size_t vertices = 0, triangles = 0;
   std::size_t on_level = 0;                 ///< vertices of the mesh with exactly this value
   std::vector<UndecidedCell> undecided;     ///< ascending
   LevelTopology topology;                   ///< of all other tetrahedra
@@ -60,12 +63,15 @@ struct CertifiedLevel {
   /// different sides of the level at its ends.
   std::vector<std::vector<DyadicBracket>> brackets;
   std::vector<ComponentClaim> components;   ///< by first vertex
-  DistanceClaim distance;
+  DistanceClaim distance;  ///< between triangles and level
+  std::optional<StabilityClaim> stability;  ///< of an uncertain field
+  bool embedded = false;  ///< see `is_embedded`; false if that is not claimed
 
-  /// Entities claimed: crossed edges, faces and tetrahedra, components, distance.
+  /// Entities claimed: crossed edges, faces and tetrahedra, components, distance, stable components.
   std::size_t claims() const {
     return topology.edges.size() + topology.faces.size() + topology.tets.size() +
-           topology.cones.size() + components.size() + 1;
+           topology.cones.size() + components.size() + 1 + (embedded ? 1 : 0) +
+           (stability ? stability->components.size() : 0);
   }
 };
 

@@ -8,7 +8,7 @@ namespace tensortopo {
 
 /// A mode surface sampled until it is proved to be close to the level.
 struct ExtractionWithin {
-  Extraction extraction;
+  Extraction extraction;  ///< the last one, of the densest samples
   CertifiedLevel level;  ///< what is claimed of it
   int rounds = 0;        ///< extractions that it took
   /// Tetrahedra, positions in the mesh, for which the distance asked for is not proved.

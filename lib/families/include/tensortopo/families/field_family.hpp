@@ -35,12 +35,13 @@ std::optional<FieldKind> field_kind(std::string_view name);
 
 /// Which member of a family.
 struct FamilyRequest {
-  std::uint64_t seed = 1;
-  int member = 0;
+  std::uint64_t seed = 1;      ///< which family of this kind
+  int member = 0;              ///< which of its members
   int members = 1;             ///< size of the family, 0 <= member < members
   std::size_t tetrahedra = 0;  ///< at least so many where a mesh is made; 0: the kind's default
 };
 
+/// A field of a family.
 struct FamilyMember {
   std::string note;              ///< what this one is
   TetMesh mesh;                  ///< valid

@@ -22,11 +22,13 @@ std::array<double, 2> unit_circle(double turns);
 /// **mode = 6 sqrt(6) (1 - q^2) / (6 + 2 q^2)^(3/2)**: the mode surfaces are tubes around the
 /// helix, the neutral one at q = 1.
 struct HelixField {
-  double radius = 1;
-  double turns_per_height = 0.25;
-  double slope = 0.5;
+  double radius = 1;               ///< of the helix
+  double turns_per_height = 0.25;  ///< how steep it is
+  double slope = 0.5;              ///< how fast the field changes across it
 
+  /// The helix's point at a height.
   Vector3<double> helix(double z) const;
+  /// The tensor at a point.
   SymmetricTensor<double> operator()(const Vector3<double>& p) const;
 };
 

@@ -16,6 +16,7 @@ namespace tensortopo {
 /// numbers are made of the engine's bits by exact additions only.
 class RandomSource {
  public:
+  /// The same numbers for the same seed on every platform.
   explicit RandomSource(std::uint64_t seed) : engine_(seed) {}
 
   /// Uniform in [0, 1), a multiple of 2^-53.

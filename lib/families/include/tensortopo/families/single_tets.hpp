@@ -27,6 +27,7 @@ TetMesh saddle_tet(double s, RandomSource& random);
 
 /// How many extrema and saddles the mode has on a plane (projective, if they are isolated).
 struct PlanarCount {
+  /// How many of each.
   int extrema = 0, saddles = 0;
 };
 

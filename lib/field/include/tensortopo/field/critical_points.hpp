@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tensortopo/field/deviator_box.hpp"
 #include "tensortopo/scalar/sign.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
 
@@ -25,6 +26,7 @@ struct CriticalPoint {
   /// Sign of the mode's derivative from here towards each of the vertices asked about: unknown
   /// where intervals of doubles do not tell (as if it is zero).
   std::vector<Verdict> towards;
+  DeviatorBox deviator;  ///< there; if certain
 };
 
 /// A vertex itself, and where the mode goes along the edges from it.

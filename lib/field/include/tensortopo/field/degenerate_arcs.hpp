@@ -22,7 +22,7 @@ struct DegenerateEnd {
 
 /// A part of the degenerate curve inside a tetrahedron, from one face to another (or the same).
 struct DegenerateArc {
-  std::array<DegenerateEnd, 2> ends;
+  std::array<DegenerateEnd, 2> ends;  ///< where it enters and leaves
   /// Unit dominant eigenvectors along it, from the first end to the last, at small angles to each
   /// other; rounded.
   std::vector<Vector3<double>> dominant;

@@ -26,6 +26,7 @@ struct FieldStrata {
   bool is_general() const {
     return rank == 4 && zero_vertices == 0 && !neutral_characteristic && !degenerate_characteristic;
   }
+  /// Member by member.
   friend bool operator==(const FieldStrata&, const FieldStrata&) = default;
 };
 

@@ -13,7 +13,7 @@ namespace tensortopo {
 /// Linear interpolation commutes with taking deviators, and the mode sees deviators only.
 template <RingScalar Scalar>
 struct TetrahedronField {
-  std::array<Deviator<Scalar>, 4> vertex{};
+  std::array<Deviator<Scalar>, 4> vertex{};  ///< at the vertices
 
   /// The tensor at barycentric weights. Homogeneous weights (of any sum) give a multiple of the
   /// tensor, of the opposite sign if their sum is negative.
@@ -26,7 +26,7 @@ struct TetrahedronField {
 /// The linear deviator field of a triangle; like TetrahedronField.
 template <RingScalar Scalar>
 struct TriangleField {
-  std::array<Deviator<Scalar>, 3> vertex{};
+  std::array<Deviator<Scalar>, 3> vertex{};  ///< at the vertices
 
   /// The tensor at barycentric weights, of any sum.
   constexpr Deviator<Scalar> at(const std::array<Scalar, 3>& barycentric) const {

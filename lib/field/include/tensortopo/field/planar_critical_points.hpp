@@ -25,7 +25,7 @@ struct PlanarCriticalPoint {
   /// Its mode (at the point itself, as the sum is >= 0; at infinity the sign is a matter of
   /// choice).
   Scalar mode{};
-  CriticalType type = CriticalType::undecided;
+  CriticalType type = CriticalType::undecided;  ///< maximum, minimum, saddle, or undecided
 };
 
 /// All non-degenerate critical points of the mode on the plane of a triangle (at most three).

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "tensortopo/mesh/cell_array.hpp"
 #include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
@@ -27,14 +29,16 @@ std::string curves_sha256(const CurveMesh& curves, const TetMesh& mesh);
 
 /// An array that `write_surface` puts beside the geometry, with the SHA-256 of its numbers.
 struct ArrayHash {
-  std::string of;  ///< "points", "triangles" or "lines"
-  std::string name;
-  std::size_t components = 1;
-  std::string sha256;  ///< of its numbers in their order, each as a double, little-endian
+  std::string of;              ///< "points", "triangles" or "lines"
+  std::string name;            ///< the array's
+  std::size_t components = 1;  ///< numbers for each point or cell
+  std::string sha256;          ///< of its numbers in their order, each as a double, little-endian
 };
 
 /// All arrays of a surface in a .vtp without curves but `tet`, by `of` and `name`.
-std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface);
+/// @param more  further arrays of its triangles
+std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface,
+                                    std::span<const CellArray> more = {});
 /// All arrays of curves in a .vtp without a surface but `tet`, by `of` and `name`.
 std::vector<ArrayHash> array_hashes(const CurveMesh& curves);
 

@@ -14,6 +14,7 @@ namespace tensortopo {
 class Sha256 {
  public:
   Sha256();
+  /// Appends bytes to what is hashed.
   void add(std::string_view bytes);
   /// In hexadecimal; ends the sum.
   std::string hex();

@@ -30,8 +30,8 @@ enum class ComponentSource : std::uint8_t {
 
 /// What was taken for the components of a tensor, and why.
 struct TensorComponents {
-  ComponentOrder order = ComponentOrder::vtk;
-  ComponentSource source = ComponentSource::assumed;
+  ComponentOrder order = ComponentOrder::vtk;         ///< in which they were taken
+  ComponentSource source = ComponentSource::assumed;  ///< who said so
 
   /// "XX YY ZZ XY XZ YZ (abaqus, named in the file)"
   std::string text() const;

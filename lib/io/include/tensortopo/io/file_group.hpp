@@ -19,8 +19,10 @@ struct UnfinishedFiles;
 /// `apart`: then it is as if there were no other.
 class FileGroup {
  public:
+  /// Whether a group within another one is part of it.
   enum class Bond { joined, apart };
 
+  /// What this thread writes from now on belongs to the group.
   explicit FileGroup(Bond bond = Bond::joined);
   ~FileGroup();
   FileGroup(const FileGroup&) = delete;

@@ -13,6 +13,7 @@ namespace tensortopo {
 /// Laws      what() is one printable line, "FILE: what is wrong (where)".
 class IoError : public std::runtime_error {
  public:
+  /// What went wrong.
   enum class Kind {
     unreadable,    ///< the operating system gives no bytes
     invalid,       ///< the bytes are not what they should be
@@ -20,9 +21,12 @@ class IoError : public std::runtime_error {
     inapplicable,  ///< an option that the caller gave has no effect on this file
   };
 
+  /// Of a file; `problem` is one line without a full stop.
   IoError(Kind kind, std::filesystem::path file, const std::string& problem);
 
+  /// What went wrong.
   Kind kind() const noexcept { return kind_; }
+  /// The file that it is about.
   const std::filesystem::path& file() const noexcept { return file_; }
 
  private:

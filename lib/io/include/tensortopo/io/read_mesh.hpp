@@ -21,6 +21,20 @@ enum class QuadraticCells {
   corners,  ///< linear cells of their corners; the other nodes are left out
 };
 
+/// What several tensors of one vertex count for in their mean.
+enum class MeanWeights {
+  plain,   ///< each the same
+  volume,  ///< the volume of the cells that they belong to
+};
+
+/// What an array on cells holds.
+enum class CellValues {
+  one,     ///< a tensor for each cell
+  nodes,   ///< one for each node of each cell, one after the other, in VTK's order
+  points,  ///< one for each integration point, the same number in each cell
+};
+
+/// What a reader is told of a file.
 struct ReadOptions {
   /// Name of the tensor array; empty for the only array that has 6 or 9 components. Or of six
   /// arrays of one component each: `S_{xx,yy,zz,xy,yz,xz}` stands for S_xx, S_yy, ..., in any order
@@ -31,14 +45,37 @@ struct ReadOptions {
   std::optional<ComponentOrder> components;
   /// Take (T + T^t) / 2 of a 3x3 tensor that is asymmetric by more than 1e-9 of its norm.
   bool symmetrize = false;
-  /// Let a tensor on cells stand: each vertex gets the plain mean over the 3D cells around it.
+  /// Let tensors on cells stand: each vertex gets the mean over the 3D cells around it, see
+  /// `materials`. Of integration points each cell has their plain mean first.
   bool cell_to_point = false;
+  /// What an array on cells holds; if not one tensor each, `tensor` names it, and `cell_to_point`
+  /// is meant.
+  CellValues cell_values = CellValues::one;
+  /// Of `cell_to_point`: plain by default. With `merge_points`: makes one of points in the same
+  /// place even if their tensors differ, and gives it their mean.
+  std::optional<MeanWeights> mean;
+  /// An array on cells, of one component: means are taken over cells of the same value only, and
+  /// vertices between cells of several values become one for each value, so that the field may jump
+  /// there. `none` takes means over all. Without either, means are refused if the file has an array
+  /// that by its name tells materials apart, with several values.
+  std::string materials;
+  /// Make one of points in the same place with the same tensor.
+  bool merge_points = false;
   /// Split other linear 3D cells into tetrahedra.
   bool tetrahedralize = false;
-  QuadraticCells quadratic = QuadraticCells::split;
+  QuadraticCells quadratic = QuadraticCells::split;  ///< what becomes of quadratic cells
+  /// Of formats with several states of a field: which, counted from 1; the last by default.
+  std::optional<std::size_t> step;
+  /// Of NIfTI images: an image of the same voxels; cubes with a corner where it is 0 are left out.
+  std::filesystem::path mask;
   /// Refuse (inapplicable), before any array is read, what the checker of certificates does not
-  /// read: several pieces, in one file or in several, and arrays compressed with LZ4 or LZMA.
+  /// read: other formats than .vtu and unstructured .vtk, several pieces, and arrays compressed
+  /// with LZ4 or LZMA.
   bool for_certificate = false;
+
+  /// The option, as the program calls it, by which the mesh is not the file's as it is; null if
+  /// there is none.
+  const char* making_others() const;
 };
 
 /// Faces of cells that lie on faces of others without being shared: the mesh is torn there, and so
@@ -56,8 +93,8 @@ struct TornFaces {
 
 /// What reading did beyond copying; all counts are zero for a plain file.
 struct ReadReport {
-  std::string tensor_name;
-  TensorComponents components;
+  std::string tensor_name;  ///< the array that was taken
+  TensorComponents components;  ///< their order, and who said so
   std::size_t skipped_cells_2d_1d = 0;  ///< points, lines, faces
   std::size_t skipped_ghost_cells = 0;  ///< marked as another piece's by `vtkGhostType`
   std::size_t split_cells = 0;          ///< cells that became several tetrahedra
@@ -67,9 +104,10 @@ struct ReadReport {
   std::size_t reoriented_cells = 0;     ///< negative volume as listed; see repair_orientation
   std::size_t symmetrized_tensors = 0;  ///< xy and yx (or another pair) differed
   std::size_t averaged_vertices = 0;    ///< got their tensor from cells
-  std::size_t merged_points = 0;        ///< points dropped as copies of another piece's
+  std::size_t merged_points = 0;        ///< points dropped as copies of another
+  std::size_t doubled_vertices = 0;     ///< added between materials
   std::size_t unreferenced_points = 0;  ///< in no tetrahedron; kept
-  TornFaces torn_faces;
+  TornFaces torn_faces;  ///< faces that lie on others without being shared
   std::vector<std::string> notes;  ///< the same for people, one line each
 
   /// The same, with what was taken for the components unless it goes without saying (VTK's order,
@@ -77,15 +115,16 @@ struct ReadReport {
   std::vector<std::string> all_notes() const;
 };
 
+/// A field, and what reading did.
 struct ReadResult {
-  TetMesh mesh;
-  ReadReport report;
+  TetMesh mesh;  ///< valid, see `validate`
+  ReadReport report;  ///< what reading did
   /// SHA-256 of the file's bytes, in hexadecimal; of a .pvtu: of its bytes followed by the bytes
-  /// of its pieces, in order.
+  /// of its pieces, in order; with a mask: followed by the mask's.
   std::string sha256;
 };
 
-/// The tetrahedral mesh and tensor field that a `.vtu`, `.pvtu` or legacy `.vtk` file holds.
+/// The tetrahedral mesh and tensor field that a file of one of `field_formats` holds.
 ///
 /// Laws      (1) the numbers are exactly those of the file: float32 and integers are widened, and
 ///           text is rounded once, to the type that the file declares; (2) the mesh passes

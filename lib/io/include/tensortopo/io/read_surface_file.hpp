@@ -15,31 +15,34 @@ namespace tensortopo {
 
 /// Lists of point numbers of different lengths.
 struct IndexLists {
-  std::vector<std::int32_t> points;
-  std::vector<std::size_t> ends;  ///< of each list: where it ends in `points`
+  std::vector<std::int32_t> points;  ///< of all lists, one after the other
+  std::vector<std::size_t> ends;     ///< of each list: where it ends in `points`
 
+  /// How many lists.
   std::size_t size() const { return ends.size(); }
+  /// Where a list begins in `points`.
   std::size_t begin_of(std::size_t i) const { return i == 0 ? 0 : ends[i - 1]; }
 };
 
 /// Numbers for each point or cell.
 struct SurfaceArray {
-  std::string name;
-  std::size_t components = 1;
-  std::vector<double> values;
+  std::string name;            ///< as in the file
+  std::size_t components = 1;  ///< numbers for each point or cell
+  std::vector<double> values;  ///< point by point, or cell by cell
 };
 
 /// What a file of a surface or of curves holds.
 struct SurfaceFile {
-  std::vector<Vector3<double>> points;
-  IndexLists lines;     ///< two points or more each
-  IndexLists polygons;  ///< three points or more each
-  std::vector<SurfaceArray> point_data;
+  std::vector<Vector3<double>> points;   ///< finite
+  IndexLists lines;                      ///< two points or more each
+  IndexLists polygons;                   ///< three points or more each
+  std::vector<SurfaceArray> point_data;  ///< one value for each point
   /// One value for each line, then one for each polygon.
   std::vector<SurfaceArray> cell_data;
 
   /// The array of this name; null if there is none.
   const SurfaceArray* find_point_data(const std::string& name) const;
+  /// The same of cell data.
   const SurfaceArray* find_cell_data(const std::string& name) const;
 };
 

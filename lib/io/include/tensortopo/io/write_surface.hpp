@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/mesh/cell_array.hpp"
 #include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
@@ -15,17 +16,19 @@ namespace tensortopo {
 
 /// What a written file holds.
 struct WriteReport {
-  std::uintmax_t bytes = 0;
+  std::uintmax_t bytes = 0;  ///< size of the file
   std::vector<std::string> arrays;  ///< data arrays besides the geometry (.vtp only)
 };
 
 /// What a file is to hold, whether there is any of it or not.
 struct OutputKinds {
+  /// Which of these were asked for.
   bool mode_surfaces = false, invariant_surfaces = false, degenerate_curves = false;
 };
 
 /// A text that a .vtp carries as field data: where it comes from.
 struct FileNote {
+  /// The array's name, and what it says.
   std::string name, text;
 };
 
@@ -58,11 +61,13 @@ WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
 /// none. In a .vtp the curves add point data `separation`; arrays that only the surface has are
 /// zero at vertices of curves, and `separation` at vertices of the surface. Cell data come in VTK's
 /// order, lines before triangles. Without curves the bytes are those of the surface alone. A .vtp
-/// has the `notes` as field data, a string each; other formats have no place for them.
+/// has the `notes` as field data, a string each, and `more` as cell data (zero at lines); other formats
+/// have no place for them.
 ///
 /// Throws    also IoError if there are curves and the format holds no polylines.
 WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
                           const std::filesystem::path& file, const OutputKinds& kinds = {},
-                          const std::vector<FileNote>& notes = {});
+                          const std::vector<FileNote>& notes = {},
+                          const std::vector<CellArray>& more = {});
 
 }  // namespace tensortopo

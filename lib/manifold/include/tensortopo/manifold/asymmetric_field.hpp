@@ -13,6 +13,7 @@ namespace tensortopo {
 /// A 2x2 matrix [[a, b], [c, d]].
 template <RealScalar Scalar>
 struct Matrix2 {
+  /// Row by row.
   Scalar a{}, b{}, c{}, d{};
 };
 
@@ -36,8 +37,8 @@ Matrix2<Scalar> asymmetric_tensor(const CharacteristicTensor<Scalar>& characteri
 /// complex.
 template <RealScalar Scalar>
 struct Eigensystem2 {
-  std::array<Scalar, 2> values{};
-  std::array<std::array<Scalar, 2>, 2> vectors{};
+  std::array<Scalar, 2> values{};                  ///< the larger one first
+  std::array<std::array<Scalar, 2>, 2> vectors{};  ///< of unit length, sign arbitrary
 };
 template <RealScalar Scalar>
 std::optional<Eigensystem2<Scalar>> real_eigensystem(const Matrix2<Scalar>& matrix);

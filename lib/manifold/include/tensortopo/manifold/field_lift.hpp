@@ -27,6 +27,7 @@ class FieldLift {
 
   /// The weights of a tensor; its component across the span, if any, is dropped.
   std::array<Scalar, 4> weights(const Deviator<Scalar>& t) const;
+  /// The same of its deviator.
   std::array<Scalar, 4> weights(const SymmetricTensor<Scalar>& t) const {
     return weights(deviator(t));
   }

@@ -15,6 +15,7 @@ namespace tensortopo {
 /// two names.
 template <RealScalar Scalar>
 struct SpheroConal {
+  /// In radians.
   Scalar theta{}, eta{};
 };
 
@@ -45,10 +46,13 @@ struct BoundaryPosition {
 template <RealScalar Scalar>
 class MediumEigenvectorManifold {
  public:
+  /// Of a field of rank 4, by its characteristic tensor, and a mode.
   MediumEigenvectorManifold(const CharacteristicTensor<Scalar>& characteristic,
                             const ModeParameter<Scalar>& mode);
 
+  /// The field's characteristic tensor.
   const CharacteristicTensor<Scalar>& characteristic() const { return characteristic_; }
+  /// The mode.
   const ModeParameter<Scalar>& mode() const { return mode_; }
 
   /// Delta(v) = 1/2 - v.T^2 v + cos^2(theta) (v.T v)^2 / 4 with T the characteristic tensor

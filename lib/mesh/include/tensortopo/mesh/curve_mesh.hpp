@@ -18,9 +18,9 @@ namespace tensortopo {
 /// of the next, and all run the same way; at a junction, where other than two lines end, another
 /// row of lines may begin.
 struct CurveMesh {
-  using Index = SurfaceMesh::Index;
+  using Index = SurfaceMesh::Index;  ///< of a vertex
 
-  std::vector<Vector3<double>> points;
+  std::vector<Vector3<double>> points;    ///< coordinates
   std::vector<std::vector<Index>> lines;  ///< two or more vertices each
 
   // One per vertex.
@@ -49,8 +49,8 @@ struct CurveMesh {
 
 /// What can be said of curves as a whole.
 struct CurveInvariants {
-  std::size_t vertices = 0;
-  double length = 0;
+  std::size_t vertices = 0;           ///< that some line uses
+  double length = 0;                  ///< of all lines, in units of the mesh
   std::size_t components = 0;         ///< connected ones
   std::size_t closed_components = 0;  ///< those without an end
 };

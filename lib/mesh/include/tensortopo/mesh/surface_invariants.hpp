@@ -13,26 +13,26 @@ namespace tensortopo {
 struct SurfaceInvariants {
   /// A connected component.
   struct Part {
-    long euler_characteristic = 0;
-    long boundary_loops = 0;
+    long euler_characteristic = 0;  ///< vertices - edges + triangles
+    long boundary_loops = 0;        ///< closed curves of edges with one triangle
     /// Handles of an orientable part, cross-caps of another; -1 where the part is no manifold.
     long genus = 0;
-    std::size_t triangles = 0;
-    double area = 0;
-    bool orientable = true;
-    bool manifold = true;
+    std::size_t triangles = 0;  ///< how many it has
+    double area = 0;            ///< in units of the mesh, squared
+    bool orientable = true;     ///< triangles could be turned to agree
+    bool manifold = true;       ///< a disc or half disc around every vertex
   };
 
-  std::size_t vertices = 0;  ///< vertices that some triangle uses
-  std::size_t components = 0;
-  long boundary_loops = 0;
-  long euler_characteristic = 0;
+  std::size_t vertices = 0;           ///< vertices that some triangle uses
+  std::size_t components = 0;         ///< connected by edges
+  long boundary_loops = 0;            ///< of all parts
+  long euler_characteristic = 0;      ///< of all parts
   bool orientable = true;             ///< triangles could be turned to agree with their neighbours
   bool consistently_oriented = true;  ///< they agree as they are
   bool closed = true;                 ///< no edge has only one triangle
-  bool manifold = true;
-  double area = 0;
-  std::vector<Part> parts;
+  bool manifold = true;               ///< all parts are, and share no vertex
+  double area = 0;                    ///< of all parts
+  std::vector<Part> parts;            ///< in order of first triangle
   std::vector<SurfaceMesh::Index> component;  ///< of each triangle, in order of first triangle
 };
 

@@ -23,13 +23,13 @@ enum class Carrier : std::uint8_t { edge, face, tet, vertex };
 ///
 /// Where triangles would form several fans each has a vertex of its own: at crossings of an edge in
 /// which parts of the mesh touch, or which left-out tetrahedra part; where the mode is undefined,
-/// at vertices of the mesh without deviator and between two of them. At the latter both
+/// at isotropic vertices of the mesh and between two of them. At the latter both
 /// eigenvectors and the residual are zero, and the normal is the mean of the gradients along the
 /// fan (or zero).
 struct SurfaceMesh {
-  using Index = std::int32_t;
+  using Index = std::int32_t;  ///< of a vertex
 
-  std::vector<Vector3<double>> points;
+  std::vector<Vector3<double>> points;  ///< coordinates
   std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise seen from the larger mode
 
   // One per vertex.

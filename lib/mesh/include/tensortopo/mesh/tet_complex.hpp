@@ -24,7 +24,7 @@ constexpr int tet_edge(int i, int j) {
 
 /// The edges and faces of some of a mesh's tetrahedra, each once, in the order of their ids.
 struct TetComplex {
-  using Index = TetMesh::Index;
+  using Index = TetMesh::Index;  ///< of a vertex, edge, face or tetrahedron
 
   std::vector<Index> tets;                         ///< which tetrahedra, ascending
   std::vector<std::array<Index, 2>> edges;         ///< vertices, ascending

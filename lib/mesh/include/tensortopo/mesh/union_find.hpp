@@ -19,6 +19,7 @@ class UnionFind {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
+  /// How many elements there are.
   std::size_t size() const { return parent_.size(); }
 
   /// One more, in a class of its own.

@@ -14,6 +14,7 @@ namespace tensortopo {
 
 /// One thing that makes a mesh unfit as a domain of a piecewise linear field.
 struct MeshDefect {
+  /// What is wrong.
   enum class Kind {
     wrong_length,        ///< tensors or cell ids are not one for each point or tetrahedron
     non_finite_point,    ///< a coordinate is infinite or not a number
@@ -28,7 +29,7 @@ struct MeshDefect {
     overlapping_cells,   ///< two tetrahedra on the same side of the face that they share
   };
 
-  Kind kind;
+  Kind kind;           ///< what is wrong
   std::int64_t where;  ///< vertex number, or the tetrahedron's id in the input
   std::string text;    ///< what is wrong and where, without a full stop
 };
@@ -36,7 +37,7 @@ struct MeshDefect {
 /// A face of one tetrahedron only: on the boundary of the domain, or where the mesh is torn.
 struct OuterFace {
   std::array<TetMesh::Index, 3> vertices;  ///< counter-clockwise as seen from outside
-  TetMesh::Index tet;
+  TetMesh::Index tet;                      ///< the one that it belongs to
 };
 
 /// The defects of a mesh: empty if it is fit.

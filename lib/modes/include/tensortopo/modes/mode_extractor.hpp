@@ -15,6 +15,7 @@
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/stability/stability_run.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
 
 namespace tensortopo {
@@ -39,52 +40,59 @@ struct SurfaceRequest {
   bool improve = false;          ///< better angles, the same topology
   bool graph = false;            ///< sheets as graphs where they are, not on the manifold
   double max_error = 0;          ///< proved distance, in the mesh's units; 0 for `resolution` alone
-  bool certify = false;
-  CertificateNames names;
-  ModeProgress progress;
+  std::optional<Uncertainty> uncertainty;  ///< say what is the same for all fields within it
+  bool certify = false;                    ///< make a certificate
+  CertificateNames names;                  ///< what it says of the field
+  ModeProgress progress;                   ///< may be empty
 };
 
 /// The degenerate curves: linear ones, planar ones, or first these and then those.
 struct CurveRequest {
+  /// Which kinds.
   bool linear = true, planar = false;
-  double resolution = 4;
-  bool certify = false;
-  CertificateNames names;
-  ModeProgress progress;
+  double resolution = 4;  ///< samples per radian of turning of the dominant eigenvector, > 0
+  bool certify = false;  ///< make a certificate
+  CertificateNames names;  ///< what it says of the field
+  ModeProgress progress;  ///< may be empty
 };
 
 /// A tetrahedron that an output leaves out.
 struct LeftOut {
-  TetMesh::Index tet = -1;
+  TetMesh::Index tet = -1;  ///< position in the mesh
   std::string reason;  ///< the name that reports use
-  ModeValue mode;
+  ModeValue mode;  ///< of the output that it is missing in
 };
 
 /// One mode's part of an output: its vertices and cells follow those of the part before.
 struct ModePart {
-  ModeValue mode;
-  std::size_t vertices = 0, cells = 0;  ///< cells: triangles, or lines
+  ModeValue mode;  ///< of this part
+  /// How many; cells are triangles, or lines.
+  std::size_t vertices = 0, cells = 0;
   SurfaceInvariants invariants;         ///< of a surface; `component` is left empty
   CurveInvariants curve_invariants;     ///< of curves
   std::optional<double> distance_bound;  ///< of a surface, to the level, both ways, if proved
   std::size_t tets_farther = 0;          ///< tetrahedra without the distance that was asked for
+  std::optional<StabilitySummary> stability;  ///< of a surface of an uncertain field
   std::vector<std::pair<std::string, double>> statistics;  ///< what the extraction counted
 };
 
+/// Surfaces of several modes, as one output.
 struct ModeSurfaces {
-  SurfaceMesh surface;
+  SurfaceMesh surface;  ///< all of them
+  std::vector<CellArray> more;     ///< of an uncertain field: see `StabilityRun::arrays`
   std::vector<ModePart> parts;     ///< one for each mode, in order
   std::vector<LeftOut> unresolved;  ///< by mode, then tetrahedron
   std::string certificate;         ///< the bytes of a file, if asked for
   std::size_t claims = 0;          ///< that it makes
 };
 
+/// Degenerate curves, as one output.
 struct DegenerateCurves {
-  CurveMesh curves;
-  std::vector<ModePart> parts;
-  std::vector<LeftOut> unresolved;
-  std::string certificate;
-  std::size_t claims = 0;
+  CurveMesh curves;  ///< all of them
+  std::vector<ModePart> parts;  ///< linear ones first
+  std::vector<LeftOut> unresolved;  ///< by kind, then tetrahedron
+  std::string certificate;  ///< the bytes of a file, if asked for
+  std::size_t claims = 0;  ///< that it makes
 };
 
 /// Mode surfaces and degenerate curves of one mesh, as one output with its certificate. What the
@@ -103,6 +111,7 @@ class ModeExtractor {
 
   /// Throws std::invalid_argument for requests that make no sense, with the reason.
   ModeSurfaces surfaces(const SurfaceRequest& request) const;
+  /// As `surfaces`.
   DegenerateCurves curves(const CurveRequest& request) const;
 
  private:

@@ -14,6 +14,7 @@
 
 namespace tensortopo {
 
+/// How the surface of an invariant is extracted.
 struct InvariantOptions {
   /// In how many parts each edge of a crossed tetrahedron is cut before it is marched: how finely
   /// the surface is drawn. Its topology does not depend on it. 1 to 256.
@@ -28,17 +29,19 @@ struct InvariantStatistics {
   std::size_t tets_refined = 0;       ///< the level meets a simplex in its interior only
   std::size_t vertices_on_level = 0;  ///< vertices of the mesh whose invariant is exactly that
   std::size_t signs_exact = 0;        ///< answers that took rationals
+  /// Time of each stage, in seconds.
   double seconds_tets = 0, seconds_stitch = 0;
 };
 
+/// The surface of an invariant, and what is known of it.
 struct InvariantExtraction {
-  SurfaceMesh surface;
+  SurfaceMesh surface;  ///< the triangles
   /// Ascending. An anisotropy is undefined for the zero tensor, where its two nappes meet: these
   /// tetrahedra hold that tensor and the level, and are left out.
   std::vector<TetMesh::Index> zero_tensor;
   /// A crossing's vertex and another at the same place, see `SurfaceMesh`; ascending.
   std::vector<std::array<SurfaceMesh::Index, 2>> copies;
-  InvariantStatistics statistics;
+  InvariantStatistics statistics;  ///< what was done
 };
 
 /// The surface {invariant = value} of the piecewise linear field: a quadric in each tetrahedron.

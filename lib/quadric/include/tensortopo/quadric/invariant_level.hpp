@@ -37,12 +37,14 @@ class InvariantLevel {
   /// on the level, which is no surface.
   static InvariantLevel parse(Invariant invariant, std::string_view text);
 
+  /// Which invariant.
   Invariant invariant() const { return invariant_; }
   /// The nearest double.
   double approx() const;
   /// The fraction in lowest terms, "9/10", or a whole number.
   const std::string& text() const { return text_; }
 
+  /// The same invariant and the same value, exactly.
   friend bool operator==(const InvariantLevel&, const InvariantLevel&) = default;
 
  private:

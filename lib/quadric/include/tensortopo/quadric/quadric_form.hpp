@@ -16,10 +16,11 @@ namespace tensortopo {
 /// q(T) = P(T) + tau (tr T)^2 - gamma, and larger values have q > 0. |T| = v and |D| = v have
 /// gamma = 3 v^2, and tau = 1 and 0; |D| = v |T| has gamma = 0, tau = -v^2 / (1 - v^2).
 struct QuadraticLevel {
-  Rational tau;
-  Rational gamma;
+  Rational tau;  ///< exact
+  Rational gamma;  ///< exact
   double value = 0;  ///< nearest to the level's value; gamma is three times its square, or 0
 
+  /// Of any level that `InvariantLevel` takes.
   explicit QuadraticLevel(const InvariantLevel& level);
 };
 
@@ -40,6 +41,7 @@ class QuadricForm {
   /// Error of the form at two places with integer coordinates below 2^16, over the product of their
   /// sizes, which are sums like the places; provided that these are above `kSmallestSize`.
   static constexpr double kError = 64 * std::numeric_limits<double>::epsilon();
+  /// Below this, products of sizes may underflow.
   static constexpr double kSmallestSize = 0x1p-430;
 
  private:

@@ -17,10 +17,14 @@ namespace tensortopo {
 /// intervals have no answer: use `certified_sign`.
 using Interval = CGAL::Interval_nt<true>;
 
+/// Intervals of doubles: see `ScalarTraits`.
 template <>
 struct ScalarTraits<Interval> {
+  /// Arithmetic never rounds.
   static constexpr bool is_exact = false;
+  /// Square roots and elementary functions exist.
   static constexpr bool has_roots = false;
+  /// A value stands for a set that contains the true number.
   static constexpr bool is_enclosure = true;
 };
 

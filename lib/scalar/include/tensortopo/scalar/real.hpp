@@ -21,10 +21,14 @@ using Real = boost::multiprecision::number<
 using Real50 = Real<50>;
 using Real100 = Real<100>;
 
+/// Floating point numbers of MPFR: see `ScalarTraits`.
 template <unsigned Digits>
 struct ScalarTraits<Real<Digits>> {
+  /// Arithmetic never rounds.
   static constexpr bool is_exact = false;
+  /// Square roots and elementary functions exist.
   static constexpr bool has_roots = true;
+  /// A value stands for a set that contains the true number.
   static constexpr bool is_enclosure = false;
 };
 

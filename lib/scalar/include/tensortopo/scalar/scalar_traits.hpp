@@ -10,6 +10,7 @@ namespace tensortopo {
 template <class Scalar>
 struct ScalarTraits;
 
+/// Doubles.
 template <>
 struct ScalarTraits<double> {
   /// Arithmetic never rounds.

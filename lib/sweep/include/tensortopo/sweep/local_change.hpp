@@ -17,6 +17,10 @@ struct SignedLink {
   std::vector<std::array<int, 3>> triangles;  ///< on each the sign is that of a linear function
 };
 
+/// The connected parts of a link with one strict sign, each as its vertices, ascending; in order of
+/// their first vertices.
+std::vector<std::vector<int>> parts_of_sign(const SignedLink& link, Verdict sign);
+
 /// What becomes of the level next to a point as the mode passes the point's.
 enum class LocalChange {
   regular,    ///< nothing: the level only moves
@@ -34,14 +38,15 @@ std::string_view name_of(LocalChange change);
 
 /// The least and the most by which a number grows.
 struct GrowthBounds {
+  /// Both included; negative where it shrinks.
   int least = 0, most = 0;
 };
 
 /// The change, and by how much the level's Euler characteristic grows.
 struct LocalEffect {
-  LocalChange change = LocalChange::undecided;
-  int euler_change = 0;      ///< unless undecided
-  bool on_boundary = false;  ///< of the mesh
+  LocalChange change = LocalChange::undecided;  ///< what happens
+  int euler_change = 0;                         ///< unless undecided
+  bool on_boundary = false;                     ///< of the mesh
   /// What a link can tell of all of the level: its pieces next to the point, b before and a
   /// after, may or may not hang together elsewhere. So the number of components grows by
   /// min(1, a) - b at least and a - min(1, b) at most, and that of boundary loops in the same way

@@ -6,20 +6,33 @@
 #include <cstddef>
 #include <vector>
 
-#include "tensortopo/sweep/local_change.hpp"
+#include "tensortopo/field/deviator_box.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/sweep/local_change.hpp"
 
 namespace tensortopo {
 
 /// A point of a mesh at whose mode the topology of the mode surfaces changes, or may do.
 struct MeshCriticalPoint {
-  double low = -1, high = 1;               ///< the mode there is within
+  /// The mode there is within.
+  double low = -1, high = 1;
   std::array<TetMesh::Index, 4> vertices;  ///< of the simplex that it is inside of; -1 fills up
   int dimension = 0;                       ///< of that simplex
   Vector3<double> point{};                 ///< about where
-  LocalEffect effect;
+  std::array<double, 4> weights{};         ///< the same, of `vertices`, with sum 1
+  bool is_certain = false;                 ///< see `CriticalPoint`, as of the next two
+  DeviatorBox deviator;                    ///< there
+  int index = 0;                           ///< see `CriticalPoint`
+  /// Where the mode goes from there. The first vertices of the link are those of the mesh that
+  /// `around` lists. On an edge two more stand for its two ends; on a face four, in turn, for
+  /// directions of rise and fall in it; in a tetrahedron there are six for three pairs of opposite
+  /// directions.
+  SignedLink link;
+  std::vector<TetMesh::Index> around;  ///< neighbours, as `link` numbers them
+  LocalEffect effect;                  ///< what happens to the level
 };
 
+/// All modes at which the topology may change.
 struct MeshCriticalValues {
   /// Those that are not proved to be regular, by `low`.
   std::vector<MeshCriticalPoint> points;

@@ -17,18 +17,19 @@ namespace tensortopo {
 
 /// The mode surface of one mode, extracted.
 struct SweepLevel {
-  ModeValue mode;
-  std::size_t components = 0;
-  long euler_characteristic = 0;
-  long boundary_loops = 0;
-  double area = 0;
+  ModeValue mode;                 ///< exact
+  std::size_t components = 0;     ///< connected by edges
+  long euler_characteristic = 0;  ///< of all components
+  long boundary_loops = 0;        ///< of all components
+  double area = 0;                ///< in units of the mesh, squared
   /// Tetrahedra without a proof; the rest does not tell the topology then.
   std::size_t unresolved = 0;
 };
 
-/// A critical value, or several too close to each other for doubles to tell apart.
+/// A critical value, or several that doubles do not separate.
 struct SweepEvent {
-  double low = 0, high = 0;               ///< all of them are within
+  /// All of them are within.
+  double low = 0, high = 0;
   std::vector<MeshCriticalPoint> points;  ///< at least one
   /// By how much the level's Euler characteristic grows, if known of each point.
   std::optional<long> euler_change() const;
@@ -39,6 +40,7 @@ struct SweepEvent {
 
 /// The modes between two events, and with what topology: the same for all of them.
 struct SweepInterval {
+  /// The modes in between.
   double low = 0, high = 0;
   /// From the levels extracted and the events between; nothing if these don't tell.
   std::optional<long> euler_characteristic;
@@ -61,8 +63,10 @@ struct Sweep {
 /// So many intervals are looked at in any case.
 inline constexpr std::size_t kWidestIntervals = 5;
 
+/// Which modes, and how many levels are extracted.
 struct SweepOptions {
-  ModeValue from, to;       ///< from < to
+  /// The ends, from < to.
+  ModeValue from, to;
   std::size_t samples = 2;  ///< evenly spaced, the ends included (but not -1 and 1); at least 2
   /// A level is extracted in each interval if there are no more of them than this, else in the
   /// `kWidestIntervals` widest; then components and loops are known there and at the samples only,

@@ -12,17 +12,22 @@ namespace tensortopo {
 /// rounding each in floating point, and blind to the trace, which plays no part in the mode.
 template <class Scalar>
 struct Deviator {
+  /// xx - yy, yy - zz, and the components off the diagonal.
   Scalar a{}, b{}, xy{}, yz{}, xz{};
 
+  /// Component by component.
   friend constexpr Deviator operator+(const Deviator& s, const Deviator& t) {
     return {s.a + t.a, s.b + t.b, s.xy + t.xy, s.yz + t.yz, s.xz + t.xz};
   }
+  /// Component by component.
   friend constexpr Deviator operator-(const Deviator& s, const Deviator& t) {
     return {s.a - t.a, s.b - t.b, s.xy - t.xy, s.yz - t.yz, s.xz - t.xz};
   }
+  /// Component by component.
   friend constexpr Deviator operator*(const Scalar& k, const Deviator& t) {
     return {k * t.a, k * t.b, k * t.xy, k * t.yz, k * t.xz};
   }
+  /// Component by component.
   friend bool operator==(const Deviator&, const Deviator&) = default;
 };
 

@@ -12,8 +12,8 @@ namespace tensortopo {
 /// eigenvectors.
 template <RealScalar Scalar>
 struct Eigensystem {
-  std::array<Scalar, 3> values{};
-  std::array<Vector3<Scalar>, 3> vectors{};
+  std::array<Scalar, 3> values{};            ///< the largest one first
+  std::array<Vector3<Scalar>, 3> vectors{};  ///< of unit length, sign arbitrary
 };
 
 /// Eigensystem of a symmetric tensor by Jacobi rotations.

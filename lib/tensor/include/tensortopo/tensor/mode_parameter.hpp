@@ -42,6 +42,7 @@ class ModeValue {
   /// Decimal digits of a positive number.
   const std::string& denominator() const { return denominator_; }
 
+  /// The same fraction.
   friend bool operator==(const ModeValue&, const ModeValue&) = default;
 
  private:
@@ -65,10 +66,13 @@ template <RealScalar Scalar>
 struct ModeParameter {
   /// The mode, with its sign.
   Scalar mu{};
+  /// Its magnitude.
   Scalar abs_mu{};
+  /// mu^2.
   Scalar mu_squared{};
   /// sin(theta) of |mu|, in [0, 1].
   Scalar s{};
+  /// S^2..
   Scalar s_squared{};
   /// 1 - s.
   Scalar one_minus_s{};

@@ -10,17 +10,22 @@ namespace tensortopo {
 /// components; shears carry no factor 2).
 template <class Scalar>
 struct SymmetricTensor {
+  /// The components; those off the diagonal without a factor 2.
   Scalar xx{}, yy{}, zz{}, xy{}, yz{}, xz{};
 
+  /// Component by component.
   friend constexpr SymmetricTensor operator+(const SymmetricTensor& s, const SymmetricTensor& t) {
     return {s.xx + t.xx, s.yy + t.yy, s.zz + t.zz, s.xy + t.xy, s.yz + t.yz, s.xz + t.xz};
   }
+  /// Component by component.
   friend constexpr SymmetricTensor operator-(const SymmetricTensor& s, const SymmetricTensor& t) {
     return {s.xx - t.xx, s.yy - t.yy, s.zz - t.zz, s.xy - t.xy, s.yz - t.yz, s.xz - t.xz};
   }
+  /// Component by component.
   friend constexpr SymmetricTensor operator*(const Scalar& k, const SymmetricTensor& t) {
     return {k * t.xx, k * t.yy, k * t.zz, k * t.xy, k * t.yz, k * t.xz};
   }
+  /// Component by component.
   friend bool operator==(const SymmetricTensor&, const SymmetricTensor&) = default;
 
   /// The tensor applied to a vector.

@@ -13,22 +13,29 @@ namespace tensortopo {
 /// want nothing but + - *, and a client that includes this file should not pay for more.)
 template <class Scalar>
 struct Vector3 {
+  /// The coordinates.
   Scalar x{}, y{}, z{};
 
+  /// Component by component.
   constexpr Vector3& operator+=(const Vector3& v) {
     x = x + v.x, y = y + v.y, z = z + v.z;
     return *this;
   }
+  /// Component by component.
   friend constexpr Vector3 operator+(const Vector3& u, const Vector3& v) {
     return {u.x + v.x, u.y + v.y, u.z + v.z};
   }
+  /// Component by component.
   friend constexpr Vector3 operator-(const Vector3& u, const Vector3& v) {
     return {u.x - v.x, u.y - v.y, u.z - v.z};
   }
+  /// The opposite.
   friend constexpr Vector3 operator-(const Vector3& v) { return {-v.x, -v.y, -v.z}; }
+  /// Component by component.
   friend constexpr Vector3 operator*(const Scalar& k, const Vector3& v) {
     return {k * v.x, k * v.y, k * v.z};
   }
+  /// Component by component.
   friend bool operator==(const Vector3&, const Vector3&) = default;
 };
 

@@ -18,9 +18,10 @@ enum class Degeneracy {
   planar,  ///< mode -1: the two larger ones
 };
 
+/// A tetrahedron whose degenerate curves are not known.
 struct UnresolvedCurve {
-  TetMesh::Index tet;
-  CurveObstacle obstacle;
+  TetMesh::Index tet;      ///< position in the mesh
+  CurveObstacle obstacle;  ///< why
 };
 
 /// What the extraction did, for reports.
@@ -31,16 +32,18 @@ struct CurveStatistics {
   std::size_t faces = 0;        ///< counted without screening
   std::size_t faces_exact = 0;  ///< of these, left to more digits
   std::size_t face_points = 0;  ///< found on them
+  /// Time of each stage, in seconds.
   double seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;
 };
 
+/// The degenerate curves of a field, and what is known of them.
 struct CurveExtraction {
-  CurveMesh curves;
+  CurveMesh curves;                         ///< the polylines
   std::vector<UnresolvedCurve> unresolved;  ///< by tetrahedron
   /// Other tetrahedra in which a curve may be in special position, settled in rationals, with what
   /// is special; by tetrahedron.
   std::vector<UnresolvedCurve> special;
-  CurveStatistics statistics;
+  CurveStatistics statistics;  ///< what was done
 };
 
 /// The curves of linear (or planar) degenerate points of the piecewise linear field.
@@ -66,7 +69,8 @@ struct CurveExtraction {
 ///
 /// Sampling is by the turning of the dominant eigenvector.
 /// Requires  a valid mesh (see `validate`).
-/// The result does not depend on the number of threads.
+/// The result does not depend on the number of threads, nor (but for the numbers that it names) on
+/// how the mesh is numbered.
 CurveExtraction extract_degenerate_curves(const TetMesh& mesh, Degeneracy kind,
                                           const ExtractOptions& options = {});
 

@@ -14,7 +14,7 @@ namespace tensortopo {
 /// two to P in [3, 12), and the sides of its vertices.
 template <class Scalar, std::size_t Vertices>
 struct LevelSimplex {
-  std::array<Deviator<Scalar>, Vertices> tensors;
+  std::array<Deviator<Scalar>, Vertices> tensors;  ///< at its vertices
   std::array<bool, Vertices> above;  ///< mode > mu at the vertex (a vertex on the level is below)
   std::array<const SymmetricTensor<double>*, Vertices> exact;  ///< the input's tensors
   std::array<int, Vertices> exponents;  ///< tensors[i] = deviator of exact[i] * 2^exponents[i]

@@ -16,10 +16,11 @@ namespace tensortopo {
 /// of degree six away from overflow whatever the magnitudes are.
 template <class Scalar>
 struct ScaledField {
+  /// Takes the deviators of a valid mesh, which is kept by reference.
   explicit ScaledField(const TetMesh& mesh);
 
-  const TetMesh* mesh;
-  std::vector<Deviator<Scalar>> tensors;
+  const TetMesh* mesh;                    ///< the mesh that it was made of
+  std::vector<Deviator<Scalar>> tensors;  ///< one for each vertex, scaled
   std::vector<int> exponents;  ///< tensors[i] = 2^exponents[i] * deviator of mesh->tensors[i]
   std::vector<char> is_zero;   ///< the deviator vanishes, exactly; no mode there
 

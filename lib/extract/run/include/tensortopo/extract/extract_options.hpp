@@ -12,6 +12,7 @@ namespace tensortopo {
 struct Sampling {
   /// Samples per unit (radian) of turning of the medium eigenvector.
   double resolution = 4;
+  /// The largest turning between neighbouring samples, in radians.
   double largest_turn() const { return 1 / resolution; }
 };
 
@@ -21,15 +22,21 @@ enum class MeshingMethod {
   graph,     ///< where the level is a graph in the tetrahedron as one, else on the manifold
 };
 
+/// How a mode surface is extracted. No option changes its topology.
 struct ExtractOptions {
-  Sampling sampling;
-  MeshingMethod meshing = MeshingMethod::manifold;
+  Sampling sampling;                                ///< how densely
+  MeshingMethod meshing = MeshingMethod::manifold;  ///< how large sheets are meshed
   /// For each tetrahedron of the mesh by how much denser its samples are than `sampling` says; a
   /// face has the denser ones of its two. Empty for 1 everywhere.
   std::vector<float> density;
   /// Keep the samples of face curves that meshing on the manifold needed, but that make needles of
   /// the triangles beside them and that the level can do without. They are dropped otherwise.
   bool keep_samples = false;
+  /// Give triangles that intersect another of their tetrahedron, or are at 90 degrees or more to the
+  /// gradient of the mode at their centroid, other diagonals, vertices and samples until there are
+  /// none, decided exactly for the coordinates that are written. Tetrahedra where some are left are
+  /// listed in `Extraction::not_embedded`; nothing is looked at, or listed, without this.
+  bool embedded = true;
   bool keep_topology = false;  ///< fill `Extraction::topology`
   /// Called now and then, from one thread at a time, with the stage and how much of it is done.
   std::function<void(std::string_view stage, double fraction)> progress;

@@ -15,9 +15,10 @@
 
 namespace tensortopo {
 
+/// A tetrahedron that no proof covers, and that is left out.
 struct UnresolvedCell {
-  TetMesh::Index tet;
-  UnresolvedReason reason;
+  TetMesh::Index tet;       ///< position in the mesh
+  UnresolvedReason reason;  ///< why
 };
 
 /// What the extraction did, for reports.
@@ -33,22 +34,27 @@ struct ExtractStatistics {
   std::size_t sheets_graph = 0;       ///< meshed as graphs
   std::size_t sheets_manifold = 0;    ///< meshed on the medium eigenvector manifold
   std::size_t sheets_dominant = 0;    ///< meshed by their dominant eigenvectors
-  std::size_t sheets_leaves = 0;      ///< meshed from the proof's subdivision
-  std::size_t sheets_rims =
+  std::size_t sheets_subdivision = 0;  ///< meshed from the proof's subdivision
+  std::size_t sheets_loops =
       0;  ///< meshed between their boundary loops, as nothing else was possible
   std::size_t sheets_cones = 0;       ///< straight lines from vertices isotropic
   std::size_t tets_nearby = 0;        ///< meshed at a level next to mu, which stands for mu + 0
   std::size_t vertices_on_level = 0;  ///< vertices whose mode is exactly mu (counted as below)
   std::size_t zero_deviator_vertices = 0;  ///< of tetrahedra: vertices isotropic, or mode
   std::size_t cone_points = 0;             ///< vertices of the surface there, one for each fan
+  /// Time of each stage, in seconds.
   double seconds_edges = 0, seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;
 };
 
+/// An extracted surface, and what is known of it.
 struct Extraction {
-  SurfaceMesh surface;
-  std::vector<UnresolvedCell> unresolved;
-  LevelTopology topology;  ///< if asked for
-  ExtractStatistics statistics;
+  SurfaceMesh surface;                     ///< the triangles
+  std::vector<UnresolvedCell> unresolved;  ///< what is left out, ascending
+  /// Tetrahedra whose triangles have the proved topology, but intersect each other or are at 90
+  /// degrees to the gradient of the mode or more.
+  std::vector<TetMesh::Index> not_embedded;
+  LevelTopology topology;                  ///< if asked for
+  ExtractStatistics statistics;            ///< what was done
 };
 
 /// The mode surface {mode = mu} of the piecewise linear field, |mu| < 1: for mu = 0 the neutral
@@ -74,7 +80,9 @@ struct Extraction {
 /// the boundary of the mesh or of what is unresolved.
 ///
 /// @pre the mesh is valid (see `validate`); mu is not +-1 (throws std::invalid_argument)
-/// The result does not depend on the number of threads.
+/// The result does not depend on the number of threads. But for the numbers of the mesh's vertices
+/// and tetrahedra that it names, it does not depend on these, nor on the order of corners: vertices
+/// and triangles are in the canonical order (see `CanonicalMesh`) of the simplices that hold them.
 template <class Scalar>
 Extraction extract_mode_surface(const TetMesh& mesh, const ModeValue& mu,
                                 const ExtractOptions& options = {});

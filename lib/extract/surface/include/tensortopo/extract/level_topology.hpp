@@ -17,15 +17,20 @@ struct LevelTopology {
   using Index = TetMesh::Index;       ///< of the mesh
   using Vertex = SurfaceMesh::Index;  ///< of the surface
 
+  /// A crossing of an edge.
   struct Crossing {
-    double weight = 0;    ///< of the second vertex among the scaled tensors, see `ScaledField`
+    /// Of the two vertices among the scaled tensors, see `ScaledField`; the sum is 1 but for
+    /// rounding.
+    std::array<double, 2> weights{};
     bool rising = false;  ///< the mode passes mu upwards from the first vertex to the second
-    Vertex vertex = -1;
+    Vertex vertex = -1;   ///< of the surface
   };
+  /// An edge with its crossings.
   struct Edge {
     std::array<Index, 2> vertices{};  ///< ascending
     std::vector<Crossing> crossings;  ///< in order from the first vertex
   };
+  /// A face with its curves.
   struct Face {
     std::array<Index, 3> vertices{};          ///< ascending
     std::vector<std::array<Vertex, 2>> arcs;  ///< between crossings, ascending
@@ -34,26 +39,30 @@ struct LevelTopology {
   /// An arc of a sheet's boundary: from a crossing, in the face opposite a vertex of the
   /// tetrahedron, to the next one's crossing. A closed curve is one arc, from its smallest vertex.
   struct BoundaryArc {
-    Vertex from = -1;
+    Vertex from = -1;     ///< the crossing where it begins
     Index opposite = -1;  ///< a vertex of the mesh
+    /// By vertex, then by face.
     auto operator<=>(const BoundaryArc&) const = default;
   };
+  /// A connected part of the level in a tetrahedron.
   struct Sheet {
-    int euler_characteristic = 0;
+    int euler_characteristic = 0;  ///< of the sheet with its boundary
     /// Directed as the triangles' boundary; each from its smallest vertex; in order of those.
     std::vector<std::vector<BoundaryArc>> loops;
   };
+  /// A tetrahedron with its sheets.
   struct Tet {
-    Index tet = -1;  ///< position in the mesh
-    std::vector<Sheet> sheets;
+    Index tet = -1;             ///< position in the mesh
+    std::vector<Sheet> sheets;  ///< all that it has
   };
   /// A sheet of a tetrahedron with vertices isotropic, a disc, in the order of its
   /// triangles' boundary. With one such vertex it is the cone over an arc of the opposite face,
   /// {from, to, tip}, or over a closed curve of it, {smallest vertex, tip}; with two the join of
   /// them with a crossing of the opposite edge, {crossing, tip, halfway, other tip}.
   using ConeSheet = std::vector<Vertex>;
+  /// A tetrahedron with isotropic vertices, and its sheets.
   struct Cone {
-    Index tet = -1;
+    Index tet = -1;                 ///< position in the mesh
     std::vector<ConeSheet> sheets;  ///< ascending
   };
 

@@ -39,14 +39,16 @@ std::string_view name_of(CurveObstacle obstacle);
 /// Each vertex has a power of its own, which brings the deviator to the order of one; the weights
 /// below refer to these. That moves no point and no sign.
 struct ScaledTensor {
-  SymmetricTensor<double> tensor{};
-  int exponent = 0;
+  SymmetricTensor<double> tensor{};  ///< with the exponent, exactly the deviator of the input
+  int exponent = 0;                  ///< of a power of two
 };
 
 /// Directions centre + u first + v second with (u, v) in a box: a neighbourhood in the projective
 /// plane. The vectors are taken as exact numbers; they are orthonormal up to rounding.
 struct DirectionBox {
+  /// Orthonormal up to rounding.
   Vector3<double> centre{}, first{}, second{};
+  /// Bounds of u and v.
   std::array<double, 2> low{}, high{};
 };
 
@@ -62,8 +64,8 @@ struct FacePoint {
 
 /// The degenerate points of the field in a triangle, or why they are not known.
 struct FacePoints {
-  std::vector<FacePoint> points;
-  std::optional<CurveObstacle> obstacle;
+  std::vector<FacePoint> points;          ///< all that are proved to be there
+  std::optional<CurveObstacle> obstacle;  ///< why some may be missing
   /// Whether linear or planar points may be missing for that; those of the other kind are all
   /// there.
   bool concerns_linear = false, concerns_planar = false;

@@ -3,23 +3,27 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
 #include "tensortopo/extract/scaled_field.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
 
 namespace tensortopo {
 
 /// What the extractions of several modes from one mesh have in common, computed once.
 template <class Scalar>
 struct PreparedField {
+  /// Whether what a further mode needs is kept.
   enum class Use { one_mode, several_modes };
 
-  /// @param mesh  valid (see `validate`); kept by reference
+  /// @param mesh  valid (see `validate`); not read afterwards
   explicit PreparedField(const TetMesh& mesh, Use use = Use::several_modes);
 
-  const TetMesh* mesh;
-  ScaledField<Scalar> field;
+  /// The mesh, in the order in which all is computed; the arrays below have its numbers.
+  std::shared_ptr<const CanonicalMesh> canonical;
+  ScaledField<Scalar> field;  ///< its deviators, scaled
   // One per vertex.
   /// Scaled as in `field`, rounded. If that is in double already, it is not kept twice.
   const std::vector<Deviator<double>>& tensors() const {

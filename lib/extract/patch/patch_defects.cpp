@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "extract/patch/patch_defects.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "extract/level/level.hpp"
+#include "extract/level/position.hpp"
+#include "extract/run/extractor_scalars.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+/// Cosine of normal and gradient, and the same with the sides of the triangle for its area: beyond
+/// what rounding does to a normal and to a gradient.
+constexpr double kLeastCosine = 0x1p-10, kLeastShare = 0x1p-30;
+
+/// Squared, of the longest side of a triangle.
+constexpr double kLongSide = 0.1;
+
+std::array<Vector3<double>, 4> times(double factor, std::array<Vector3<double>, 4> points) {
+  for (auto& p : points) p = factor * p;
+  return points;
+}
+
+}  // namespace
+
+template <class Scalar>
+PlacedPatch placed_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& meshed,
+                         const std::function<Vector3<double>(std::int32_t)>& boundary) {
+  PlacedPatch patch;
+  patch.ids.reserve(3 * meshed.triangles.size());
+  for (const auto& t : meshed.triangles) patch.ids.insert(patch.ids.end(), t.begin(), t.end());
+  std::sort(patch.ids.begin(), patch.ids.end());
+  patch.ids.erase(std::unique(patch.ids.begin(), patch.ids.end()), patch.ids.end());
+  patch.points.reserve(patch.ids.size());
+  for (const auto id : patch.ids)
+    patch.points.push_back(
+        id >= 0 ? boundary(id)
+                : position_at(meshed.inner[static_cast<std::size_t>(-1 - id)].weights,
+                              tet.simplex.exponents, tet.points));
+  const auto place = [&](std::int32_t id) {
+    return static_cast<std::uint32_t>(std::lower_bound(patch.ids.begin(), patch.ids.end(), id) -
+                                      patch.ids.begin());
+  };
+  patch.triangles.reserve(meshed.triangles.size());
+  for (const auto& t : meshed.triangles)
+    patch.triangles.push_back({place(t[0]), place(t[1]), place(t[2])});
+  return patch;
+}
+
+UpwardTest::UpwardTest(const std::array<Vector3<double>, 4>& points,
+                       const std::array<int, 4>& exponents,
+                       const std::array<Deviator<double>, 4>& tensors)
+    : unit_(unit_of(points)), geometry_(times(unit_, points), exponents), tensors_(tensors) {}
+
+bool UpwardTest::is_upward(const Vector3<double>& a, const Vector3<double>& b,
+                           const Vector3<double>& c) const {
+  const auto p = unit_ * a, q = unit_ * b, r = unit_ * c;
+  const auto side = q - p, other = r - p;
+  const auto n = cross(side, other);
+  if (n == Vector3<double>{0, 0, 0}) return true;  // samples fell together, or nearly
+  const auto tensor = geometry_.balanced_tensor((1.0 / 3) * (p + q + r), tensors_);
+  // The gradient of the mode is that of the level function of the mode that is here.
+  const double norm = norm_form(tensor);
+  Level<double> level;
+  level.sqrt2 = std::sqrt(2.0);
+  level.mu = level.sqrt2 * determinant_form(tensor) / (norm * std::sqrt(norm));
+  const auto g = geometry_.gradient(level_slope(tensor, level).slope, tensors_);
+  return dot(n, g) >
+         (kLeastCosine * length(n) + kLeastShare * length(side) * length(other)) * length(g);
+}
+
+PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test) {
+  PatchDefects defects;
+  for (std::uint32_t i = 0; i < patch.triangles.size(); ++i) {
+    const auto& t = patch.triangles[i];
+    if (!test.is_upward(patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]))
+      defects.against.push_back(i);
+  }
+  if (patch.triangles.size() > 1)
+    defects.intersecting = intersecting_pairs(patch.points, patch.triangles);
+  return defects;
+}
+
+template <class Scalar>
+std::vector<SampleRequest<Scalar>> samples_beside(const PatchDefects& defects,
+                                                  const PlacedPatch& patch,
+                                                  const TetWithCurves<Scalar>& tet,
+                                                  const FaceArcVertices& vertices) {
+  std::vector<std::array<std::int32_t, 2>> sides;
+  const auto add = [&](std::uint32_t triangle) {
+    const auto& t = patch.triangles[triangle];
+    std::array<double, 3> squared;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto d = patch.points[t[(i + 1) % 3]] - patch.points[t[i]];
+      squared[i] = dot(d, d);
+    }
+    const double longest = *std::max_element(squared.begin(), squared.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto a = patch.ids[t[i]], b = patch.ids[t[(i + 1) % 3]];
+      if (a >= 0 && b >= 0 && squared[i] > kLongSide * longest)
+        sides.push_back({std::min(a, b), std::max(a, b)});
+    }
+  };
+  for (const auto i : defects.against) add(i);
+  for (const auto& pair : defects.intersecting) add(pair[0]), add(pair[1]);
+  std::sort(sides.begin(), sides.end());
+  std::vector<SampleRequest<Scalar>> requests;
+  for (std::size_t f = 0; f < 4; ++f)
+    for (std::size_t a = 0; a < vertices[f].size(); ++a) {
+      const auto& arc = tet.arcs[f][a];
+      const auto& list = vertices[f][a];
+      const std::size_t n = list.vertices.size();
+      const double turn = static_cast<double>(arc.pieces.size());
+      for (std::size_t i = 0; i + (arc.closed ? 0 : 1) < n; ++i) {
+        const auto [low, high] = std::minmax(list.vertices[i].id, list.vertices[(i + 1) % n].id);
+        if (!std::binary_search(sides.begin(), sides.end(), std::array{low, high})) continue;
+        const double to = i + 1 < n ? list.places[i + 1] : list.places[0] + turn;
+        const double middle = list.places[i] + (to - list.places[i]) / 2;
+        requests.push_back({static_cast<int>(f), static_cast<int>(a),
+                            Scalar(arc.closed && middle >= turn ? middle - turn : middle), false});
+      }
+    }
+  return requests;
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                    \
+  template std::vector<SampleRequest<Scalar>> samples_beside(                             \
+      const PatchDefects&, const PlacedPatch&, const TetWithCurves<Scalar>&,              \
+      const FaceArcVertices&);                                                            \
+  template PlacedPatch placed_patch(const TetWithCurves<Scalar>&, const Patch<Scalar>&,   \
+                                    const std::function<Vector3<double>(std::int32_t)>&);
+TENSORTOPO_FOR_EACH_PRECISION(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

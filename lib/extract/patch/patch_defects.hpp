@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "extract/level/tet_geometry.hpp"
+#include "extract/patch/patch.hpp"
+#include "extract/patch/patch_intersections.hpp"
+
+namespace tensortopo {
+
+/// The triangles of one cell with the places of their vertices, as they are written.
+struct PlacedPatch {
+  std::vector<std::int32_t> ids;  ///< of the vertices, as in `Patch`, ascending
+  std::vector<Vector3<double>> points;
+  std::vector<PatchTriangle> triangles;  ///< in the order of `Patch`
+};
+
+/// @param boundary the place of a vertex of a boundary loop, by its id
+template <class Scalar>
+PlacedPatch placed_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& meshed,
+                         const std::function<Vector3<double>(std::int32_t)>& boundary);
+
+/// Whether triangles face larger modes.
+class UpwardTest {
+ public:
+  template <class Scalar>
+  explicit UpwardTest(const TetWithCurves<Scalar>& tet)
+      : UpwardTest(tet.points, tet.simplex.exponents, rounded(tet.simplex.tensors)) {}
+  /// @param exponents of the scaled tensors, see `ScaledField`
+  UpwardTest(const std::array<Vector3<double>, 4>& points, const std::array<int, 4>& exponents,
+             const std::array<Deviator<double>, 4>& tensors);
+
+  /// Whether the normal of the triangle, counter-clockwise, and the gradient of the mode at its
+  /// centroid are less than 90 degrees apart, and rounding cannot have changed that.
+  bool is_upward(const Vector3<double>& a, const Vector3<double>& b,
+                 const Vector3<double>& c) const;
+
+ private:
+  double unit_;
+  TetGeometry geometry_;
+  std::array<Deviator<double>, 4> tensors_;
+};
+
+/// What keeps triangles of a cell from being a surface that lies like the level.
+struct PatchDefects {
+  std::vector<std::uint32_t> against;  ///< triangles at 90 degrees to the gradient or more
+  std::vector<std::array<std::uint32_t, 2>> intersecting;  ///< see `intersecting_pairs`
+
+  bool any() const { return !against.empty() || !intersecting.empty(); }
+};
+
+PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test);
+
+/// A request for the middle of each step along the tetrahedron's boundary loops that is a long side
+/// of a triangle with defects.
+template <class Scalar>
+std::vector<SampleRequest<Scalar>> samples_beside(const PatchDefects& defects,
+                                                  const PlacedPatch& patch,
+                                                  const TetWithCurves<Scalar>& tet,
+                                                  const FaceArcVertices& vertices);
+
+}  // namespace tensortopo

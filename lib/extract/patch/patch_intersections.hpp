@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tensortopo/tensor/vector3.hpp"
+
+namespace tensortopo {
+
+/// Triangles between places in a list of points.
+using PatchTriangle = std::array<std::uint32_t, 3>;
+
+/// Pairs of triangles with a point in common beyond the vertices and the edge that they share,
+/// decided exactly on the coordinates as they are. Points at one place count as one vertex.
+/// Triangles without area are left out.
+std::vector<std::array<std::uint32_t, 2>> intersecting_pairs(
+    std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles);
+
+/// Whether some of the first triangles and one of the others are such a pair, or two of the first.
+bool intersects_any(std::span<const Vector3<double>> points, std::span<const PatchTriangle> first,
+                    std::span<const PatchTriangle> others);
+
+/// Whether all triangles have an area, and any two meet in the vertices and the edge that they share
+/// only, exactly. Here points at one place are different vertices.
+bool are_embedded(std::span<const Vector3<double>> points,
+                  std::span<const PatchTriangle> triangles);
+
+}  // namespace tensortopo

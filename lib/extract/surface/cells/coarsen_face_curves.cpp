@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "extract/surface/cells/coarsen_face_curves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "extract/patch/quality/cell_patch.hpp"
+#include "extract/patch/quality/cell_thinning.hpp"
+#include "extract/patch/quality/least_sine.hpp"
+#include "extract/run/extractor_scalars.hpp"
+#include "extract/run/parallel_stage.hpp"
+#include "extract/surface/boundary/trace_faces.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Index = TetMesh::Index;
+
+/// How far the level may be from where a sample was taken out, in longest edges of the tetrahedron.
+/// On the bundled fields the mean distance from the level grows by one hundredth, or less.
+double flatness(const Sampling& sampling) {
+  return 1 / (16 * sampling.resolution * sampling.resolution);
+}
+
+/// By how much triangles may turn away from the level there: a thin tube keeps its corners.
+double least_cosine(const Sampling& sampling) {
+  return std::cos(std::min(3 / sampling.resolution, 0.75));
+}
+
+/// Which samples go is decided by each face from what its two tetrahedra say, and what a
+/// tetrahedron says depends on itself and its neighbours only: on what is at most three faces away
+/// from a tetrahedron, unless a neighbour refuses what was decided.
+template <class Scalar>
+class FaceCurveCoarsening {
+ public:
+  FaceCurveCoarsening(const SurfaceInput<Scalar>& input, const VertexSides& sides,
+                      const TetComplex& cells, std::span<const CellProof<Scalar>> proofs,
+                      CellMeshes<Scalar>& meshes)
+      : input_(input),
+        sides_(sides),
+        cells_(cells),
+        proofs_(proofs),
+        meshes_(meshes),
+        level_(make_level<double>(input.level.value)),
+        states_(meshes.cells.size()),
+        is_going_(meshes.vertices.position.size(), 0),
+        is_staying_(is_going_.size(), 0) {}
+
+  void run() {
+    const auto cells = cells_with_needles_around();
+    for_each_of(cells, [&](std::size_t t) { look(t); });
+    for_each_of(cells, [&](std::size_t t) { propose(t); });
+    std::vector<std::size_t> changing = cells;
+    while (!changing.empty()) {
+      for (const auto t : changing)
+        for (const Index f : cells_.tet_faces[t]) decide(as_size(f));
+      for_each_of(changing, [&](std::size_t t) { carry_out(t); });
+      changing = cells_of_refused(changing);
+    }
+    for_each_of(cells, [&](std::size_t t) {
+      meshes_.cells[t].patch.triangles = states_[t]->patch->triangles();
+    });
+  }
+
+ private:
+  /// A tetrahedron whose samples may go.
+  struct State {
+    std::vector<CurveChain> chains;
+    std::unique_ptr<CellPatch> patch;
+    std::vector<CellPatch::Id> at_needles;
+    ThinningProposal proposal;
+    std::vector<CellPatch::Id> taken_out;  ///< of `patch`
+    std::vector<CellPatch::Id> refused;
+  };
+
+  template <class Body>
+  void for_each_of(const std::vector<std::size_t>& cells, const Body& body) {
+    parallel_stage(input_.options, "tetrahedra", cells.size(), 64,
+                   [&](std::size_t i) { body(cells[i]); });
+  }
+
+  /// Whether a tetrahedron may have a needle.
+  bool may_have_needle(std::size_t t) const {
+    std::array<Vector3<double>, 4> points;
+    for (std::size_t i = 0; i < 4; ++i)
+      points[i] = input_.mesh.points[as_size(input_.vertices_of(cells_, t)[i])];
+    const double unit = unit_of(points);
+    const auto& triangles = meshes_.cells[t].patch.triangles;
+    return std::any_of(triangles.begin(), triangles.end(), [&](const auto& triangle) {
+      if (std::any_of(triangle.begin(), triangle.end(), [](Index v) { return v < 0; }))
+        return true;  // not known yet
+      const auto at = [&](std::size_t i) {
+        return unit * meshes_.vertices.position[as_size(triangle[i])];
+      };
+      const auto p = at(0), q = at(1), r = at(2);
+      const auto n = cross(q - p, r - p);
+      return !(least_sine(p, q, r, length(n)) > kSineOfNeedle);
+    });
+  }
+
+  bool may_change(std::size_t t) const {
+    const auto& mesh = meshes_.cells[t];
+    return !mesh.unresolved && mesh.mesher != Mesher::cone && proofs_[t].level == nullptr;
+  }
+
+  /// Whether samples of a face may go; for that both its tetrahedra may change.
+  bool may_change_on(std::size_t f) const {
+    const auto arcs = meshes_.boundary.arcs[f];
+    if (meshes_.boundary.moved[f] ||
+        std::all_of(arcs.begin(), arcs.end(), [](const auto& arc) { return arc.samples.empty(); }))
+      return false;
+    const auto& tets = cells_.face_tets[f];
+    return std::all_of(tets.begin(), tets.end(),
+                       [&](Index t) { return t < 0 || may_change(as_size(t)); });
+  }
+
+  /// The tetrahedra that have needles, and their neighbours across faces with samples.
+  std::vector<std::size_t> cells_with_needles_around() {
+    const std::size_t count = meshes_.cells.size();
+    std::vector<char> has_needle(count, 0), is_around(count, 0);
+    parallel_stage(input_.options, "tetrahedra", count, 256,
+                   [&](std::size_t t) { has_needle[t] = may_have_needle(t); });
+    may_change_on_.assign(cells_.faces.size(), 0);
+    for (std::size_t f = 0; f < cells_.faces.size(); ++f) {
+      may_change_on_[f] = may_change_on(f);
+      if (!may_change_on_[f]) continue;
+      const auto [t, u] = cells_.face_tets[f];
+      if (!has_needle[as_size(t)] && (u < 0 || !has_needle[as_size(u)])) continue;
+      is_around[as_size(t)] = 1;
+      if (u >= 0) is_around[as_size(u)] = 1;
+    }
+    std::vector<std::size_t> cells;
+    for (std::size_t t = 0; t < count; ++t)
+      if (is_around[t]) cells.push_back(t);
+    return cells;
+  }
+
+  void add_chains(std::size_t f, std::vector<CurveChain>& chains) const {
+    const auto sampling = input_.sampling_on(cells_, f);
+    auto next = meshes_.vertices.of_face[f];
+    for (const auto& arc : meshes_.boundary.arcs[f]) {
+      const auto end = [&](const ArcEnd& e) {
+        const auto edge = as_size(cells_.face_edges[f][as_size(e.edge)]);
+        return static_cast<Index>(meshes_.boundary.crossings.rows.first(edge)) + e.crossing;
+      };
+      CurveChain chain;
+      chain.is_closed = arc.closed;
+      // Two curves never share both ends, so that one without samples is an edge of its own.
+      chain.least = arc.closed ? 3 : arc.begin.edge == arc.end.edge ? 1 : 0;
+      chain.flatness = flatness(sampling);
+      chain.least_cosine = least_cosine(sampling);
+      chain.stays_embedded = input_.options.embedded;
+      if (!arc.closed) chain.vertices.push_back(end(arc.begin));
+      for (std::size_t i = 0; i < arc.samples.size(); ++i) chain.vertices.push_back(next++);
+      if (!arc.closed) chain.vertices.push_back(end(arc.end));
+      chains.push_back(std::move(chain));
+    }
+  }
+
+  std::unique_ptr<CellPatch> patch_of(std::size_t t) const {
+    const auto tet = tet_with_curves(input_, sides_, cells_, meshes_.boundary, t);
+    const CellSurroundings<Scalar> around{cells_, meshes_.boundary, meshes_.vertices, t};
+    return std::make_unique<CellPatch>(tet, level_, around.arc_vertices(tet),
+                                       meshes_.cells[t].patch);
+  }
+
+  void look(std::size_t t) {
+    auto state = std::make_unique<State>();
+    for (const Index f : cells_.tet_faces[t])
+      if (may_change_on_[as_size(f)]) add_chains(as_size(f), state->chains);
+    state->patch = patch_of(t);
+    state->at_needles = samples_at_needles(*state->patch, state->chains);
+    states_[t] = std::move(state);
+  }
+
+  /// The tetrahedra of a face that were looked at.
+  std::array<const State*, 2> states_of(std::size_t f) const {
+    std::array<const State*, 2> states{};
+    for (std::size_t i = 0; i < 2; ++i)
+      if (const Index t = cells_.face_tets[f][i]; t >= 0) states[i] = states_[as_size(t)].get();
+    return states;
+  }
+
+  void propose(std::size_t t) {
+    std::vector<CellPatch::Id> candidates;
+    for (const Index f : cells_.tet_faces[t])
+      for (const State* state : states_of(as_size(f)))
+        if (state != nullptr)
+          candidates.insert(candidates.end(), state->at_needles.begin(), state->at_needles.end());
+    std::sort(candidates.begin(), candidates.end());
+    State& state = *states_[t];
+    state.proposal = propose_thinning(*state.patch, state.chains, candidates);
+    state.taken_out = state.proposal.accepted;
+  }
+
+  /// A sample goes if both tetrahedra accept that and one wants it.
+  void decide(std::size_t f) {
+    if (!may_change_on_[f]) return;
+    const auto states = states_of(f);
+    const auto& tets = cells_.face_tets[f];
+    auto v = meshes_.vertices.of_face[f];
+    for (const auto& arc : meshes_.boundary.arcs[f])
+      for (std::size_t i = 0; i < arc.samples.size(); ++i, ++v) {
+        bool is_accepted = is_staying_[as_size(v)] == 0, is_wanted = false;
+        for (std::size_t k = 0; k < 2; ++k) {
+          if (tets[k] < 0) continue;
+          const auto holds = [&](const std::vector<CellPatch::Id>& list) {
+            return std::binary_search(list.begin(), list.end(), v);
+          };
+          is_accepted = is_accepted && states[k] != nullptr && holds(states[k]->proposal.accepted);
+          is_wanted = is_wanted || (states[k] != nullptr && holds(states[k]->proposal.wanted));
+        }
+        is_going_[as_size(v)] = is_accepted && is_wanted;
+      }
+  }
+
+  void carry_out(std::size_t t) {
+    State& state = *states_[t];
+    std::vector<CellPatch::Id> going;
+    for (const CurveChain& chain : state.chains)
+      std::copy_if(chain.vertices.begin(), chain.vertices.end(), std::back_inserter(going),
+                   [&](CellPatch::Id v) { return is_going_[as_size(v)] != 0; });
+    std::sort(going.begin(), going.end());
+    if (going == state.taken_out) return;
+    state.patch = patch_of(t);
+    state.refused = take_out(*state.patch, state.chains, going);
+    state.taken_out = std::move(going);
+  }
+
+  /// Notes what was refused; the tetrahedra that this concerns.
+  std::vector<std::size_t> cells_of_refused(const std::vector<std::size_t>& changed) {
+    std::vector<std::size_t> result;
+    for (const auto t : changed) {
+      auto& refused = states_[t]->refused;
+      if (refused.empty()) continue;
+      for (const auto v : std::exchange(refused, {})) is_staying_[as_size(v)] = 1;
+      states_[t]->taken_out.assign(1, -1);  // not what the patch is
+      for (const Index f : cells_.tet_faces[t])
+        for (const Index u : cells_.face_tets[as_size(f)])
+          if (u >= 0 && states_[as_size(u)]) result.push_back(as_size(u));
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  const SurfaceInput<Scalar>& input_;
+  const VertexSides& sides_;
+  const TetComplex& cells_;
+  std::span<const CellProof<Scalar>> proofs_;
+  CellMeshes<Scalar>& meshes_;
+  const Level<double> level_;
+  std::vector<char> may_change_on_;             ///< of each face
+  std::vector<std::unique_ptr<State>> states_;  ///< of the tetrahedra that are looked at
+  std::vector<char> is_going_;                  ///< of each vertex
+  std::vector<char> is_staying_;  ///< of each vertex: a tetrahedron refused to let it go
+};
+
+}  // namespace
+
+template <class Scalar>
+void coarsen_face_curves(const SurfaceInput<Scalar>& input, const VertexSides& sides,
+                         const TetComplex& cells, std::span<const CellProof<Scalar>> proofs,
+                         CellMeshes<Scalar>& meshes) {
+  FaceCurveCoarsening<Scalar>(input, sides, cells, proofs, meshes).run();
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                     \
+  template void coarsen_face_curves(const SurfaceInput<Scalar>&, const VertexSides&,       \
+                                    const TetComplex&, std::span<const CellProof<Scalar>>, \
+                                    CellMeshes<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

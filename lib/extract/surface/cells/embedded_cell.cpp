@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "extract/patch/patch_defects.hpp"
+#include "extract/patch/quality/edge_flips.hpp"
+#include "extract/run/extractor_scalars.hpp"
+#include "extract/surface/cells/cell_mesher.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+/// How often steps along boundary loops are halved beside triangles with defects, and cells of the
+/// subdivision cut that have some.
+constexpr int kMostHalvings = 4, kMostRefinements = 8;
+
+/// How often a chart gets further vertices where triangles have defects.
+constexpr int kRounds = 12;
+
+/// Patches of more triangles are not mended: each attempt costs as much as meshing them again.
+constexpr std::size_t kMostTriangles = 20000;
+
+}  // namespace
+
+/// More samples beside triangles with defects, or smaller cells of the subdivision. What no mesher
+/// does without defects is meshed with them, and reported.
+/// @return false if another mesher is to be tried
+template <class Scalar>
+bool CellMesher<Scalar>::make_finer() {
+  auto& mesher = mesh_.mesher;
+  if (mesh_.has_defects && is_in_chart() && !state_.beside_defects.empty() &&
+      state_.halvings++ < kMostHalvings) {
+    state_.requests.insert(state_.requests.end(), state_.beside_defects.begin(),
+                           state_.beside_defects.end());
+    return true;
+  }
+  const bool is_last =
+      mesher == Mesher::subdivision || mesher == Mesher::fan || mesher == Mesher::loops;
+  if (!state_.must_be_embedded || !state_.was_meshed || !is_last) return false;
+  auto& topology = *proof_.topology;
+  if (mesher == Mesher::subdivision && mesh_.has_defects && !mesh_.patch.cells_against.empty() &&
+      topology.subdivision && state_.refinements++ < kMostRefinements) {
+    if (refine_subdivision<Scalar>(tet_, level(), mesh_.patch.cells_against, topology)) {
+      state_.requests = subdivision_requests(tet_, level(), topology);
+      return true;
+    }
+    mesh_.has_defects = false;
+  }
+  state_.must_be_embedded = false;
+  if (mesh_.has_defects) return true;
+  state_.attempts = 0;
+  state_.before_graph.reset();
+  state_.requests.clear();
+  mesher = state_.manifold && !topology.tubes.empty() ? Mesher::tubes : Mesher::small_disc;
+  return true;
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::find_defects() {
+  const auto patch = placed_patch<Scalar>(
+      tet_, mesh_.patch, [&](std::int32_t id) { return around_.vertices.position[as_size(id)]; });
+  const auto defects = defects_of(patch, UpwardTest(tet_));
+  mesh_.has_defects = defects.any();
+  state_.beside_defects.clear();
+  if (mesh_.has_defects && state_.must_be_embedded)
+    state_.beside_defects = samples_beside(defects, patch, tet_, around_.arc_vertices(tet_));
+  return mesh_.has_defects;
+}
+
+/// Other diagonals, where triangles are folded onto each other.
+/// @return whether no defect is left; else the triangles are as before
+template <class Scalar>
+bool CellMesher<Scalar>::unfold() {
+  const auto vertices = around_.arc_vertices(tet_);
+  std::vector<std::vector<BoundaryVertex>> loops;
+  for (const auto& loop : proof_.topology->loops) loops.push_back(loop_vertices(loop, vertices));
+  const auto before = mesh_.patch.triangles;
+  flip_edges<Scalar>(tet_, level(), loops, mesh_.patch, Folded::unfolded);
+  if (before != mesh_.patch.triangles && !find_defects()) return true;
+  mesh_.patch.triangles = before;
+  return false;
+}
+
+/// Meshes in the present chart.
+/// @param rounds  of vertices that are added where triangles have defects
+template <class Scalar>
+bool CellMesher<Scalar>::mesh_without_defects(int rounds) {
+  return mesh_topology(rounds) && (!find_defects() || unfold());
+}
+
+/// Other diagonals, the other chart, and further vertices inside; the boundary loops stay.
+/// @return whether no defect is left; else the patch is as before
+template <class Scalar>
+bool CellMesher<Scalar>::mend() {
+  if (unfold()) return true;
+  auto before = std::move(mesh_.patch);
+  auto& mesher = mesh_.mesher;
+  if (mesher == Mesher::manifold) {
+    mesher = Mesher::dominant;
+    if (mesh_without_defects(0) || mesh_without_defects(kRounds)) return true;
+    mesher = Mesher::manifold;
+  }
+  if (is_in_chart() && mesh_without_defects(kRounds)) return true;
+  mesh_.patch = std::move(before);
+  find_defects();
+  return false;
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::try_mesher() {
+  mesh_.has_defects = false;
+  if (!mesh_topology(0)) return false;
+  if (mesh_.mesher == Mesher::cone || !input_.options.embedded) return true;
+  // Surfaces of more digits are there for their topology: their triangles are not mended.
+  if (!std::is_same_v<Scalar, double> || mesh_.patch.triangles.size() > kMostTriangles)
+    state_.must_be_embedded = false;
+  if (!find_defects() || !state_.must_be_embedded) return true;
+  state_.was_meshed = true;
+  return mend();
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                         \
+  template bool CellMesher<Scalar>::make_finer();              \
+  template bool CellMesher<Scalar>::find_defects();            \
+  template bool CellMesher<Scalar>::unfold();                  \
+  template bool CellMesher<Scalar>::mesh_without_defects(int); \
+  template bool CellMesher<Scalar>::mend();                    \
+  template bool CellMesher<Scalar>::try_mesher();
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "grids/component_names.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace tensortopo::detail {
+namespace {
+
+constexpr std::string_view separators = "_-,.:; /";
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// How many characters all names have in common at the front.
+std::size_t common_front(const std::vector<std::string>& names) {
+  std::size_t n = names.front().size();
+  for (const std::string& name : names) {
+    const auto end =
+        std::mismatch(name.begin(), name.end(), names.front().begin(), names.front().end());
+    n = std::min(n, static_cast<std::size_t>(end.first - name.begin()));
+  }
+  return n;
+}
+
+/// Leaves out what all names begin and end with.
+void strip_common(std::vector<std::string>& names) {
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t n = common_front(names);
+    for (std::string& name : names) {
+      name.erase(0, n);
+      std::reverse(name.begin(), name.end());
+    }
+  }
+}
+
+}  // namespace
+
+bool are_named(const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(), [](const auto& name) { return !name.empty(); });
+}
+
+std::vector<std::string> spelled_components(const std::vector<std::string>& names) {
+  if (names.size() != 6 && names.size() != 9) return {};
+  std::vector<std::string> spelled;
+  for (const std::string& name : names) spelled.push_back(lower(name));
+  strip_common(spelled);
+  for (std::string& name : spelled)
+    std::erase_if(name, [](char c) { return separators.find(c) != std::string_view::npos; });
+  std::string axes;
+  for (const std::string_view candidate : {"xyz", "123", "012"}) {
+    const bool fits = std::all_of(spelled.begin(), spelled.end(), [&](const std::string& name) {
+      return !name.empty() && name.size() <= 2 &&
+             name.find_first_not_of(candidate) == std::string::npos;
+    });
+    if (fits) axes = candidate;
+    if (fits) break;
+  }
+  if (axes.empty()) return {};
+  std::set<std::string> seen;
+  std::size_t single = 0;
+  for (std::string& name : spelled) {
+    for (char& c : name) c = "XYZ"[axes.find(c)];
+    if (name.size() == 1) ++single, name += name;
+    if (names.size() == 6 && name[0] > name[1]) std::swap(name[0], name[1]);
+    if (!seen.insert(name).second) return {};
+  }
+  if (single != 0 && (single != 3 || names.size() != 6)) return {};
+  return spelled;
+}
+
+std::optional<ComponentOrder> spelled_order(const std::vector<std::string>& names) {
+  std::string listing;
+  for (const std::string& name : spelled_components(names))
+    listing += (listing.empty() ? "" : " ") + name;
+  // Of a symmetric tensor, column by column is the same.
+  if (listing == "XX YX ZX XY YY ZY XZ YZ ZZ") return ComponentOrder::full;
+  using enum ComponentOrder;
+  for (const ComponentOrder order : {vtk, voigt, abaqus, nifti, fsl, full})
+    if (!listing.empty() && listing == listing_of(order)) return order;
+  return std::nullopt;
+}
+
+}  // namespace tensortopo::detail

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "tensortopo/extract/extract_mode_surface.hpp"
+
+namespace tensortopo {
+
+/// The mode surface of a mesh, extracted slab after slab: the same bits as `extract_mode_surface`
+/// gives, with the memory that one slab takes, besides the mesh and the surface.
+///
+/// Pieces that do not agree where they meet are extracted again with more layers of ghosts.
+/// @param pieces  how many slabs, at least 1 (else throws std::invalid_argument)
+/// @param options  `keep_topology` is not looked at
+/// @return `surface` without `carrier_id`, `unresolved`, `not_embedded`, and of `statistics` only
+///         `tets_crossed`
+/// @pre as `extract_mode_surface`
+Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
+                             const ExtractOptions& options = {});
+
+}  // namespace tensortopo

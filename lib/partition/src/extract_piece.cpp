@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "tensortopo/partition/piece_surface.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Index = TetMesh::Index;
+using Face = std::array<Index, 3>;
+
+/// With vertices in the order of their ids, which is the order of vertices at one place.
+MeshPiece in_order_of_ids(const MeshPiece& piece) {
+  std::vector<Index> order(piece.vertex_ids.size()), number(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index u, Index v) {
+    return piece.vertex_ids[as_size(u)] < piece.vertex_ids[as_size(v)];
+  });
+  MeshPiece result;
+  result.is_owned = piece.is_owned;
+  result.mesh.cell_ids = piece.mesh.cell_ids;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto v = as_size(order[i]);
+    number[v] = static_cast<Index>(i);
+    result.vertex_ids.push_back(piece.vertex_ids[v]);
+    result.mesh.points.push_back(piece.mesh.points[v]);
+    result.mesh.tensors.push_back(piece.mesh.tensors[v]);
+  }
+  result.mesh.tets = piece.mesh.tets;
+  for (auto& tet : result.mesh.tets)
+    for (Index& v : tet) v = number[as_size(v)];
+  return result;
+}
+
+/// Of each vertex how many before it have the same carrier.
+std::vector<std::int32_t> ordinals_of(const SurfaceMesh& surface) {
+  std::vector<std::size_t> order(surface.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&](std::size_t v) {
+    return std::tie(surface.carrier[v], surface.carrier_vertices[v]);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t u, std::size_t v) { return key(u) < key(v); });
+  std::vector<std::int32_t> ordinals(order.size(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (key(order[i]) == key(order[i - 1])) ordinals[order[i]] = ordinals[order[i - 1]] + 1;
+  return ordinals;
+}
+
+/// A face between an owned tetrahedron and a ghost.
+struct SeamFace {
+  Face face;
+  std::int64_t ghost;  ///< its id
+};
+
+/// Ascending.
+std::vector<SeamFace> seam_of(const MeshPiece& piece) {
+  std::vector<std::pair<Face, std::size_t>> faces;
+  for (std::size_t t = 0; t < piece.mesh.tets.size(); ++t) {
+    auto v = piece.mesh.tets[t];
+    std::sort(v.begin(), v.end());
+    for (std::size_t i = 0; i < 4; ++i)
+      faces.push_back({{v[i == 0 ? 1 : 0], v[i < 2 ? 2 : 1], v[i < 3 ? 3 : 2]}, t});
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<SeamFace> seam;
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    const auto& [face, t] = faces[i - 1];
+    const auto& [next, u] = faces[i];
+    if (face != next || (piece.is_owned[t] != 0) == (piece.is_owned[u] != 0)) continue;
+    seam.push_back({face, piece.mesh.cell_ids[piece.is_owned[t] != 0 ? u : t]});
+  }
+  return seam;
+}
+
+/// The ghost across the face that holds two vertices of the surface, or -1.
+std::int64_t ghost_across(const std::vector<SeamFace>& seam, const std::array<Index, 4>& a,
+                          const std::array<Index, 4>& b) {
+  std::array<Index, 8> all{};
+  auto end = std::copy_if(a.begin(), a.end(), all.begin(), [](Index v) { return v >= 0; });
+  end = std::copy_if(b.begin(), b.end(), end, [](Index v) { return v >= 0; });
+  std::sort(all.begin(), end);
+  end = std::unique(all.begin(), end);
+  if (end - all.begin() != 3) return -1;
+  const Face face{all[0], all[1], all[2]};
+  const auto found =
+      std::lower_bound(seam.begin(), seam.end(), face,
+                       [](const SeamFace& known, const Face& f) { return known.face < f; });
+  return found != seam.end() && found->face == face ? found->ghost : -1;
+}
+
+/// Leaves the values whose number is marked.
+template <class T>
+void keep(std::vector<T>& values, const std::vector<char>& is_kept) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (is_kept[i]) values[kept++] = values[i];
+  values.resize(kept);
+}
+
+/// Numbers from 0 for those that are marked, in their order.
+std::vector<Index> numbers_of(const std::vector<char>& is_kept) {
+  std::vector<Index> number(is_kept.size(), -1);
+  Index next = 0;
+  for (std::size_t i = 0; i < is_kept.size(); ++i)
+    if (is_kept[i]) number[i] = next++;
+  return number;
+}
+
+/// Takes out triangles in ghosts, and vertices that no other triangle has.
+void keep_owned(const MeshPiece& piece, PieceSurface& result) {
+  SurfaceMesh& surface = result.surface;
+  std::vector<char> is_kept(surface.triangles.size()), is_used(surface.points.size(), 0);
+  for (std::size_t i = 0; i < is_kept.size(); ++i) {
+    is_kept[i] = piece.is_owned[as_size(surface.tet[i])];
+    if (is_kept[i])
+      for (const Index v : surface.triangles[i]) is_used[as_size(v)] = 1;
+  }
+  keep(surface.triangles, is_kept);
+  keep(surface.tet, is_kept);
+  const auto number = numbers_of(is_used);
+  for (auto& triangle : surface.triangles)
+    for (Index& v : triangle) v = number[as_size(v)];
+  keep(surface.points, is_used);
+  keep(surface.carrier, is_used);
+  keep(surface.carrier_vertices, is_used);
+  keep(surface.medium_eigenvector, is_used);
+  keep(surface.dominant_eigenvector, is_used);
+  keep(surface.normal, is_used);
+  keep(surface.mode, is_used);
+  keep(surface.residual, is_used);
+  keep(result.ordinals, is_used);
+  surface.carrier_id.clear();
+  surface.component.clear();
+}
+
+/// Gathers the tetrahedra with triangles, and counts in terms of these.
+void gather_cells(const MeshPiece& piece, PieceSurface& result) {
+  SurfaceMesh& surface = result.surface;
+  std::vector<char> is_crossed(piece.mesh.tets.size(), 0), is_near(piece.mesh.points.size(), 0);
+  for (const Index t : surface.tet) is_crossed[as_size(t)] = 1;
+  for (std::size_t t = 0; t < is_crossed.size(); ++t)
+    if (is_crossed[t])
+      for (const Index v : piece.mesh.tets[t]) is_near[as_size(v)] = 1;
+  const auto tet = numbers_of(is_crossed), vertex = numbers_of(is_near);
+  result.cells = piece.mesh;
+  result.vertex_ids = piece.vertex_ids;
+  keep(result.cells.points, is_near);
+  keep(result.cells.tensors, is_near);
+  keep(result.vertex_ids, is_near);
+  keep(result.cells.tets, is_crossed);
+  keep(result.cells.cell_ids, is_crossed);
+  for (auto& corners : result.cells.tets)
+    for (Index& v : corners) v = vertex[as_size(v)];
+  for (Index& t : surface.tet) t = tet[as_size(t)];
+  for (auto& carrier : surface.carrier_vertices)
+    for (Index& v : carrier)
+      if (v >= 0) v = vertex[as_size(v)];
+}
+
+}  // namespace
+
+PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
+                           const ExtractOptions& options) {
+  require_sound(given);
+  const MeshPiece piece = in_order_of_ids(given);
+  ExtractOptions own = options;
+  own.keep_topology = false;
+  Extraction extraction = extract_mode_surface<double>(piece.mesh, mode, own);
+  PieceSurface result;
+  result.surface = std::move(extraction.surface);
+  for (const UnresolvedCell& cell : extraction.unresolved)
+    if (piece.is_owned[as_size(cell.tet)])
+      result.unresolved.push_back({piece.mesh.cell_ids[as_size(cell.tet)], cell.reason});
+  result.owned = static_cast<std::size_t>(
+      std::count_if(piece.is_owned.begin(), piece.is_owned.end(), [](char o) { return o != 0; }));
+  result.ordinals = ordinals_of(result.surface);
+  keep_owned(piece, result);
+  const auto seam = seam_of(piece);
+  const auto& carriers = result.surface.carrier_vertices;
+  for (const auto& t : result.surface.triangles) {
+    const auto across = [&](std::size_t i) {
+      return ghost_across(seam, carriers[as_size(t[i])], carriers[as_size(t[(i + 1) % 3])]);
+    };
+    result.ghost_across.push_back({across(0), across(1), across(2)});
+  }
+  gather_cells(piece, result);
+  return result;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "tensortopo/mesh/canonical_mesh.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/mesh/tet_complex.hpp"
+#include "tensortopo/partition/piece_surface.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Index = TetMesh::Index;
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw std::invalid_argument("pieces: " + text);
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+/// The crossed tetrahedra of all pieces as one mesh.
+struct CrossedCells {
+  TetMesh mesh;
+  std::vector<std::int64_t> vertex_ids;       ///< ascending
+  std::vector<std::vector<Index>> vertex_of;  ///< of each piece: of its vertices
+  std::vector<std::size_t> first_tet;         ///< of each piece
+};
+
+CrossedCells crossed_cells(std::span<const PieceSurface> pieces) {
+  CrossedCells all;
+  for (const auto& piece : pieces)
+    all.vertex_ids.insert(all.vertex_ids.end(), piece.vertex_ids.begin(), piece.vertex_ids.end());
+  std::sort(all.vertex_ids.begin(), all.vertex_ids.end());
+  all.vertex_ids.erase(std::unique(all.vertex_ids.begin(), all.vertex_ids.end()),
+                       all.vertex_ids.end());
+  all.mesh.points.resize(all.vertex_ids.size());
+  all.mesh.tensors.resize(all.vertex_ids.size());
+  std::vector<char> is_known(all.vertex_ids.size(), 0);
+  for (const auto& piece : pieces) {
+    auto& numbers = all.vertex_of.emplace_back();
+    for (std::size_t v = 0; v < piece.vertex_ids.size(); ++v) {
+      const auto place =
+          std::lower_bound(all.vertex_ids.begin(), all.vertex_ids.end(), piece.vertex_ids[v]);
+      const auto n = static_cast<std::size_t>(place - all.vertex_ids.begin());
+      numbers.push_back(static_cast<Index>(n));
+      if (is_known[n] != 0 && (!same_bits(all.mesh.points[n], piece.cells.points[v]) ||
+                               !same_bits(all.mesh.tensors[n], piece.cells.tensors[v])))
+        refuse("vertex " + std::to_string(*place) +
+               " has another place or tensor in another piece: they are not of one mesh");
+      is_known[n] = 1;
+      all.mesh.points[n] = piece.cells.points[v];
+      all.mesh.tensors[n] = piece.cells.tensors[v];
+    }
+    all.first_tet.push_back(all.mesh.tets.size());
+    for (auto corners : piece.cells.tets) {
+      for (Index& v : corners) v = numbers[as_size(v)];
+      all.mesh.tets.push_back(corners);
+    }
+    all.mesh.cell_ids.insert(all.mesh.cell_ids.end(), piece.cells.cell_ids.begin(),
+                             piece.cells.cell_ids.end());
+  }
+  auto ids = all.mesh.cell_ids;
+  std::sort(ids.begin(), ids.end());
+  if (const auto twice = std::adjacent_find(ids.begin(), ids.end()); twice != ids.end())
+    refuse("cell " + std::to_string(*twice) + " is owned by two pieces");
+  return all;
+}
+
+/// In the order in which an extraction numbers its vertices.
+enum class VertexClass { crossing, isotropic, sample, inner, copy, halfway, tip };
+
+/// A vertex of one of the pieces.
+struct PieceVertex {
+  VertexClass kind{};
+  std::array<Index, 4> carrier{};  ///< in canonical numbers, ascending; -1 fills up
+  std::int32_t ordinal = 0;
+  std::size_t piece = 0;
+  Index vertex = 0;
+
+  auto key() const { return std::tie(kind, carrier, ordinal); }
+};
+
+class Merger {
+ public:
+  explicit Merger(std::span<const PieceSurface> pieces)
+      : pieces_(pieces),
+        cells_(crossed_cells(pieces)),
+        canonical_(canonical_mesh(cells_.mesh)),
+        vertex_rank_(inverse_permutation(canonical_.vertices)),
+        tet_rank_(inverse_permutation(canonical_.tets)) {}
+
+  MergedSurface run() {
+    find_vertices();
+    find_triangles();
+    number_vertices();
+    fill();
+    check_seams();
+    return std::move(result_);
+  }
+
+ private:
+  struct PieceTriangle {
+    Index rank;
+    std::size_t piece, triangle;
+    auto operator<=>(const PieceTriangle&) const = default;
+  };
+
+  std::array<Index, 4> carrier_of(std::size_t piece, Index v) const {
+    auto carrier = pieces_[piece].surface.carrier_vertices[as_size(v)];
+    const auto end = std::find(carrier.begin(), carrier.end(), -1);
+    for (auto i = carrier.begin(); i != end; ++i)
+      *i = vertex_rank_[as_size(cells_.vertex_of[piece][as_size(*i)])];
+    std::sort(carrier.begin(), end);
+    return carrier;
+  }
+
+  /// All vertices of all pieces, and which are one.
+  void find_vertices() {
+    std::vector<PieceVertex> all;
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      for (std::size_t v = 0; v < pieces_[p].surface.points.size(); ++v)
+        all.push_back({{},
+                       carrier_of(p, static_cast<Index>(v)),
+                       pieces_[p].ordinals[v],
+                       p,
+                       static_cast<Index>(v)});
+    std::sort(all.begin(), all.end(), [](const PieceVertex& a, const PieceVertex& b) {
+      return std::tie(a.carrier, a.ordinal, a.piece) < std::tie(b.carrier, b.ordinal, b.piece);
+    });
+    for (const auto& piece : pieces_) merged_.emplace_back(piece.surface.points.size(), -1);
+    std::vector<std::size_t> on_edge;  // the vertices of one carrier, once each, in `vertices_`
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool is_same_carrier = i > 0 && all[i].carrier == all[i - 1].carrier;
+      const bool is_same = is_same_carrier && all[i].ordinal == all[i - 1].ordinal;
+      if (is_same) {
+        require_equal(vertices_.back(), all[i]);
+      } else {
+        if (!is_same_carrier) on_edge.clear();
+        all[i].kind = kind_of(all[i], on_edge);
+        on_edge.push_back(vertices_.size());
+        vertices_.push_back(all[i]);
+      }
+      merged_[all[i].piece][as_size(all[i].vertex)] = static_cast<Index>(vertices_.size() - 1);
+    }
+  }
+
+  const SurfaceMesh& surface_of(const PieceVertex& v) const { return pieces_[v.piece].surface; }
+
+  /// @param before  others with the same carrier and a smaller ordinal
+  VertexClass kind_of(const PieceVertex& v, const std::vector<std::size_t>& before) const {
+    const SurfaceMesh& surface = surface_of(v);
+    const auto n = as_size(v.vertex);
+    switch (surface.carrier[n]) {
+      case Carrier::face:
+        return VertexClass::sample;
+      case Carrier::tet:
+        return VertexClass::inner;
+      case Carrier::vertex:
+        return v.ordinal == 0 ? VertexClass::isotropic : VertexClass::tip;
+      case Carrier::edge:
+        break;
+    }
+    const auto& medium = surface.medium_eigenvector[n];
+    if (medium == Vector3<double>{}) return VertexClass::halfway;
+    const bool is_copy = std::any_of(before.begin(), before.end(), [&](std::size_t u) {
+      const SurfaceMesh& other = surface_of(vertices_[u]);
+      const auto m = as_size(vertices_[u].vertex);
+      return same_bits(other.points[m], surface.points[n]) &&
+             same_bits(other.medium_eigenvector[m], medium);
+    });
+    return is_copy ? VertexClass::copy : VertexClass::crossing;
+  }
+
+  void require_equal(const PieceVertex& a, const PieceVertex& b) const {
+    const SurfaceMesh &s = surface_of(a), &t = surface_of(b);
+    const auto u = as_size(a.vertex), v = as_size(b.vertex);
+    if (same_bits(s.points[u], t.points[v]) && same_bits(s.normal[u], t.normal[v]) &&
+        same_bits(s.medium_eigenvector[u], t.medium_eigenvector[v]) &&
+        same_bits(s.dominant_eigenvector[u], t.dominant_eigenvector[v]) &&
+        same_bits(s.residual[u], t.residual[v]) && same_bits(s.mode[u], t.mode[v]) &&
+        s.carrier[u] == t.carrier[v])
+      return;
+    std::string text = "they differ at the simplex of vertices";
+    for (const Index rank : a.carrier)
+      if (rank >= 0) text += " " + std::to_string(id_of(rank));
+    throw PiecesDiffer("pieces: " + text +
+                       ": they were extracted with other options, or need more layers of ghosts");
+  }
+
+  std::int64_t id_of(Index rank) const {
+    return cells_.vertex_ids[as_size(canonical_.vertices[as_size(rank)])];
+  }
+
+  void find_triangles() {
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      for (std::size_t i = 0; i < pieces_[p].surface.triangles.size(); ++i) {
+        const auto t = cells_.first_tet[p] + as_size(pieces_[p].surface.tet[i]);
+        triangles_.push_back({tet_rank_[t], p, i});
+      }
+    std::sort(triangles_.begin(), triangles_.end());
+  }
+
+  /// Where a vertex comes first among the corners of triangles. Of a copy: where its first
+  /// tetrahedron has its edge.
+  std::vector<std::array<std::int64_t, 3>> places() const {
+    std::vector<std::array<std::int64_t, 3>> places(vertices_.size(), {-1, -1, -1});
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      const auto& [rank, p, triangle] = triangles_[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto v = as_size(merged_[p][as_size(pieces_[p].surface.triangles[triangle][k])]);
+        if (places[v][0] >= 0) continue;
+        const auto& vertex = vertices_[v];
+        if (vertex.kind == VertexClass::copy) {
+          const auto& corners = canonical_.mesh.tets[as_size(rank)];
+          const auto corner = [&](Index c) {
+            return static_cast<int>(std::find(corners.begin(), corners.end(), c) - corners.begin());
+          };
+          places[v] = {rank, tet_edge(corner(vertex.carrier[0]), corner(vertex.carrier[1])),
+                       vertex.ordinal};
+        } else {
+          places[v] = {static_cast<std::int64_t>(i), static_cast<std::int64_t>(k), 0};
+        }
+      }
+    }
+    return places;
+  }
+
+  void number_vertices() {
+    const auto place = places();
+    order_.resize(vertices_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      const auto &u = vertices_[a], &v = vertices_[b];
+      if (u.kind != v.kind || u.kind < VertexClass::copy) return u.key() < v.key();
+      return place[a] < place[b];
+    });
+    number_.resize(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) number_[order_[i]] = static_cast<Index>(i);
+  }
+
+  void fill() {
+    SurfaceMesh& surface = result_.surface;
+    constexpr std::int64_t kLargest = std::numeric_limits<Index>::max();
+    const auto short_id = [](std::int64_t id) {
+      return id <= kLargest ? static_cast<Index>(id) : Index{-1};
+    };
+    for (const std::size_t i : order_) {
+      const PieceVertex& v = vertices_[i];
+      const SurfaceMesh& from = surface_of(v);
+      const auto n = as_size(v.vertex);
+      surface.points.push_back(from.points[n]);
+      surface.carrier.push_back(from.carrier[n]);
+      surface.medium_eigenvector.push_back(from.medium_eigenvector[n]);
+      surface.dominant_eigenvector.push_back(from.dominant_eigenvector[n]);
+      surface.normal.push_back(from.normal[n]);
+      surface.mode.push_back(from.mode[n]);
+      surface.residual.push_back(from.residual[n]);
+      std::array<std::int64_t, 4> ids{-1, -1, -1, -1};
+      std::array<Index, 4> carrier{-1, -1, -1, -1};
+      std::size_t count = 0;
+      for (const Index rank : v.carrier)
+        if (rank >= 0) ids[count++] = id_of(rank);
+      std::sort(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(count));
+      for (std::size_t k = 0; k < count; ++k) carrier[k] = short_id(ids[k]);
+      surface.carrier_vertices.push_back(carrier);
+      result_.carrier_ids.push_back(ids);
+    }
+    for (const auto& [rank, p, i] : triangles_) {
+      auto corners = pieces_[p].surface.triangles[i];
+      for (Index& v : corners) v = number_[as_size(merged_[p][as_size(v)])];
+      surface.triangles.push_back(corners);
+      const auto id = pieces_[p].cells.cell_ids[as_size(pieces_[p].surface.tet[i])];
+      result_.cell_ids.push_back(id);
+      surface.tet.push_back(short_id(id));
+    }
+    surface.component = surface_components(surface);
+    for (const auto& piece : pieces_)
+      result_.unresolved.insert(result_.unresolved.end(), piece.unresolved.begin(),
+                                piece.unresolved.end());
+    std::sort(result_.unresolved.begin(), result_.unresolved.end(),
+              [](const auto& a, const auto& b) { return a.cell_id < b.cell_id; });
+  }
+
+  /// Each side on a seam has a partner, unless what is across was not extracted.
+  void check_seams() const {
+    std::vector<std::array<Index, 2>> sides;
+    for (const auto& [rank, p, i] : triangles_)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (pieces_[p].ghost_across[i][k] >= 0) sides.push_back(side_of(p, i, k));
+    std::sort(sides.begin(), sides.end());
+    for (const auto& [rank, p, i] : triangles_)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t ghost = pieces_[p].ghost_across[i][k];
+        if (ghost < 0) continue;
+        const auto [from, to] = side_of(p, i, k);
+        if (std::binary_search(sides.begin(), sides.end(), std::array{to, from})) continue;
+        const auto found = std::lower_bound(
+            result_.unresolved.begin(), result_.unresolved.end(), ghost,
+            [](const UnresolvedOwnedCell& cell, std::int64_t id) { return cell.cell_id < id; });
+        if (found != result_.unresolved.end() && found->cell_id == ghost) continue;
+        throw PiecesDiffer(
+            "pieces: the triangles of cells " +
+            std::to_string(pieces_[p].cells.cell_ids[as_size(pieces_[p].surface.tet[i])]) +
+            " and " + std::to_string(ghost) +
+            " do not meet: a piece is missing, or more layers of ghosts are needed");
+      }
+  }
+
+  std::array<Index, 2> side_of(std::size_t p, std::size_t i, std::size_t k) const {
+    const auto& corners = pieces_[p].surface.triangles[i];
+    return {number_[as_size(merged_[p][as_size(corners[k])])],
+            number_[as_size(merged_[p][as_size(corners[(k + 1) % 3])])]};
+  }
+
+  std::span<const PieceSurface> pieces_;
+  CrossedCells cells_;
+  CanonicalMesh canonical_;
+  std::vector<Index> vertex_rank_, tet_rank_;
+  std::vector<PieceVertex> vertices_;       ///< of the whole surface, once each
+  std::vector<std::vector<Index>> merged_;  ///< of each piece, of its vertices: in `vertices_`
+  std::vector<PieceTriangle> triangles_;    ///< in order
+  std::vector<std::size_t> order_;          ///< of `vertices_`
+  std::vector<Index> number_;               ///< of `vertices_`
+  MergedSurface result_;
+};
+
+}  // namespace
+
+MergedSurface merge_pieces(std::span<const PieceSurface> pieces) { return Merger(pieces).run(); }
+
+}  // namespace tensortopo

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/persistence/merge_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "ascent.hpp"
+#include "tensortopo/scalar/rational.hpp"
+#include "tensortopo/tensor/mode.hpp"
+
+namespace tensortopo {
+namespace {
+
+using namespace persistence;
+using Index = TetMesh::Index;
+
+double distance(const Vector3<double>& a, const Vector3<double>& b) {
+  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+/// One maximum for each component, in order.
+std::vector<ModeMaximum> maxima_of(const TetMesh& mesh, const CurveMesh& curves) {
+  std::vector<ModeMaximum> maxima;
+  for (std::size_t line = 0; line < curves.lines.size(); ++line) {
+    const auto component = as_size(curves.component[line]);
+    if (component >= maxima.size()) maxima.resize(component + 1);
+    ModeMaximum& maximum = maxima[component];
+    const auto& row = curves.lines[line];
+    if (maximum.tet < 0) {
+      maximum.mode = {1, 1};
+      maximum.curve = component;
+      maximum.tet = static_cast<Index>(curves.tet[line]);
+      maximum.vertices = mesh.tets[as_size(maximum.tet)];
+      maximum.point = curves.points[as_size(row[0])];
+    }
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
+      maximum.length +=
+          distance(curves.points[as_size(row[i])], curves.points[as_size(row[i + 1])]);
+  }
+  // Closed if each vertex has lines on two sides.
+  std::vector<int> ends(curves.points.size(), 0);
+  for (const auto& row : curves.lines) ++ends[as_size(row.front())], ++ends[as_size(row.back())];
+  for (ModeMaximum& maximum : maxima) maximum.is_closed = true;
+  for (std::size_t line = 0; line < curves.lines.size(); ++line)
+    for (const auto v : {curves.lines[line].front(), curves.lines[line].back()})
+      if (ends[as_size(v)] == 1) maxima[as_size(curves.component[line])].is_closed = false;
+  return maxima;
+}
+
+bool is_exactly_linear(const SymmetricTensor<double>& tensor) {
+  const auto t = deviator(tensor_cast<Rational>(tensor));
+  return discriminant_form(t) == 0 && determinant_form(t) > 0;
+}
+
+/// What paths may end at: components of curves, and points.
+class Ends {
+ public:
+  Ends(const TetMesh& mesh, const CurveMesh& curves)
+      : mesh_(mesh), stars_(mesh), ascent_(mesh, stars_, landmarks_) {
+    landmarks_.add_curves(mesh, curves);
+    for (std::size_t line = 0; line < curves.lines.size(); ++line)
+      for (const auto v : curves.lines[line])
+        if (curves.carrier[as_size(v)] == Carrier::vertex)
+          on_curves_[static_cast<Index>(curves.carrier_vertices[as_size(v)][0])] =
+              as_size(curves.component[line]);
+    for (const auto& [vertex, component] : on_curves_) ascent_.set_maximum(vertex, component);
+  }
+
+  void add(const MeshCriticalPoint& point, std::size_t maximum) {
+    if (point.dimension == 0) ascent_.set_maximum(point.vertices[0], maximum);
+    landmarks_.add_point(mesh_, stars_, point.vertices, point.weights, point.deviator, maximum);
+  }
+
+  bool is_on_curve(Index vertex) const { return on_curves_.contains(vertex); }
+  const VertexStars& stars() const { return stars_; }
+  Ascent& ascent() { return ascent_; }
+
+  /// Where paths lead to from one of the parts of a link.
+  std::optional<std::size_t> above(const std::vector<TetDeparture>& part, double level) {
+    for (const TetDeparture& way : part)
+      if (const auto maximum = ascent_.leave(way, level)) return maximum;
+    return std::nullopt;
+  }
+
+ private:
+  const TetMesh& mesh_;
+  VertexStars stars_;
+  Landmarks landmarks_;
+  Ascent ascent_;
+  std::unordered_map<Index, std::size_t> on_curves_;
+};
+
+class Building {
+ public:
+  Building(const TetMesh& mesh, const MeshCriticalValues& values, const CurveExtraction& curves)
+      : mesh_(mesh), values_(values), curves_(curves.curves), ends_(mesh, curves.curves) {}
+
+  MergeTree run() {
+    tree_.maxima = maxima_of(mesh_, curves_);
+    std::vector<std::size_t> merges;
+    for (std::size_t i = 0; i < values_.points.size(); ++i)
+      if (!is_maximum(i)) merges.push_back(i);
+    for (const std::size_t i : merges) add_merge(i);
+    std::stable_sort(tree_.merges.begin(), tree_.merges.end(),
+                     [](const ModeMerge& a, const ModeMerge& b) {
+                       return a.mode.low + a.mode.high > b.mode.low + b.mode.high;
+                     });
+    return std::move(tree_);
+  }
+
+ private:
+  Index tet_of(const MeshCriticalPoint& point) const {
+    const auto tets = ends_.stars().around(point.vertices);
+    return tets.empty() ? -1 : tets.front();
+  }
+
+  /// Takes the point as a maximum, if it is one.
+  bool is_maximum(std::size_t index) {
+    const MeshCriticalPoint& point = values_.points[index];
+    ModeRange mode{point.low, point.high};
+    const auto& signs = point.link.signs;
+    const bool is_peak =
+        point.effect.change != LocalChange::undecided &&
+        std::all_of(signs.begin(), signs.end(), [](Verdict s) { return s == Verdict::negative; });
+    if (!is_peak) {
+      // At a vertex of mode 1 the derivatives vanish; no other mode is larger.
+      if (point.dimension != 0 || point.high < 1 ||
+          !is_exactly_linear(mesh_.tensors[as_size(point.vertices[0])]))
+        return false;
+      if (ends_.is_on_curve(point.vertices[0])) return true;
+      mode = {1, 1};
+    }
+    ModeMaximum maximum;
+    maximum.mode = mode;
+    maximum.vertices = point.vertices;
+    maximum.point = point.point;
+    maximum.tet = tet_of(point);
+    maximum.critical_point = index;
+    ends_.add(point, tree_.maxima.size());
+    tree_.maxima.push_back(maximum);
+    return true;
+  }
+
+  void add_merge(std::size_t index) {
+    const MeshCriticalPoint& point = values_.points[index];
+    // Of the least mode: nothing is below.
+    if (point.dimension == 0 && point.low <= -1 &&
+        is_exactly_linear(-1.0 * mesh_.tensors[as_size(point.vertices[0])]))
+      return;
+    ModeMerge merge;
+    merge.point = index;
+    merge.mode = {point.low, point.high};
+    if (point.effect.change == LocalChange::undecided) {
+      // The maxima above the vertices around stand for those that it may join.
+      for (const Index v : point.around) reach(merge, v, point.low);
+      for (const Index v : point.vertices) reach(merge, v, point.low);
+    } else {
+      const auto ways = departures(mesh_, ends_.stars(), point);
+      if (ways.size() < 2) return;
+      merge.is_proved = true;
+      for (const auto& part : ways) {
+        const auto maximum = ends_.above(part, point.high);
+        if (maximum)
+          merge.reached.push_back(*maximum);
+        else
+          merge.is_proved = false;
+      }
+    }
+    merge.tet = tet_of(point);
+    tree_.merges.push_back(std::move(merge));
+  }
+
+  void reach(ModeMerge& merge, Index vertex, double low) {
+    if (vertex < 0 || deviator(mesh_.tensors[as_size(vertex)]) == Deviator<double>{}) return;
+    const SymmetricTensor<double>& t = mesh_.tensors[as_size(vertex)];
+    const auto mode = mode_range(deviator_box({t, t, t, t}, {1, 0, 0, 0}));
+    if (mode[1] < low) return;
+    if (const auto maximum = ends_.ascent().from_vertex(vertex)) merge.reached.push_back(*maximum);
+  }
+
+  const TetMesh& mesh_;
+  const MeshCriticalValues& values_;
+  const CurveMesh& curves_;
+  Ends ends_;
+  MergeTree tree_;
+};
+
+/// Adds the points of a finished tree.
+void add_points(Ends& ends, const MeshCriticalValues& values, const MergeTree& tree) {
+  for (std::size_t i = 0; i < tree.maxima.size(); ++i)
+    if (const auto& point = tree.maxima[i].critical_point) ends.add(values.points[*point], i);
+}
+
+}  // namespace
+
+MergeTree merge_tree(const TetMesh& mesh, const MeshCriticalValues& values,
+                     const CurveExtraction& curves) {
+  return Building(mesh, values, curves).run();
+}
+
+std::vector<std::optional<std::size_t>> maxima_above_points(const TetMesh& mesh,
+                                                            const MeshCriticalValues& values,
+                                                            const CurveExtraction& curves,
+                                                            const MergeTree& tree,
+                                                            std::span<const std::size_t> points) {
+  Ends ends(mesh, curves.curves);
+  add_points(ends, values, tree);
+  std::vector<std::optional<std::size_t>> reached;
+  for (const std::size_t i : points) {
+    const MeshCriticalPoint& point = values.points[i];
+    std::optional<std::size_t> maximum;
+    if (point.is_certain)
+      for (const auto& part : departures(mesh, ends.stars(), point))
+        if (!maximum) maximum = ends.above(part, point.high);
+    reached.push_back(maximum);
+  }
+  return reached;
+}
+
+std::vector<std::optional<std::size_t>> maxima_above_vertices(
+    const TetMesh& mesh, const MeshCriticalValues& values, const CurveExtraction& curves,
+    const MergeTree& tree, std::span<const TetMesh::Index> vertices) {
+  Ends ends(mesh, curves.curves);
+  add_points(ends, values, tree);
+  std::vector<std::optional<std::size_t>> reached;
+  for (const Index v : vertices) {
+    const bool has_mode = deviator(mesh.tensors[as_size(v)]) != Deviator<double>{};
+    reached.push_back(has_mode ? ends.ascent().from_vertex(v) : std::nullopt);
+  }
+  return reached;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "mesh.hpp"
+#include "tensortopo/partition/piece_surface.hpp"
+#include "watched.hpp"
+
+namespace tensortopo::python {
+
+namespace {
+
+using namespace py::literals;
+using Index = TetMesh::Index;
+
+constexpr std::array kReasons{
+    UnresolvedReason::zero_deviator_inside,    UnresolvedReason::level_constant_in_cell,
+    UnresolvedReason::level_constant_on_face,  UnresolvedReason::level_constant_on_edge,
+    UnresolvedReason::critical_value_in_cell,  UnresolvedReason::critical_value_on_face,
+    UnresolvedReason::critical_value_on_edge,  UnresolvedReason::budget_exhausted,
+    UnresolvedReason::inconsistent_samples};
+
+UnresolvedReason reason_named(const std::string& name) {
+  for (const UnresolvedReason reason : kReasons)
+    if (name_of(reason) == name) return reason;
+  throw py::value_error("unresolved: there is no reason '" + name + "'");
+}
+
+py::list list_of(const std::vector<UnresolvedOwnedCell>& cells) {
+  py::list list;
+  for (const auto& cell : cells)
+    list.append(py::make_tuple(cell.cell_id, std::string(name_of(cell.reason))));
+  return list;
+}
+
+void put_surface(py::dict& out, SurfaceMesh&& s) {
+  out["points"] = array_of<double>(std::move(s.points));
+  out["triangles"] = array_of<Index>(std::move(s.triangles));
+  out["normals"] = array_of<double>(std::move(s.normal));
+  out["medium_eigenvectors"] = array_of<double>(std::move(s.medium_eigenvector));
+  out["dominant_eigenvectors"] = array_of<double>(std::move(s.dominant_eigenvector));
+  out["mode"] = array_of<double>(std::move(s.mode));
+  out["residual"] = array_of<double>(std::move(s.residual));
+  out["carrier"] = array_of<std::uint8_t>(std::move(s.carrier));
+  out["carrier_vertices"] = array_of<Index>(std::move(s.carrier_vertices));
+  out["tet"] = array_of<Index>(std::move(s.tet));
+}
+
+py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64_t>& vertex_ids,
+               const Input<bool>& owned, double resolution, bool all_samples,
+               const py::object& progress) {
+  if (!(resolution > 0) || resolution > 1000)
+    throw py::value_error("resolution: must be a positive number, at most 1000");
+  MeshPiece given{self.mesh, {}, {}};
+  given.vertex_ids.assign(vertex_ids.data(), vertex_ids.data() + vertex_ids.size());
+  for (py::ssize_t t = 0; t < owned.size(); ++t) given.is_owned.push_back(owned.data()[t]);
+  ExtractOptions options;
+  options.sampling.resolution = resolution, options.keep_samples = all_samples;
+  const ModeValue value = parse_surface_mode(mode);
+  PieceSurface made = watched(progress, [&](const Progress& report) {
+    options.progress = report;
+    return extract_piece(given, value, options);
+  });
+  py::dict out;
+  put_surface(out, std::move(made.surface));
+  out["ordinals"] = array_of<std::int32_t>(std::move(made.ordinals));
+  out["ghost_across"] = array_of<std::int64_t>(std::move(made.ghost_across));
+  out["cell_points"] = array_of<double>(std::move(made.cells.points));
+  out["cell_tensors"] = array_of<double>(std::move(made.cells.tensors));
+  out["cell_tets"] = array_of<Index>(std::move(made.cells.tets));
+  out["cell_ids"] = array_of<std::int64_t>(std::move(made.cells.cell_ids));
+  out["vertex_ids"] = array_of<std::int64_t>(std::move(made.vertex_ids));
+  out["unresolved"] = list_of(made.unresolved);
+  out["owned"] = made.owned;
+  return out;
+}
+
+template <class Row, class T>
+std::vector<Row> rows(const py::dict& piece, const char* name) {
+  return rows_of<Row>(piece[name].cast<Input<T>>(), name);
+}
+
+template <class T>
+std::vector<T> numbers(const py::dict& piece, const char* name) {
+  const auto array = piece[name].cast<Input<T>>();
+  return {array.data(), array.data() + array.size()};
+}
+
+/// All indices of a piece are in range, whoever has made it.
+void require_indices(const PieceSurface& piece) {
+  const auto in_range = [](Index i, std::size_t count) { return i >= 0 && as_size(i) < count; };
+  const SurfaceMesh& s = piece.surface;
+  const std::size_t vertices = s.points.size(), triangles = s.triangles.size();
+  bool fits = s.normal.size() == vertices && s.medium_eigenvector.size() == vertices &&
+              s.dominant_eigenvector.size() == vertices && s.mode.size() == vertices &&
+              s.residual.size() == vertices && s.carrier.size() == vertices &&
+              s.carrier_vertices.size() == vertices && piece.ordinals.size() == vertices &&
+              s.tet.size() == triangles && piece.ghost_across.size() == triangles &&
+              piece.cells.points.size() == piece.vertex_ids.size() &&
+              piece.cells.tensors.size() == piece.vertex_ids.size() &&
+              piece.cells.tets.size() == piece.cells.cell_ids.size();
+  for (const auto& t : s.triangles)
+    for (const Index v : t) fits = fits && in_range(v, vertices);
+  for (const Index t : s.tet) fits = fits && in_range(t, piece.cells.tets.size());
+  for (const auto& t : piece.cells.tets)
+    for (const Index v : t) fits = fits && in_range(v, piece.vertex_ids.size());
+  for (const auto& carrier : s.carrier_vertices)
+    for (const Index v : carrier) fits = fits && (v == -1 || in_range(v, piece.vertex_ids.size()));
+  for (const Carrier c : s.carrier) fits = fits && c <= Carrier::vertex;
+  if (!fits) throw py::value_error("pieces: arrays of one piece do not fit each other");
+}
+
+PieceSurface piece_from(const py::dict& d) {
+  PieceSurface piece;
+  SurfaceMesh& s = piece.surface;
+  s.points = rows<Vector3<double>, double>(d, "points");
+  s.triangles = rows<std::array<Index, 3>, Index>(d, "triangles");
+  s.normal = rows<Vector3<double>, double>(d, "normals");
+  s.medium_eigenvector = rows<Vector3<double>, double>(d, "medium_eigenvectors");
+  s.dominant_eigenvector = rows<Vector3<double>, double>(d, "dominant_eigenvectors");
+  s.mode = numbers<double>(d, "mode");
+  s.residual = numbers<double>(d, "residual");
+  for (const std::uint8_t c : numbers<std::uint8_t>(d, "carrier"))
+    s.carrier.push_back(static_cast<Carrier>(c));
+  s.carrier_vertices = rows<std::array<Index, 4>, Index>(d, "carrier_vertices");
+  s.tet = numbers<Index>(d, "tet");
+  piece.ordinals = numbers<std::int32_t>(d, "ordinals");
+  piece.ghost_across = rows<std::array<std::int64_t, 3>, std::int64_t>(d, "ghost_across");
+  piece.cells.points = rows<Vector3<double>, double>(d, "cell_points");
+  piece.cells.tensors = rows<SymmetricTensor<double>, double>(d, "cell_tensors");
+  piece.cells.tets = rows<std::array<Index, 4>, Index>(d, "cell_tets");
+  piece.cells.cell_ids = numbers<std::int64_t>(d, "cell_ids");
+  piece.vertex_ids = numbers<std::int64_t>(d, "vertex_ids");
+  for (const auto& [id, reason] :
+       d["unresolved"].cast<std::vector<std::pair<std::int64_t, std::string>>>())
+    piece.unresolved.push_back({id, reason_named(reason)});
+  piece.owned = d["owned"].cast<std::size_t>();
+  require_indices(piece);
+  return piece;
+}
+
+py::dict merge(const std::vector<py::dict>& dicts) {
+  std::vector<PieceSurface> pieces;
+  for (const py::dict& d : dicts) pieces.push_back(piece_from(d));
+  MergedSurface made;
+  {
+    const py::gil_scoped_release unlocked;
+    made = merge_pieces(pieces);
+  }
+  py::dict out;
+  auto component = std::move(made.surface.component);
+  put_surface(out, std::move(made.surface));
+  out["component"] = array_of<Index>(std::move(component));
+  out["cell_ids"] = array_of<std::int64_t>(std::move(made.cell_ids));
+  out["carrier_ids"] = array_of<std::int64_t>(std::move(made.carrier_ids));
+  out["unresolved"] = list_of(made.unresolved);
+  return out;
+}
+
+}  // namespace
+
+void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
+  mesh.def("piece", &piece, py::arg("mode"), py::arg("vertex_ids"), py::arg("owned"),
+           py::arg("resolution"), py::arg("all_samples"), py::arg("progress"));
+  m.def("merge_pieces", &merge, py::arg("pieces"));
+}
+
+}  // namespace tensortopo::python

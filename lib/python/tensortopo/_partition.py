@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+"""Mode surfaces of meshes that lie in pieces."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Iterable, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._field import Field
+from ._modes import mode_texts
+
+
+@dataclass(frozen=True)
+class PieceSurface:
+    """The part of a mode surface that lies in the cells that a piece owns.
+
+    It can be pickled, so that processes can send it to each other; `merge_pieces` puts pieces together.
+
+    Attributes
+    ----------
+    arrays : dict
+        What `merge_pieces` reads. Of use to others are ``points`` (n, 3), ``triangles`` (m, 3) and ``normals``.
+    """
+
+    arrays: dict[str, Any]
+
+    @property
+    def points(self) -> npt.NDArray[np.float64]:
+        """(n, 3)"""
+        return self.arrays["points"]
+
+    @property
+    def triangles(self) -> npt.NDArray[np.int32]:
+        """(m, 3)"""
+        return self.arrays["triangles"]
+
+    @property
+    def unresolved(self) -> list[tuple[int, str]]:
+        """Ids of owned cells that were not extracted, with the reason."""
+        return self.arrays["unresolved"]
+
+    def __repr__(self) -> str:
+        return f"PieceSurface({len(self.points)} points, {len(self.triangles)} triangles)"
+
+
+@dataclass(frozen=True)
+class MergedSurface:
+    """The surface of a whole mesh, put together from pieces.
+
+    Attributes
+    ----------
+    points, normals, medium_eigenvectors, dominant_eigenvectors : ndarray of shape (n, 3)
+    mode, residual : ndarray of shape (n,)
+    carrier : ndarray of uint8 of shape (n,)
+        As in `Surface`.
+    carrier_ids : ndarray of int64 of shape (n, 4)
+        Ids of the vertices of the simplex that holds the point, ascending; -1 fills up.
+    triangles : ndarray of int32 of shape (m, 3)
+    component : ndarray of int32 of shape (m,)
+    cell_ids : ndarray of int64 of shape (m,)
+        Id of the cell that holds the triangle.
+    unresolved : list of tuple
+        Ids of cells that were not extracted, with the reason.
+    """
+
+    points: npt.NDArray[np.float64]
+    normals: npt.NDArray[np.float64]
+    medium_eigenvectors: npt.NDArray[np.float64]
+    dominant_eigenvectors: npt.NDArray[np.float64]
+    mode: npt.NDArray[np.float64]
+    residual: npt.NDArray[np.float64]
+    carrier: npt.NDArray[np.uint8]
+    carrier_ids: npt.NDArray[np.int64]
+    triangles: npt.NDArray[np.int32]
+    component: npt.NDArray[np.int32]
+    cell_ids: npt.NDArray[np.int64]
+    unresolved: list[tuple[int, str]]
+
+    def __repr__(self) -> str:
+        return f"MergedSurface({len(self.points)} points, {len(self.triangles)} triangles)"
+
+
+def extract_piece(
+    field: Field,
+    mode: Any,
+    owned: npt.ArrayLike,
+    vertex_ids: npt.ArrayLike,
+    *,
+    resolution: float = 4,
+    all_samples: bool = False,
+    progress: Optional[Callable[[str, float], Any]] = None,
+) -> PieceSurface:
+    """The part of a mode surface that lies in the cells that a piece of a mesh owns.
+
+    The triangles are those that the whole mesh gives, bit for bit.
+
+    Parameters
+    ----------
+    field : Field
+        The piece: the cells that it owns, and every cell of the whole mesh that shares a vertex with one
+        of these. Its ``cell_ids`` are those of the whole mesh.
+    mode : str, int, float, Fraction or Decimal
+        One, as for `Field.mode_surface`.
+    owned : array_like of bool of shape (m,)
+        Of each cell whether the piece owns it. Each cell of the whole mesh is owned by one piece.
+    vertex_ids : array_like of int of shape (n,)
+        Of each point the id in the whole mesh, at least 0.
+    resolution, all_samples, progress
+        As for `Field.mode_surface`.
+
+    Returns
+    -------
+    PieceSurface
+
+    Raises
+    ------
+    ValueError
+        If lists have other lengths than the mesh, or ids repeat.
+    """
+    texts = mode_texts(mode)
+    if len(texts) != 1:
+        raise ValueError("mode: a piece is of one mode")
+    # pylint: disable-next=protected-access
+    made = field._mesh.piece(
+        mode=texts[0],
+        vertex_ids=np.ascontiguousarray(vertex_ids, dtype=np.int64),
+        owned=np.ascontiguousarray(owned, dtype=bool),
+        resolution=float(resolution),
+        all_samples=all_samples,
+        progress=progress,
+    )
+    return PieceSurface(made)
+
+
+def merge_pieces(pieces: Iterable[PieceSurface]) -> MergedSurface:
+    """The surface of the whole mesh, from all of its pieces in any order.
+
+    It is what `Field.mode_surface` gives for the whole mesh, bit for bit and in the same order.
+
+    Raises
+    ------
+    ValueError
+        If the pieces are not those of one mesh, or do not meet: one is missing, or more layers of cells
+        around the owned ones are needed. The message says where.
+    """
+    made = _core.merge_pieces([piece.arrays for piece in pieces])
+    return MergedSurface(**{name: made[name] for name in MergedSurface.__dataclass_fields__})

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tensortopo/mesh/cell_array.hpp"
+#include "tensortopo/stability/level_stability.hpp"
+
+namespace tensortopo {
+
+/// What is stable of one level.
+struct StabilitySummary {
+  std::size_t stable_tets = 0, unstable_tets = 0;  ///< of all tetrahedra of the mesh
+  std::size_t crossed_stable_tets = 0;             ///< of those that hold triangles
+  std::map<std::string, std::size_t> reasons;      ///< unstable tetrahedra by the reason's name
+  std::vector<SurfaceMesh::Index> components;      ///< stable ones, by smallest vertex, ascending
+};
+
+/// Components that are in every field whose deviators differ by at most a radius at each vertex:
+/// what a certificate claims.
+struct StabilityClaim {
+  bool of_deviator = false;  ///< the radius is a share of each vertex' deviator, else absolute
+  double radius = 0;         ///< in the Frobenius norm
+  std::vector<SurfaceMesh::Index> components;  ///< as in `StabilitySummary`
+};
+
+/// What is stable of the surfaces of several levels of one mesh, for reports and files.
+class StabilityRun {
+ public:
+  /// Throws std::invalid_argument as `vertex_radii` does.
+  /// @param mesh  valid (see `validate`); kept by reference
+  StabilityRun(const TetMesh& mesh, const Uncertainty& uncertainty);
+
+  /// The next level's surface, as it is written.
+  /// @param options  its `progress` only
+  StabilitySummary add(const ModeValue& mode, const ExtractOptions& options,
+                       const Extraction& extraction);
+
+  /// Of all triangles so far: `instability`, the number of the reason (see `Stability`), and
+  /// `stable`, 1 where that is 0, else 0.
+  const std::vector<CellArray>& arrays() const { return arrays_; }
+
+  /// Nothing if each vertex has a radius of its own: a certificate has no place for these.
+  std::optional<StabilityClaim> claim(const StabilitySummary& summary) const;
+
+ private:
+  Uncertainty::Kind kind_;
+  double value_;
+  UncertainField field_;
+  std::vector<CellArray> arrays_;
+};
+
+}  // namespace tensortopo
