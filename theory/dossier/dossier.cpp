@@ -82,6 +82,7 @@ void add_page(std::ostringstream& out, const Statement& s, const Theorems& theor
   for (const Needed& needed : s.needed) {
     add_line(out, "Needed:", needed.hypothesis + ". Without it: " + needed.without().detail);
   }
+  add_line(out, "Other hypotheses:", s.unneeded);
   for (const MachineChecked* t : theorems_of(s, theorems)) {
     add_line(out, "Coq:", t->wording + " (`" + t->theorem + "` in `" + t->file + ".v`)");
   }

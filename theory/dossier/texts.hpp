@@ -39,7 +39,7 @@ Four ways, of different weight. Each statement says which of them it has.
 `verify` counts *configurations*: fields that differ by more than a rotation and a scaling in what the check looks at. A statement tried in fewer than 20 says so in its row.
 
 **Would a wrong claim be noticed?** The tests change each number of each claim by one, up and down, and want a violation. Where a hypothesis is listed as *needed*,
-they drop it, and want a violation at the field given. `tests/theory` also keeps fields that a search found (`theory/search`): it looks for violations of
+they drop it, and want a violation at the field given. Every statement has one, or says what its hypotheses are for. `tests/theory` also keeps fields that a search found (`theory/search`): it looks for violations of
 each corrected statement among special fields, and found none.
 )";
 

@@ -27,8 +27,8 @@ std::vector<Statement> planar_statements() {
        .check = check_planar_extrema(),
        .paper_at_witness = extrema_along_a_circle,
        .steps = {"at-most-four", "numbers-of-extrema", "solutions-on-sphere"},
-       .reader = "Bezout's theorem, Morse theory on the projective plane, Lagrange's condition; "
-                 "that simple solutions are critical points that are not degenerate.",
+       .reader = "Bezout's theorem and Morse theory on the projective plane, for the numbers; that "
+                 "simple solutions are critical points that are not degenerate.",
        .most_fields = 200},
       {.id = "planar-critical-pairs",
        .paper = theorem + ", proof; " + section,

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "groups.hpp"
+#include "hypotheses/hypotheses.hpp"
 
 namespace tensortopo::theory {
 namespace {
@@ -15,6 +16,7 @@ std::vector<Statement> all_statements() {
                      sphere_statements, topology_statements, planar_statements}) {
     std::ranges::move(group(), std::back_inserter(all));
   }
+  add_hypotheses(all);
   return all;
 }
 

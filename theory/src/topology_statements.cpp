@@ -136,11 +136,10 @@ Statement closed_components() {
           .check = no_closed_component,
           .needed = {{"rank 3 or 4", neutral_tetrahedron}},
           .reader =
-              "A closed component would bound a region, in which the mode has an extremum other "
-              "than on its boundary. Extrema in space are degenerate points (Coq), "
-              "and the degenerate curve is connected with points at infinity "
-              "(degenerate-curve-circle, plane-meets-degenerate-curve), so it leaves the region; "
-              "but the region's boundary has no degenerate point.",
+              "That a closed surface bounds a region (Jordan and Brouwer); Coq says that a level "
+              "is the frontier of none, if the characteristic determinant is not 0. Determinant "
+              "0, where the degenerate points are two circles with a common point and one of them "
+              "at least runs to infinity. Rank 3, where the mode is constant along lines.",
           .most_fields = 100};
 }
 

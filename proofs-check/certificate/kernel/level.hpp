@@ -13,7 +13,7 @@
 
 namespace certificate {
 
-/// Whoever has exact tensors, and makes them when asked.
+/// A source of exact tensors, which makes them when asked.
 class ExactTensors {
  public:
   virtual ~ExactTensors() = default;

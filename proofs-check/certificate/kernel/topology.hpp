@@ -63,7 +63,7 @@ struct TetTopology {
   bool is_crossed() const { return !sheets.empty(); }
 };
 
-/// A sheet of a cone: over an arc or, without crossings, the so-manieth closed curve of the face
+/// A sheet of a cone: over an arc or, without crossings, a closed curve (by number) of the face
 /// opposite its one tip, or from its two tips to the one crossing of the edge opposite them; in the
 /// order in which the triangles have it as their boundary.
 struct ConeSheet {

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <optional>
 
-#include "compare_arrays.hpp"
-#include "compare_curves.hpp"
-#include "compare_distance.hpp"
-#include "compare_places.hpp"
-#include "curve_names.hpp"
-#include "embedded.hpp"
-#include "parallel.hpp"
+#include "claims/compare_arrays.hpp"
+#include "claims/compare_curves.hpp"
+#include "claims/curve_names.hpp"
+#include "run/parallel.hpp"
+#include "surface/compare_distance.hpp"
+#include "surface/compare_places.hpp"
+#include "surface/compare_stability.hpp"
+#include "surface/embedded.hpp"
 
 namespace certificate {
 namespace {
@@ -107,6 +108,8 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
     ledger.of_level().coarse = distance["coarse"].size();
     compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   }
+  ledger.begin("stability");
+  if (claims.contains("stability")) compare_stability(c, is_sound ? &*placed : nullptr, ledger);
   ledger.count(level.decided_by_balls(), level.decided_exactly());
 }
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certificate_check/check_certificate.hpp"
-#include "document.hpp"
+#include "files/document.hpp"
 
 namespace certificate {
 namespace {
@@ -49,8 +49,14 @@ std::string text_of(const LevelReport& level, bool of_curves) {
   if (of_curves) return text;
   text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
                          : "  that the triangles are embedded is not claimed\n";
-  if (level.bound.empty()) return text + "  no distance is claimed\n";
   char bound[32];
+  if (level.claims_stability) {
+    std::snprintf(bound, sizeof(bound), "%.6g", level.radius);
+    text += "  " + std::to_string(level.stable_components.size()) + " of the components " +
+            "are in every field whose deviators differ by at most " + bound +
+            (level.radius_of_deviator ? " of themselves" : "") + " at the vertices\n";
+  }
+  if (level.bound.empty()) return text + "  no distance is claimed\n";
   std::snprintf(bound, sizeof(bound), "%.6g", std::strtod(level.bound.c_str(), nullptr));
   return text + "  distance at most " + bound + ", but in " + std::to_string(level.coarse) +
          " coarse tetrahedra\n";
@@ -149,6 +155,11 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   for (const auto& [reason, tets] : level.left_out) json["left_out"][reason] = tets;
   if (of_curves) return json;
   json["embedded"] = level.embedded;
+  json["stability"] = nullptr;
+  if (level.claims_stability)
+    json["stability"] = {{"radius", level.radius},
+                         {"of", level.radius_of_deviator ? "deviator" : "tensor"},
+                         {"stable_components", level.stable_components.size()}};
   json["distance"] = nullptr;
   if (!level.bound.empty())
     json["distance"] = {{"bound", std::strtod(level.bound.c_str(), nullptr)},

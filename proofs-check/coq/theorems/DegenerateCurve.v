@@ -6,7 +6,8 @@
    of N, a cone with one sheet above each direction of the plane of e1 and e2. Each degenerate point
    is on an arc of degenerate points of its mode that goes to infinity, because some degenerate point
    is at infinity. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem CommonZeros DegeneratePointsOfPlane.
+From TensorTopo Require Import Tensors Frames SpectralTheorem CommonZeros DegeneratePointsOfPlane
+  Calculus.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 
@@ -26,13 +27,13 @@ Qed.
 Lemma angle_exists x y : x * x + y * y = 1 -> exists t, - PI <= t <= PI /\ cos t = x /\ sin t = y.
 Proof.
   intros H. assert (X : -1 <= x <= 1) by (assert (Y := square_nonneg y); split; nra).
-  assert (B := acos_bound x). assert (Pi := PI_RGT_0).
-  assert (S : sin (acos x) * sin (acos x) = y * y).
-  { assert (U := unit_circle (acos x)). rewrite cos_acos in U by exact X. lra. }
-  assert (S0 : 0 <= sin (acos x)) by (apply sin_ge_0; lra).
+  assert (B := arc_cosine_bound x). assert (Pi := PI_RGT_0).
+  assert (S : sin (arc_cosine x) * sin (arc_cosine x) = y * y).
+  { assert (U := unit_circle (arc_cosine x)). rewrite cos_arc_cosine in U by exact X. lra. }
+  assert (S0 : 0 <= sin (arc_cosine x)) by (apply sin_ge_0; lra).
   destruct (Rle_dec 0 y) as [Y|Y].
-  - exists (acos x). split; [lra|]. split; [apply cos_acos, X|nra].
-  - exists (- acos x). split; [lra|]. rewrite cos_neg, sin_neg. split; [apply cos_acos, X|nra].
+  - exists (arc_cosine x). split; [lra|]. split; [apply cos_arc_cosine, X|nra].
+  - exists (- arc_cosine x). split; [lra|]. rewrite cos_neg, sin_neg. split; [apply cos_arc_cosine, X|nra].
 Qed.
 
 Theorem degenerate_curve b1 b2 b3 e1 e2 e3 : orthonormal e1 e2 e3 -> b1 + b2 + b3 = 0 ->
@@ -98,14 +99,6 @@ Proof.
     rewrite K1 in C1, S1. lra.
 Qed.
 
-Lemma continuous_near f m eps : continuity_pt f m -> 0 < eps ->
-  exists delta, 0 < delta /\ forall x, Rabs (x - m) < delta -> Rabs (f x - f m) < eps.
-Proof.
-  intros C E. destruct (C eps E) as [d [D K]]. exists d. split; [exact D|]. intros x X.
-  destruct (Req_dec x m) as [Z|Z]; [rewrite Z, Rminus_diag_eq, Rabs_R0 by reflexivity; exact E|].
-  apply (K x). split; [split; [exact I|auto]|exact X].
-Qed.
-
 (* The first zero of a continuous function after a place where it is positive. *)
 Lemma first_zero f a b : continuity f -> a < b -> 0 < f a -> f b = 0 ->
   exists c, a < c <= b /\ f c = 0 /\ forall x, a <= x < c -> 0 < f x.
@@ -146,6 +139,31 @@ Definition weight c e := inner c (degenerate_of e).
 Lemma weight_form c e : weight c e = form (deviator c) e e.
 Proof. unfold weight, degenerate_of. destruct c, e. unfold form, dot, apply, inner, deviator, dyad, sub, add, scale, identity, trace. cbn. field. Qed.
 
+Lemma weight_continuous b1 b2 b3 e1 e2 e3 c : b1 >= b2 -> b2 > 0 -> b3 < 0 ->
+  continuity (fun t => weight c (curve b1 b2 b3 e1 e2 e3 t)).
+Proof.
+  intros A B N. set (p := curve b1 b2 b3 e1 e2 e3).
+  set (g := fun t => weight c (p t)).
+  set (d := deviator c).
+  assert (G : forall t, form d e1 e1 * (cos t * cos t) + form d e2 e2 * (sin t * sin t) + form d e3 e3 * (height b1 b2 b3 t * height b1 b2 b3 t)
+      + 2 * (form d e1 e2 * (cos t * sin t) + form d e2 e3 * (sin t * height b1 b2 b3 t) + form d e1 e3 * (cos t * height b1 b2 b3 t)) = g t).
+  { intros t. unfold g. rewrite weight_form. symmetry. apply form_in_frame. }
+  assert (Cc := continuity_cos). assert (Cs := continuity_sin).
+  assert (Ch : continuity (height b1 b2 b3)).
+  { intros t. apply (continuity_pt_comp (fun t => (b1 * (cos t * cos t) + b2 * (sin t * sin t)) / - b3) sqrt).
+    - unfold Rdiv. apply (continuity_pt_mult _ (fun _ => / - b3)); [|apply continuity_pt_const; intros ? ?; reflexivity].
+      apply derivable_continuous_pt. reg.
+    - apply continuity_pt_sqrt. assert (X := square_nonneg (cos t)). assert (Y := square_nonneg (sin t)).
+      apply Rmult_le_pos; [nra|left; apply Rinv_0_lt_compat; lra]. }
+  assert (Kc : forall k, continuity (fun _ => k)) by (intros k0 t; apply continuity_pt_const; intros ? ?; reflexivity).
+  assert (F : continuity (fun t => form d e1 e1 * (cos t * cos t) + form d e2 e2 * (sin t * sin t) + form d e3 e3 * (height b1 b2 b3 t * height b1 b2 b3 t)
+    + 2 * (form d e1 e2 * (cos t * sin t) + form d e2 e3 * (sin t * height b1 b2 b3 t) + form d e1 e3 * (cos t * height b1 b2 b3 t)))).
+  { repeat first [apply (continuity_plus (fun _ => _) (fun _ => _))
+      |apply (continuity_mult (fun _ => _) (fun _ => _))|assumption|apply Kc]. }
+  intros t eps Ep. destruct (F t eps Ep) as [al [Al Q]]. exists al. split; [exact Al|].
+  intros x X. assert (Y := Q x X). rewrite !G in Y. exact Y.
+Qed.
+
 Theorem degenerate_points_reach_infinity b1 b2 b3 e1 e2 e3 c t0 : orthonormal e1 e2 e3 ->
   b1 + b2 + b3 = 0 -> b1 >= b2 -> b2 > 0 -> let p := curve b1 b2 b3 e1 e2 e3 in
   - PI <= t0 <= PI -> 0 < weight c (p t0) ->
@@ -167,25 +185,7 @@ Proof.
   { rewrite Per, weight_form. rewrite E, form_scale_vector in Z2.
     destruct (Rmult_integral _ _ Z2) as [H|H]; [destruct K; apply square_zero, H|exact H]. }
   set (g := fun t => weight c (p t)).
-  set (d := deviator c).
-  assert (G : forall t, form d e1 e1 * (cos t * cos t) + form d e2 e2 * (sin t * sin t) + form d e3 e3 * (height b1 b2 b3 t * height b1 b2 b3 t)
-      + 2 * (form d e1 e2 * (cos t * sin t) + form d e2 e3 * (sin t * height b1 b2 b3 t) + form d e1 e3 * (cos t * height b1 b2 b3 t)) = g t).
-  { intros t. unfold g. rewrite weight_form. symmetry. apply form_in_frame. }
-  assert (C : continuity g).
-  { assert (Cc := continuity_cos). assert (Cs := continuity_sin).
-    assert (Ch : continuity (height b1 b2 b3)).
-    { intros t. apply (continuity_pt_comp (fun t => (b1 * (cos t * cos t) + b2 * (sin t * sin t)) / - b3) sqrt).
-      - unfold Rdiv. apply (continuity_pt_mult _ (fun _ => / - b3)); [|apply continuity_pt_const; intros ? ?; reflexivity].
-        apply derivable_continuous_pt. reg.
-      - apply continuity_pt_sqrt. assert (X := square_nonneg (cos t)). assert (Y := square_nonneg (sin t)).
-        apply Rmult_le_pos; [nra|left; apply Rinv_0_lt_compat; lra]. }
-    assert (Kc : forall k, continuity (fun _ => k)) by (intros k0 t; apply continuity_pt_const; intros ? ?; reflexivity).
-    assert (F : continuity (fun t => form d e1 e1 * (cos t * cos t) + form d e2 e2 * (sin t * sin t) + form d e3 e3 * (height b1 b2 b3 t * height b1 b2 b3 t)
-      + 2 * (form d e1 e2 * (cos t * sin t) + form d e2 e3 * (sin t * height b1 b2 b3 t) + form d e1 e3 * (cos t * height b1 b2 b3 t)))).
-    { repeat first [apply (continuity_plus (fun _ => _) (fun _ => _))
-        |apply (continuity_mult (fun _ => _) (fun _ => _))|assumption|apply Kc]. }
-    intros t eps Ep. destruct (F t eps Ep) as [al [Al Q]]. exists al. split; [exact Al|].
-    intros x X. rewrite <- !G. exact (Q x X). }
+  assert (C : continuity g) by (apply weight_continuous; lra).
   assert (Lt : t0 < s + 2 * PI).
   { destruct (Rle_dec (s + 2 * PI) t0) as [H|H]; [|lra]. exfalso.
     assert (H0 : t0 = s + 2 * PI) by lra. rewrite H0, Zs in W0. lra. }

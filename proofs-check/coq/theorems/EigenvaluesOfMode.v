@@ -4,11 +4,11 @@
    The eigenvalues of a unit tensor by its mode: sines of thirds of the arc sine of minus the mode.
    These three numbers are in order, have the sum 0 and the squared norm 1, and this mode; and a
    deviator's eigenvalues are known from its norm and its mode. *)
-From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode ModeRange.
+From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode ModeRange Calculus.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 
-Definition root k mu := sqrt (2 / 3) * sin (asin (- mu) / 3 + k * (2 * (PI / 3))).
+Definition root k mu := sqrt (2 / 3) * sin (arc_sine (- mu) / 3 + k * (2 * (PI / 3))).
 
 Lemma sin_triple x : sin (3 * x) = 3 * sin x - 4 * (sin x * sin x * sin x).
 Proof.
@@ -21,11 +21,11 @@ Qed.
 Lemma sines mu : -1 <= mu <= 1 -> let a := root 1 mu in let b := root 0 mu in let c := root (-1) mu in
   a >= b /\ b >= c /\ a + b + c = 0 /\ a * a + b * b + c * c = 1 /\ 3 * sqrt 6 * (a * b * c) = mu.
 Proof.
-  intros M a b c. unfold a, b, c, root. set (x := asin (- mu) / 3).
-  assert (B := asin_bound (- mu)). assert (Pi := PI_RGT_0).
+  intros M a b c. unfold a, b, c, root. set (x := arc_sine (- mu) / 3).
+  assert (B := arc_sine_bound (- mu)). assert (Pi := PI_RGT_0).
   assert (X : - (PI / 6) <= x <= PI / 6) by (unfold x; lra).
   assert (X3 : sin (3 * x) = - mu).
-  { unfold x. replace (3 * (asin (- mu) / 3)) with (asin (- mu)) by field. apply sin_asin. lra. }
+  { unfold x. replace (3 * (arc_sine (- mu) / 3)) with (arc_sine (- mu)) by field. apply sin_arc_sine. lra. }
   rewrite sin_triple in X3.
   set (r := sqrt (2 / 3)). assert (R : r * r = 2 / 3) by (apply sqrt_sqrt; lra).
   assert (Rp : 0 < r) by (apply sqrt_lt_R0; lra).

@@ -6,7 +6,7 @@
    inner product of the tensors (Hoffman and Wielandt for 3x3; the squares of the cosines between
    the eigenvectors are doubly stochastic), and the eigenvalues of unit deviators are vectors whose
    angle is the difference of the Lode angles. *)
-From TensorTopo Require Import Tensors Frames SpectralTheorem Mode.
+From TensorTopo Require Import Tensors Frames SpectralTheorem Mode Calculus.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 
@@ -68,8 +68,8 @@ Proof.
   rewrite E, !norm2_spectral by assumption. lra.
 Qed.
 
-Definition lode t := acos (mode t) / 3.
-Definition angle a b := acos (inner a b / (norm a * norm b)).
+Definition lode t := arc_cosine (mode t) / 3.
+Definition angle a b := arc_cosine (inner a b / (norm a * norm b)).
 
 Lemma cos_triple x : cos (3 * x) = 4 * (cos x * cos x * cos x) - 3 * cos x.
 Proof.
@@ -97,9 +97,9 @@ Proof.
   assert (Low : / 4 <= c * c) by (rewrite CC; nra).
   assert (High : c * c <= 1) by (rewrite CC; nra).
   assert (C1 : / 2 <= c) by nra. assert (C2 : c <= 1) by nra.
-  set (phi := acos c).
-  assert (Cp : cos phi = c) by (apply cos_acos; lra).
-  assert (B1 := acos_bound c). fold phi in B1.
+  set (phi := arc_cosine c).
+  assert (Cp : cos phi = c) by (apply cos_arc_cosine; lra).
+  assert (B1 := arc_cosine_bound c). fold phi in B1.
   assert (Pi := PI_RGT_0).
   assert (Top : phi <= PI / 3).
   { apply Rnot_lt_le. intros H. assert (K := cos_decreasing_1 (PI / 3) phi ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) H).
@@ -151,7 +151,7 @@ Proof.
     assert (N1 : norm (spectral (a / n) (b / n) (c / n) u v w) = 1).
     { unfold norm. rewrite (norm2_spectral _ _ _ u v w O), Q. apply sqrt_1. }
     rewrite N1, (det_spectral _ _ _ u v w O). field. lra. }
-  rewrite Mo, acos_cos by (assert (Pi := PI_RGT_0); lra). field.
+  rewrite Mo, arc_cosine_cos by (assert (Pi := PI_RGT_0); lra). field.
 Qed.
 
 Theorem lode_screen a b : a <> zero -> b <> zero -> trace a = 0 -> trace b = 0 ->
@@ -181,11 +181,11 @@ Proof.
     assert (n * n > 0) by (apply square_pos; lra).
     assert (x * x <= 1) by (apply Rnot_lt_le; intros W; assert (0 < (x * x - 1) * (n * n)) by (apply Rmult_lt_0_compat; lra); lra).
     split; nra. }
-  assert (Pi := PI_RGT_0). assert (Bx := acos_bound x).
+  assert (Pi := PI_RGT_0). assert (Bx := arc_cosine_bound x).
   apply Rnot_lt_le. intros H.
   assert (G : 0 <= Rabs (f - g) <= PI) by (split; [apply Rabs_pos|apply Rabs_le; lra]).
-  assert (K := cos_decreasing_1 (acos x) (Rabs (f - g)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) H).
-  rewrite cos_acos in K by exact Range.
+  assert (K := cos_decreasing_1 (arc_cosine x) (Rabs (f - g)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) H).
+  rewrite cos_arc_cosine in K by exact Range.
   assert (W : cos (Rabs (f - g)) = cos (f - g)).
   { unfold Rabs. destruct (Rcase_abs (f - g)); [apply cos_neg|reflexivity]. }
   rewrite W in K. lra.
@@ -198,7 +198,7 @@ Proof. destruct t. unfold norm2, inner, deviator, sub, add, scale, identity, tra
 
 (* A change e of a tensor turns its deviator by at most arcsin(|e| / |deviator|). *)
 Theorem stability t e : norm e < norm (deviator t) ->
-  Rabs (lode (deviator (add t e)) - lode (deviator t)) <= asin (norm e / norm (deviator t)).
+  Rabs (lode (deviator (add t e)) - lode (deviator t)) <= arc_sine (norm e / norm (deviator t)).
 Proof.
   intros H. set (a := deviator t) in *. set (d := deviator e).
   assert (S : deviator (add t e) = add a d) by apply deviator_add.
@@ -247,13 +247,13 @@ Proof.
       fold p in Ca. rewrite <- Sa, <- Sb in Ca. rewrite <- YE in Ca.
       assert (0 < (nb * nb) * (na * na)) by (repeat apply Rmult_lt_0_compat; assumption).
       assert (0 < (y * y - 1) * ((nb * nb) * (na * na))) by (apply Rmult_lt_0_compat; nra). lra. }
-    assert (Pi := PI_RGT_0). assert (By := acos_bound y). assert (Br := asin_bound r).
+    assert (Pi := PI_RGT_0). assert (By := arc_cosine_bound y). assert (Br := arc_sine_bound r).
     apply Rnot_lt_le. intros W.
-    assert (Ar : 0 <= asin r).
-    { apply Rnot_lt_le. intros G. assert (K := sin_lt_0_var (asin r) ltac:(lra) G).
-      rewrite sin_asin in K by lra. lra. }
-    assert (K := cos_decreasing_1 (asin r) (acos y) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) W).
-    rewrite cos_acos, cos_asin in K by lra.
-    assert (T : sqrt (1 - r²) * sqrt (1 - r²) = 1 - r * r) by (rewrite sqrt_sqrt; unfold Rsqr; nra).
-    assert (T0 := sqrt_pos (1 - r²)). nra.
+    assert (Ar : 0 <= arc_sine r).
+    { apply Rnot_lt_le. intros G. assert (K := sin_lt_0_var (arc_sine r) ltac:(lra) G).
+      rewrite sin_arc_sine in K by lra. lra. }
+    assert (K := cos_decreasing_1 (arc_sine r) (arc_cosine y) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) W).
+    rewrite cos_arc_cosine, cos_arc_sine in K by lra.
+    assert (T : sqrt (1 - r * r) * sqrt (1 - r * r) = 1 - r * r) by (rewrite sqrt_sqrt; nra).
+    assert (T0 := sqrt_pos (1 - r * r)). nra.
 Qed.

@@ -11,7 +11,7 @@
 
    A simplex of V corners is the cone of weights that are not negative and not all zero; multiples
    of weights are the same point, with the same mode. *)
-From TensorTopo Require Import Tensors Mode Polynomials Kernel ModeOnSimplex.
+From TensorTopo Require Import Tensors Mode Polynomials Kernel ModeOnSimplex Calculus.
 Require Import Reals Psatz Ring Field ZArith List Lia.
 Import ListNotations.
 Open Scope R_scope.
@@ -31,20 +31,20 @@ Theorem mode_increases V m d w a b : monotone V m d -> a < b ->
   mode_at m (move w a d) < mode_at m (move w b d).
 Proof.
   intros [P I] L A B.
-  destruct (MVT_cor2 (fun t => mode_at m (move w t d))
-    (fun t => mode_derivative m d (move w t d)) a b L) as [c [E C]].
+  assert (Pos : forall c, a <= c <= b -> 0 < mode_derivative m d (move w c d)).
+  { intros c C. assert (K : in_cone V (move w c d)) by (apply (between_in_cone V w d a c b); assumption).
+    assert (N := field_not_zero V m _ P K). assert (S := sqrt6_positive).
+    unfold mode_derivative. apply Rmult_lt_0_compat; [lra|]. apply Rdiv_lt_0_compat.
+    - apply (all_positive_value V); assumption.
+    - assert (0 < norm (field m (move w c d))) by (apply norm_positive; exact N).
+      assert (0 < norm2 (field m (move w c d))) by (apply norm2_positive; exact N).
+      repeat apply Rmult_lt_0_compat; lra. }
+  apply (derivative_increases (fun t => mode_at m (move w t d))
+    (fun t => mode_derivative m d (move w t d)) a b L).
   - intros c C. apply mode_derivative_value, (field_not_zero V); [exact P|].
     apply (between_in_cone V w d a c b); assumption.
-  - assert (K : in_cone V (move w c d)) by (apply (between_in_cone V w d a c b); [lra|assumption..]).
-    assert (N := field_not_zero V m _ P K). assert (S := sqrt6_positive).
-    assert (0 < mode_derivative m d (move w c d)).
-    { unfold mode_derivative. apply Rmult_lt_0_compat; [lra|]. apply Rdiv_lt_0_compat.
-      - apply (all_positive_value V); assumption.
-      - assert (0 < norm (field m (move w c d))) by (apply norm_positive; exact N).
-        assert (0 < norm2 (field m (move w c d))) by (apply norm2_positive; exact N).
-        repeat apply Rmult_lt_0_compat; lra. }
-    assert (0 < mode_derivative m d (move w c d) * (b - a)) by (apply Rmult_lt_0_compat; lra).
-    cbv beta in E. lra.
+  - intros c C. left. apply Pos, C.
+  - intros c C. apply Pos. lra.
 Qed.
 
 (* On the part a..b of a line: one crossing if the level is between the modes at the ends. *)

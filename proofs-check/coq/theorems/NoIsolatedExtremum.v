@@ -2,14 +2,13 @@
    SPDX-License-Identifier: Apache-2.0
 
    The maximum principle behind the absence of closed components: in a field of rank 4 every local
-   extremum of the mode is a degenerate point, if the characteristic tensor N is not degenerate. A
-   bounded region between levels would hold an extremum, hence a degenerate point. (That the
-   degenerate points form a connected set that reaches infinity is not proved here; that each plane,
-   the one at infinity included, has one, is.)
+   extremum of the mode is a degenerate point. At a critical point t that is not degenerate the
+   characteristic tensor N is a multiple of the dual of t, so the field has E12 and E23 of the frame
+   of t, along which the mode grows and falls.
    V are the differences between points of the field in space: with a point's tensor t they span the
    field. *)
 From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode ModeRange
-  ModeOnSimplex Dual Saddle.
+  ModeOnSimplex Dual SecondOrder Saddle.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 
@@ -47,16 +46,6 @@ Proof.
   rewrite E, inner_sym, inner_add, inner_scale, (inner_sym u), H', (inner_sym t), (inner_dual t T). ring.
 Qed.
 
-(* The directions of the saddle are in the field. *)
-Lemma displacement_in_field b1 b2 b3 u v w x y z : orthonormal u v w ->
-  in_field (spectral b1 b2 b3 u v w) (displacement x y z u v w).
-Proof.
-  intros [A B C D E F]. unfold displacement. split.
-  - rewrite inner_spectral, !form_add, !form_scale, !form_sym_dyad.
-    rewrite ?(dot_sym v u), ?(dot_sym w v), ?(dot_sym w u), ?A, ?B, ?C, ?D, ?E, ?F. ring.
-  - rewrite !trace_add, !trace_scale, !trace_sym_dyad, D, E, F. ring.
-Qed.
-
 (* A tensor t with an increase along a direction of the field is no local maximum. *)
 Lemma increase_excludes N V t w : in_field N w -> spans_field N V t ->
   (exists eps, 0 < eps /\ forall x, x <> 0 -> Rabs x < eps -> mode t < mode (add t (scale x w))) ->
@@ -91,105 +80,42 @@ Proof.
   assert (R := Q (x / s) Small). lra.
 Qed.
 
-Lemma in_field_opposite N t : in_field (scale (-1) N) t <-> in_field N t.
-Proof. unfold in_field. rewrite inner_scale. split; intros [A B]; split; lra. Qed.
-
-Lemma dual_opposite t : dual (scale (-1) t) = dual t.
-Proof. rewrite dual_scale. transitivity (scale 1 (dual t)); [f_equal; ring|apply scale_one]. Qed.
-
-(* With det N < 0. *)
-Lemma maximum_is_degenerate_negative N V t : trace N = 0 -> ~ degenerate N -> det N < 0 ->
-  t <> zero -> in_field N t -> spans_field N V t -> local_maximum V t -> degenerate t.
-Proof.
-  intros T DN Dn Z I S M. assert (C := maximum_is_critical N V t Z I S M).
-  destruct (spectral_theorem N) as [b1 [b2 [b3 [u [v [w [A [B [O E]]]]]]]]].
-  assert (Sum : b1 + b2 + b3 = 0) by (rewrite <- T, E; symmetry; apply trace_spectral, O).
-  assert (Db : b1 * b2 * b3 < 0) by (rewrite <- (det_spectral b1 b2 b3 u v w O), <- E; exact Dn).
-  assert (P : 0 < b2).
-  { apply Rnot_le_lt. intros H. assert (0 <= b1) by lra. assert (b3 <= 0) by lra.
-    assert (0 <= b1 * (- b2) * (- b3)) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). lra. }
-  assert (B12 : b1 > b2).
-  { destruct (Req_dec b1 b2) as [H|H]; [|lra]. exfalso. apply DN. exists b2, (b3 - b2), w. split; [apply O|].
-    rewrite E, H, spectral_rotate, spectral_rotate. apply equal_pair_degenerate. permuted_frame O. }
-  assert (EM : degenerate t \/ ~ degenerate t).
-  { (* decided by whether the dual is zero *)
-    destruct (Req_dec (norm2 (dual t)) 0) as [H|H].
-    - left. apply dual_zero; [apply I|apply norm2_zero, H].
-    - right. intros D. apply H. apply dual_zero in D; [|apply I]. rewrite D. unfold norm2, inner, zero. cbn. ring. }
-  destruct EM as [D|D]; [exact D|exfalso].
-  destruct (one_critical_point N t T DN Z I C D) as [k [K F]].
-  set (d := (b1 - b2) * (b2 - b3) * (b1 - b3) / 3).
-  assert (Dp : 0 < d) by (unfold d; apply Rdiv_lt_0_compat; [repeat apply Rmult_lt_0_compat; lra|lra]).
-  assert (Sd : dual N = scale d (saddle b1 b2 b3 u v w)).
-  { rewrite E, (dual_spectral _ _ _ _ _ _ O Sum). unfold saddle. rewrite scale_spectral. reflexivity. }
-  set (X := saddle b1 b2 b3 u v w) in *.
-  assert (Ft : t = scale (k * d) X) by (rewrite F, Sd, scale_scale; reflexivity).
-  destruct (signature b1 b2 b3 Sum B12 P) as [Up Down].
-  assert (Mul : forall c y, c <> 0 -> add (scale c X) (scale y (scale c (displacement 1 0 0 u v w))) = scale c (add X (scale y (displacement 1 0 0 u v w))))
-    by (intros; generalize X (displacement 1 0 0 u v w); clear; intros; tensor_ring).
-  set (c := k * d) in *. assert (C0 : c <> 0) by (unfold c; apply Rmult_integral_contrapositive_currified; lra).
-  assert (Dir : exists q, in_field N q /\ exists eps, 0 < eps /\
-    forall x, x <> 0 -> Rabs x < eps -> 0 < c * (mode (add X (scale x q)) - mode X)).
-  { destruct (Rtotal_order c 0) as [Neg|[Zero|Pos]]; [|contradiction|].
-    - exists (displacement 0 1 0 u v w). split; [rewrite E; apply displacement_in_field, O|].
-      assert (H := Down 1 ltac:(lra)).
-      destruct (saddle_index b1 b2 b3 u v w 0 1 0 O Sum B12 ltac:(lra) ltac:(lra)) as [eps [Ep Q]].
-      exists eps. split; [exact Ep|]. intros x X1 X2. assert (R := Q x X1 X2). cbv zeta in R. fold X in R.
-      set (h := index_form b1 b2 b3 0 1 0) in *. set (y := mode _ - mode X) in *.
-      assert (y < 0) by nra. nra.
-    - exists (displacement 1 0 0 u v w). split; [rewrite E; apply displacement_in_field, O|].
-      assert (H := Up 1 0 ltac:(left; lra)).
-      destruct (saddle_index b1 b2 b3 u v w 1 0 0 O Sum B12 ltac:(lra) ltac:(lra)) as [eps [Ep Q]].
-      exists eps. split; [exact Ep|]. intros x X1 X2. assert (R := Q x X1 X2). cbv zeta in R. fold X in R.
-      set (h := index_form b1 b2 b3 1 0 0) in *. set (y := mode _ - mode X) in *.
-      assert (0 < y) by nra. apply Rmult_lt_0_compat; assumption. }
-  destruct Dir as [q [Iq [eps [Ep Q]]]].
-  apply (increase_excludes N V t (scale c q)) in M; auto.
-  - destruct Iq as [I1 I2]. split; [rewrite inner_sym, inner_scale, inner_sym, I1; ring|rewrite trace_scale, I2; ring].
-  - exists eps. split; [exact Ep|]. intros x X1 X2. assert (R := Q x X1 X2). rewrite Ft.
-    replace (add (scale c X) (scale x (scale c q))) with (scale c (add X (scale x q)))
-      by (generalize X q; clear; intros; tensor_ring).
-    destruct (Rtotal_order c 0) as [Neg|[Zero|Pos]]; [|contradiction|].
-    + assert (Op : forall s, mode (scale c s) = - mode s).
-      { intros s. replace (scale c s) with (scale (-1) (scale (- c) s)) by (generalize s; clear; intros; tensor_ring).
-        rewrite mode_opposite, mode_scale by lra. reflexivity. }
-      rewrite !Op. nra.
-    + rewrite !mode_scale by exact Pos. nra.
-Qed.
-
 Lemma degenerate_opposite t : degenerate (scale (-1) t) <-> degenerate t.
 Proof.
   split; intros H; [|apply degenerate_scale, H].
   replace t with (scale (-1) (scale (-1) t)) by (clear; tensor_ring). apply degenerate_scale, H.
 Qed.
 
-Theorem maximum_is_degenerate N V t : trace N = 0 -> ~ degenerate N -> t <> zero ->
+Theorem maximum_is_degenerate N V t : trace N = 0 -> N <> zero -> t <> zero ->
   in_field N t -> spans_field N V t -> local_maximum V t -> degenerate t.
 Proof.
-  intros T DN Z I S M. destruct (Rtotal_order (det N) 0) as [H|[H|H]].
-  - apply (maximum_is_degenerate_negative N V); auto.
-  - (* the only other critical point is degenerate as well *)
-    assert (C := maximum_is_critical N V t Z I S M).
-    destruct (Req_dec (norm2 (dual t)) 0) as [Q|Q]; [apply dual_zero; [apply I|apply norm2_zero, Q]|].
-    assert (D : ~ degenerate t).
-    { intros D. apply Q. apply dual_zero in D; [|apply I]. rewrite D. unfold norm2, inner, zero. cbn. ring. }
-    destruct (one_critical_point N t T DN Z I C D) as [k [_ F]]. rewrite F. apply degenerate_scale.
-    apply dual_zero; [apply trace_dual, T|].
-    destruct (spectral_theorem N) as [b1 [b2 [b3 [u [v [w [_ [_ [O E]]]]]]]]].
-    assert (Sum : b1 + b2 + b3 = 0) by (rewrite <- T, E; symmetry; apply trace_spectral, O).
-    rewrite E, (dual_dual _ _ _ _ _ _ O Sum). unfold dual_factor.
-    rewrite E, (det_spectral _ _ _ _ _ _ O) in H. rewrite H.
-    generalize (spectral b1 b2 b3 u v w). clear. intros. tensor_ring.
-  - apply (maximum_is_degenerate_negative (scale (-1) N) V); auto.
-    + rewrite trace_scale, T. ring.
-    + rewrite degenerate_opposite. exact DN.
-    + rewrite det_scale. lra.
-    + apply in_field_opposite, I.
-    + destruct S as [S1 [S2 S3]]. split; [intros u U; apply in_field_opposite, S1, U|]. split; [exact S2|].
-      intros w W. apply S3, in_field_opposite, W.
+  intros TN ZN Z I S M. assert (T := proj2 I). assert (C := maximum_is_critical N V t Z I S M).
+  apply (lagrange N t TN ZN Z T) in C. destruct C as [k E].
+  destruct (Req_dec (norm2 (dual t)) 0) as [D|D]; [apply dual_zero; [exact T|apply norm2_zero, D]|exfalso].
+  destruct (spectral_theorem t) as [t1 [t2 [t3 [u [v [w [A [B [O F]]]]]]]]].
+  assert (Sum : t1 + t2 + t3 = 0) by (rewrite <- T, F; symmetry; apply trace_spectral, O).
+  rewrite F, (dual_spectral _ _ _ _ _ _ O Sum) in E, D.
+  set (d := (t1 - t2) * (t2 - t3) * (t1 - t3) / 3) in *.
+  assert (Dz : d <> 0).
+  { intros H. apply D. rewrite H, (norm2_spectral _ _ _ _ _ _ O). ring. }
+  assert (Ne : t1 <> t2 /\ t2 <> t3 /\ t1 <> t3).
+  { repeat split; intros H; apply Dz; unfold d; rewrite H; field. }
+  assert (K : k <> 0).
+  { intros H. rewrite H in E. apply D. rewrite E. replace (scale 0 N) with zero by (clear; tensor_ring).
+    unfold norm2, inner, zero. cbn. ring. }
+  assert (Across : in_field N (displacement 1 0 0 u v w)).
+  { destruct (displacement_across (d * (t2 - t3)) (d * (t3 - t1)) (d * (t1 - t2)) u v w 1 0 0 O) as [P Q].
+    split; [|exact Q]. rewrite E, inner_scale in P. destruct (Rmult_integral _ _ P); [contradiction|assumption]. }
+  (* along E12 the mode grows *)
+  assert (H : 0 < second_form t1 t2 t3 1 0 0).
+  { unfold second_form. assert (0 < - t3 * (t1 - t3) * (t2 - t3)) by (repeat apply Rmult_lt_0_compat; lra). lra. }
+  apply (increase_excludes N V t (displacement 1 0 0 u v w)) in M; auto.
+  destruct (second_order_in_frame t1 t2 t3 u v w 1 0 0 O Sum ltac:(left; lra) ltac:(lra)) as [eps [P Q]].
+  exists eps. split; [exact P|]. intros x X1 X2. assert (R := Q x X1 X2). cbv zeta in R. rewrite <- F in R.
+  set (h := second_form t1 t2 t3 1 0 0) in *. set (y := mode _ - mode t) in *. assert (0 < y) by nra. unfold y in *. lra.
 Qed.
 
-Theorem minimum_is_degenerate N V t : trace N = 0 -> ~ degenerate N -> t <> zero ->
+Theorem minimum_is_degenerate N V t : trace N = 0 -> N <> zero -> t <> zero ->
   in_field N t -> spans_field N V t -> local_minimum V t -> degenerate t.
 Proof.
   intros T DN Z I S M. apply degenerate_opposite.

@@ -6,7 +6,7 @@
    is a saddle. The idea: where the derivative vanishes along all directions of the field, dual T is
    a multiple of N; and the dual of the dual of T is a multiple of T. *)
 From TensorTopo Require Import Tensors Frames DegenerateTensors SpectralTheorem Mode ModeRange
-  ModeOnSimplex Dual.
+  ModeOnSimplex Dual SecondOrder.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 
@@ -94,8 +94,6 @@ Qed.
 (* Near the saddle, in the frame of N: along x E12 + y E23 + z E13 the mode grows or falls with the
    sign of a quadratic form, negative for E23 and positive for E12 and E13. *)
 Definition saddle b1 b2 b3 u v w := spectral (b2 - b3) (b3 - b1) (b1 - b2) u v w.
-Definition displacement x y z u v w :=
-  add (scale x (sym_dyad u v)) (add (scale y (sym_dyad v w)) (scale z (sym_dyad u w))).
 Definition index_form b1 b2 b3 x y z :=
   9 * (b1 * b2 * (b1 - b2) * (x * x) - b2 * (b1 + b2) * (b2 - b3) * (y * y)
        + b1 * (b1 + b2) * (b1 - b3) * (z * z)).
@@ -119,109 +117,13 @@ Proof.
     assert (0 < b2 * (b1 + b2) * (b2 - b3) * (y * y)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
-Lemma displaced b1 b2 b3 x y z u v w t : orthonormal u v w -> b1 + b2 + b3 = 0 ->
-  let s := add (saddle b1 b2 b3 u v w) (scale t (displacement x y z u v w)) in
-  let p := 3 * (b1 * b1 + b2 * b2 + b3 * b3) in
-  let q := (b2 - b3) * (b3 - b1) * (b1 - b2) in
-  let a := - (b1 - b2) * (x * x) - (b2 - b3) * (y * y) - (b3 - b1) * (z * z) in
-  norm2 s = p + 0 * t + 2 * (x * x + y * y + z * z) * (t * t) + 0 * (t * t * t) /\
-  det s = q + 0 * t + a * (t * t) + 2 * x * y * z * (t * t * t).
-Proof.
-  intros O S s p q a.
-  assert (E : s = from_frame u v w (Tensor (b2 - b3) (b3 - b1) (b1 - b2) (t * x) (t * y) (t * z))).
-  { unfold s, saddle, displacement, from_frame. cbn [xx yy zz xy yz xz].
-    generalize (spectral (b2 - b3) (b3 - b1) (b1 - b2) u v w) (sym_dyad u v) (sym_dyad v w) (sym_dyad u w).
-    clear. intros. tensor_ring. }
-  rewrite E. split.
-  - rewrite <- (norm2_in_frame u v w _ O), (in_from_frame u v w _ O).
-    unfold norm2, inner, p. cbn [xx yy zz xy yz xz]. replace b3 with (- b1 - b2) by lra. ring.
-  - rewrite <- (det_in_frame u v w _ O), (in_from_frame u v w _ O).
-    unfold det, q, a. cbn [xx yy zz xy yz xz]. ring.
-Qed.
-
 Theorem saddle_index b1 b2 b3 u v w x y z : orthonormal u v w -> b1 + b2 + b3 = 0 ->
-  b1 > b2 -> b2 > b3 -> let h := index_form b1 b2 b3 x y z in h <> 0 ->
+  b1 >= b2 -> b2 > b3 -> let h := index_form b1 b2 b3 x y z in h <> 0 ->
   exists eps, 0 < eps /\ forall t, t <> 0 -> Rabs t < eps ->
   0 < h * (mode (add (saddle b1 b2 b3 u v w) (scale t (displacement x y z u v w)))
            - mode (saddle b1 b2 b3 u v w)).
 Proof.
-  intros O S A B h H.
-  set (p := 3 * (b1 * b1 + b2 * b2 + b3 * b3)). set (q := (b2 - b3) * (b3 - b1) * (b1 - b2)).
-  set (a := - (b1 - b2) * (x * x) - (b2 - b3) * (y * y) - (b3 - b1) * (z * z)).
-  set (r := x * x + y * y + z * z). set (c := 2 * x * y * z).
-  assert (Hh : h = p * a - 3 * q * r).
-  { unfold h, index_form, p, a, q, r. replace b3 with (- b1 - b2) by lra. ring. }
-  assert (P0 : 0 < p) by (unfold p; assert (0 < (b1 - b2) * (b1 - b2)) by (apply square_pos; lra); nra).
-  assert (R0 : 0 <= r) by (unfold r; assert (X := square_nonneg x); assert (Y := square_nonneg y); assert (Z := square_nonneg z); lra).
-  set (np := fun t => p + 0 * t + 2 * r * (t * t) + 0 * (t * t * t)).
-  set (nq := fun t => q + 0 * t + a * (t * t) + c * (t * t * t)).
-  set (g := fun t => nq t / (sqrt (np t) * sqrt (np t) * sqrt (np t))).
-  assert (G : forall t, mode (add (saddle b1 b2 b3 u v w) (scale t (displacement x y z u v w))) = 3 * sqrt 6 * g t).
-  { intros t. destruct (displaced b1 b2 b3 x y z u v w t O S) as [E1 E2].
-    unfold mode, norm. rewrite E1, E2. unfold g, np, nq, p, q, a, r, c, Rdiv. ring. }
-  assert (G0 : mode (saddle b1 b2 b3 u v w) = 3 * sqrt 6 * g 0).
-  { rewrite <- G. f_equal. generalize (saddle b1 b2 b3 u v w) (displacement x y z u v w). clear. intros. tensor_ring. }
-  assert (NP : forall t, 0 < np t) by (intros t; unfold np; assert (T := square_nonneg t); nra).
-  set (rest := fun t => 4 * h + 6 * p * c * t - 4 * r * a * (t * t)).
-  assert (D : forall t, exists k, 0 < k /\ derivable_pt_lim g t (k * (t * rest t))).
-  { intros t. assert (Q := quotient_derivative np nq _ _ t (NP t) (cubic_derivative p 0 (2 * r) 0 t) (cubic_derivative q 0 a c t)).
-    exists (/ (2 * sqrt (np t) * (np t * np t))). split.
-    - apply Rinv_0_lt_compat. assert (W := NP t). assert (0 < sqrt (np t)) by (apply sqrt_lt_R0; exact W).
-      repeat apply Rmult_lt_0_compat; lra.
-    - replace (_ * (t * rest t)) with ((2 * np t * (0 + 2 * a * t + 3 * c * (t * t)) - 3 * nq t * (0 + 2 * (2 * r) * t + 3 * 0 * (t * t)))
-        / (2 * sqrt (np t) * (np t * np t))); [exact Q|].
-      unfold Rdiv. rewrite (Rmult_comm (/ _)). f_equal. unfold rest. rewrite Hh. unfold np, nq. ring. }
-  (* h and the rest have the same sign near 0 *)
-  set (m := 6 * p * Rabs c + 4 * r * Rabs a).
-  assert (M0 : 0 <= m) by (unfold m; assert (C := Rabs_pos c); assert (Aa := Rabs_pos a); nra).
-  assert (H0 : 0 < Rabs h) by (apply Rabs_pos_lt; exact H).
-  set (eps := Rmin 1 (Rabs h / (m + 1))).
-  assert (E0 : 0 < Rabs h / (m + 1)) by (apply Rdiv_lt_0_compat; lra).
-  assert (Small : forall t, Rabs t < eps -> 0 < h * rest t).
-  { intros t T. assert (T1 := Rmin_l 1 (Rabs h / (m + 1))). assert (T2 := Rmin_r 1 (Rabs h / (m + 1))).
-    fold eps in T1, T2. assert (T0 := Rabs_pos t).
-    assert (TM : Rabs t * (m + 1) < Rabs h).
-    { assert (T' := Rmult_lt_compat_r (m + 1) (Rabs t) (Rabs h / (m + 1)) ltac:(lra) ltac:(lra)).
-      replace (Rabs h / (m + 1) * (m + 1)) with (Rabs h) in T' by (field; lra). exact T'. }
-    assert (Err : Rabs (6 * p * c * t - 4 * r * a * (t * t)) <= m * Rabs t).
-    { unfold m. assert (Tr := Rabs_triang (6 * p * c * t) (- (4 * r * a * (t * t)))).
-      rewrite Rabs_Ropp in Tr. rewrite !Rabs_mult in Tr.
-      rewrite (Rabs_pos_eq p), (Rabs_pos_eq r) in Tr by lra.
-      replace (Rabs 6) with 6 in Tr by (rewrite Rabs_pos_eq; lra).
-      replace (Rabs 4) with 4 in Tr by (rewrite Rabs_pos_eq; lra).
-      assert (Aa := Rabs_pos a). assert (Rabs t * Rabs t <= Rabs t) by nra.
-      assert (4 * r * Rabs a * (Rabs t * Rabs t) <= 4 * r * Rabs a * Rabs t) by (apply Rmult_le_compat_l; [nra|lra]).
-      unfold Rminus. lra. }
-    unfold rest. set (e := 6 * p * c * t - 4 * r * a * (t * t)) in *.
-    replace (4 * h + 6 * p * c * t - 4 * r * a * (t * t)) with (4 * h + e) by (unfold e; ring).
-    assert (Es : Rabs e < Rabs h) by nra. apply Rabs_def2 in Es.
-    destruct (Rle_dec 0 h) as [Hs|Hs].
-    - rewrite Rabs_pos_eq in Es by exact Hs. nra.
-    - rewrite Rabs_left in Es by lra. nra. }
-  exists eps. split; [unfold eps; apply Rmin_glb_lt; lra|]. intros t T Te. rewrite G, G0.
-  assert (S6 := sqrt6_positive).
-  assert (K : exists k d, 0 < k /\ Rabs d < eps /\ 0 < d * t /\ g t - g 0 = k * (d * rest d) * t).
-  { destruct (Rtotal_order t 0) as [Neg|[Z|Pos]]; [|contradiction|].
-    - destruct (MVT_cor2 g (fun l => (2 * np l * (0 + 2 * a * l + 3 * c * (l * l)) - 3 * nq l * (0 + 2 * (2 * r) * l + 3 * 0 * (l * l)))
-        / (2 * sqrt (np l) * (np l * np l))) t 0 Neg) as [d [E I]].
-      { intros l _. apply quotient_derivative; [apply NP|apply cubic_derivative|apply cubic_derivative]. }
-      destruct (D d) as [k [K Dd]].
-      assert (U := uniqueness_limite _ _ _ _ (quotient_derivative np nq _ _ d (NP d) (cubic_derivative p 0 (2 * r) 0 d) (cubic_derivative q 0 a c d)) Dd).
-      cbv beta in E. rewrite U in E. exists k, d. split; [exact K|]. split; [|split; [nra|lra]].
-      replace (Rabs d) with (- d) by (rewrite Rabs_left; lra).
-      replace (Rabs t) with (- t) in Te by (rewrite Rabs_left; lra). lra.
-    - destruct (MVT_cor2 g (fun l => (2 * np l * (0 + 2 * a * l + 3 * c * (l * l)) - 3 * nq l * (0 + 2 * (2 * r) * l + 3 * 0 * (l * l)))
-        / (2 * sqrt (np l) * (np l * np l))) 0 t Pos) as [d [E I]].
-      { intros l _. apply quotient_derivative; [apply NP|apply cubic_derivative|apply cubic_derivative]. }
-      destruct (D d) as [k [K Dd]].
-      assert (U := uniqueness_limite _ _ _ _ (quotient_derivative np nq _ _ d (NP d) (cubic_derivative p 0 (2 * r) 0 d) (cubic_derivative q 0 a c d)) Dd).
-      cbv beta in E. rewrite U in E. exists k, d. split; [exact K|]. split; [|split; [nra|lra]].
-      replace (Rabs d) with d by (rewrite Rabs_pos_eq; lra).
-      replace (Rabs t) with t in Te by (rewrite Rabs_pos_eq; lra). lra. }
-  destruct K as [k [d [K [Dd [Dt E]]]]].
-  assert (W := Small d Dd).
-  replace (h * (3 * sqrt 6 * g t - 3 * sqrt 6 * g 0)) with (3 * sqrt 6 * (h * (g t - g 0))) by ring.
-  rewrite E. replace (h * (k * (d * rest d) * t)) with (k * ((h * rest d) * (d * t))) by ring.
-  assert (0 < k * ((h * rest d) * (d * t))) by (apply Rmult_lt_0_compat; [exact K|apply Rmult_lt_0_compat; assumption]).
-  apply Rmult_lt_0_compat; lra.
+  intros O S A B h. assert (H : h = second_form (b2 - b3) (b3 - b1) (b1 - b2) x y z).
+  { unfold h, index_form, second_form. replace b3 with (- b1 - b2) by lra. ring. }
+  rewrite H. intros N. apply second_order_in_frame; auto; [ring|]. left. lra.
 Qed.

@@ -55,6 +55,10 @@ struct LevelReport {
   std::string bound;       ///< of the distance, in the mesh's units; empty if none is claimed
   std::size_t coarse = 0;  ///< tetrahedra to which only the coarse bound applies
   bool embedded = false;   ///< whether it is certified that the triangles are
+  bool claims_stability = false;  ///< that components are in all fields within a radius
+  double radius = 0;
+  bool radius_of_deviator = false;  ///< a share of each vertex' deviator, else in the tensor's units
+  std::vector<std::uint64_t> stable_components;  ///< certified, by their smallest vertices
 
   std::size_t left_out_count() const;
 };

@@ -49,6 +49,8 @@ struct Statement {
   std::function<Outcome()> paper_at_witness{};
   /// Hypotheses that are shown to be needed.
   std::vector<Needed> needed{};
+  /// Hypotheses without a field at which the statement fails without them: what they are for.
+  std::string unneeded{};
   /// Steps of proofs-check that prove it, or parts of it, by exact computation.
   std::vector<std::string> steps{};
   /// What no program has proved: inferences for a reader. Empty if there are none.

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "claims/compare_curves.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "claims/containment.hpp"
+#include "union_find.hpp"
+
+namespace certificate {
+namespace {
+
+/// A claimed point [v, i, j, k] of a face: |2^k b - i| <= 1 and |2^k c - j| <= 1 for its weights at
+/// the second and third vertex.
+struct Box {
+  explicit Box(const Json& claim) : vertex(claim[0]), k(claim[3]) {
+    constexpr Number kLongest = 60;
+    for (std::size_t n = 0; n < 2; ++n) at[n] = claim[n + 1].get<Number>();
+    if (k > kLongest || at[0] > Number{1} << k || at[1] > Number{1} << k)
+      throw Malformed("", "no box " + claim.dump());
+  }
+  mpz_class middle(std::size_t n) const { return static_cast<unsigned long>(at[n]); }
+  mpz_class one() const { return mpz_class(1) << static_cast<unsigned long>(k); }
+
+  Number vertex;
+  std::array<Number, 2> at{};
+  Number k;
+};
+
+/// Is a point in a box? Unsure if it is on its edge.
+Answer holds(const CurveCase& c, const Box& box, const CurveFace& face, FacePoint point) {
+  // Weights refer to multiples of the tensors: those of the tensors are in this proportion.
+  std::array<mpz_class, 3> scale;
+  long largest = c.field.exponent(face.vertices[0]);
+  for (const Vertex v : face.vertices) largest = std::max(largest, c.field.exponent(v));
+  for (std::size_t n = 0; n < 3; ++n)
+    scale[n] =
+        mpz_class(1) << static_cast<unsigned long>(largest - c.field.exponent(face.vertices[n]));
+  constexpr int kMostCuts = 40;
+  for (int cut = 0; cut < kMostCuts; ++cut, point.sharpen()) {
+    bool inside = true, outside = false;
+    for (const std::size_t n : {0U, 1U})
+      for (const int end : {-1, 1}) {
+        std::array<mpz_class, 5> form;
+        for (std::size_t i = 0; i < 5; ++i) {
+          std::array<mpz_class, 3> w;
+          for (std::size_t l = 0; l < 3; ++l) w[l] = scale[l] * point.weight(l, i);
+          form[i] = end * ((box.middle(n) + end) * (w[0] + w[1] + w[2]) - box.one() * w[n + 1]);
+        }
+        inside = inside && common_sign(form) > 0;
+        outside = outside || common_sign(form) < 0;
+      }
+    if (outside) return Answer::no;
+    if (inside) return Answer::yes;
+  }
+  return Answer::unsure;
+}
+
+/// Allowed for the rounding of coordinates.
+mpq_class rounding_of(const mpq_class& largest) { return largest / (mpz_class(1) << 50); }
+
+/// Has the vertex, as far as rounding goes, coordinates that points of the box have?
+bool is_near(const CurveCase& c, const Box& box, const std::array<Vertex, 3>& face) {
+  const auto& place = c.curves.points[box.vertex];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::array<mpq_class, 3> p;
+    mpq_class largest;
+    for (std::size_t n = 0; n < 3; ++n) {
+      p[n] = c.input.points[face[n]][axis];
+      largest = std::max(largest, mpq_class(abs(p[n])));
+    }
+    const mpq_class u = p[1] - p[0], v = p[2] - p[0], one(box.one());
+    const mpq_class middle = p[0] + (box.middle(0) * u + box.middle(1) * v) / one;
+    const mpq_class reach = (abs(u) + abs(v)) / one + rounding_of(largest);
+    if (abs(mpq_class(place[axis]) - middle) > reach) return false;
+  }
+  return true;
+}
+
+/// Does it lie in the tetrahedron?
+bool is_near(const CurveCase& c, Number vertex, std::size_t tet) {
+  std::array<Point3, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = c.input.points[c.input.tets[tet][i]];
+  return lies_in(c.curves.points[vertex], corners);
+}
+
+bool is_of(const Range& range, Number i) { return i - range.first < range.count; }
+
+std::array<Number, 2> ascending(Number v, Number w) { return {std::min(v, w), std::max(v, w)}; }
+
+}  // namespace
+
+PointVertices compare_face_points(const CurveCase& c, Ledger& ledger) {
+  PointVertices result;
+  std::set<Number> taken;
+  const auto settle = [&](const CurveFace& face, const Json& claim, const std::string& name) {
+    const std::size_t count = face.level.points.size();
+    std::string wrong;
+    if (claim.size() != 3 + count) wrong = std::to_string(count) + " points";
+    std::vector<std::size_t> met(count, 0);
+    bool is_open = false;
+    for (std::size_t n = 3; n < claim.size() && wrong.empty(); ++n) {
+      const Box box(claim[n]);
+      if (!is_of(c.vertices, box.vertex)) {
+        wrong = "a vertex of other curves";
+      } else if (!taken.insert(box.vertex).second) {
+        wrong = "a vertex at two points";
+      } else if (!is_near(c, box, face.vertices)) {
+        wrong = "a vertex that is elsewhere";
+      }
+      std::size_t inside = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const Answer answer = holds(c, box, face, face.level.points[i]);
+        is_open = is_open || answer == Answer::unsure;
+        if (answer != Answer::yes) continue;
+        ++inside, ++met[i];
+        result[{face.vertices, i}] = box.vertex;
+      }
+      if (inside != 1 && wrong.empty()) wrong = std::to_string(inside) + " points in a box";
+    }
+    if (is_open) return ledger.leave_open(name, "a point on the edge of its box");
+    if (wrong.empty() && std::any_of(met.begin(), met.end(), [](std::size_t n) { return n != 1; }))
+      wrong = "a point in two boxes";
+    ledger.settle(wrong.empty(), name, claim.dump(), wrong);
+  };
+  compare_list<3>("face ", c.claims["faces"], c.topology.faces, numbers_of<CurveFace>, settle,
+                  ledger);
+  return result;
+}
+
+void compare_pieces(const CurveCase& c, const PointVertices& vertices, Ledger& ledger) {
+  const auto settle = [&](const CurveTet& tet, const Json& claim, const std::string& name) {
+    std::vector<std::array<Number, 2>> pieces;
+    for (const auto& [from, to] : tet.pieces) {
+      const auto v = vertices.find(from), w = vertices.find(to);
+      // Its faces are undecided, or refuted already.
+      if (v == vertices.end() || w == vertices.end())
+        return ledger.leave_open(name, "no names for its points");
+      pieces.push_back(ascending(v->second, w->second));
+    }
+    std::sort(pieces.begin(), pieces.end());
+    Json derived = Json::array({claim[0]});
+    for (const auto& piece : pieces) derived.push_back(piece);
+    ledger.settle(claim == derived, name, claim.dump(), derived.dump());
+  };
+  const auto key = [&](const CurveTet& tet) {
+    return std::array<Number, 1>{c.input.cells[tet.tet]};
+  };
+  compare_list<1>("tetrahedron ", c.claims["tets"], c.topology.tets, key, settle, ledger);
+}
+
+namespace {
+
+/// In each tetrahedron that is not left out the lines join what the claimed pieces join.
+void compare_lines(const CurveCase& c, Ledger& ledger) {
+  std::map<Number, std::vector<std::array<Number, 2>>> found, claimed;
+  std::map<Number, std::size_t> used;  // how often, at ends and elsewhere
+  std::set<Number> inner;
+  std::string wrong;
+  const Number end = c.lines.first + c.lines.count;
+  for (Number l = c.lines.first; l < end && wrong.empty(); ++l) {
+    const auto& line = c.curves.lines[l];
+    const std::string name = "line " + std::to_string(l);
+    const std::size_t tet = c.input.tet_at(c.curves.cells[l]);
+    if (tet == Input::kNone) {
+      wrong = name + " in no tetrahedron";
+      break;
+    }
+    if (!c.left_out[tet]) found[c.curves.cells[l]].push_back(ascending(line.front(), line.back()));
+    for (std::size_t n = 0; n < line.size(); ++n) {
+      if (!is_of(c.vertices, line[n]))
+        wrong = name + " with a vertex of other curves";
+      else if (!is_near(c, line[n], tet))
+        wrong = name + " leaves its tetrahedron";
+      ++used[line[n]];
+      if (n > 0 && n + 1 < line.size()) inner.insert(line[n]);
+    }
+  }
+  for (const Number v : inner)
+    if (used[v] != 1 && wrong.empty()) wrong = "lines meet at vertex " + std::to_string(v);
+  if (used.size() != c.vertices.count && wrong.empty()) wrong = "a vertex on no line";
+  for (auto& [cell, lines] : found) std::sort(lines.begin(), lines.end());
+  for (const Json& claim : c.claims["tets"])
+    for (std::size_t n = 1; n < claim.size(); ++n)
+      claimed[claim[0]].push_back({claim[n][0].get<Number>(), claim[n][1].get<Number>()});
+  if (wrong.empty() && found != claimed) {
+    const auto differs = std::mismatch(found.begin(), found.end(), claimed.begin(), claimed.end());
+    const Number cell = differs.first != found.end() ? differs.first->first : differs.second->first;
+    wrong = "other lines in tetrahedron " + std::to_string(cell);
+  }
+  ledger.settle(wrong.empty(), "lines", "the pieces claimed", wrong);
+}
+
+/// The components of the polylines, whatever the field.
+Json components_of(const CurveCase& c) {
+  UnionFind joined;
+  std::map<std::size_t, std::size_t> ends;  // how many lines end at a vertex
+  std::map<std::size_t, std::size_t> lines;
+  const Number first = c.lines.first, end = first + c.lines.count;
+  for (Number l = first; l < end; ++l) {
+    const auto& line = c.curves.lines[l];
+    for (const std::uint32_t v : line) joined.join(line[0], v);
+    ++ends[line.front()], ++ends[line.back()];
+  }
+  std::set<std::size_t> open;
+  for (const auto& [v, count] : ends)
+    if (count == 1) open.insert(joined.find(v));
+  for (Number l = first; l < end; ++l) ++lines[joined.find(c.curves.lines[l][0])];
+  Json result = Json::array();
+  for (const auto& [v, count] : lines)
+    result.push_back({{"closed", !open.contains(v)}, {"lines", count}, {"first_vertex", v}});
+  return result;
+}
+
+}  // namespace
+
+void compare_polylines(const CurveCase& c, Ledger& ledger) {
+  compare_lines(c, ledger);
+  const Json derived = components_of(c), &claimed = c.claims["curves"];
+  for (std::size_t i = 0; i < std::max(derived.size(), claimed.size()); ++i) {
+    const Json none, &truth = i < derived.size() ? derived[i] : none,
+                     &claim = i < claimed.size() ? claimed[i] : none;
+    ledger.settle(claim == truth, "curve " + std::to_string(i), claim.dump(), truth.dump());
+    if (!truth.is_null())
+      ledger.of_level().components.push_back({0, 0, truth["closed"], truth["lines"]});
+  }
+}
+
+}  // namespace certificate

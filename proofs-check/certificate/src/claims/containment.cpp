@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "claims/containment.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ball.hpp"
+
+namespace certificate {
+namespace {
+
+using Exact = std::array<mpq_class, 3>;
+
+Exact exact(const Point3& p) { return {p[0], p[1], p[2]}; }
+Exact minus(const Exact& a, const Exact& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Exact cross(const Exact& a, const Exact& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+mpq_class dot(const Exact& a, const Exact& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double slack_on(std::span<const Point3> corners, std::size_t axis) {
+  double largest = 0;
+  for (const Point3& p : corners) largest = std::max(largest, std::abs(p[axis]));
+  return largest * kRounding;
+}
+
+/// Do a box around x and the hull of the corners have a common point? Two convex polytopes have
+/// none exactly if the normal of a face of one, or of an edge of each, separates them.
+bool meets_box(const Exact& x, const Exact& slack, const std::vector<Exact>& corners) {
+  std::vector<Exact> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, edges;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) edges.push_back(minus(corners[i], corners[j]));
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) axes.push_back(cross(edges[i], axes[k]));
+    for (std::size_t j = 0; j < i; ++j) axes.push_back(cross(edges[i], edges[j]));
+  }
+  return std::all_of(axes.begin(), axes.end(), [&](const Exact& d) {
+    mpq_class least = dot(d, corners[0]), most = least;
+    for (const Exact& p : corners) {
+      const mpq_class at = dot(d, p);
+      if (at < least) least = at;
+      if (at > most) most = at;
+    }
+    const mpq_class reach = abs(d[0]) * slack[0] + abs(d[1]) * slack[1] + abs(d[2]) * slack[2];
+    const mpq_class middle = dot(d, x);
+    return least <= middle + reach && most >= middle - reach;
+  });
+}
+
+/// Is the sum of w_i P_i, divided by that of the weights, as near to x on each axis? Yes or unsure.
+bool is_near(const Point3& x, std::span<const Point3> corners, const std::array<double, 4>& weights) {
+  Ball total = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) total += Ball(weights[i], 0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Ball sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      sum += Ball(weights[i], 0) * (Ball(corners[i][k], 0) - Ball(x[k], 0));
+    const Ball limit = Ball(slack_on(corners, k), 0) * total;
+    if (!(std::abs(sum.value) + sum.error <= limit.value - limit.error)) return false;
+  }
+  return true;
+}
+
+/// Weights of about the nearest point of the simplex' plane.
+std::array<double, 4> weights_of(const Point3& x, std::span<const Point3> corners) {
+  const auto size = static_cast<Eigen::Index>(corners.size()) - 1;
+  const Eigen::Map<const Eigen::Vector3d> origin(corners[0].data());
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, size);
+  for (Eigen::Index i = 0; i < size; ++i)
+    edges.col(i) = Eigen::Map<const Eigen::Vector3d>(
+                       corners[static_cast<std::size_t>(i) + 1].data()) - origin;
+  const Eigen::Vector3d rest = Eigen::Map<const Eigen::Vector3d>(x.data()) - origin;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> w;
+  if (size == 3) {
+    w = edges.partialPivLu().solve(rest);
+  } else {
+    const auto solver = (edges.transpose() * edges).eval().partialPivLu();
+    w = solver.solve(edges.transpose() * rest);
+    w += solver.solve(edges.transpose() * (rest - edges * w));
+  }
+  std::array<double, 4> result{std::max(0.0, 1 - w.sum())};
+  for (Eigen::Index i = 0; i < size; ++i)
+    result[static_cast<std::size_t>(i) + 1] = std::max(0.0, w(i));
+  return result;
+}
+
+}  // namespace
+
+bool lies_in(const Point3& x, std::span<const Point3> corners) {
+  if (corners.size() > 1) {
+    const auto weights = weights_of(x, corners);
+    const bool are_weights = std::all_of(weights.begin(), weights.end(),
+                                         [](double w) { return w >= 0 && w <= 2; });
+    if (are_weights && is_near(x, corners, weights)) return true;
+  }
+  std::vector<Exact> all;
+  for (const Point3& p : corners) all.push_back(exact(p));
+  return meets_box(exact(x), {slack_on(corners, 0), slack_on(corners, 1), slack_on(corners, 2)},
+                   all);
+}
+
+bool lies_between(const Point3& x, const Point3& a, const Point3& b, const mpq_class& from,
+                  const mpq_class& to) {
+  const std::array corners{a, b};
+  const auto weights = weights_of(x, corners);
+  const double t = weights[1] / (weights[0] + weights[1]);
+  if (t >= 0 && t <= 1 && from <= t && t <= to && is_near(x, corners, {1 - t, t})) return true;
+  Exact first = exact(a), last = first, along = minus(exact(b), first);
+  for (std::size_t k = 0; k < 3; ++k) first[k] += from * along[k], last[k] += to * along[k];
+  return meets_box(exact(x), {slack_on(corners, 0), slack_on(corners, 1), slack_on(corners, 2)},
+                   {first, last});
+}
+
+}  // namespace certificate

@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "files/document.hpp"
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "certificate_check/check_certificate.hpp"
+#include "files/parse_document.hpp"
+
+namespace certificate {
+namespace {
+
+/// What may stand where. An array has what is listed up to "*n", and then any number of the
+/// item that follows, ascending by their first n entries; numbers by themselves, and objects by
+/// their first vertex. If there is another item behind, it is for objects with the key `invariant`.
+Json make_shape() {
+  Json result = Json::parse(R"({
+    "format": "text", "version": "natural",
+    "input": {"tensor": "text", "components": "text", "points": "natural",
+              "tetrahedra": "natural", "sha256": "text"},
+    "surface": {"vertices": "natural", "triangles": "natural", "sha256": "text",
+                "arrays or none": ["*2", ["text", "text", "natural", "text"]]},
+    "levels": ["*0", {
+      "mode": "text", "vertices": ["natural", "natural"], "triangles": ["natural", "natural"],
+      "on_level": "natural",
+      "undecided": ["*1", ["natural", "text"]],
+      "edges": ["*2", ["natural", "natural", ["natural or text", "natural", "natural", "*1", "natural"],
+                         "*0", ["natural or text", "natural", "natural", "*1", "natural"]]],
+      "faces": ["*3", ["natural", "natural", "natural",
+                       ["*2", ["natural", "natural"]], ["*1", "natural"]]],
+      "tets": ["*1", ["natural", ["integer", "*0", ["natural", "natural", "*0", "natural"]],
+                         "*0", ["integer", "*0", ["natural", "natural", "*0", "natural"]]]],
+      "cones": ["*1", ["natural", ["natural", "natural", "*0", "natural"],
+                          "*1", ["natural", "natural", "*0", "natural"]]],
+      "components": ["*1", {"euler_characteristic": "integer", "boundary_loops": "integer",
+                            "orientable": "boolean", "triangles": "natural",
+                            "first_vertex": "natural"}],
+      "embedded or none": "boolean",
+      "stability or none": {"radius": "text", "of": "text", "components": ["*1", "natural"]},
+      "distance or null": {"reach": ["*0", "integer"], "bound": "text",
+                           "coarse": ["*1", "natural"], "coarse_bound": "text"}}]})");
+  Json level = result["levels"][1];
+  level.erase("mode");
+  level["invariant"] = level["value"] = "text";
+  result["levels"].push_back(std::move(level));
+  return result;
+}
+
+/// The same of degenerate curves.
+Json make_curve_shape() {
+  Json result = Json::parse(R"({
+    "polylines": {"vertices": "natural", "lines": "natural", "sha256": "text",
+                  "arrays or none": ["*2", ["text", "text", "natural", "text"]]},
+    "levels": ["*0", {
+      "mode": "text", "vertices": ["natural", "natural"], "lines": ["natural", "natural"],
+      "undecided": ["*1", ["natural", "text"]],
+      "faces": ["*3", ["natural", "natural", "natural",
+                       "*1", ["natural", "natural", "natural", "natural"]]],
+      "tets": ["*1", ["natural", "*2", ["natural", "natural"]]],
+      "curves": ["*1", {"closed": "boolean", "lines": "natural", "first_vertex": "natural"}]}]})");
+  const Json other = make_shape();
+  for (const char* key : {"format", "version", "input"}) result[key] = other[key];
+  return result;
+}
+
+bool is_natural(const Json& value) { return value.is_number_unsigned(); }
+bool is_integer(const Json& value) {
+  return value.is_number_integer() &&
+         (!is_natural(value) || value.get<std::uint64_t>() <= INT64_MAX);
+}
+
+/// Is the first in front of the second, by `count` entries?
+bool ascend(const Json& first, const Json& second, std::size_t count) {
+  if (first.is_object()) return first["first_vertex"] < second["first_vertex"];
+  if (!first.is_array()) return first < second;
+  for (std::size_t i = 0; i < count; ++i)
+    if (first[i] != second[i]) return first[i] < second[i];
+  return count == 0;
+}
+
+/// Where a value is not of a shape, and how; or nothing.
+std::string misfit(const Json& value, const Json& shape) {
+  if (shape.is_string()) {
+    const auto& type = shape.get_ref<const std::string&>();
+    const bool fits = type == "natural"           ? is_natural(value)
+                      : type == "integer"         ? is_integer(value)
+                      : type == "boolean"         ? value.is_boolean()
+                      : type == "natural or text" ? is_natural(value) || value.is_string()
+                                                  : value.is_string();
+    return fits ? "" : ": no " + type;
+  }
+  if (shape.is_object()) {
+    if (!value.is_object()) return ": no object";
+    std::size_t missing = 0;  // as they may
+    for (const auto& [name, inner] : shape.items()) {
+      const std::string key = name.substr(0, name.find(' '));
+      const auto found = value.find(key);
+      if (found == value.end() && name.ends_with(" or none")) {
+        ++missing;
+        continue;
+      }
+      if (found == value.end()) return ": no key '" + key + "'";
+      if (name.ends_with(" or null") && found->is_null()) continue;
+      if (const std::string wrong = misfit(*found, inner); !wrong.empty())
+        return "/" + key + wrong;
+    }
+    return value.size() + missing == shape.size() ? "" : ": other keys";
+  }
+  if (!value.is_array()) return ": no array";
+  const auto is_star = [](const Json& s) {
+    return s.is_string() && s.get_ref<const std::string&>()[0] == '*';
+  };
+  std::size_t fixed = 0;
+  while (fixed < shape.size() && !is_star(shape[fixed])) ++fixed;
+  if (value.size() < fixed || (fixed == shape.size() && value.size() > fixed))
+    return ": of another length";
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const bool is_other = fixed + 2 < shape.size() && value[i].contains("invariant");
+    if (const std::string wrong =
+            misfit(value[i], shape[i < fixed ? i : fixed + (is_other ? 2 : 1)]);
+        !wrong.empty())
+      return "/" + std::to_string(i) + wrong;
+    if (i <= fixed) continue;
+    const auto count =
+        static_cast<std::size_t>(shape[fixed].get_ref<const std::string&>()[1] - '0');
+    if (count > 0 && !ascend(value[i - 1], value[i], count))
+      return "/" + std::to_string(i) + ": not ascending";
+  }
+  return {};
+}
+
+const std::string& text_of(const Json& value) {
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.size() > 1000) throw Malformed("", "a text that is too long");
+  return text;
+}
+
+}  // namespace
+
+std::string file_bytes(const std::string& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw Malformed(file, "cannot be read");
+  // A pipe or device may never end.
+  if (!std::filesystem::is_regular_file(status)) throw Malformed(file, "is no regular file");
+  std::ifstream stream(file, std::ios::binary);
+  const auto size = std::filesystem::file_size(file, error);
+  if (!stream.is_open() || error) throw Malformed(file, "cannot be read");
+  std::string bytes(size, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (stream.bad()) throw Malformed(file, "cannot be read");
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
+}
+
+bool has_extension(std::string name, std::string_view extension) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name.ends_with(extension);
+}
+
+Json read_document(const std::string& file) {
+  const std::string bytes = file_bytes(file);
+  Json document;
+  try {
+    document = has_extension(file, ".cbor") ? parse_cbor(bytes) : parse_json(bytes);
+  } catch (const Malformed& error) {
+    throw Malformed(file, error.problem());
+  }
+  static const Json surface_shape = make_shape(), curve_shape = make_curve_shape();
+  const bool is_of_curves = document.is_object() && document.contains("polylines");
+  if (const std::string wrong = misfit(document, is_of_curves ? curve_shape : surface_shape);
+      !wrong.empty())
+    throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
+  if (document["format"] != "tensortopo certificate" || document["version"] != 1)
+    throw Malformed(file, "no certificate of version 1");
+  return document;
+}
+
+namespace {
+
+mpq_class fraction_of(const Json& value) {
+  mpq_class fraction;
+  if (fraction.set_str(text_of(value), 10) != 0 || fraction.get_den() == 0)
+    throw Malformed("", "a level at what is no fraction");
+  fraction.canonicalize();
+  if (fraction.get_str() != text_of(value)) throw Malformed("", "a level not in lowest terms");
+  return fraction;
+}
+
+}  // namespace
+
+std::optional<mpq_class> number_of(const std::string& text) {
+  std::string digits = text;
+  const std::size_t point = digits.find('.');
+  if (point != std::string::npos) {
+    digits.erase(point, 1);
+    digits += "/1" + std::string(digits.size() - point, '0');
+  }
+  const bool has_others = digits.find_first_not_of("0123456789/-") != std::string::npos;
+  mpq_class result;
+  if (digits.empty() || digits.size() > 1000 || has_others || result.set_str(digits, 10) != 0 ||
+      result.get_den() == 0)
+    return std::nullopt;
+  result.canonicalize();
+  return result;
+}
+
+mpq_class mode_of(const Json& value) {
+  const mpq_class mode = fraction_of(value);
+  if (abs(mode) >= 1) throw Malformed("", "a mode that is not between -1 and 1");
+  return mode;
+}
+
+Kind kind_of(const Json& mode) {
+  const std::string& text = text_of(mode);
+  if (text != "1" && text != "-1") throw Malformed("", "curves of a mode that is not 1 or -1");
+  return text == "1" ? Kind::linear : Kind::planar;
+}
+
+Invariant invariant_of(const Json& name) {
+  static const std::map<std::string, Invariant> names{
+      {"magnitude", Invariant::magnitude},
+      {"deviator-magnitude", Invariant::deviator_magnitude},
+      {"anisotropy", Invariant::anisotropy}};
+  const auto found = names.find(text_of(name));
+  if (found == names.end()) throw Malformed("", "no such invariant");
+  return found->second;
+}
+
+mpq_class value_of(const Json& value, Invariant invariant) {
+  const mpq_class v = fraction_of(value);
+  if (v <= 0 || (invariant == Invariant::anisotropy && v >= 1))
+    throw Malformed("", "a value that the invariant has on no surface");
+  return v;
+}
+
+double length_of(const Json& value) {
+  const std::string& text = text_of(value);
+  char* end = nullptr;
+  const double length = std::strtod(text.c_str(), &end);
+  if (!text.starts_with("0x") || *end != 0 || !(length >= 0 && length <= 0x1p1000))
+    throw Malformed("", "a length that is no hexadecimal double");
+  return length;
+}
+
+Radius radius_of(const Json& stability) {
+  const std::string& of = text_of(stability["of"]);
+  if (of != "tensor" && of != "deviator")
+    throw Malformed("", "a radius of neither 'tensor' nor 'deviator'");
+  return {of == "deviator", length_of(stability["radius"])};
+}
+
+std::string reason_of(const Json& value) {
+  static const std::set<std::string> reasons{
+      "zero_deviator_inside",   "level_constant_in_cell", "level_constant_on_face",
+      "level_constant_on_edge", "critical_value_in_cell", "critical_value_on_face",
+      "critical_value_on_edge", "budget_exhausted",       "inconsistent_samples",
+      "zero_tensor"};
+  if (!reasons.contains(text_of(value))) throw Malformed("", "no such reason");
+  return text_of(value);
+}
+
+std::string curve_reason_of(const Json& value) {
+  static const std::set<std::string> reasons{
+      "zero_deviator_vertex",      "dependent_tensors_on_face", "degenerate_conic_on_face",
+      "coincident_points_on_face", "degenerate_point_on_edge",  "dependent_tensors_in_cell",
+      "neutral_characteristic",    "degenerate_on_a_surface",   "degenerate_throughout",
+      "no_deviator_in_cell",       "points_not_told_apart"};
+  if (!reasons.contains(text_of(value))) throw Malformed("", "no such reason");
+  return text_of(value);
+}
+
+Interval interval_of(const Json& crossing) {
+  Interval result;
+  const bool is_text = crossing[0].is_string();
+  const std::string digits = is_text ? text_of(crossing[0]) : crossing[0].dump();
+  if (crossing[1] > 2048 || is_text != (crossing[1] > 53) || result.i.set_str(digits, 10) != 0 ||
+      result.i.get_str() != digits)
+    throw Malformed("", "no interval " + digits);
+  result.k = crossing[1].get<unsigned>();
+  if (result.i < 0 || result.i >= mpz_class(1) << result.k)
+    throw Malformed("", "an interval that leaves the edge");
+  return result;
+}
+
+}  // namespace certificate

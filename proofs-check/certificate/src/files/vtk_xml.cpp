@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "files/vtk_xml.hpp"
+
+#include <openssl/evp.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "certificate_check/check_certificate.hpp"
+#include "files/document.hpp"
+
+static_assert(std::endian::native == std::endian::little);
+
+namespace certificate {
+namespace {
+
+std::string_view trim(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+/// Whether a text is of decimal numbers: neither hexadecimal, which not all readers know, nor words.
+bool is_decimal(std::string_view text) {
+  return text.find_first_not_of("0123456789+-.eE \t\r\n") == std::string_view::npos;
+}
+
+std::size_t skip_past(std::string_view text, std::string_view end, std::size_t from) {
+  const std::size_t place = text.find(end, from);
+  return place == std::string_view::npos ? place : place + end.size();
+}
+
+}  // namespace
+
+void XmlFile::fail(const std::string& what) const { throw Malformed(file_, what); }
+
+/// The part that is XML: from the underscore of the appended data on the bytes are none. Comments
+/// are skipped, so that nothing in them is taken for an element.
+std::string XmlFile::markup() {
+  constexpr std::size_t kNone = std::string_view::npos, kMaxDepth = 16;
+  const std::string_view all = bytes_;
+  std::size_t depth = 0;
+  for (std::size_t at = all.find('<'); at != kNone; at = all.find('<', at)) {
+    const std::string_view rest = all.substr(at);
+    if (rest.starts_with("<!--")) {
+      at = skip_past(all, "-->", at + 4);
+    } else if (rest.starts_with("<?")) {
+      at = skip_past(all, "?>", at);
+    } else if (rest.starts_with("<!")) {
+      fail("a declaration, or a part that is marked as text");
+    } else {
+      std::size_t end = at + 1;
+      for (char quote = 0; end < all.size() && (quote != 0 || all[end] != '>'); ++end) {
+        if (quote != 0)
+          quote = all[end] == quote ? '\0' : quote;
+        else if (all[end] == '"' || all[end] == '\'')
+          quote = all[end];
+      }
+      if (end >= all.size()) fail("no VTK XML file");
+      if (rest.starts_with("</"))
+        depth -= depth > 0 ? 1 : 0;
+      else if (all[end - 1] != '/' && ++depth > kMaxDepth)
+        fail("elements that are nested too deeply");
+      if (rest.starts_with("<AppendedData")) {
+        const std::size_t start = all.find_first_not_of(" \t\r\n", end + 1);
+        if (start == kNone || all[start] != '_') fail("AppendedData without data");
+        appended_ = all.substr(start + 1);
+        return bytes_.substr(0, end) + "/></VTKFile>";
+      }
+      at = end + 1;
+    }
+    if (at == kNone) fail("no VTK XML file");
+  }
+  return bytes_;
+}
+
+/// Nothing is there twice, nor anything that would be left unread.
+void XmlFile::require_one_reading(const char* kind,
+                                  const std::vector<std::string_view>& sections) {
+  struct Walker : pugi::xml_tree_walker {
+    const XmlFile& file;
+    explicit Walker(const XmlFile& f) : file(f) {}
+    bool for_each(pugi::xml_node& node) override {
+      for (pugi::xml_attribute a = node.first_attribute(); a; a = a.next_attribute())
+        for (pugi::xml_attribute b = a.next_attribute(); b; b = b.next_attribute())
+          if (std::string_view(a.name()) == b.name())
+            file.fail(std::string("attribute '") + a.name() + "' is given twice");
+      return true;
+    }
+  } walker(*this);
+  document_.traverse(walker);
+  const auto only = [&](pugi::xml_node parent, const std::vector<std::string_view>& names) {
+    std::vector<std::string_view> seen;
+    for (const pugi::xml_node child : parent.children()) {
+      if (child.type() == pugi::node_declaration) continue;
+      const std::string_view name = child.name();
+      if (child.type() != pugi::node_element ||
+          std::find(names.begin(), names.end(), name) == names.end())
+        fail("'" + std::string(name) + "' does not belong into '" + parent.name() + "'");
+      if (std::find(seen.begin(), seen.end(), name) != seen.end())
+        fail("has two sections '" + std::string(name) + "'");
+      seen.push_back(name);
+    }
+  };
+  only(document_, {"VTKFile"});
+  const pugi::xml_node root = document_.child("VTKFile");
+  only(root, {kind, "AppendedData"});
+  only(root.child(kind), {"Piece", "FieldData"});
+  std::vector<std::string_view> all{"Points", "PointData", "CellData"};
+  all.insert(all.end(), sections.begin(), sections.end());
+  only(root.child(kind).child("Piece"), all);
+}
+
+XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::string_view> sections)
+    : file_(file), bytes_(file_bytes(file)), budget_((1UL << 24) + 64 * bytes_.size()) {
+  const std::string xml = markup();
+  if (!document_.load_buffer(xml.data(), xml.size())) fail("no VTK XML file");
+  const pugi::xml_node root = document_.child("VTKFile"), data = root.child(kind);
+  if (root.attribute("type").value() != std::string_view(kind) || !data)
+    fail(std::string("not of type ") + kind);
+  if (!data.child("Piece") || data.child("Piece").next_sibling("Piece")) fail("not of one piece");
+  require_one_reading(kind, sections);
+  const std::string order = root.attribute("byte_order").value();
+  has_order_ = !order.empty();
+  if (has_order_ && order != "LittleEndian" && order != "BigEndian") fail("unknown byte_order");
+  highest_first_ = order == "BigEndian";
+  const std::string compressor = root.attribute("compressor").value();
+  zlib_ = !compressor.empty();
+  if (zlib_ && compressor != "vtkZLibDataCompressor") fail("unknown compressor");
+  const std::string header = root.attribute("header_type").as_string("UInt32");
+  if (header != "UInt32" && header != "UInt64") fail("unknown header_type");
+  header_ = header == "UInt64" ? 8 : 4;
+  const std::string encoding = root.child("AppendedData").attribute("encoding").as_string("base64");
+  if (encoding != "raw" && encoding != "base64") fail("unknown encoding of AppendedData");
+  appended_base64_ = encoding == "base64";
+  if (appended_base64_) appended_ = trim(appended_.substr(0, appended_.find('<')));
+  piece_ = data.child("Piece");
+}
+
+void XmlFile::spend(std::size_t bytes) const {
+  if (bytes > budget_) fail("numbers that take more than 64 times the file's size");
+  budget_ -= bytes;
+}
+
+std::size_t XmlFile::count(const char* attribute) const {
+  const unsigned long long n = piece_.attribute(attribute).as_ullong(0);
+  if (n > bytes_.size() * 1100) fail(std::string(attribute) + " is more than the file can hold");
+  return n;
+}
+
+/// The next bytes of a text; those of base64 end with a group of four characters.
+std::string XmlFile::take(std::string_view& text, std::size_t size, bool base64) const {
+  if (size > text.size()) fail("data that end too early");
+  const std::size_t length = base64 ? (size + 2) / 3 * 4 : size;
+  if (length > text.size() || length > 0x7fffffff) fail("data that end too early");
+  std::string bytes(text.substr(0, length));
+  text.remove_prefix(length);
+  if (base64) {
+    auto* place = reinterpret_cast<unsigned char*>(bytes.data());
+    const std::string source = bytes;
+    if (EVP_DecodeBlock(place, reinterpret_cast<const unsigned char*>(source.data()),
+                        static_cast<int>(length)) != static_cast<int>(length / 4 * 3))
+      fail("text that is no base64");
+    bytes.resize(size);
+  }
+  return bytes;
+}
+
+/// The i-th number of what is stored.
+template <class Stored>
+Stored XmlFile::item(const std::string& bytes, std::size_t i) const {
+  std::array<char, sizeof(Stored)> own;
+  std::memcpy(own.data(), bytes.data() + i * sizeof(Stored), sizeof(Stored));
+  if (highest_first_) std::reverse(own.begin(), own.end());
+  return std::bit_cast<Stored>(own);
+}
+
+std::uint64_t XmlFile::word(const std::string& words, std::size_t i) const {
+  return header_ == 8 ? item<std::uint64_t>(words, i) : item<std::uint32_t>(words, i);
+}
+
+/// Undoes base64 and compression of a block that starts with its size, or sizes.
+std::string XmlFile::decode(std::string_view text, bool base64) const {
+  std::string_view ahead = text;
+  const std::uint64_t first = word(take(ahead, header_, base64), 0);
+  if (first > text.size()) fail("data that end too early");
+  // Base64 encodes the header by itself if the data are compressed, else all as one.
+  if (!zlib_) return take(text, header_ + first, base64).substr(header_);
+  if (first == 0) return {};
+  const std::string header = take(text, (3 + first) * header_, base64);
+  std::string result;
+  std::uint64_t packed_size = 0;
+  for (std::uint64_t i = 0; i < first; ++i) {
+    if (word(header, 3 + i) > text.size()) fail("data that end too early");
+    packed_size += word(header, 3 + i);
+  }
+  const std::string packed = take(text, packed_size, base64);
+  const char* source = packed.data();
+  for (std::uint64_t i = 0; i < first; ++i) {
+    const std::uint64_t size = word(header, 3 + i), last = word(header, 2);
+    const std::uint64_t target = i + 1 == first && last != 0 ? last : word(header, 1);
+    if (target / 1100 > size) fail("a block that cannot hold so much");  // zlib: at most 1032:1
+    const std::size_t before = result.size();
+    spend(target);
+    result.resize(before + target);
+    uLongf produced = target;
+    if (uncompress(reinterpret_cast<Bytef*>(result.data() + before), &produced,
+                   reinterpret_cast<const Bytef*>(source), size) != Z_OK ||
+        produced != target)
+      fail("a block that does not decompress");
+    source += size;
+  }
+  return result;
+}
+
+template <class Stored>
+std::vector<double> XmlFile::read(pugi::xml_node array) const {
+  std::vector<double> result;
+  const std::string_view format = array.attribute("format").value();
+  const bool is_appended = format == "appended";
+  if (!is_appended && format != "ascii" && format != "binary") fail("an array of unknown format");
+  if (is_appended == array.attribute("offset").empty())
+    fail("an array with an offset that is not appended, or the reverse");
+  std::size_t texts = 0;
+  for (const pugi::xml_node child : array.children())
+    if (child.type() != pugi::node_element) ++texts;
+  if (texts > (is_appended ? 0U : 1U)) fail("an array with several texts");
+  if (format == "ascii") {
+    const char* place = array.child_value();
+    if (!is_decimal(place)) fail("text that is no number");
+    for (char* end = nullptr;; place = end) {
+      const double x = sizeof(Stored) == 4 && std::is_floating_point_v<Stored>
+                           ? static_cast<double>(std::strtof(place, &end))
+                           : std::strtod(place, &end);
+      if (end == place) break;
+      result.push_back(x);
+    }
+    if (!trim(place).empty()) fail("text that is no number");
+    return result;
+  }
+  if (!has_order_ && sizeof(Stored) > 1) fail("binary numbers without byte_order");
+  const unsigned long long start = array.attribute("offset").as_ullong(~0ULL);
+  if (is_appended && start > appended_.size()) fail("an offset outside the appended data");
+  const std::string bytes = format == "binary"
+                                ? decode(trim(array.child_value()), true)
+                                : decode(appended_.substr(start), appended_base64_);
+  if (bytes.size() % sizeof(Stored) != 0) fail("an array with a part of a number");
+  spend(bytes.size() / sizeof(Stored) * sizeof(double));
+  result.resize(bytes.size() / sizeof(Stored));
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = static_cast<double>(item<Stored>(bytes, i));
+  return result;
+}
+
+std::vector<std::pair<std::string, std::size_t>> XmlFile::arrays(const char* section) const {
+  std::vector<std::pair<std::string, std::size_t>> result;
+  for (const pugi::xml_node child : piece_.child(section).children()) {
+    if (child.type() != pugi::node_element) fail(std::string(section) + " has a text");
+    const std::string name = child.attribute("Name").value();
+    if (child.name() != std::string_view("DataArray") || name.empty() || name.size() > 1000)
+      fail(std::string(section) + " has what is no named array of numbers");
+    result.emplace_back(name, child.attribute("NumberOfComponents").as_ullong(1));
+  }
+  return result;
+}
+
+/// The array of that name in a section, or its only one.
+pugi::xml_node XmlFile::only_array(const char* section, const std::string& name) const {
+  pugi::xml_node array;
+  for (const pugi::xml_node child : piece_.child(section).children("DataArray")) {
+    if (!name.empty() && child.attribute("Name").value() != name) continue;
+    if (array) fail(std::string(section) + " has two arrays '" + name + "'");
+    array = child;
+  }
+  if (!array) fail(std::string(section) + " has no array '" + name + "'");
+  if (name.empty() && (array.next_sibling() || array.previous_sibling()))
+    fail(std::string(section) + " has more than an array");
+  return array;
+}
+
+void XmlFile::require_only(const char* section, const std::vector<std::string_view>& names) const {
+  for (const pugi::xml_node child : piece_.child(section).children()) {
+    const std::string_view name = child.attribute("Name").value();
+    if (child.name() != std::string_view("DataArray") ||
+        std::find(names.begin(), names.end(), name) == names.end())
+      fail("'" + std::string(name) + "' does not belong into '" + section + "'");
+  }
+}
+
+std::vector<std::string> XmlFile::component_names(const char* section,
+                                                  const std::string& name) const {
+  const pugi::xml_node array = only_array(section, name);
+  std::vector<std::string> result(std::min<std::size_t>(
+      array.attribute("NumberOfComponents").as_ullong(1), 9));
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = array.attribute(("ComponentName" + std::to_string(i)).c_str()).value();
+  return result;
+}
+
+std::vector<double> XmlFile::numbers(const char* section, const std::string& name,
+                                     std::size_t components) const {
+  const pugi::xml_node array = only_array(section, name);
+  if (array.attribute("NumberOfComponents").as_ullong(1) != components)
+    fail("an array of other than " + std::to_string(components) + " components");
+  const std::string_view type = array.attribute("type").value();
+  const auto result = type == "Float64"  ? read<double>(array)
+                      : type == "Float32" ? read<float>(array)
+                      : type == "Int64"   ? read<std::int64_t>(array)
+                      : type == "Int32"   ? read<std::int32_t>(array)
+                      : type == "Int16"   ? read<std::int16_t>(array)
+                      : type == "Int8"    ? read<std::int8_t>(array)
+                      : type == "UInt64"  ? read<std::uint64_t>(array)
+                      : type == "UInt32"  ? read<std::uint32_t>(array)
+                      : type == "UInt16"  ? read<std::uint16_t>(array)
+                      : type == "UInt8"   ? read<std::uint8_t>(array)
+                                          : std::vector<double>{HUGE_VAL};
+  for (const double x : result)
+    if (!std::isfinite(x)) fail("a number that is not finite, or of unknown type");
+  return result;
+}
+
+std::vector<std::uint64_t> XmlFile::naturals(const char* section, const char* name) const {
+  std::vector<std::uint64_t> result;
+  for (const double x : numbers(section, name)) {
+    if (!(x >= 0 && x < 0x1p53) || x != std::floor(x)) fail("no natural number");
+    result.push_back(static_cast<std::uint64_t>(x));
+  }
+  return result;
+}
+
+}  // namespace certificate

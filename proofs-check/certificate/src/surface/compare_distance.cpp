@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/compare_distance.hpp"
+
+#include <algorithm>
+
+#include "claims/half_edges.hpp"
+#include "run/parallel.hpp"
+#include "surface/closed_curves.hpp"
+
+namespace certificate {
+namespace {
+
+/// What is not proved to be so.
+struct Unproved : Wrong {
+  using Wrong::Wrong;
+};
+
+/// Its members throw Wrong or Unproved.
+class Distances {
+ public:
+  Distances(const LevelCase& c, const PlacedSurface& placed);
+
+  void require_bounds() const;
+  void prove() const;
+
+ private:
+  bool is_asked(std::size_t triangle) const {
+    const std::size_t tet = placed_.tets[triangle];
+    return !c_.left_out[tet] && !is_coarse_[tet];
+  }
+  /// Is there no mode, at a tip or between two?
+  bool is_apex(std::size_t v) const {
+    const Carrier& carrier = placed_.carriers[v];
+    return std::all_of(carrier.corners.begin(),
+                       carrier.corners.begin() + static_cast<std::ptrdiff_t>(carrier.count),
+                       [&](Vertex i) { return c_.field.is_zero(i); });
+  }
+  bool is_amid_carrier(std::size_t v) const;
+  bool is_clear(const MovedVertices& moved, std::size_t triangle) const;
+  std::array<std::size_t, 3> vertices_of(std::size_t triangle) const {
+    auto result = std::array<std::size_t, 3>{};
+    for (std::size_t i = 0; i < 3; ++i)
+      result[i] = c_.surface.triangles[c_.triangles.first + triangle][i] - c_.vertices.first;
+    return result;
+  }
+  std::string where(std::size_t tet) const {
+    return " in tetrahedron " + std::to_string(c_.input.cells[tet]);
+  }
+  std::string vertex(std::size_t v) const {
+    return "vertex " + std::to_string(c_.vertices.first + v);
+  }
+  void require_no_longer_edge(std::size_t tet) const;
+  void prove_passed_crossings(const MovedVertices& moved) const;
+
+  const LevelCase& c_;
+  const PlacedSurface& placed_;
+  std::vector<std::int64_t> reach_;
+  double bound_, coarse_bound_;
+  std::vector<bool> is_coarse_, is_used_;
+};
+
+Distances::Distances(const LevelCase& c, const PlacedSurface& placed)
+    : c_(c),
+      placed_(placed),
+      reach_(c.claims["distance"]["reach"]),
+      bound_(length_of(c.claims["distance"]["bound"])),
+      coarse_bound_(length_of(c.claims["distance"]["coarse_bound"])),
+      is_coarse_(c.input.tets.size()),
+      is_used_(placed.carriers.size()) {
+  for (const Json& cell : c.claims["distance"]["coarse"]) {
+    const std::size_t tet = c.input.tet_at(cell.get<Number>());
+    if (tet == Input::kNone) throw Wrong("no tetrahedron " + cell.dump());
+    is_coarse_[tet] = true;
+  }
+  for (std::size_t t = 0; t < placed.tets.size(); ++t)
+    if (is_asked(t))
+      for (const std::size_t v : vertices_of(t)) is_used_[v] = true;
+}
+
+void Distances::require_no_longer_edge(std::size_t tet) const {
+  const auto& v = c_.input.tets[tet];
+  for_subsets(4, 2, [&](const auto& ends) {
+    mpq_class sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const mpq_class d = mpq_class(c_.input.points[v[ends[0]]][k]) -
+                          mpq_class(c_.input.points[v[ends[1]]][k]);
+      sum += d * d;
+    }
+    if (sum > mpq_class(coarse_bound_) * mpq_class(coarse_bound_))
+      throw Wrong("an edge longer than coarse_bound" + where(tet));
+  });
+}
+
+/// What is wrong by the numbers themselves.
+void Distances::require_bounds() const {
+  if (reach_.size() != placed_.carriers.size())
+    throw Wrong(std::to_string(placed_.carriers.size()) + " vertices");
+  for (std::size_t v = 0; v < reach_.size(); ++v)
+    if (is_used_[v] && !is_apex(v) && reach_length(reach_[v]) > bound_)
+      throw Wrong("a reach above the bound, of " + vertex(v));
+  for (std::size_t tet = 0; tet < is_coarse_.size(); ++tet)
+    if (is_coarse_[tet]) require_no_longer_edge(tet);
+}
+
+/// Is a vertex that does not move within the bound of the middle of what carries it?
+bool Distances::is_amid_carrier(std::size_t v) const {
+  const Carrier& carrier = placed_.carriers[v];
+  const mpq_class limit = mpq_class(bound_) * static_cast<unsigned long>(carrier.count);
+  mpq_class square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    mpq_class sum = 0;
+    for (std::size_t i = 0; i < carrier.count; ++i)
+      sum += mpq_class(c_.input.points[carrier.corners[i]][k]) -
+             mpq_class(c_.surface.points[c_.vertices.first + v][k]);
+    square += sum * sum;
+  }
+  return square <= limit * limit;
+}
+
+/// Do its corners, moved, span what the level does not meet? Those where there is no mode stay: on
+/// each ray from these the mode is constant, so that the others decide.
+bool Distances::is_clear(const MovedVertices& moved, std::size_t triangle) const {
+  auto v = vertices_of(triangle);
+  const auto end = std::remove_if(v.begin(), v.end(), [&](std::size_t i) { return is_apex(i); });
+  for (const auto way : {MovedVertices::kBehind, MovedVertices::kAhead}) {
+    const auto clear = [&]<std::size_t Count>(const std::array<std::size_t, Count>& at) {
+      std::array<Corner, Count> corners;
+      for (std::size_t i = 0; i < Count; ++i) corners[i] = moved.corner(at[i], way);
+      if (c_.level.is_one_sided(corners)) return true;
+      if constexpr (Count == 1) return false;
+      else return Refinement(c_.level, corners).is_one_sided();
+    };
+    const bool is_clear = end == v.end()         ? clear(v)
+                          : end == v.begin() + 2 ? clear(std::array{v[0], v[1]})
+                          : end == v.begin() + 1 ? clear(std::array{v[0]})
+                                                 : false;
+    if (!is_clear) return false;
+  }
+  return true;
+}
+
+/// A crossing's vertex moves past no other crossing of its edge: as there are points of
+/// different sides at its ends, it passes its own.
+void Distances::prove_passed_crossings(const MovedVertices& moved) const {
+  for (const Json& edge : c_.claims["edges"]) {
+    for (std::size_t n = 2; n < edge.size() && edge.size() > 3; ++n) {
+      for (std::size_t i = 2; i < edge[n].size(); ++i) {
+        const std::size_t v = edge[n][i].get<Number>() - c_.vertices.first;
+        if (v >= is_used_.size() || !is_used_[v]) continue;
+        for (const auto way : {MovedVertices::kBehind, MovedVertices::kAhead}) {
+          const auto& w = moved.weights(v, way);
+          const mpq_class at = mpq_class(w[1]) / (mpq_class(w[0]) + mpq_class(w[1]));
+          if ((n > 2 && at < interval_of(edge[n - 1]).end(1)) ||
+              (n + 1 < edge.size() && at > interval_of(edge[n + 1]).end(0)))
+            throw Unproved(vertex(v) + " moves past a crossing");
+        }
+      }
+    }
+  }
+}
+
+void Distances::prove() const {
+  const MovedVertices moved(c_, placed_, reach_);
+  std::vector<char> is_near(placed_.carriers.size(), 1), clear(placed_.tets.size(), 1);
+  parallel_for(is_near.size(), [&](std::size_t v) {
+    is_near[v] = !is_used_[v] || (is_apex(v) ? is_amid_carrier(v)
+                                             : moved.stays(v) && moved.is_within(v, bound_));
+  });
+  if (const auto far = std::find(is_near.begin(), is_near.end(), 0); far != is_near.end())
+    throw Unproved(vertex(static_cast<std::size_t>(far - is_near.begin())) +
+                   " moves out of its place or bound");
+  parallel_for(
+      clear.size(),
+      [&](std::size_t t) {
+        if (is_asked(t)) clear[t] = is_clear(moved, t);
+      },
+      c_.progress, "distances");
+  if (const auto missing = std::find(clear.begin(), clear.end(), 0); missing != clear.end())
+    throw Unproved(std::to_string(std::count(missing, clear.end(), 0)) +
+                   " triangles not shown to stay clear, the first" +
+                   where(placed_.tets[static_cast<std::size_t>(missing - clear.begin())]));
+  prove_passed_crossings(moved);
+  for (const auto& [tet, loops] : placed_.closed_sheets)
+    if (!is_coarse_[tet] && !is_covered(c_, moved, tet, loops))
+      throw Unproved("a sheet not shown to be covered" + where(tet));
+}
+
+}  // namespace
+
+void compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger) {
+  if (placed == nullptr)
+    return ledger.leave_open("distance", "it rests on claims that are not certified");
+  try {
+    const Distances distances(c, *placed);
+    distances.require_bounds();
+    distances.prove();
+    ledger.certify();
+  } catch (const Unproved& why) {
+    ledger.leave_open("distance", why.what());
+  } catch (const Wrong& wrong) {
+    ledger.refute("distance", "within " + c.claims["distance"]["bound"].dump(), wrong.what());
+  }
+}
+
+}  // namespace certificate

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "surface/compare_surface.hpp"
+
+namespace certificate {
+
+/// The claims that components are in all fields within a radius, one for each. A claim is certified if
+/// the tetrahedra that hold the component are derived to be free of critical points for all members,
+/// and none of them has a face in common with one that is left out; refuted if there is no such
+/// component, if one is left out, or if a vertex has members on both sides of the level.
+///
+/// @param placed  null if the triangles or other things are not as claimed: then nothing is decided
+void compare_stability(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger);
+
+}  // namespace certificate

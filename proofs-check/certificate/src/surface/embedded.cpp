@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/embedded.hpp"
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+#include <set>
+
+#include "ball.hpp"
+#include "run/parallel.hpp"
+
+namespace certificate {
+namespace {
+
+using Point = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// The sign of an expression of differences of coordinates: in doubles, else exactly.
+template <class Expression>
+int sign_of(const Expression& expression) {
+  const Ball ball = expression.template operator()<Ball>([](double x) { return Ball(x, 0); });
+  if (std::abs(ball.value) > ball.error) return ball.value > 0 ? 1 : -1;
+  return sgn(expression.template operator()<mpq_class>([](double x) { return mpq_class(x); }));
+}
+
+/// On which side of the plane through a, b and c is d?
+int side_of(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return sign_of([&]<class N>(const auto& number) {
+    std::array<std::array<N, 3>, 3> m;
+    for (std::size_t k = 0; k < 3; ++k) {
+      m[0][k] = number(b[k]) - number(a[k]);
+      m[1][k] = number(c[k]) - number(a[k]);
+      m[2][k] = number(d[k]) - number(a[k]);
+    }
+    const auto minor = [&](std::size_t i, std::size_t j) {
+      return N(m[1][i] * m[2][j] - m[1][j] * m[2][i]);
+    };
+    return N(m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1));
+  });
+}
+
+/// The turn from a to b to c, seen along an axis.
+int turn(const Point& a, const Point& b, const Point& c, std::size_t axis) {
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  return sign_of([&]<class N>(const auto& number) {
+    const auto minus = [&](const Point& p, std::size_t k) { return N(number(p[k]) - number(a[k])); };
+    return N(minus(b, u) * minus(c, v) - minus(b, v) * minus(c, u));
+  });
+}
+
+/// An axis along which the triangle has an area; 3 if it has none.
+std::size_t axis_of(const Point& a, const Point& b, const Point& c) {
+  std::size_t axis = 0;
+  while (axis < 3 && turn(a, b, c, axis) == 0) ++axis;
+  return axis;
+}
+
+/// Do two segments of a plane meet? Ends count.
+bool segments_meet(const Point& p, const Point& q, const Point& a, const Point& b,
+                   std::size_t axis) {
+  const int sa = turn(p, q, a, axis), sb = turn(p, q, b, axis);
+  const int sp = turn(a, b, p, axis), sq = turn(a, b, q, axis);
+  if (sa == 0 && sb == 0) {  // on one line
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::max(p[k], q[k]) < std::min(a[k], b[k]) || std::max(a[k], b[k]) < std::min(p[k], q[k]))
+        return false;
+    return true;
+  }
+  return sa * sb <= 0 && sp * sq <= 0;
+}
+
+bool is_inside(const Point& p, const Point& a, const Point& b, const Point& c, std::size_t axis) {
+  const int s = turn(a, b, p, axis), t = turn(b, c, p, axis), u = turn(c, a, p, axis);
+  return (s >= 0 && t >= 0 && u >= 0) || (s <= 0 && t <= 0 && u <= 0);
+}
+
+/// Do a segment and a triangle meet? Ends and edges count. @pre the triangle has an area
+bool segment_meets(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c) {
+  const int sp = side_of(a, b, c, p), sq = side_of(a, b, c, q);
+  if (sp * sq > 0) return false;
+  if (sp == 0 && sq == 0) {
+    const std::size_t axis = axis_of(a, b, c);
+    return is_inside(p, a, b, c, axis) || segments_meet(p, q, a, b, axis) ||
+           segments_meet(p, q, b, c, axis) || segments_meet(p, q, c, a, axis);
+  }
+  const int s = side_of(p, q, a, b), t = side_of(p, q, b, c), u = side_of(p, q, c, a);
+  return (s >= 0 && t >= 0 && u >= 0) || (s <= 0 && t <= 0 && u <= 0);
+}
+
+/// Do two triangles with an area meet elsewhere than in what they share?
+class Pair {
+ public:
+  Pair(const std::vector<Point>& points, const Triangle& a, const Triangle& b)
+      : points_(points), a_(a), b_(b) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const auto at = std::find(b.begin(), b.end(), a[i]); at != b.end())
+        shared_[count_++] = {i, static_cast<std::size_t>(at - b.begin())};
+  }
+
+  bool are_in_conflict() const {
+    switch (count_) {
+      case 0: return are_apart_by_planes() ? false : edges_meet();
+      case 1: return opposite_edges_meet();
+      case 2: return fold_together();
+      default: return true;
+    }
+  }
+
+ private:
+  const Point& a(std::size_t i) const { return points_[a_[i % 3]]; }
+  const Point& b(std::size_t i) const { return points_[b_[i % 3]]; }
+
+  bool are_apart_by_planes() const {
+    const int s = side_of(b(0), b(1), b(2), a(0));
+    if (s != 0 && s == side_of(b(0), b(1), b(2), a(1)) && s == side_of(b(0), b(1), b(2), a(2)))
+      return true;
+    const int t = side_of(a(0), a(1), a(2), b(0));
+    return t != 0 && t == side_of(a(0), a(1), a(2), b(1)) && t == side_of(a(0), a(1), a(2), b(2));
+  }
+  bool edges_meet() const {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (segment_meets(a(i), a(i + 1), b(0), b(1), b(2)) ||
+          segment_meets(b(i), b(i + 1), a(0), a(1), a(2)))
+        return true;
+    return false;
+  }
+  /// Where they meet beyond their common vertex they do along a segment from there, which ends where
+  /// the first of the two ends: in the edge opposite the vertex.
+  bool opposite_edges_meet() const {
+    const auto [i, j] = shared_[0];
+    return segment_meets(a(i + 1), a(i + 2), b(0), b(1), b(2)) ||
+           segment_meets(b(j + 1), b(j + 2), a(0), a(1), a(2));
+  }
+  /// Two with a common edge overlap if they lie in one plane, on one side of the edge.
+  bool fold_together() const {
+    const std::size_t i = 3 - shared_[0][0] - shared_[1][0], j = 3 - shared_[0][1] - shared_[1][1];
+    if (side_of(a(0), a(1), a(2), b(j)) != 0) return false;
+    const std::size_t axis = axis_of(a(0), a(1), a(2));
+    return turn(a(i + 1), a(i + 2), a(i), axis) == turn(a(i + 1), a(i + 2), b(j), axis);
+  }
+
+  const std::vector<Point>& points_;
+  const Triangle &a_, &b_;
+  std::array<std::array<std::size_t, 2>, 3> shared_{};
+  std::size_t count_ = 0;
+};
+
+struct Box {
+  Point low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+  void add(const Point& p) {
+    for (std::size_t k = 0; k < 3; ++k)
+      low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+  bool meets(const Box& other) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
+    return true;
+  }
+};
+
+/// A binary tree of boxes around triangles, cut in halves along the longest side.
+class BoxTree {
+ public:
+  BoxTree(const std::vector<Point>& points, std::span<const Triangle> triangles) {
+    for (const Triangle& t : triangles) {
+      Box& box = boxes_.emplace_back();
+      for (const std::uint32_t v : t) box.add(points[v]);
+    }
+    order_.resize(triangles.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    if (!order_.empty()) build(0, order_.size());
+  }
+
+  /// Calls f(t) for the triangles t whose boxes meet that of triangle `of` and have larger numbers.
+  /// False if there are more than `most` nodes to look at.
+  template <class F>
+  bool for_meeting(std::size_t of, std::size_t most, const F& f) const {
+    std::vector<std::size_t> waiting{0};
+    for (std::size_t seen = 0; !waiting.empty(); ++seen) {
+      if (seen > most) return false;
+      const Node& node = nodes_[waiting.back()];
+      waiting.pop_back();
+      if (!node.box.meets(boxes_[of])) continue;
+      if (node.second != 0) {
+        waiting.push_back(node.first), waiting.push_back(node.second);
+        continue;
+      }
+      for (std::size_t i = node.begin; i < node.end; ++i)
+        if (order_[i] > of && boxes_[order_[i]].meets(boxes_[of])) f(order_[i]);
+    }
+    return true;
+  }
+
+ private:
+  struct Node {
+    Box box;
+    std::size_t begin = 0, end = 0, first = 0, second = 0;
+  };
+
+  std::size_t build(std::size_t begin, std::size_t end) {
+    constexpr std::size_t kLeaf = 4;
+    const std::size_t number = nodes_.size();
+    Node node{{}, begin, end, 0, 0};
+    for (std::size_t i = begin; i < end; ++i)
+      node.box.add(boxes_[order_[i]].low), node.box.add(boxes_[order_[i]].high);
+    nodes_.push_back(node);
+    if (end - begin <= kLeaf) return number;
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (node.box.high[k] / 2 - node.box.low[k] / 2 >
+          node.box.high[axis] / 2 - node.box.low[axis] / 2)
+        axis = k;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(begin), at(middle), at(end), [&](std::size_t s, std::size_t t) {
+      const double x = boxes_[s].low[axis] / 2 + boxes_[s].high[axis] / 2,
+                   y = boxes_[t].low[axis] / 2 + boxes_[t].high[axis] / 2;
+      return x != y ? x < y : s < t;
+    });
+    const std::size_t first = build(begin, middle), second = build(middle, end);
+    nodes_[number].first = first, nodes_[number].second = second;
+    return number;
+  }
+
+  std::vector<Box> boxes_;
+  std::vector<std::size_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace
+
+EmbeddingResult find_conflict(const std::vector<Point>& points,
+                              std::span<const Triangle> triangles) {
+  const BoxTree tree(points, triangles);
+  std::mutex mutex;
+  EmbeddingResult result{true, std::nullopt};
+  const auto note = [&](std::size_t s, std::size_t t) {
+    const std::lock_guard lock(mutex);
+    if (!result.conflict || s < result.conflict->first ||
+        (s == result.conflict->first && t < result.conflict->second))
+      result.conflict = {s, t};
+  };
+  const auto corner = [&](std::size_t t, std::size_t i) -> const Point& {
+    return points[triangles[t][i]];
+  };
+  std::vector<char> has_area(triangles.size());
+  parallel_for(triangles.size(), [&](std::size_t t) {
+    has_area[t] = axis_of(corner(t, 0), corner(t, 1), corner(t, 2)) < 3;
+    if (!has_area[t]) note(t, t);
+  });
+  parallel_for(triangles.size(), [&](std::size_t s) {
+    constexpr std::size_t kMostNodes = 100000;
+    const bool all = !has_area[s] || tree.for_meeting(s, kMostNodes, [&](std::size_t t) {
+      if (has_area[t] && Pair(points, triangles[s], triangles[t]).are_in_conflict()) note(s, t);
+    });
+    if (all) return;
+    const std::lock_guard lock(mutex);
+    result.decided = false;
+  });
+  return result;
+}
+
+}  // namespace certificate

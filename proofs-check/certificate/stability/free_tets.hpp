@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Tetrahedra in which the level is the same for all members.
+#pragma once
+
+#include <string>
+
+#include "field.hpp"
+#include "free_simplex.hpp"
+
+namespace certificate {
+
+/// The largest Frobenius norm of a deviator's error at a vertex.
+struct Radius {
+  bool of_deviator = false;  ///< a share of the vertex' own deviator, else in units of the tensor
+  double value = 0;          ///< finite, not negative
+};
+
+/// What is derived of some tetrahedra.
+struct Freedom {
+  Answer answer = Answer::yes;  ///< no: a vertex has members on both sides, or isotropic ones
+  std::string place;            ///< of the first simplex that is not known to be free
+};
+
+/// The deviator at a vertex, three times, in the unit of the field's ball, with the radius in that.
+Widened widened(const Field& field, std::uint32_t vertex, const Radius& radius);
+
+/// Are tetrahedra, with their faces, edges and vertices, free for all members?
+/// @pre the field is of a mode's tensors
+Freedom are_free(const Input& input, const Field& field, const ModeBall& mode, const Radius& radius,
+                 const std::vector<std::size_t>& tets, const ForAll& for_all);
+
+}  // namespace certificate
