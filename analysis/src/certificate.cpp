@@ -44,9 +44,10 @@ void count(const CertifiedCurves& kind, Kinds& kinds) {
 /// @param levels  of it
 template <class Output, class Levels>
 CertificateReport write_levels(const std::filesystem::path& file, CertificateSubject subject,
-                               const ReadResult& read, const Output& output, const Levels& levels) {
+                               const ReadResult& read, const Output& output,
+                               const std::vector<ArrayHash>& arrays, const Levels& levels) {
   subject.vertices = output.points.size();
-  for (const ArrayHash& array : array_hashes(output))
+  for (const ArrayHash& array : arrays)
     subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
   const auto encoding =
       lower_extension(file) == ".cbor" ? CertificateEncoding::cbor : CertificateEncoding::json;
@@ -77,19 +78,20 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
     throw UsageError(
         "--certify: the certificate names vertices and tetrahedra of the surface, "
         "which only a .vtp keeps; give -o a name in .vtp");
-  if (options.cell_to_point || options.tetrahedralize)
-    throw UsageError(
-        "--certify: the certificate is about the numbers in one file as they are; "
-        "--cell-to-point and --tetrahedralize make others");
+  if (const char* const option = options.making_others())
+    throw UsageError(std::string("--certify: the certificate is about the numbers in one file as "
+                                 "they are, and ") +
+                     option + " makes others; use it with tensortopo convert, and certify that");
 }
 
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
                                     const SurfaceMesh& surface,
+                                    const std::vector<CellArray>& more,
                                     const std::vector<CertifiedLevel>& levels) {
   CertificateSubject subject = subject_of(read);
   subject.cells = surface.triangles.size();
   subject.output_sha256 = surface_sha256(surface, read.mesh);
-  return write_levels(file, std::move(subject), read, surface, levels);
+  return write_levels(file, std::move(subject), read, surface, array_hashes(surface, more), levels);
 }
 
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
@@ -98,7 +100,7 @@ CertificateReport write_certificate(const std::filesystem::path& file, const Rea
   CertificateSubject subject = subject_of(read);
   subject.cells = curves.lines.size();
   subject.output_sha256 = curves_sha256(curves, read.mesh);
-  return write_levels(file, std::move(subject), read, curves, kinds);
+  return write_levels(file, std::move(subject), read, curves, array_hashes(curves), kinds);
 }
 
 }  // namespace tensortopo

@@ -9,6 +9,7 @@
 #include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/mesh/cell_array.hpp"
 #include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 
@@ -20,8 +21,10 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
                          const std::filesystem::path& certificate);
 
 /// Writes the certificate of a surface, whole or not at all. Throws IoError.
+/// @param more  arrays that its file has besides
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
                                     const SurfaceMesh& surface,
+                                    const std::vector<CellArray>& more,
                                     const std::vector<CertifiedLevel>& levels);
 /// The same of degenerate curves.
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,

@@ -19,18 +19,22 @@
 
 #include "certificate.hpp"
 #include "overall_progress.hpp"
+#include "persistence_filter.hpp"
 #include "read_field.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
 #include "spare_memory.hpp"
+#include "stability.hpp"
 #include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
+#include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
+#include "tensortopo/partition/extract_in_pieces.hpp"
 
 namespace tensortopo {
 namespace {
@@ -62,6 +66,8 @@ void require_proofs(const ExtractCommand& command, const std::vector<ModeValue>&
   if (command.other)
     throw UsageError(
         "--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
+  if (command.pieces > 1)
+    throw UsageError("--pieces: a surface extracted in pieces has no certificate");
   if (std::any_of(modes.begin(), modes.end(), is_degenerate) &&
       !std::all_of(modes.begin(), modes.end(), is_degenerate))
     throw UsageError("--certify: a certificate is of surfaces or of degenerate curves (--mode 1 or "
@@ -74,6 +80,7 @@ void require_no_surface_options(const ExtractCommand& command) {
                              : command.all_samples                     ? "--all-samples"
                              : command.max_error > 0                   ? "--max-error"
                              : command.drawing == MeshingMethod::graph ? "--method graph"
+                             : command.pieces > 1                      ? "--pieces"
                                                                        : nullptr;
   if (option != nullptr)
     throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
@@ -221,6 +228,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (command.improve && (command.other || command.max_error > 0)) {
     throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
   }
+  const auto uncertainty = requested_uncertainty(command, modes);
+  PersistenceFilter filter(command);
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
@@ -245,6 +254,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   double seconds_certify = 0;
   OtherMethod other(command);
   OverallProgress overall(progress, modes.size());
+  std::optional<StabilityRun> stability;
+  if (uncertainty) stability.emplace(read.mesh, *uncertainty);
+  const auto more = [&] { return stability ? stability->arrays() : std::vector<CellArray>{}; };
   // What the modes have in common.
   std::optional<PreparedField<double>> prepared;
   auto surfaces_left = std::count_if(modes.begin(), modes.end(),
@@ -266,7 +278,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
         const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];
         unresolved[{id, std::string(name_of(cell.obstacle))}].push_back(modes[i]);
       }
+      const auto filtered = filter.apply(read.mesh, modes[i], extraction.curves);
       report.curves.push_back(curve_report(modes[i], extraction));
+      report.curves.back().filter = filtered;
       if (certifying) {
         overall("certificate", 0);
         const Clock certify_clock;
@@ -286,6 +300,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       extraction = std::move(within.extraction);
       level = std::move(within.level);
       farther = std::move(within.farther);
+    } else if (command.pieces > 1) {
+      extraction = extract_in_pieces(read.mesh, modes[i], command.pieces, options);
+      if (command.improve) improve_triangles(read.mesh, modes[i], extraction.surface);
     } else {
       using Use = PreparedField<double>::Use;
       if (!prepared)
@@ -293,16 +310,25 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       extraction = --surfaces_left > 0
                        ? extract_mode_surface(*prepared, modes[i], options)
                        : extract_mode_surface(std::move(*prepared), modes[i], options);
-      if (command.improve) improve_triangles(read.mesh, modes[i], extraction.surface);
+      if (command.improve) {
+        improve_triangles(read.mesh, modes[i], extraction.surface);
+        extraction.not_embedded = tets_not_embedded(read.mesh, extraction.surface);
+      }
     }
     report.seconds_extract += extract_clock.seconds();
     for (const UnresolvedCell& cell : extraction.unresolved) {
       const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];
       unresolved[{id, std::string(name_of(cell.reason))}].push_back(modes[i]);
     }
+    const auto filtered = filter.apply(read.mesh, modes[i], extraction.surface);
     const Clock invariants_clock;
     report.surfaces.push_back(surface_report(modes[i], extraction));
+    report.surfaces.back().filter = filtered;
+    if (!command.other) report.surfaces.back().not_embedded = extraction.not_embedded.size();
     report.seconds_invariants += invariants_clock.seconds();
+    if (stability)
+      report.surfaces.back().stability =
+          report_stability(*stability, command.uncertainty, modes[i], options, extraction);
     if (certifying) {
       overall("certificate", 0);
       const Clock certify_clock;
@@ -320,7 +346,11 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
         report.surfaces.back().first_farther =
             read.mesh.cell_ids[static_cast<std::size_t>(farther.front())];
     }
-    if (certifying) certified.push_back(std::move(*level));
+    if (certifying) {
+      if (stability)
+        level->stability = stability->claim(report.surfaces.back().stability->summary);
+      certified.push_back(std::move(*level));
+    }
     append_surface(surface, std::move(extraction.surface));
   }
   report.predicates = predicate_counts() - before;
@@ -339,7 +369,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   for (const ModeValue& mode : modes)
     (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
   report.bytes = write_surface(surface, curves, read.mesh, command.output, kinds,
-                               file_notes(report, texts_of(modes)))
+                               file_notes(report, texts_of(modes)), more())
                      .bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
@@ -347,7 +377,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     const Clock certify_clock;
     report.certificate =
         certified_curves.empty()
-            ? write_certificate(command.certificate, read, surface, certified)
+            ? write_certificate(command.certificate, read, surface, more(), certified)
             : write_certificate(command.certificate, read, curves, certified_curves);
     report.certificate->seconds = seconds_certify + certify_clock.seconds();
     for (const SurfaceReport& s : report.surfaces) {

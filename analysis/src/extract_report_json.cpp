@@ -19,6 +19,24 @@ Json counts(const std::map<std::string, std::size_t>& unresolved) {
   return json;
 }
 
+Json stability_json(const StabilityReport& stability) {
+  const StabilitySummary& s = stability.summary;
+  return {{"radius", stability.radius},
+          {"stable_tets", s.stable_tets},
+          {"unstable_tets", s.unstable_tets},
+          {"crossed_stable_tets", s.crossed_stable_tets},
+          {"reasons", counts(s.reasons)},
+          {"stable_components", s.components.size()},
+          {"seconds", stability.seconds}};
+}
+
+Json filter_json(const FilterReport& filter) {
+  return {{"min_persistence", filter.least},
+          {"left_out", filter.left_out},
+          {"largest_left_out", filter.largest_left_out},
+          {"not_known", filter.not_known}};
+}
+
 Json surface_json(const SurfaceReport& surface) {
   Json json{{"mode", surface.mode.approx()},
             {"mode_exact", surface.mode.text()},
@@ -30,14 +48,17 @@ Json surface_json(const SurfaceReport& surface) {
   json["distance_bound"] = surface.distance_bound ? Json(*surface.distance_bound) : Json();
   json["tets_farther"] = surface.tets_farther;
   if (surface.distance_bound) json["area_within"] = surface.area_within;
+  if (surface.not_embedded) json["not_embedded"] = *surface.not_embedded;
   json["unresolved"] = counts(surface.unresolved);
+  if (surface.stability) json["stability"] = stability_json(*surface.stability);
+  if (surface.filter) json["filter"] = filter_json(*surface.filter);
   json["parts"] = parts_json(surface.invariants);
   return json;
 }
 
 Json curve_json(const CurveReport& curve) {
   const CurveStatistics& s = curve.statistics;
-  return {{"mode", curve.mode.approx()},
+  Json json{{"mode", curve.mode.approx()},
           {"mode_exact", curve.mode.text()},
           {"vertices", curve.invariants.vertices},
           {"length", curve.invariants.length},
@@ -49,6 +70,8 @@ Json curve_json(const CurveReport& curve) {
           {"faces_counted", s.faces},
           {"faces_counted_with_more_digits", s.faces_exact},
           {"unresolved", counts(curve.unresolved)}};
+  if (curve.filter) json["filter"] = filter_json(*curve.filter);
+  return json;
 }
 
 Json unresolved_json(const UnresolvedReport& cell) {
@@ -67,10 +90,10 @@ Json statistics_json(const ExtractStatistics& s) {
           {"sheets_graph", s.sheets_graph},
           {"sheets_manifold", s.sheets_manifold},
           {"sheets_dominant", s.sheets_dominant},
-          {"sheets_subdivision", s.sheets_leaves},
-          {"sheets_loops", s.sheets_rims},
-          {"sheets_leaves", s.sheets_leaves},  // deprecated
-          {"sheets_rims", s.sheets_rims},      // deprecated
+          {"sheets_subdivision", s.sheets_subdivision},
+          {"sheets_loops", s.sheets_loops},
+          {"sheets_leaves", s.sheets_subdivision},  // deprecated
+          {"sheets_rims", s.sheets_loops},          // deprecated
           {"tets_nearby", s.tets_nearby},
           {"vertices_on_level", s.vertices_on_level},
           {"tets_coned", s.tets_coned},

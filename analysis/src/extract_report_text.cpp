@@ -22,6 +22,30 @@ std::string mode_beside(const ModeValue& mode) {
   return fmt::format("{:.12g}", value + (value + difference < 1 ? difference : -difference));
 }
 
+/// What of a surface is in all fields within the radii.
+std::string stability_line(const SurfaceReport& surface) {
+  const StabilitySummary& s = surface.stability->summary;
+  std::string reasons;
+  for (const auto& [reason, count] : s.reasons)
+    reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", count, reason);
+  return fmt::format(
+      "mode {}, uncertainty {}: {} of {} components stable, {} of {} crossed tetrahedra; {} of all "
+      "tetrahedra not{}{}{}\n",
+      short_text(surface.mode), surface.stability->radius, s.components.size(), surface.invariants.components,
+      s.crossed_stable_tets, surface.statistics.tets_crossed, s.unstable_tets,
+      reasons.empty() ? "" : " (", reasons, reasons.empty() ? "" : ")");
+}
+
+/// What a filter left out.
+std::string filter_line(const ModeValue& mode, const FilterReport& filter) {
+  return fmt::format(
+      "mode {}, persistence below {:g}: {} components left out, the largest of persistence {:.3g}{}\n",
+      short_text(mode), filter.least, filter.left_out, filter.largest_left_out,
+      filter.not_known > 0
+          ? fmt::format("; {} kept because theirs is not known", filter.not_known)
+          : "");
+}
+
 }  // namespace
 
 std::map<std::string, std::size_t> count_unresolved(const ExtractReport& report) {
@@ -43,8 +67,8 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.sheets_graph += s.sheets_graph;
     total.sheets_manifold += s.sheets_manifold;
     total.sheets_dominant += s.sheets_dominant;
-    total.sheets_leaves += s.sheets_leaves;
-    total.sheets_rims += s.sheets_rims;
+    total.sheets_subdivision += s.sheets_subdivision;
+    total.sheets_loops += s.sheets_loops;
     total.tets_nearby += s.tets_nearby;
     total.vertices_on_level += s.vertices_on_level;
     total.tets_coned += s.tets_coned;
@@ -108,6 +132,12 @@ std::string to_text(const ExtractReport& report) {
                    std::isnan(s.max_abs_residual) ? "-" : fmt::format("{:.1e}", s.max_abs_residual),
                    known.manifold ? "yes" : "no", s.statistics.tets_crossed);
   }
+  for (const SurfaceReport& s : report.surfaces)
+    if (s.stability) text += stability_line(s);
+  for (const SurfaceReport& s : report.surfaces)
+    if (s.filter) text += filter_line(s.mode, *s.filter);
+  for (const CurveReport& c : report.curves)
+    if (c.filter) text += filter_line(c.mode, *c.filter);
   if (!report.curves.empty()) {
     fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13} {:>9} {:>8}\n", "curves", "vertices",
                    "parts", "closed", "length", "residual", "tets");
@@ -120,18 +150,24 @@ std::string to_text(const ExtractReport& report) {
   const ExtractStatistics total = total_statistics(report);
   if (total.zero_deviator_vertices > 0) {
     fmt::format_to(out,
-                   "without deviator, where the mode is undefined: {} vertices ({} cone points on "
+                   "isotropic, where the mode is undefined: {} vertices ({} cone points on "
                    "surfaces), {} whole tetrahedra\n",
                    total.zero_deviator_vertices, total.cone_points, total.tets_undefined);
   }
   if (total.tets_nearby > 0) {
-    fmt::format_to(out,
-                   "critical mode: {} tetrahedra drawn at one next to it, of the same topology\n",
-                   total.tets_nearby);
+    fmt::format_to(
+        out, "critical mode: {} tetrahedra meshed at a mode next to it, of the same topology\n",
+        total.tets_nearby);
   }
-  if (total.sheets_rims > 0) {
-    fmt::format_to(out, "drawn between their rims, without a vertex inside: {} sheets\n",
-                   total.sheets_rims);
+  for (const SurfaceReport& s : report.surfaces)
+    if (s.not_embedded.value_or(0) > 0)
+      fmt::format_to(out,
+                     "mode {}: in {} tetrahedra triangles intersect, or are at 90 degrees or more "
+                     "to the gradient; their topology is the proved\n",
+                     short_text(s.mode), *s.not_embedded);
+  if (total.sheets_loops > 0) {
+    fmt::format_to(out, "filled between their boundary loops, without a vertex inside: {} sheets\n",
+                   total.sheets_loops);
   }
   if (report.torn_faces.count > 0) fmt::format_to(out, "{}\n", report.torn_faces.text());
   if (report.written) {

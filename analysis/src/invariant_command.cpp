@@ -102,7 +102,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   report.seconds_write = seconds_since(start);
   if (certifying) {
     start = Clock::now();
-    report.certificate = write_certificate(command.certificate, read, surface, certified);
+    report.certificate = write_certificate(command.certificate, read, surface, {}, certified);
     report.certificate->seconds = seconds_certify + seconds_since(start);
   }
   files.commit();

@@ -188,7 +188,7 @@ class Tracer {
   }
 
   RidgeEnd end_of(const Node& node) const {
-    RidgeEnd end = RidgeEnd::rim;
+    RidgeEnd end = RidgeEnd::boundary;
     for (const std::size_t triangle : around_.at(node.place.edge)) {
       if (triangle == node.triangle) continue;
       const Verdict verdict = verdicts_[triangle][node.place.kind];

@@ -19,7 +19,7 @@ enum class RidgeKind : std::size_t { ridge, valley };
 
 /// Why a line of ridges or valleys ends.
 enum class RidgeEnd : std::size_t {
-  rim,        ///< the surface does
+  boundary,   ///< the surface does
   face,       ///< across a face of the mesh the derivatives of the field are others
   turn,       ///< the extremum becomes one of the other sign
   umbilic,    ///< at a triangle that is skipped: its directions do not agree

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "analyze/poly_data_output.hpp"
-#include "render/surface_input.hpp"
+#include "render/input/surface_input.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"

@@ -56,7 +56,8 @@ SampledDistance sampled_distance(const SurfaceMesh& from, const SurfaceMesh& to)
       const auto &p = from.points[as_size(t[i])], &q = from.points[as_size(t[(i + 1) % 3])];
       is_used[as_size(t[i])] = 1;
       middle += (1.0 / 3) * p;
-      // Of the two triangles at an edge the one that runs upwards; the rim's may run downwards.
+      // Of the two triangles at an edge the one that runs upwards; one on the boundary may run
+      // downwards.
       if (t[i] < t[(i + 1) % 3]) look(0.5 * (p + q));
     }
     look(middle);

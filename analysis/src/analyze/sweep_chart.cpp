@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/chart_item.hpp"
-#include "render/context_picture.hpp"
+#include "render/charts/chart_item.hpp"
+#include "render/charts/context_picture.hpp"
 
 namespace tensortopo {
 namespace {

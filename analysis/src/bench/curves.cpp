@@ -10,7 +10,7 @@
 #include "bench/bench_command.hpp"
 #include "bench/methods.hpp"
 #include "contours/vtk_contours.hpp"
-#include "render/line_chart.hpp"
+#include "render/charts/line_chart.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
 namespace tensortopo {

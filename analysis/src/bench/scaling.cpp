@@ -145,6 +145,8 @@ ScalingReport run_scaling(const ScalingCommand& command, const Progress& progres
   const bool is_amount = command.over != ScalingOver::mode;
   report.exponent = is_amount ? power_law_exponent(x, ours) : std::nan("");
   report.vtk_exponent = over_size ? power_law_exponent(x, vtk) : std::nan("");
+  report.serial_share =
+      command.over == ScalingOver::threads ? serial_share(x, ours) : std::nan("");
   return report;
 }
 

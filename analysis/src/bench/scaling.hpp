@@ -45,6 +45,8 @@ struct ScalingReport {
   /// The exponent of the power law that fits best (see power_law_exponent); NaN where x is no
   /// amount (`mode`).
   double exponent = 0, vtk_exponent = 0;
+  /// Of `threads`, see `serial_share`; else NaN.
+  double serial_share = 0;
 };
 
 std::string_view name_of(ScalingOver over);

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/scaling.hpp"
-#include "render/line_chart.hpp"
+#include "render/charts/line_chart.hpp"
 
 namespace tensortopo {
 namespace {
@@ -54,6 +54,7 @@ std::string to_json(const ScalingReport& report) {
   }
   json["exponent"] = number(report.exponent);
   json["vtk_exponent"] = number(report.vtk_exponent);
+  json["serial_share"] = number(report.serial_share);
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -71,6 +72,9 @@ std::string to_text(const ScalingReport& report) {
   }
   if (std::isfinite(report.exponent))
     fmt::format_to(out, "seconds grow like {}^{:.2f}\n", name_of(report.over), report.exponent);
+  if (std::isfinite(report.serial_share))
+    fmt::format_to(out, "serial share {:.1f} % of the time with one thread (Amdahl's law)\n",
+                   100 * report.serial_share);
   return text;
 }
 

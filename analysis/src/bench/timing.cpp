@@ -54,4 +54,14 @@ double power_law_exponent(const std::vector<double>& x, const std::vector<double
   return xx > 0 ? xy / xx : std::nan("");
 }
 
+double serial_share(const std::vector<double>& threads, const std::vector<double>& seconds) {
+  double xx = 0, xy = 0;
+  for (std::size_t i = 0; i < threads.size(); ++i) {
+    const double shrunk = 1 - 1 / threads[i];
+    xx += shrunk * shrunk;
+    xy += shrunk * (seconds[i] / seconds[0] - 1 / threads[i]);
+  }
+  return xx > 0 ? xy / xx : std::nan("");
+}
+
 }  // namespace tensortopo

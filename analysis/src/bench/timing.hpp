@@ -38,4 +38,11 @@ std::vector<BenchSeries> time_in_turn(
 /// (log x, log y) with the least squares. NaN for fewer than two different x; all values positive.
 double power_law_exponent(const std::vector<double>& x, const std::vector<double>& y);
 
+/// The share s of the time with one thread that more threads do not shorten: by Amdahl's law
+/// T(n) = T(1) (s + (1 - s) / n), with the least squares of T(n) / T(1).
+///
+/// @param threads  the first is 1; all positive
+/// NaN if none is more than 1. Noise can make it negative.
+double serial_share(const std::vector<double>& threads, const std::vector<double>& seconds);
+
 }  // namespace tensortopo

@@ -31,7 +31,7 @@ struct ReadTriangles {
 /// The triangles of a .vtp, .ply, .stl, .obj or .off file (see `read_surface_file`); polygons are
 /// triangulated.
 ///
-/// Where the file holds the surfaces of several modes, told apart by its point data `mode` as in
+/// Where the file holds the surfaces of several modes, distinguished by its point data `mode` as in
 /// what `extract` writes, those of `mode` are taken, rounded to double or float32.
 /// Throws IoError.
 ReadTriangles read_triangles(const std::filesystem::path& file, const ModeValue& mode);

@@ -10,7 +10,7 @@ namespace tensortopo {
 
 /// Fills in holes, seams and non-manifold places. An edge with one triangle is no hole where the
 /// level may end: on the domain's boundary, beside tetrahedra about which there is no truth, and in
-/// faces without deviator.
+/// isotropic faces.
 void score_connectivity(const TetMesh& mesh, const Standard& standard, const GivenSurface& given,
                         double touch, SurfaceScore& score);
 

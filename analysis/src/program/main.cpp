@@ -19,11 +19,11 @@
 #include <optional>
 #include <string>
 
-#include "program/distinct_files.hpp"
 #include "program/exhaustion.hpp"
-#include "program/help.hpp"
-#include "program/subcommands.hpp"
-#include "program/versions.hpp"
+#include "program/options/distinct_files.hpp"
+#include "program/output/help.hpp"
+#include "program/output/versions.hpp"
+#include "program/subcommands/subcommands.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/io_error.hpp"

@@ -9,20 +9,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 #include <system_error>
 
-#include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/analysis/mode_range.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/temporary_folder.hpp"
 #include "tensortopo/io/write_text.hpp"
-#include "tensortopo/scalar/rational.hpp"
 
 namespace tensortopo {
 namespace {
@@ -66,30 +63,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 }  // namespace
 
 std::vector<ModeValue> parse_animation(std::string_view text) {
-  const auto fail = [&](const std::string& why) {
-    throw UsageError("--animate " + std::string(text) + ": " + why);
-  };
-  const std::size_t one = text.find(':'), two = text.find(':', one + 1);
-  if (one == std::string_view::npos || two == std::string_view::npos) fail("must be A:B:N");
-  const std::string_view count = text.substr(two + 1);
-  std::size_t frames = 0;
-  const auto read = std::from_chars(count.data(), count.data() + count.size(), frames);
-  if (read.ec != std::errc() || read.ptr != count.data() + count.size() || frames < 2 ||
-      frames > kMostFrames)
-    fail(fmt::format("N must be a number of frames, 2 to {}", kMostFrames));
-  std::vector<ModeValue> modes;
-  try {
-    const auto from = to_scalar<Rational>(parse_mode(text.substr(0, one)));
-    const auto to = to_scalar<Rational>(parse_mode(text.substr(one + 1, two - one - 1)));
-    for (std::size_t i = 0; i < frames; ++i) {
-      const Rational share =
-          Rational(static_cast<long>(i)) / Rational(static_cast<long>(frames - 1));
-      modes.push_back(ModeValue::parse(Rational(from + share * (to - from)).str()));
-    }
-  } catch (const std::invalid_argument& problem) {
-    fail(problem.what());
-  }
-  return modes;
+  return parse_mode_range("--animate", text, kMostFrames);
 }
 
 std::filesystem::path frame_file(const std::filesystem::path& picture, std::size_t frame,

@@ -11,7 +11,7 @@
 
 namespace tensortopo {
 
-/// Reads A:B:N, as in "-0.9:0.9:37": N modes from A to B, evenly spaced, exact. Throws UsageError.
+/// The modes of the frames of `--animate`; see `parse_mode_range`.
 std::vector<ModeValue> parse_animation(std::string_view text);
 
 /// The file of a frame: for FILE.png FILE-007.png, with as many digits as `count` frames need.

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "render/animation.hpp"
-#include "render/display_server.hpp"
+#include "render/charts/display_server.hpp"
 #include "render/render_subject.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"

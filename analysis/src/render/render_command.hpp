@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "render/scene.hpp"
-#include "render/tet_picture.hpp"
-#include "render/texture.hpp"
+#include "render/scene/scene.hpp"
+#include "render/scene/texture.hpp"
+#include "render/tet/tet_picture.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/quadric/invariant_level.hpp"

@@ -13,15 +13,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "render/domain_boundary.hpp"
-#include "render/feature_edges.hpp"
-#include "render/surface_input.hpp"
-#include "render/tet_surface.hpp"
+#include "render/input/domain_boundary.hpp"
+#include "render/input/feature_edges.hpp"
+#include "render/input/surface_input.hpp"
+#include "render/tet/tet_surface.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/read_geometry.hpp"
 #include "tensortopo/quadric/extract_invariant_surface.hpp"
 
 namespace tensortopo {
@@ -107,13 +108,25 @@ std::string missed_note(const ModeValue& mode, std::int64_t tet, double beyond) 
       short_text(mode), tet);
 }
 
+/// Whether more than the mesh's outline is drawn of it, or the caller says how to read its tensors.
+bool needs_field(const RenderCommand& command) {
+  const ReadOptions& read = command.read;
+  return !command.modes.empty() || !command.frames.empty() || !command.levels.empty() ||
+         command.tet || command.any_tet ||
+         (command.texture != Texture::none && command.texture != Texture::dominant) ||
+         !read.tensor.empty() || read.components || read.symmetrize || read.cell_to_point ||
+         read.mean || !read.materials.empty() || read.cell_values != CellValues::one;
+}
+
 }  // namespace
 
 RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
   if (command.mesh) {
-    ReadResult read = read_mesh(*command.mesh, command.read);
+    const bool field = needs_field(command);
+    ReadResult read = field ? read_mesh(*command.mesh, command.read)
+                            : read_geometry(*command.mesh, command.read);
     mesh_ = std::move(read.mesh);
-    mesh_notes_ = read.report.all_notes();
+    mesh_notes_ = field ? read.report.all_notes() : read.report.notes;
     if (command.any_tet) {
       tet_ = crossed_tet(mesh_, command.frames.empty() ? command.modes.front()
                                                        : command.frames.front());

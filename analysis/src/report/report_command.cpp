@@ -17,6 +17,7 @@
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/hash/sha256.hpp"
+#include "tensortopo/io/field_formats.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/temporary_folder.hpp"
@@ -47,10 +48,10 @@ void require_sense(const ReportCommand& command) {
 /// Why the field's file is none that a certificate is about; empty if it is one.
 std::string no_certificate(const ReportCommand& command) {
   if (!command.certify) return "None was asked for.";
-  const std::string extension = lower_extension(command.input);
-  if (extension != ".vtu" && extension != ".vtk")
+  const FieldFormat* const format = field_format_of(command.input);
+  if (format != nullptr && !format->is_checked)
     return "A certificate is about the numbers of a .vtu or .vtk.";
-  if (command.read.cell_to_point || command.read.tetrahedralize)
+  if (command.read.making_others() != nullptr)
     return "A certificate is about the numbers of a file as they are, not about means or parts of "
            "cells.";
   return "";

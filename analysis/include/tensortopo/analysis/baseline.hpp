@@ -36,7 +36,7 @@ struct BaselineOptions {
 
 /// The surface {mode = mu}, |mu| < 1, with `points`, `triangles` (counter-clockwise seen from the
 /// larger mode), `tet`, `component` and `mode` filled. Vertices at one point are one.
-/// A vertex without deviator counts as below.
+/// An isotropic vertex counts as below.
 /// Throws std::invalid_argument for |mu| >= 1, and for `hybrid` unless mu is 0.
 SurfaceMesh baseline_surface(Baseline method, const TetMesh& mesh, const ModeValue& mu,
                              const BaselineOptions& options = {});

@@ -38,7 +38,11 @@ struct ExtractCommand {
   MeshingMethod drawing = MeshingMethod::manifold;
   bool all_samples = false;  ///< `ExtractOptions::keep_samples`
   bool improve = false;  ///< surfaces by `improve_triangles`
+  int pieces = 1;        ///< surfaces by `extract_in_pieces`, if more
   Provenance provenance;
+  std::string uncertainty;  ///< of the field, as `parse_uncertainty` takes it; empty for none
+  /// Leave out components of less persistence, in radians of the signed Lode angle; 0 for none.
+  double min_persistence = 0;
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone
 };
 

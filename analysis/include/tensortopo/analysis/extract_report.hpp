@@ -17,8 +17,24 @@
 #include "tensortopo/extract/predicate_counts.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/stability/stability_run.hpp"
 
 namespace tensortopo {
+
+/// What holds of a level for all fields within radii of the one that was read.
+struct StabilityReport {
+  std::string radius;  ///< as it was asked for
+  StabilitySummary summary;
+  double seconds = 0;
+};
+
+/// Components that were left out because they matter too little.
+struct FilterReport {
+  double least = 0;                ///< persistence asked for, in radians of the signed Lode angle
+  std::size_t left_out = 0;        ///< components
+  std::size_t not_known = 0;       ///< components that stay because their persistence is not known
+  double largest_left_out = 0;     ///< persistence
+};
 
 /// What is known of one extracted mode surface.
 struct SurfaceReport {
@@ -31,7 +47,10 @@ struct SurfaceReport {
   std::size_t tets_farther = 0;  ///< tetrahedra without the distance that was asked for
   double area_within = 0;  ///< share of the area in the other tetrahedra, if a distance was asked for
   std::optional<std::int64_t> first_farther;  ///< the first of these, a cell of the file
+  std::optional<std::size_t> not_embedded;  ///< see `Extraction`; not of the methods to compare
   std::map<std::string, std::size_t> unresolved;  ///< by the name of the reason
+  std::optional<StabilityReport> stability;       ///< if the field was said to be uncertain
+  std::optional<FilterReport> filter;             ///< if a persistence was asked for
   ExtractStatistics statistics;
 };
 
@@ -40,6 +59,7 @@ struct CurveReport {
   ModeValue mode;
   CurveInvariants invariants;
   double max_residual = 0;  ///< largest sqrt(1 - mode^2) at a vertex
+  std::optional<FilterReport> filter;  ///< if a persistence was asked for
   std::map<std::string, std::size_t> unresolved;
   CurveStatistics statistics;
 };

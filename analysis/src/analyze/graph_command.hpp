@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/persistence/mode_regions.hpp"
+
+namespace tensortopo {
+
+/// The contour tree of the mode, and the topological graph.
+struct GraphCommand {
+  std::filesystem::path input;
+  ReadOptions read;
+  std::filesystem::path output;  ///< .vtp, for the tree; may be empty
+};
+
+/// A component of degenerate curves.
+struct GraphCurve {
+  int mode = 1;               ///< or -1
+  std::size_t component = 0;  ///< of those of this mode
+  bool is_closed = false;
+  double length = 0;
+  std::size_t wedges = 0, trisectors = 0;  ///< vertices of the polyline, by the sign of separation
+  std::size_t transitions = 0;             ///< of one into the other, along it
+};
+
+/// Two closed curves that are linked.
+struct CurveLink {
+  std::size_t first = 0, second = 0;  ///< as indices into `GraphReport::curves`
+  int number = 0;
+};
+
+struct GraphReport {
+  std::filesystem::path input, output;
+  std::string sha256;
+  std::size_t vertices = 0, tetrahedra = 0;
+  TensorComponents components;     ///< in the input
+  std::vector<std::string> notes;  ///< of reading
+  std::vector<std::int64_t> cell_ids;
+  ContourTree tree;
+  ModeRegions regions;
+  std::vector<GraphCurve> curves;   ///< those of mode 1 first
+  std::vector<CurveLink> links;     ///< with a linking number that is not 0
+  std::size_t pairs_of_closed = 0;  ///< of which the linking number was looked at
+  std::size_t not_linkable = 0;     ///< of these, not known
+  double seconds = 0;
+
+  /// The curve of a node, if it is one.
+  std::vector<std::optional<std::size_t>> curve_of_node;
+};
+
+/// Throws UsageError, IoError.
+GraphReport run_graph(const GraphCommand& command, const Progress& progress = {});
+
+/// One JSON object. Ends without newline.
+std::string to_json(const GraphReport& report);
+/// Tables for people. Ends with a newline.
+std::string to_text(const GraphReport& report);
+
+}  // namespace tensortopo

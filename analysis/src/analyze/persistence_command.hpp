@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/persistence/mode_persistence.hpp"
+
+namespace tensortopo {
+
+/// Persistence of the mode of a field.
+struct PersistenceCommand {
+  std::filesystem::path input;
+  ReadOptions read;
+  std::filesystem::path output;   ///< .vtp, for the pairs; may be empty
+  std::filesystem::path picture;  ///< .png; may be empty
+};
+
+struct PersistenceReport {
+  std::filesystem::path input;
+  std::string sha256;
+  std::size_t vertices = 0, tetrahedra = 0;
+  TensorComponents components;     ///< in the input
+  std::vector<std::string> notes;  ///< of reading
+  std::vector<std::int64_t> cell_ids;
+  ModePersistence persistence;
+  std::filesystem::path output, picture;
+  double seconds = 0;
+
+  /// All points and paths are proved, and all curves known.
+  bool is_complete() const;
+};
+
+/// Throws UsageError, IoError.
+PersistenceReport run_persistence(const PersistenceCommand& command, const Progress& progress = {});
+
+/// One JSON object. Ends without newline.
+std::string to_json(const PersistenceReport& report);
+/// Tables for people. Ends with a newline.
+std::string to_text(const PersistenceReport& report);
+
+}  // namespace tensortopo

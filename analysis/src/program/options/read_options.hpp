@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+#include "program/options/common_options.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+
+namespace tensortopo {
+
+/// How to read a field, in the same words wherever one is read: --tensor, --components and all
+/// others. `options` must outlive the parsing.
+void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options);
+
+/// "Field: .vtu, .pvtu, ...": what INPUT may be, of the table of formats.
+std::string field_help();
+
+/// Throws UsageError if one of these was given: no mesh is read.
+void refuse_read_options(const CLI::App& app, const std::string& why);
+
+}  // namespace tensortopo

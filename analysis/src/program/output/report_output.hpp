@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "program/options/common_options.hpp"
+#include "tensortopo/analysis/certificate_report.hpp"
+#include "tensortopo/io/io_error.hpp"
+
+namespace tensortopo {
+
+/// Writes to standard output, and means it. Throws IoError.
+inline void print(std::string_view text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw IoError(IoError::Kind::unwritable, "standard output", "cannot write");
+}
+
+/// A report's JSON object with what made it in front: `schema` (name and number: the file
+/// analysis/schema/NAME.json), `version` of the program, and `options` that were given.
+std::string with_provenance(const std::string& json, const CommonOptions& common,
+                            std::string_view schema);
+
+/// Prints a report as JSON or text. Of subcommands whose result is a file `--quiet` prints no text.
+template <class Json, class Text>
+void print_report(const CommonOptions& common, std::string_view schema, const Json& json,
+                  const Text& text, bool is_result = false) {
+  if (common.json) {
+    print(with_provenance(json(), common, schema));
+  } else if (is_result || !common.quiet) {
+    print(text());
+  }
+}
+
+/// Says, unless it is to be quiet, what there is to say of a file; a line each.
+inline void say_notes(const std::filesystem::path& file, const std::vector<std::string>& notes,
+                      bool quiet) {
+  if (quiet) return;
+  for (const std::string& note : notes)
+    std::cerr << "tensortopo: " << file.string() << ": " << note << '\n';
+}
+
+/// Says, unless it is to be quiet, how much a certificate leaves undecided. False if nothing.
+/// Also what the checker may leave open, though it is proved.
+inline bool say_undecided(const std::optional<CertificateReport>& certificate, bool quiet) {
+  if (certificate && !quiet && certificate->tubes + certificate->at_critical > 0)
+    std::cerr
+        << "tensortopo: " << certificate->path.string() << ": " << certificate->tubes
+        << " thin tubes and " << certificate->at_critical
+        << " tetrahedra at a critical mode were proved by arguments that the checker does not "
+           "have: tensortopo check may leave them open\n";
+  if (!certificate || certificate->undecided_cells == 0) return false;
+  if (!quiet)
+    std::cerr << "tensortopo: " << certificate->path.string() << ": "
+              << certificate->undecided_cells << " tetrahedra stay undecided\n";
+  return true;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/input/surface_file.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCleanPolyData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
+#include "tensortopo/io/read_surface_file.hpp"
+
+namespace tensortopo {
+namespace {
+
+vtkSmartPointer<vtkCellArray> cells_of(const IndexLists& lists) {
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<vtkIdType> corners;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    corners.assign(lists.points.begin() + static_cast<std::ptrdiff_t>(lists.begin_of(i)),
+                   lists.points.begin() + static_cast<std::ptrdiff_t>(lists.ends[i]));
+    cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  return cells;
+}
+
+void add_arrays(const std::vector<SurfaceArray>& arrays, std::size_t tuples,
+                vtkDataSetAttributes& data) {
+  for (const SurfaceArray& array : arrays) {
+    if (array.components == 0) continue;
+    vtkNew<vtkDoubleArray> copy;
+    copy->SetName(array.name.c_str());
+    copy->SetNumberOfComponents(static_cast<int>(array.components));
+    copy->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+    std::copy(array.values.begin(), array.values.end(), copy->GetPointer(0));
+    data.AddArray(copy);
+  }
+}
+
+// The cells whose first point has the number.
+vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* numbers, double number) {
+  const auto selected = vtkSmartPointer<vtkCellArray>::New();
+  vtkIdType size = 0;
+  const vtkIdType* points = nullptr;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
+    cells->GetCellAtId(i, size, points);
+    if (size > 0 && numbers->GetComponent(points[0], 0) == number) {
+      selected->InsertNextCell(size, points);
+    }
+  }
+  return selected;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
+  if (lower_extension(file) != ".vtp")
+    throw IoError(IoError::Kind::invalid, file, "must be a surface in .vtp");
+  const SurfaceFile given = read_surface_file(file);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& p : given.points) points->InsertNextPoint(p.x, p.y, p.z);
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetLines(cells_of(given.lines));
+  result->SetPolys(cells_of(given.polygons));
+  add_arrays(given.point_data, given.points.size(), *result->GetPointData());
+  add_arrays(given.cell_data, given.lines.size() + given.polygons.size(), *result->GetCellData());
+  return result;
+}
+
+std::vector<Sheet> read_sheets(const std::filesystem::path& file) {
+  return sheets_of(read_poly_data(file));
+}
+
+std::vector<Sheet> sheets_of(vtkPolyData* all) {
+  if (all->GetNumberOfPolys() + all->GetNumberOfLines() == 0) return {};
+  vtkPointData* const data = all->GetPointData();
+  if (vtkDataArray* const normals = data->GetArray("normal");
+      normals != nullptr && normals->GetNumberOfComponents() == 3) {
+    data->SetNormals(normals);
+  }
+  // What tells sheets apart: the first of these that the file has.
+  for (const auto& [name, member] :
+       {std::pair{"mode", &Sheet::mode}, {"value", &Sheet::value}, {"kind", &Sheet::ridge_kind}}) {
+    vtkDataArray* const numbers = data->GetArray(name);
+    if (numbers == nullptr) continue;
+    std::set<double> values;
+    for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+      values.insert(numbers->GetComponent(i, 0));
+    std::vector<Sheet> sheets;
+    for (const double value : values) {
+      const auto part = vtkSmartPointer<vtkPolyData>::New();
+      part->SetPoints(all->GetPoints());
+      part->GetPointData()->ShallowCopy(data);
+      part->SetPolys(select(all->GetPolys(), numbers, value));
+      part->SetLines(select(all->GetLines(), numbers, value));
+      vtkNew<vtkCleanPolyData> used;  // drops the points of the others
+      used->PointMergingOff();
+      used->SetInputData(part);
+      used->Update();
+      sheets.push_back({std::nullopt, used->GetOutput()});
+      sheets.back().*member = value;
+    }
+    return sheets;
+  }
+  return {{std::nullopt, all}};
+}
+
+}  // namespace tensortopo
