@@ -134,6 +134,13 @@ TEST(Bench, ScalingTimesEachPointAndFitsAPower) {
             2);
 }
 
+TEST(Bench, TheSerialShareIsWhatMoreThreadsDoNotShorten) {
+  std::vector<double> threads{1, 2, 4, 64}, seconds;
+  for (const double n : threads) seconds.push_back(7 * (0.03 + 0.97 / n));
+  EXPECT_NEAR(serial_share(threads, seconds), 0.03, 1e-12);
+  EXPECT_TRUE(std::isnan(serial_share({1}, {7})));
+}
+
 TEST(Bench, ThePowerOfALawIsItsExponent) {
   std::vector<double> x, y;
   for (const double t : {10.0, 200.0, 3000.0, 50000.0}) {

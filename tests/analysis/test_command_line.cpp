@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "program/progress_bar.hpp"
+#include "program/output/progress_bar.hpp"
 #include "run_program.hpp"
 
 namespace tensortopo::test {

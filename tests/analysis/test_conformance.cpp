@@ -182,7 +182,7 @@ TEST(ConformanceOfAField, LeavesOutComponentsWithoutExtent) {
   EXPECT_EQ(json["seam_edges"], 0);
 }
 
-// Fans that meet in a vertex without deviator are no pinch, and the surface may end beside
+// Fans that meet in an isotropic vertex are no pinch, and the surface may end beside
 // tetrahedra about which nothing is certified.
 TEST(ConformanceOfAField, FindsNothingWrongWithOurOwnSurfaceAroundZeroDeviators) {
   const Folder folder;
@@ -370,7 +370,7 @@ TEST_F(Conformance, SuiteScoresLinearContoursAgainstTruth) {
     if (result["method"] == "tensortopo") {
       EXPECT_EQ(result["conforms"], true) << result;
     }
-    // Linear contours have nothing at all where the mode changes next to a point without deviator.
+    // Linear contours have nothing at all where the mode changes next to an isotropic point.
     if (result["method"] == "linear contour") {
       has_first = !result["distance_from_truth"].is_null();
       if (has_first) first += result["distance_from_truth"].get<double>();

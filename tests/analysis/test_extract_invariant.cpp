@@ -91,7 +91,7 @@ TEST(ExtractInvariant, BadUsageIsTwoAndLeavesNoFile) {
       {{"--invariant", "magnitude", "--value", "-1"}, "--value -1"},
       {{"--invariant", "anisotropy", "--value", "1"}, "--value 1"},
       {{"--invariant", "anisotropy", "--value", "x"}, "--value x"},
-      {{"--invariant", "anisotropy", "--value", "0.5", "--pieces", "0"}, "--pieces"},
+      {{"--invariant", "anisotropy", "--value", "0.5", "--edge-parts", "0"}, "--edge-parts"},
   };
   for (const auto& [words, about] : cases) {
     const Folder folder;

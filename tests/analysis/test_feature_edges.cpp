@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/feature_edges.hpp"
+#include "render/input/feature_edges.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -36,7 +36,7 @@ RC_GTEST_PROP(FeatureEdges, OfAFoldedSheetAreItsRimAndItsFold, ()) {
   const double degrees = *rc::gen::inRange(-160, 161);
   RC_PRE(std::abs(std::abs(degrees) - kFeatureAngle) > 0.5);
   const SurfaceMesh sheet = folded(n, degrees);
-  const auto rim = feature_edges(sheet, EdgeKind::rim);
+  const auto rim = feature_edges(sheet, EdgeKind::boundary);
   RC_ASSERT(rim.size() == static_cast<std::size_t>(2 * n + 4));
   for (const auto& [from, to] : rim) {
     const auto [low, high] = std::minmax(from, to);
@@ -58,7 +58,7 @@ RC_GTEST_PROP(FeatureEdges, DoNotDependOnHowVerticesAreNumbered, ()) {
   std::reverse(other.points.begin(), other.points.end());
   for (auto& t : other.triangles)
     for (Index& v : t) v = last - v;
-  for (const EdgeKind kind : {EdgeKind::rim, EdgeKind::crease}) {
+  for (const EdgeKind kind : {EdgeKind::boundary, EdgeKind::crease}) {
     auto edges = feature_edges(other, kind);
     for (auto& edge : edges)
       for (Index& v : edge) v = last - v;
@@ -71,10 +71,10 @@ TEST(FeatureEdges, AreToldApartByTheNumbersOfTheirVertices) {
   SurfaceMesh book;
   book.points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 0}, {0, 1, 0}};
   book.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
-  EXPECT_EQ(feature_edges(book, EdgeKind::rim).size(), 6u);
+  EXPECT_EQ(feature_edges(book, EdgeKind::boundary).size(), 6u);
   EXPECT_TRUE(feature_edges(book, EdgeKind::crease).empty());
   book.triangles[2] = {5, 6, 4};
-  const auto rim = feature_edges(book, EdgeKind::rim);
+  const auto rim = feature_edges(book, EdgeKind::boundary);
   EXPECT_EQ(rim.size(), 7u);
   for (const auto& [from, to] : rim) EXPECT_NE(from + to, 1);
 }

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <map>
 
-#include "render/fine_surface.hpp"
-#include "render/line_field.hpp"
+#include "render/scene/fine_surface.hpp"
+#include "render/scene/line_field.hpp"
 #include "support/random_fields.hpp"
 
 namespace tensortopo::test {

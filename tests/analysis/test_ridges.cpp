@@ -128,7 +128,7 @@ TEST(Ridges, OfAnExtractedEllipticCylinderAreTheLinesWhereItBendsMost) {
     EXPECT_EQ(ridge.closed, 0u);
     EXPECT_EQ(valley.lines, 0u);
     EXPECT_EQ(valley.flat_triangles, surface.triangles.size());
-    EXPECT_EQ(ridge.ends[static_cast<std::size_t>(RidgeEnd::rim)], 4u);
+    EXPECT_EQ(ridge.ends[static_cast<std::size_t>(RidgeEnd::boundary)], 4u);
     EXPECT_NEAR(ridge.length, 6, 0.1);
     EXPECT_NEAR(ridge.crest_length, ridge.length, 1e-12);
     // One linear field everywhere: both sides of a face see the same point.

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "analyze/level_curvature.hpp"
-#include "render/tet_directions.hpp"
+#include "render/tet/tet_directions.hpp"
 #include "support/random_fields.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 #include "tensortopo/tensor/mode.hpp"

@@ -160,7 +160,7 @@ TEST_P(Claims, LoopsRunAsTheTrianglesHaveThem) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, Claims, testing::ValuesIn(kLevels));
 
-/// A mesh with vertices without deviator, and its claims.
+/// A mesh with isotropic vertices, and its claims.
 Certified with_zero_vertices(TetMesh& mesh, std::uint64_t seed, const std::string& mode) {
   mesh = cube_mesh(2);
   fill_with_normal_tensors(mesh, seed);

@@ -105,8 +105,7 @@ class Cell {
   Number slope(const Vector<Number>& sum, int count, const Vector<Number>& direction) const {
     const auto d = field_at(sum, count), along = derivative(direction);
     // Both weights and their derivatives have the factor six volumes, which an even power leaves.
-    return inner(d, d) * inner(cofactors(d), along) -
-           Number(3) * determinant(d) * inner(d, along);
+    return inner(d, d) * inner(cofactors(d), along) - Number(3) * determinant(d) * inner(d, along);
   }
 
   const Deviator<Number>& deviator(std::size_t i) const { return deviators_[i]; }
@@ -177,8 +176,7 @@ double residual(const Deviator<CGAL::Mpzf>& d, const Mode& mode) {
   const CGAL::Mpzf det = determinant(d), square = inner(d, d);
   const double length = std::sqrt(as_double(square));
   const double own = 3 * std::sqrt(6.0) * as_double(det) / (length * length * length);
-  const double asked =
-      static_cast<double>(mode.numerator) / static_cast<double>(mode.denominator);
+  const double asked = static_cast<double>(mode.numerator) / static_cast<double>(mode.denominator);
   if (!(own * asked > 0)) return own - asked;
   // The difference of the squares is exact: 54 det^2 / square^3 - numerator^2 / denominator^2.
   const CGAL::Mpzf p(static_cast<double>(mode.numerator)), q(static_cast<double>(mode.denominator));
@@ -222,15 +220,15 @@ AgainstGradient against_gradient(const Surface& surface, const Field& field) {
     if (!is_defined(field, tet) || !has_area(t)) continue;
     ++result.compared;
     if (!is_upward(field, tet, t, -1)) result.at_centroid.push_back(i);
-    if (!(is_upward(field, tet, t, 0) && is_upward(field, tet, t, 1) && is_upward(field, tet, t, 2)))
+    if (!(is_upward(field, tet, t, 0) && is_upward(field, tet, t, 1) &&
+          is_upward(field, tet, t, 2)))
       ++result.at_corners;
   }
   return result;
 }
 
 Residuals residuals(const Surface& surface, const Field& field, const Mode& mode) {
-  const double asked =
-      static_cast<double>(mode.numerator) / static_cast<double>(mode.denominator);
+  const double asked = static_cast<double>(mode.numerator) / static_cast<double>(mode.denominator);
   std::vector<std::int32_t> tet(surface.points.size(), -1);
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     for (const auto v : surface.triangles[i]) tet[static_cast<std::size_t>(v)] = surface.tet[i];
@@ -244,7 +242,7 @@ Residuals residuals(const Surface& surface, const Field& field, const Mode& mode
     ++result.compared;
     result.largest = std::max(result.largest, off);
     if (!(off <= rounding(field, t, surface.points[v]) + 0x1p-40 * (1 - std::abs(asked))))
-      ++result.off;
+      result.off.push_back(v);
   }
   return result;
 }

@@ -49,7 +49,7 @@ struct AgainstGradient {
   std::size_t compared = 0;
 };
 
-/// Triangles without area and tetrahedra with a corner without deviator are left out.
+/// Triangles without area and tetrahedra with an isotropic corner are left out.
 AgainstGradient against_gradient(const Surface& surface, const Field& field);
 
 /// The mode that a surface is asked for, exact.
@@ -60,7 +60,7 @@ struct Mode {
 /// How far the mode at the vertices is from the one asked for.
 struct Residuals {
   double largest = 0;
-  std::size_t off = 0;  ///< vertices that rounding does not explain
+  std::vector<std::size_t> off;  ///< vertices that rounding does not explain, ascending
   std::size_t compared = 0;
 };
 
@@ -69,7 +69,7 @@ struct Residuals {
 /// vertex is off if its mode is farther from the one asked for than
 /// 64 u (1 + |gradient| |x| + sum |w_i D_i| / |D|).
 /// A level next to the mode is extracted where the mode is a critical value: 2^-40 of the distance
-/// to 1 is allowed as well. Vertices of tetrahedra with a corner without deviator are left out.
+/// to 1 is allowed as well. Vertices of tetrahedra with an isotropic corner are left out.
 Residuals residuals(const Surface& surface, const Field& field, const Mode& mode);
 
 }  // namespace tensortopo::embedding

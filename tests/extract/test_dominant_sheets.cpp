@@ -128,7 +128,7 @@ TEST(DominantSheets, ShowWhatIsBesideAPlaneOfSymmetry) {
       ++count;
       named += extraction.unresolved.empty() ? 0 : 1;
       dominant += extraction.statistics.sheets_dominant;
-      subdivision += extraction.statistics.sheets_leaves;
+      subdivision += extraction.statistics.sheets_subdivision;
     }
   }
   std::cout << count << " levels: " << dominant << " sheets by dominant eigenvectors, "

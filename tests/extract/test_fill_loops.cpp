@@ -20,10 +20,10 @@ TEST(RimSheets, AreDrawnAroundThinTubes) {
   };
   const auto far = at("999/1000"), near = at("999999999/1000000000");
   ASSERT_EQ(unresolved_text(far), "");
-  EXPECT_EQ(far.statistics.sheets_rims, 0u);
+  EXPECT_EQ(far.statistics.sheets_loops, 0u);
   EXPECT_EQ(unresolved_text(near), "");
   EXPECT_EQ(flaws(near, mesh), "");
-  EXPECT_GT(near.statistics.sheets_rims, 0u);
+  EXPECT_GT(near.statistics.sheets_loops, 0u);
   // No critical value lies between the two modes.
   EXPECT_EQ(topology_in_tet(near), topology_in_tet(far));
 }

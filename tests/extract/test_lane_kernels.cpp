@@ -12,6 +12,7 @@
 
 #include "extract/topology/boundary/edge_crossings.hpp"
 #include "extract_case.hpp"
+#include "support/compared.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -84,6 +85,33 @@ void expect_proofs_of_one(std::uint64_t seed, int count) {
 
 TEST(LaneKernels, ProveTrianglesAsOneByOne) { expect_proofs_of_one<3>(20240411, trials(1500)); }
 TEST(LaneKernels, ProveTetrahedraAsOneByOne) { expect_proofs_of_one<4>(20240412, trials(1500)); }
+
+template <std::size_t Vertices>
+void expect_emptiness_of_one(std::uint64_t seed, int count) {
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  Compared empty("empty", static_cast<std::size_t>(count)),
+      other("not proved empty", static_cast<std::size_t>(count / 2));
+  for (int trial = 0; trial < count; ++trial) {
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
+    const auto level = make_level<double>(mode);
+    std::vector<Simplex<Vertices>> simplices(static_cast<std::size_t>(random.integer(1, 9)));
+    for (auto& s : simplices) s = random_simplex<Vertices>(random, random.integer(0, 1000));
+    std::vector<char> proved(simplices.size(), 2);
+    prove_empty<Vertices>(simplices, level, proved);
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      const bool expected = is_proved_empty(simplices[i], level);
+      ASSERT_EQ(proved[i] != 0, expected) << "trial " << trial << ", simplex " << i;
+      ++(expected ? empty : other);
+    }
+  }
+}
+
+TEST(LaneKernels, ProveEmptinessAsOneByOne) {
+  expect_emptiness_of_one<2>(20240415, trials(1500));
+  expect_emptiness_of_one<3>(20240416, trials(1500));
+  expect_emptiness_of_one<4>(20240417, trials(1500));
+}
 
 // A crossing is that of `edge_crossings`; most edges have one that is found so.
 TEST(LaneKernels, CrossEdgesAsOneByOne) {

@@ -151,7 +151,7 @@ TEST(Extraction, StatisticsAddUp) {
     EXPECT_LE(s.tets_screened_out + s.tets_crossed, mesh.tets.size());
     EXPECT_EQ(s.tets_crossed, s.tets_monotone + s.tets_refined);
     EXPECT_GE(s.sheets_small + s.sheets_tubes + s.sheets_graph + s.sheets_manifold +
-                  s.sheets_dominant + s.sheets_leaves + s.sheets_rims,
+                  s.sheets_dominant + s.sheets_subdivision + s.sheets_loops,
               s.tets_crossed);
     std::vector<SurfaceMesh::Index> tets = extraction.surface.tet;
     tets.erase(std::unique(tets.begin(), tets.end()), tets.end());

@@ -154,7 +154,7 @@ TEST(SaddleLine, LevelsNextToItsValueAreDrawnFromCells) {
     const auto near = extract(mesh, mode);
     EXPECT_EQ(unresolved_text(near), "");
     EXPECT_EQ(flaws(near, mesh), "");
-    EXPECT_EQ(near.statistics.sheets_rims, 0u);
+    EXPECT_EQ(near.statistics.sheets_loops, 0u);
     // No critical value lies between the modes.
     EXPECT_EQ(topology_in_tet(near), topology_in_tet(far));
   }

@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "certificate_check/check_certificate.hpp"
-#include "document.hpp"
-#include "files.hpp"
+#include "files/document.hpp"
+#include "files/files.hpp"
 
 namespace tensortopo::test {
 namespace {

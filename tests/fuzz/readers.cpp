@@ -91,6 +91,10 @@ const std::vector<FuzzedReader>& fuzzed_readers() {
         {"vtp", [](std::string_view bytes) { read_surface("f.vtp", bytes); }},
         {"vtk", [](std::string_view bytes) { read_field("f.vtk", bytes); }},
         {"vtu", [](std::string_view bytes) { read_field("f.vtu", bytes); }},
+        {"vti", [](std::string_view bytes) { read_field("f.vti", bytes); }},
+        {"frd", [](std::string_view bytes) { read_field("f.frd", bytes); }},
+        {"exo", [](std::string_view bytes) { read_field("f.e", bytes); }},
+        {"nii", [](std::string_view bytes) { read_field("f.nii", bytes); }},
         {"truth",
          [](std::string_view bytes) {
            one_line_or_result("f.json", [&] { parse_truth(std::string(bytes), "f.json"); });

@@ -7,10 +7,12 @@
 #include <iterator>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "readers.hpp"
+#include "tensortopo/io/field_formats.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -63,6 +65,18 @@ TEST_P(Corpus, SoDoesWhatIsCutOffOrAltered) {
     }
   }
   EXPECT_GE(tried, 60u);
+}
+
+TEST(CorpusOfFields, HasATargetForEachFormatOfFields) {
+  std::set<std::string> names;
+  for (const FuzzedReader& reader : fuzzed_readers()) names.insert(reader.name);
+  std::size_t compared = 0;
+  for (const FieldFormat& format : field_formats()) {
+    if (format.fuzzed_as.empty()) continue;
+    EXPECT_TRUE(names.contains(std::string(format.fuzzed_as))) << format.extension;
+    ++compared;
+  }
+  EXPECT_GE(compared, 6u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, Corpus, testing::ValuesIn(fuzzed_readers()),

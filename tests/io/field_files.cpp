@@ -69,6 +69,16 @@ TetMesh cube_field(int n) {
   return mesh;
 }
 
+double volume_of(const TetMesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.tets) {
+    const auto& p = mesh.points[static_cast<std::size_t>(t[0])];
+    const auto edge = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(t[i])] - p; };
+    sum += dot(edge(1), cross(edge(2), edge(3))) / 6;
+  }
+  return sum;
+}
+
 std::string TextVtu::array(const std::string& name, int components, const std::string& numbers,
                            const std::string& type) {
   return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +

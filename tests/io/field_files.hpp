@@ -24,6 +24,9 @@ std::string slurp(const std::filesystem::path& file);
 /// A cube of n^3 small cubes, six tetrahedra each, with tensors that are no round numbers.
 TetMesh cube_field(int n);
 
+/// The sum of the tetrahedra's volumes, with signs.
+double volume_of(const TetMesh& mesh);
+
 /// A .vtu in plain text, to be spoiled part by part. One tetrahedron, tensor `stress`.
 struct TextVtu {
   std::string points = "4", cells = "1";

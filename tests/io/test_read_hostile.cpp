@@ -45,6 +45,12 @@ std::vector<Sample> samples() {
       vtk_write_legacy(field, file, binary, version_5, version_5 ? 6 : 9);
       result.push_back({".vtk", slurp(file)});
     }
+  const std::filesystem::path corpus = TENSORTOPO_CORPUS;
+  for (const char* name : {"frd/C3D10_binary", "frd/C3D4_text", "vti/ascii", "vti/binary",
+                           "nii/four.nii", "nii/five.nii", "nii/scaled.nii", "vtk/structured_points"})
+    result.push_back({"." + std::filesystem::path(name).parent_path().string(), slurp(corpus / name)});
+  for (const char* name : {"nodes", "quadratic"})
+    result.push_back({".e", slurp(corpus / "exo" / name)});
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -16,6 +17,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "field_files.hpp"
+#include "support/compared.hpp"
 #include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
@@ -54,6 +56,44 @@ TEST(WriteSurface, VtpHoldsAllArraysExactly) {
   const vtkIdType* cell = nullptr;
   data->GetPolys()->GetCellAtId(1, corners, cell);
   EXPECT_EQ(std::vector<vtkIdType>(cell, cell + corners), (std::vector<vtkIdType>{2, 1, 3}));
+}
+
+// Blocks hold 65,536 bytes, and base64 takes three at a time: sizes around both.
+TEST(WriteSurface, VtpHoldsArraysOfManyBlocksExactly) {
+  for (const std::size_t count : {8191u, 8192u, 8193u, 30001u}) {
+    Compared coordinates("coordinates and residuals", count);
+    SurfaceMesh s;
+    double x = 0.1;
+    for (std::size_t i = 0; i < count; ++i) {
+      x = 3.9 * x * (1 - x);
+      s.points.push_back({x, static_cast<double>(i), -x});
+      s.residual.push_back(x * 1e-16);
+    }
+    s.triangles.assign(count, {0, 1, 2});
+    const auto file = temporary("many.vtp"), again = temporary("again.vtp");
+    write_surface(s, TetMesh{}, file);
+    {
+      const oneapi::tbb::global_control one_thread(
+          oneapi::tbb::global_control::max_allowed_parallelism, 1);
+      write_surface(s, TetMesh{}, again);
+    }
+    EXPECT_EQ(slurp(file), slurp(again));
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    vtkPolyData* const data = reader->GetOutput();
+    ASSERT_EQ(data->GetNumberOfPoints(), static_cast<vtkIdType>(count));
+    ASSERT_EQ(data->GetNumberOfPolys(), static_cast<vtkIdType>(count));
+    vtkDataArray* const residual = data->GetPointData()->GetArray("residual");
+    ASSERT_NE(residual, nullptr);
+    for (std::size_t i = 0; i < count; ++i) {
+      double p[3];
+      data->GetPoint(static_cast<vtkIdType>(i), p);
+      ASSERT_TRUE(p[0] == s.points[i].x && p[1] == s.points[i].y && p[2] == s.points[i].z) << i;
+      ASSERT_EQ(residual->GetTuple1(static_cast<vtkIdType>(i)), s.residual[i]) << i;
+      ++coordinates;
+    }
+  }
 }
 
 // ParaView 5.11 with a recent expat shows files with an AppendedData section as empty.
@@ -132,10 +172,13 @@ TEST(WriteSurface, BinaryFormatsHoldTheBytes) {
   write_surface(s, mesh_of_two(), temporary("s.stl"));
   const std::string ply = slurp(temporary("s.ply")), stl = slurp(temporary("s.stl"));
   const std::size_t body = ply.find("end_header\n") + 11;
-  ASSERT_EQ(ply.size(), body + 4 * 24 + 2 * 13);
+  ASSERT_EQ(ply.size(), body + 4 * 32 + 2 * 13);
   double y = 0;
   std::memcpy(&y, ply.data() + body + 8, 8);
   EXPECT_EQ(y, 1.0 / 3);
+  EXPECT_NE(ply.find("property double mode\n"), std::string::npos);
+  std::memcpy(&y, ply.data() + body + 24, 8);
+  EXPECT_EQ(y, 0.5);
   ASSERT_EQ(stl.size(), 84u + 2 * 50);
   EXPECT_NE(stl.substr(0, 5), "solid");
   float x = 0;

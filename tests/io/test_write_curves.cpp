@@ -68,9 +68,9 @@ TEST(WriteCurves, ObjHasPolylinesAndPlyHasEdges) {
   EXPECT_NE(ply.find("element edge 3\nproperty int vertex1\nproperty int vertex2\nend_header\n"),
             std::string::npos);
   const std::size_t body = ply.find("end_header\n") + 11;
-  ASSERT_EQ(ply.size(), body + 7 * 24 + 2 * 13 + 3 * 8);
+  ASSERT_EQ(ply.size(), body + 7 * 32 + 2 * 13 + 3 * 8);
   std::int32_t ends[2];
-  std::memcpy(ends, ply.data() + body + 7 * 24 + 2 * 13, 8);
+  std::memcpy(ends, ply.data() + body + 7 * 32 + 2 * 13, 8);
   EXPECT_EQ(ends[0], 6);
   EXPECT_EQ(ends[1], 4);
 }

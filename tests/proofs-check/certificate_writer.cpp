@@ -81,7 +81,7 @@ class Reader {
     return result;
   }
 
-  /// Faces and tetrahedra, from the rims of the triangles in each tetrahedron.
+  /// Faces and tetrahedra, from the boundary loops of the triangles in each tetrahedron.
   void read(Json& faces, Json& tets);
 
   Json components() const {

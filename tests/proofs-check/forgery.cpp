@@ -217,7 +217,7 @@ const std::vector<Exhibit>& honest_exhibits() {
       Exhibit e = exhibit(mesh, {"0"});
       if (e.surface.triangles.size() > 30) result.push_back(std::move(e));
     }
-    // Around one vertex without deviator, around the edge between two, over a closed curve.
+    // Around one isotropic vertex, around the edge between two, over a closed curve.
     constexpr SymmetricTensor<double> kNoDeviator{3, 3, 3, 0, 0, 0};
     for (const auto& zeros : {std::vector<std::size_t>{0}, std::vector<std::size_t>{0, 7}}) {
       fill_with_normal_tensors(mesh, 5);

@@ -272,6 +272,26 @@ bool tell_reaches(Exhibit& e, Pick& pick) {
   return reach.erase(pick.below(reach.size())), true;
 }
 
+/// That a component is in all fields within a radius, if there is one within that is isotropic.
+bool tell_stable_component(Exhibit& e, Pick& pick) {
+  Json& level = any_level(e, pick);
+  if (level["components"].empty()) return false;
+  const Json first = (*any_entry(level["components"], pick))["first_vertex"];
+  Json& claim = level["stability"] = {
+      {"radius", "0x1p900"}, {"of", "tensor"}, {"components", Json::array({first})}};
+  switch (pick.below(4)) {
+    case 0: return true;
+    case 1: return claim["radius"] = "0x1p0", claim["of"] = "deviator", true;
+    case 2:  // of no component
+      claim["radius"] = "0x0p+0";
+      add(claim["components"][0], 1);
+      return std::none_of(
+          level["components"].begin(), level["components"].end(),
+          [&](const Json& c) { return c["first_vertex"] == claim["components"][0]; });
+    default: return claim["radius"] = "0x0p+0", claim["of"] = "vector", true;
+  }
+}
+
 bool tell_array(Exhibit& e, Pick& pick) {
   Json& surface = e.certificate["surface"];
   if (!surface.contains("arrays") || surface["arrays"].empty()) return false;
@@ -324,6 +344,7 @@ std::vector<LieRow> lies_of_claims() {
       entry("cones: vertices", "cones", tell_cone),
       whole("components", "components"),
       entry("components: numbers", "components", tell_component),
+      {"stability", tell_stable_component},
       {"embedded", [](Exhibit& e, Pick& pick) {  // a triangle has a corner twice, nearly
         Json& level = any_level(e, pick);
         const std::size_t first = level["triangles"][0], count = level["triangles"][1];

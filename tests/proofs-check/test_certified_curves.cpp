@@ -10,10 +10,10 @@
 #include <iostream>
 #include <map>
 
-#include "extract/curves/points/degenerate_points_on_face.hpp"
 #include "curve_exhibit.hpp"
-#include "curve_topology.hpp"
+#include "curves/curve_topology.hpp"
 #include "extract/bundled_fields.hpp"
+#include "extract/curves/points/degenerate_points_on_face.hpp"
 #include "extract/extract_case.hpp"
 #include "forgery.hpp"
 #include "support/generators.hpp"

@@ -154,7 +154,7 @@ TEST(CertifiedFields, PlanesAreProvedToBeNear) {
   }
 }
 
-/// Vertices without deviator one by one, in rows, in blocks.
+/// Isotropic vertices one by one, in rows, in blocks.
 TEST(CertifiedFields, ConesAreCertified) {
   constexpr std::uint64_t kSeed = 20241130;
   Random random(kSeed);
@@ -185,7 +185,7 @@ TEST(CertifiedFields, ConesAreCertified) {
   EXPECT_GT(2 * proved, cones);
 }
 
-/// One tetrahedron with one to four vertices without deviator, of any magnitude and order.
+/// One tetrahedron with one to four isotropic vertices, of any magnitude and order.
 TEST(CertifiedFields, StrataWithZeroVerticesAreCertified) {
   constexpr std::uint64_t kSeed = 20241131;
   Random random(kSeed);

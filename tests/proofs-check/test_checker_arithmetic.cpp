@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "given_tensor.hpp"
+#include "files/given_tensor.hpp"
 #include "level.hpp"
 
 namespace certificate {

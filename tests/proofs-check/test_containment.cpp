@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "containment.hpp"
+#include "claims/containment.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-// The claims about sheets around vertices without deviator, altered.
+// The claims about sheets around isotropic vertices, altered.
 #include "forgery_trial.hpp"
 
 namespace tensortopo::test {

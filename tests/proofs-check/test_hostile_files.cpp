@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "component_names.hpp"
+#include "files/component_names.hpp"
+#include "files/parse_document.hpp"
 #include "forgery.hpp"
-#include "parse_document.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -46,6 +46,22 @@ def test_a_sweep_is_that_of_the_program(program, tmp_path):
     assert compared > 3
 
 
+def test_persistence_is_that_of_the_program(program, slab, slab_file):
+    theirs = json.loads(program("analyze", slab_file, "--persistence", "--json", "--quiet"))
+    ours = slab.persistence()
+    assert len(ours.pairs) == len(theirs["pairs"]) > 50
+    assert ours.complete == theirs["complete"]
+    for pair, other in zip(ours.pairs, theirs["pairs"]):
+        for key in ("kind", "birth", "death", "survives", "birth_tet", "death_tet", "curve", "tie", "certain"):
+            assert getattr(pair, key) == other[key]
+        low, high = pair.birth_range
+        assert low <= pair.birth <= high
+    assert len(ours.curves) == len(theirs["curves"]) > 5
+    for curve, other in zip(ours.curves, theirs["curves"]):
+        assert (curve.mode, curve.component, curve.pair) == (other["mode"], other["component"], other["pair"])
+        assert ours.pairs[curve.pair].birth == curve.mode or ours.pairs[curve.pair].kind == "extended"
+
+
 def test_bad_sweeps_are_value_errors(slab):
     for arguments in ((0.5, 0.1), (0, 0.5, 1), ("x", 1)):
         with pytest.raises(ValueError):

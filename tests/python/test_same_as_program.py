@@ -63,6 +63,41 @@ def test_surface_and_certificate(program, slab, slab_file, tmp_path):
     assert surface.certificate == certificate.read_bytes()
 
 
+def test_uncertain_surface_and_certificate(program, slab, slab_file, tmp_path):
+    file, certificate = tmp_path / "s.vtp", tmp_path / "s.json"
+    report = json.loads(
+        program("extract", slab_file, "-o", file, "--mode", "0", "--uncertainty", "1%",
+                "--certify", certificate, "--json")
+    )  # fmt: skip
+    surface = slab.mode_surface(0, certify=True, uncertainty="1%")
+    require_same(surface, file, "Polys")
+    cells = read_piece(file).sections["CellData"]
+    assert bits(surface.stable) == bits(cells["stable"].values)
+    assert bits(surface.instability) == bits(cells["instability"].values)
+    assert 0 < surface.stable.sum() < len(surface.stable)
+    assert surface.certificate == certificate.read_bytes()
+    expected = report["surfaces"][0]["stability"]
+    assert surface.levels[0].stability == {
+        key: value for key, value in expected.items() if key not in ("radius", "seconds")
+    }
+    assert tt.check(slab, surface).status == "certified"
+    tt.write(tmp_path / "w.vtp", surface)
+    assert tt.check(slab, tmp_path / "w.vtp", certificate).status == "certified"
+
+
+def test_uncertainty_of_each_vertex(slab):
+    plain = slab.mode_surface(0)
+    assert plain.stable is None and plain.levels[0].stability is None
+    radius = 100.0
+    one = slab.mode_surface(0, uncertainty=radius)
+    each = slab.mode_surface(0, uncertainty=np.full(len(slab.points), radius))
+    assert np.array_equal(one.instability, each.instability)
+    assert one.levels[0].stability == each.levels[0].stability
+    for wrong in (-1.0, float("nan"), "many", "-1%", [1.0, 2.0]):
+        with pytest.raises(ValueError, match="uncertainty|neither"):
+            slab.mode_surface(0, uncertainty=wrong)
+
+
 def test_curves_and_certificate(program, slab, slab_file, tmp_path):
     file, certificate = tmp_path / "c.vtp", tmp_path / "c.json"
     program("extract", slab_file, "-o", file, "--quiet", "--mode", "1", "--mode", "-1",

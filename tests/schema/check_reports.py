@@ -61,6 +61,9 @@ def main():
         run("generate", "kelvin", "-o", "e.vtu", "--field-only", "--count", "2", "--together")
         run("extract", slab, "-o", "s.vtp", "--mode", "1/2", "--mode", "-1", "--generalized")
         run("extract", slab, "-o", "s.vtp", "--mode", "1/2", "--certify", "s.json")
+        run("check", slab, "s.vtp", "s.json")
+        run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--uncertainty", "1%")
+        run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--mode", "1", "--min-persistence", "0.02")
         run("extract", slab, "-o", "c.vtp", "--mode", "1", "--certify", "c.json")
         run("extract", "k.vtu", "-o", "m.vtp", "--mode", "1/2", "--max-error", "0.5")
         run("extract", "k.vtu", "-o", "b.vtp", "--mode", "1/2", "--method", "marching")
@@ -71,6 +74,11 @@ def main():
         run("extract", "k.vtu", "-o", "i.vtp", "--invariant", "magnitude", "--value", "2")
         run("extract", "k.vtu", "-o", "i.vtp", "--invariant", "anisotropy", "--value", "9/10",
             "--certify", "i.json")
+        run("convert", "k.vtu", "-o", "copy.vtu")
+        (pathlib.Path(folder) / "series.pvd").write_text(
+            '<VTKFile type="Collection"><Collection><DataSet timestep="0" file="k.vtu"/>'
+            '<DataSet timestep="1" file="copy.vtu"/></Collection></VTKFile>')
+        run("extract", "series.pvd", "-o", "series_{step}.vtp", "--mode", "1/2")
         run("render", "k.vtu", "-o", "p.png", "--size", "32x32", "--mode", "1/2")
         run("render", "k.vtu", "-o", "p.png", "--size", "32x32", "--animate", "0:0.5:2")
         run("render", "k.vtu", "-o", "p.png", "--mode", "1/2", "--tet", "any", "--direction", "1,0,0")
@@ -86,7 +94,18 @@ def main():
         run("analyze", "s.vtp", "--mesh", "k.vtu", "--smooth", "--recover", "--against", "b.vtp",
             "--ridges", "r.vtp", "-o", "a.vtp")
         run("analyze", "k.vtu", "--sweep", "0:0.3:3")
+        run("analyze", "k.vtu", "--persistence")
+        run("analyze", "k.vtu", "--graph")
+        run("analyze", "k.vtu", "--graph", "-o", "tree.vtp")
+        run("analyze", "k.vtu", "--persistence", "-o", "pairs.vtp", "--chart", "p.png")
         run("analyze", "k.vtu", "--sweep", "0.2:0.3:2", "--check", "2", "-o", "d.png")
+        run("check", slab, "s.vtp", "s.json")  # refuted: the surface is another one by now
+        run("check", slab, "c.vtp", "c.json", "--expect-mode", "1/2")
+        run("verify", "--fields", "5")
+        run("verify", "--input", "k.vtu", "--fields", "5", "--theorem", "mode-range")
+        run("proofs")
+        run("report", "k.vtu", "-o", "p.html", "--mode", "1/2", "--no-sweep")
+        run("report", "g.vtu", "-o", "q.html", "--mode", "1/2", "--no-certificate")
         run("bench", "--input", "g.vtu", "--mode", "1/2")
         run("bench", "--input", "g.vtu", "--mode", "0", "--only", "errors")
         run("bench", "--input", "g.vtu", "--scaling", "mode")

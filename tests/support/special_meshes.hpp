@@ -26,7 +26,7 @@ std::string name_of(MeshKind kind);
 /// A box of 1 to 8 unit cubes, six tetrahedra each, with random tensors of the kind.
 ///
 /// Where single tetrahedra of a stratum have neighbours, what is special meets: levels along edges
-/// that end at a vertex without deviator, lines of saddles next to symmetry planes.
+/// that end at an isotropic vertex, lines of saddles next to symmetry planes.
 TetMesh special_mesh(MeshKind kind, Random& random);
 
 }  // namespace tensortopo::test

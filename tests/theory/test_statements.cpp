@@ -120,6 +120,10 @@ TEST_P(EachStatement, NeedsTheHypothesesThatItSaysItNeeds) {
   }
 }
 
+TEST_P(EachStatement, SaysWhatItsHypothesesAreFor) {
+  EXPECT_FALSE(statement().needed.empty() && statement().unneeded.empty());
+}
+
 TEST_P(EachStatement, SaysWhatIsWrongIfItCorrectsThePaper) {
   EXPECT_EQ(statement().corrected.empty(), statement().flaws.empty());
 }

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "support/random_fields.hpp"
+#include "tensortopo/mesh/tet_mesh.hpp"
+
+namespace tensortopo::test {
+
+/// A number of trials times the environment variable TENSORTOPO_TEST_MULTIPLIER.
+int trials(int count);
+
+/// A field of which each deviator is in its ball around that of the mesh: on the sphere, or inside.
+TetMesh random_member(const TetMesh& mesh, std::span<const double> radii, Random& random);
+
+/// Members of the field in one tetrahedron that are likely to differ from it: at the places of its
+/// vertices, edges, faces and inside at which the vertex tensors need the smallest changes, as
+/// shares of their radii, for a critical point of mode mu, each vertex tensor is moved by its
+/// radius along the mode's gradient there or against it, in all combinations.
+///
+/// @param places  how many such places of each simplex
+std::vector<TetMesh> members_that_may_differ(const TetMesh& mesh, std::size_t tet,
+                                             std::span<const double> radii, double mu,
+                                             std::size_t places);
+
+}  // namespace tensortopo::test

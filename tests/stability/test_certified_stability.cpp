@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// The checker derives by itself which components are in all fields within a radius.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "certificate_check/check_certificate.hpp"
+#include "support/compared.hpp"
+#include "support/folder.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Certified {
+  std::string input, surface, certificate;
+  ExtractReport report;
+  Json claims;
+};
+
+Certified certified(const Folder& folder, const std::string& uncertainty) {
+  Certified result;
+  result.input = std::string(TENSORTOPO_EXAMPLE_DATA) + "/s4_slab_small_C3D8I.vtu";
+  result.surface = folder / "surface.vtp";
+  result.certificate = folder / "certificate.json";
+  ExtractCommand command;
+  command.input = result.input;
+  command.output = result.surface;
+  command.certificate = result.certificate;
+  command.modes = {ModeValue::parse("0")};
+  command.uncertainty = uncertainty;
+  result.report = run_extract(command);
+  std::ifstream(result.certificate) >> result.claims;
+  return result;
+}
+
+certificate::Report check(const Certified& c) {
+  return certificate::check_certificate(c.input, c.surface, c.certificate, {});
+}
+
+TEST(CertifiedStability, OfAnHonestExtractionIsDerivedByTheChecker) {
+  Compared compared("stable components");
+  const Folder folder;
+  for (const char* radius : {"0.01%", "1%", "500"}) {
+    const Certified c = certified(folder, radius);
+    const certificate::Report report = check(c);
+    EXPECT_EQ(report.status(), "certified") << radius;
+    const certificate::LevelReport& level = report.levels.at(0);
+    EXPECT_TRUE(level.claims_stability);
+    EXPECT_EQ(level.radius_of_deviator, std::string(radius).ends_with('%'));
+    EXPECT_EQ(level.stable_components.size(),
+              c.report.surfaces.at(0).stability->summary.components.size());
+    for (std::size_t i = 0; i < level.stable_components.size(); ++i) ++compared;
+  }
+}
+
+TEST(CertifiedStability, WhatIsAlteredIsNotCertified) {
+  const Folder folder;
+  Certified c = certified(folder, "1%");
+  Json& stability = c.claims.at("levels").at(0).at("stability");
+  const Json honest = stability;
+  const auto verdict = [&] {
+    std::ofstream(c.certificate) << c.claims;
+    try {
+      return check(c).status();
+    } catch (const certificate::Malformed&) {
+      return std::string("malformed");
+    }
+  };
+  ASSERT_EQ(verdict(), "certified");
+  const Json& components = c.claims["levels"][0]["components"];
+  Compared compared("components that are not stable", 2);
+  for (const Json& component : components) {
+    const Json& first = component["first_vertex"];
+    const auto& list = honest["components"];
+    if (std::find(list.begin(), list.end(), first) != list.end()) continue;
+    stability["components"] = Json::array({first});
+    EXPECT_NE(verdict(), "certified") << first;
+    ++compared;
+  }
+  ASSERT_FALSE(honest["components"].empty());
+  stability = honest;
+  stability["components"][0] = stability["components"][0].get<int>() + 1;
+  EXPECT_NE(verdict(), "certified");
+  stability = honest;
+  stability["components"].push_back(honest["components"].back());  // twice
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest, stability["radius"] = "0x1p-3";
+  EXPECT_EQ(verdict(), "refuted");
+  stability = honest, stability["radius"] = "1/100";
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest, stability["of"] = "stress";
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest, stability.erase("of");
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest, stability["more"] = 1;
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest;
+  EXPECT_EQ(verdict(), "certified");
+}
+
+}  // namespace
+}  // namespace tensortopo::test

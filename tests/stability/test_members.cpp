@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <iostream>
+
+#include "cell_signatures.hpp"
+#include "members.hpp"
+#include "support/compared.hpp"
+#include "support/generators.hpp"
+#include "tensortopo/stability/level_stability.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+constexpr std::array<const char*, 7> kLevels{"0",    "1/10", "-3/10",  "1/2",
+                                             "-3/4", "9/10", "-99/100"};
+constexpr std::array<double, 4> kShares{1e-4, 1e-3, 1e-2, 1e-1};
+
+/// Four tensors: independent, or an average and small differences, as in a mesh that resolves its
+/// field.
+TetMesh random_tet(Random& random) {
+  TetTensors tensors = random.tet_tensors();
+  if (random.integer(0, 1) == 0) {
+    const auto common = random.tensor();
+    for (auto& t : tensors) t = common + (0.3 * random.uniform()) * t;
+  }
+  return reference_tet_mesh(tensors);
+}
+
+struct Counts {
+  int stable = 0, crossed = 0, unstable = 0;
+};
+
+/// Compares a field in one tetrahedron with members of its box.
+void expect_the_same_in_members(std::uint64_t seed, int fields, int members, bool towards_critical,
+                                Compared& compared) {
+  Counts counts;
+  for (int k = 0; k < fields; ++k) {
+    Random random(seed + static_cast<std::uint64_t>(k));
+    const TetMesh mesh = random_tet(random);
+    const auto mu = ModeValue::parse(kLevels[static_cast<std::size_t>(random.integer(0, 6))]);
+    const double share = kShares[static_cast<std::size_t>(random.integer(0, 3))];
+    const auto radii = vertex_radii(mesh, {Uncertainty::Kind::relative, share, {}});
+    const auto stability = level_stability(UncertainField(mesh, radii), mu);
+    if (stability.tets[0] != Stability::stable) {
+      ++counts.unstable;
+      continue;
+    }
+    ++counts.stable;
+    const auto extraction = extract_with_topology(mesh, mu);
+    const auto own = cell_signatures(mesh, mu, extraction)[0];
+    if (!own) continue;
+    counts.crossed += !extraction.surface.triangles.empty();
+    const auto compare = [&](const TetMesh& member) {
+      const auto other = cell_signatures(member, mu, extract_with_topology(member, mu))[0];
+      if (!other) return;
+      ++compared;
+      EXPECT_EQ(*own, *other) << "seed " << seed + static_cast<std::uint64_t>(k) << ", mode "
+                              << mu.text() << ", share " << share;
+    };
+    if (towards_critical)
+      for (const TetMesh& member : members_that_may_differ(mesh, 0, radii, mu.approx(), 1))
+        compare(member);
+    else
+      for (int i = 0; i < members; ++i) compare(random_member(mesh, radii, random));
+  }
+  std::cout << counts.stable << " stable, " << counts.crossed << " of them crossed, "
+            << counts.unstable << " not; " << compared.so_far() << " members compared\n";
+}
+
+TEST(StableTetrahedra, AreTheSameInRandomMembers) {
+  Compared compared("members of boxes", 100);
+  expect_the_same_in_members(1, trials(40), 20, false, compared);
+}
+
+TEST(StableTetrahedra, AreTheSameInMembersMovedTowardsCriticalPoints) {
+  Compared compared("members of boxes", 100);
+  expect_the_same_in_members(100001, trials(8), 0, true, compared);
+}
+
+// The same with fields that shrink.
+RC_GTEST_PROP(StableTetrahedra, HaveTheSameSheetsInAMember, ()) {
+  const auto sample = *rc::gen::oneOf(normal_tet(), small_integer_tet());
+  const double m = *mode_value();
+  const double share = *rc::gen::element(1e-3, 1e-2, 5e-2);
+  const auto mu = ModeValue::parse(std::to_string(m));
+  const TetMesh mesh = reference_tet_mesh(sample.tensors);
+  const auto radii = vertex_radii(mesh, {Uncertainty::Kind::relative, share, {}});
+  const auto stability = level_stability(UncertainField(mesh, radii), mu);
+  RC_PRE(stability.tets[0] == Stability::stable);
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const TetMesh member = random_member(mesh, radii, random);
+  const auto own = cell_signatures(mesh, mu, extract_with_topology(mesh, mu))[0];
+  const auto other = cell_signatures(member, mu, extract_with_topology(member, mu))[0];
+  RC_PRE(own && other);
+  RC_ASSERT(*own == *other);
+}
+
+// Reasons that are exact cannot appear in a smaller box. (The others are lack of a proof.)
+TEST(StableTetrahedra, StaySoIfTheRadiusShrinks) {
+  Compared compared("tetrahedra that were stable before", 100);
+  Random random(7);
+  for (int k = 0; k < trials(10); ++k) {
+    TetMesh mesh = cube_mesh(3);
+    fill_with_smooth_tensors(mesh, static_cast<std::uint64_t>(k), 4, 3);
+    const auto mu = ModeValue::parse(kLevels[static_cast<std::size_t>(k) % kLevels.size()]);
+    std::vector<Stability> last;
+    for (const double share : {1e-1, 1e-2, 1e-3}) {
+      const auto radii = vertex_radii(mesh, {Uncertainty::Kind::relative, share, {}});
+      const auto now = level_stability(UncertainField(mesh, radii), mu).tets;
+      for (std::size_t t = 0; t < last.size(); ++t)
+        if (last[t] == Stability::stable) {
+          ++compared;
+          EXPECT_TRUE(now[t] == Stability::stable || now[t] >= Stability::crossings_of_edge);
+        }
+      last = now;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tensortopo::test

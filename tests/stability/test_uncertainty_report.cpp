@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <numeric>
+
+#include "support/compared.hpp"
+#include "support/folder.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/read_surface_file.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+ExtractCommand slab(const Folder& folder, const std::string& uncertainty) {
+  ExtractCommand command;
+  command.input = std::filesystem::path(TENSORTOPO_EXAMPLE_DATA) / "s4_slab_small_C3D8I.vtu";
+  command.output = folder / "surface.vtp";
+  command.modes = {ModeValue::parse("1/2"), ModeValue::parse("0")};
+  command.uncertainty = uncertainty;
+  return command;
+}
+
+TEST(Uncertainty, IsInTheReportAndInTheFile) {
+  const Folder folder;
+  Compared compared("surfaces with parts that are stable and others");
+  for (const char* radius : {"0.01%", "1%", "2000"}) {
+    const ExtractReport report = run_extract(slab(folder, radius));
+    const SurfaceFile file = read_surface_file(report.output);
+    const SurfaceArray* stable = file.find_cell_data("stable");
+    const SurfaceArray* instability = file.find_cell_data("instability");
+    ASSERT_NE(stable, nullptr);
+    ASSERT_NE(instability, nullptr);
+    ASSERT_EQ(stable->values.size(), file.polygons.size());
+    for (std::size_t i = 0; i < stable->values.size(); ++i)
+      EXPECT_EQ(stable->values[i], instability->values[i] == 0 ? 1 : 0);
+    std::size_t triangles = 0;
+    for (const SurfaceReport& surface : report.surfaces) {
+      ASSERT_TRUE(surface.stability);
+      const StabilitySummary& s = surface.stability->summary;
+      EXPECT_EQ(surface.stability->radius, radius);
+      EXPECT_EQ(s.stable_tets + s.unstable_tets, report.tetrahedra);
+      std::size_t reasons = 0;
+      for (const auto& [reason, count] : s.reasons) reasons += count;
+      EXPECT_EQ(reasons, s.unstable_tets);
+      EXPECT_LE(s.crossed_stable_tets, surface.statistics.tets_crossed);
+      EXPECT_LE(s.components.size(), surface.invariants.components);
+      // A component of stable triangles only is stable: nothing is left out here.
+      EXPECT_TRUE(report.unresolved.empty());
+      std::vector<char> all_stable(surface.invariants.components, 1);
+      const SurfaceArray* component = file.find_cell_data("component");
+      std::size_t first = triangles;
+      const double least = component->values[first];
+      for (; triangles < first + surface.triangles; ++triangles)
+        if (stable->values[triangles] == 0)
+          all_stable[static_cast<std::size_t>(component->values[triangles] - least)] = 0;
+      EXPECT_EQ(static_cast<std::size_t>(std::accumulate(all_stable.begin(), all_stable.end(), 0)),
+                s.components.size());
+      compared.count(s.crossed_stable_tets > 0 && s.unstable_tets > 0);
+    }
+  }
+}
+
+TEST(Uncertainty, ThatIsNoneOfItsFormsIsBadUsage) {
+  const Folder folder;
+  for (const char* text : {"-1", "1 %", "%", "nan", "1e400", "one", "-0.1%", "1%%"}) {
+    EXPECT_THROW(run_extract(slab(folder, text)), UsageError) << text;
+    EXPECT_FALSE(std::filesystem::exists(folder / "surface.vtp")) << text;
+  }
+  ExtractCommand curves = slab(folder, "1%");
+  curves.modes = {ModeValue::parse("1")};
+  EXPECT_THROW(run_extract(curves), UsageError);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
