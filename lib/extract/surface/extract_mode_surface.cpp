@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/extract/extract_mode_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
@@ -37,6 +39,30 @@ bool keep_off_pinched(const SurfaceInput<Scalar>& input, const TetComplex& cells
     }
   }
   return any;
+}
+
+/// Samples that are there only to leave no defects can be too close to each other for a tetrahedron
+/// to be meshed with them. Around such a tetrahedron triangles stay as they are meshed first.
+/// @return whether there is one
+template <class Scalar>
+bool keep_as_meshed(const SurfaceInput<Scalar>& input, const TetComplex& cells,
+                    const CellMeshes<Scalar>& meshes, VertexSides& sides) {
+  std::vector<char> at_mended(sides.as_meshed.size(), 0);
+  for (std::size_t t = 0; t < meshes.cells.size(); ++t)
+    if (meshes.cells[t].was_mended)
+      for (const auto v : input.vertices_of(cells, t)) at_mended[as_size(v)] = 1;
+  std::vector<TetMesh::Index> found;
+  for (std::size_t t = 0; t < meshes.cells.size(); ++t) {
+    if (meshes.cells[t].unresolved != UnresolvedReason::inconsistent_samples) continue;
+    const auto& vertices = input.vertices_of(cells, t);
+    const auto is_open = [&](auto v) {
+      return at_mended[as_size(v)] && !sides.as_meshed[as_size(v)];
+    };
+    if (std::any_of(vertices.begin(), vertices.end(), is_open))
+      found.insert(found.end(), vertices.begin(), vertices.end());
+  }
+  for (const auto v : found) sides.as_meshed[as_size(v)] = 1;
+  return !found.empty();
 }
 
 /// The options, with what they say of single tetrahedra in the order of these.
@@ -73,7 +99,9 @@ Extraction extract(const PreparedField<Scalar>& prepared, const ModeValue& mu,
     auto proofs = prove_cells(input, sides, cells, boundary);
     auto meshes = mesh_cells(input, sides, cells, std::move(boundary), proofs);
     seconds_tets += watch.lap();
-    if (keep_off_pinched(input, cells, meshes, sides)) continue;
+    if (keep_off_pinched(input, cells, meshes, sides) ||
+        keep_as_meshed(input, cells, meshes, sides))
+      continue;
     // What meshing needed is half of all that a tetrahedron holds; only proofs ask for it later.
     if (!options.keep_topology)
       for (auto& proof : proofs) proof.topology.reset();

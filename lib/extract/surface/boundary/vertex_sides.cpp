@@ -18,6 +18,7 @@ VertexSides classify_vertices(const SurfaceInput<Scalar>& input) {
   VertexSides sides;
   sides.above.assign(count, 0);
   sides.on_level.assign(count, OnLevel::no);
+  sides.as_meshed.assign(count, 0);
   std::atomic<std::size_t> on_level{0};
   parallel_stage(input.options, "vertices", count, 4096, [&](std::size_t v) {
     if (input.field.is_zero[v]) return;

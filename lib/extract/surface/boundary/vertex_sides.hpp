@@ -18,6 +18,7 @@ enum class OnLevel : char { no, meshed_through, kept_off };
 struct VertexSides {
   std::vector<char> above;  ///< mode > mu; exact
   std::vector<OnLevel> on_level;
+  std::vector<char> as_meshed;    ///< triangles in its tetrahedra keep their `PatchDefects`
   std::vector<double> clearance;  ///< `screen::clearance_cosine`
   std::size_t count_on_level = 0;
 

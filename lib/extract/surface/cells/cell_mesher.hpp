@@ -22,6 +22,8 @@ struct MeshingState {
   UnresolvedReason last_resort{};               ///< why boundary loops are the last resort
   bool must_be_embedded = true;                 ///< `PatchDefects` are not accepted
   bool was_meshed = false;                      ///< with the proved topology, but with defects
+  std::size_t tried = 0;                        ///< triangles of patches with defects
+  std::size_t defects = 0;                      ///< of the patch
   int halvings = 0;                             ///< of steps along boundary loops beside defects
   int refinements = 0;                          ///< of the subdivision at defects
   std::vector<SampleRequest<Scalar>> beside_defects;  ///< samples of boundary loops there
@@ -50,6 +52,7 @@ class CellMesher {
   bool unfold();
   bool mesh_without_defects(int rounds);
   bool find_defects();
+  bool are_defects_few() const;
   bool mend();
   bool make_finer();
   bool mesh_topology(int defect_rounds);

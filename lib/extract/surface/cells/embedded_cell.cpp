@@ -18,11 +18,16 @@ namespace {
 /// subdivision cut that have some.
 constexpr int kMostHalvings = 4, kMostRefinements = 8;
 
+/// Intersecting pairs and triangles against the gradient, for each triangle of a patch, that further
+/// vertices are tried for.
+constexpr std::size_t kMostDefects = 2;
+
 /// How often a chart gets further vertices where triangles have defects.
 constexpr int kRounds = 12;
 
-/// Patches of more triangles are not mended: each attempt costs as much as meshing them again.
-constexpr std::size_t kMostTriangles = 20000;
+/// Triangles and intersecting pairs of all patches with defects that are tried for one tetrahedron.
+/// What is meshed then stays.
+constexpr std::size_t kMostTried = 50000;
 
 }  // namespace
 
@@ -33,7 +38,7 @@ template <class Scalar>
 bool CellMesher<Scalar>::make_finer() {
   auto& mesher = mesh_.mesher;
   if (mesh_.has_defects && is_in_chart() && !state_.beside_defects.empty() &&
-      state_.halvings++ < kMostHalvings) {
+      are_defects_few() && state_.halvings++ < kMostHalvings) {
     state_.requests.insert(state_.requests.end(), state_.beside_defects.begin(),
                            state_.beside_defects.end());
     return true;
@@ -43,7 +48,7 @@ bool CellMesher<Scalar>::make_finer() {
   if (!state_.must_be_embedded || !state_.was_meshed || !is_last) return false;
   auto& topology = *proof_.topology;
   if (mesher == Mesher::subdivision && mesh_.has_defects && !mesh_.patch.cells_against.empty() &&
-      topology.subdivision && state_.refinements++ < kMostRefinements) {
+      topology.subdivision && are_defects_few() && state_.refinements++ < kMostRefinements) {
     if (refine_subdivision<Scalar>(tet_, level(), mesh_.patch.cells_against, topology)) {
       state_.requests = subdivision_requests(tet_, level(), topology);
       return true;
@@ -59,12 +64,21 @@ bool CellMesher<Scalar>::make_finer() {
   return true;
 }
 
+/// Whether further vertices may help: where the field is within rounding of a zero they leave ever
+/// more defects.
+template <class Scalar>
+bool CellMesher<Scalar>::are_defects_few() const {
+  return state_.defects <= kMostDefects * mesh_.patch.triangles.size() && state_.tried <= kMostTried;
+}
+
 template <class Scalar>
 bool CellMesher<Scalar>::find_defects() {
   const auto patch = placed_patch<Scalar>(
       tet_, mesh_.patch, [&](std::int32_t id) { return around_.vertices.position[as_size(id)]; });
   const auto defects = defects_of(patch, UpwardTest(tet_));
   mesh_.has_defects = defects.any();
+  state_.defects = defects.against.size() + defects.intersecting.size();
+  if (mesh_.has_defects) state_.tried += mesh_.patch.triangles.size() + defects.intersecting.size();
   state_.beside_defects.clear();
   if (mesh_.has_defects && state_.must_be_embedded)
     state_.beside_defects = samples_beside(defects, patch, tet_, around_.arc_vertices(tet_));
@@ -97,16 +111,22 @@ bool CellMesher<Scalar>::mesh_without_defects(int rounds) {
 template <class Scalar>
 bool CellMesher<Scalar>::mend() {
   if (unfold()) return true;
+  const bool are_few = are_defects_few();
   auto before = std::move(mesh_.patch);
+  const auto defects = state_.defects;
+  const auto beside = state_.beside_defects;
   auto& mesher = mesh_.mesher;
   if (mesher == Mesher::manifold) {
     mesher = Mesher::dominant;
-    if (mesh_without_defects(0) || mesh_without_defects(kRounds)) return true;
+    if (mesh_without_defects(0) || (are_defects_few() && mesh_without_defects(kRounds)))
+      return true;
     mesher = Mesher::manifold;
   }
-  if (is_in_chart() && mesh_without_defects(kRounds)) return true;
+  if (is_in_chart() && are_few && mesh_without_defects(kRounds)) return true;
   mesh_.patch = std::move(before);
-  find_defects();
+  mesh_.has_defects = true;
+  state_.defects = defects;
+  state_.beside_defects = beside;
   return false;
 }
 
@@ -116,7 +136,7 @@ bool CellMesher<Scalar>::try_mesher() {
   if (!mesh_topology(0)) return false;
   if (mesh_.mesher == Mesher::cone || !input_.options.embedded) return true;
   // Surfaces of more digits are there for their topology: their triangles are not mended.
-  if (!std::is_same_v<Scalar, double> || mesh_.patch.triangles.size() > kMostTriangles)
+  if (!std::is_same_v<Scalar, double> || state_.tried > kMostTried)
     state_.must_be_embedded = false;
   if (!find_defects() || !state_.must_be_embedded) return true;
   state_.was_meshed = true;
@@ -126,6 +146,7 @@ bool CellMesher<Scalar>::try_mesher() {
 #define TENSORTOPO_INSTANTIATE(Scalar)                         \
   template bool CellMesher<Scalar>::make_finer();              \
   template bool CellMesher<Scalar>::find_defects();            \
+  template bool CellMesher<Scalar>::are_defects_few() const;   \
   template bool CellMesher<Scalar>::unfold();                  \
   template bool CellMesher<Scalar>::mesh_without_defects(int); \
   template bool CellMesher<Scalar>::mend();                    \

@@ -25,6 +25,8 @@ void begin(const SurfaceInput<Scalar>& input, const VertexSides& sides, const Te
     auto& mesh = meshes.cells[t];
     mesh.unresolved = proofs[t].unresolved;
     if (!proofs[t].topology) return;
+    for (const auto v : input.vertices_of(cells, t))
+      if (sides.as_meshed[as_size(v)]) states[t].must_be_embedded = false;
     if (proofs[t].is_cone) mesh.mesher = Mesher::cone;
     if (proofs[t].topology->tubes.empty()) return;
     const CellSurroundings<Scalar> around{cells, meshes.boundary, meshes.vertices, t};
@@ -93,6 +95,7 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
     release(states[t].manifold, states[t].requests);
     if (!proofs[t].topology) return;
     meshes.cells[t].sheets = static_cast<int>(proofs[t].topology->sheets.size());
+    meshes.cells[t].was_mended = states[t].tried > 0;
     meshes.cells[t].refined = proofs[t].topology->refined;
   });
   return meshes;

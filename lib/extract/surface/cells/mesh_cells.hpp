@@ -21,6 +21,7 @@ struct CellMesh {
   int sheets = 0;                              ///< how many were proved
   bool refined = false;                        ///< by a refinement
   std::optional<UnresolvedReason> unresolved;  ///< not proved, or proved and not meshed
+  bool was_mended = false;                     ///< other triangles were tried because of defects
   bool has_defects = false;                    ///< the patch has `PatchDefects`
 };
 
