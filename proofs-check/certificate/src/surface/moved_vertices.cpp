@@ -123,7 +123,14 @@ void MovedVertices::enclose(const Carrier& carrier, Point& point) const {
     const Tensor<Ball>& t = *c_.field.corner(v, false).ball;
     for (std::size_t k = 0; k < t.size(); ++k) point.ball[k] += weight * t[k];
   }
-  point.shift = scale - unit_of(carrier, point);  // exact() is in that unit, the ball in 2^scale
+  // Of a similar size as all other balls, which subdivisions rely on: the sum may be small.
+  double size = 0;
+  for (const Ball& x : point.ball) size = std::max(size, std::abs(x.value));
+  int down = 0;
+  if (size > 0) std::frexp(size, &down);
+  for (Ball& x : point.ball) x = x * Ball(std::ldexp(1.0, -down), 0);
+  // exact() is in the unit, the ball in 2^(scale + down)
+  point.shift = scale + down - unit_of(carrier, point);
 }
 
 Place<4> MovedVertices::place(std::size_t vertex, Way way) const {
