@@ -7,6 +7,7 @@
 #include "claims/curve_names.hpp"
 #include "run/parallel.hpp"
 #include "surface/compare_distance.hpp"
+#include "surface/compare_isotopy.hpp"
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
 #include "surface/embedded.hpp"
@@ -108,6 +109,8 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
     ledger.of_level().coarse = distance["coarse"].size();
     compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   }
+  ledger.begin("isotopic");
+  if (claims.contains("isotopic")) compare_isotopy(c, is_sound ? &*placed : nullptr, ledger);
   ledger.begin("stability");
   if (claims.contains("stability")) compare_stability(c, is_sound ? &*placed : nullptr, ledger);
   ledger.count(level.decided_by_balls(), level.decided_exactly());

@@ -55,6 +55,11 @@ struct LevelReport {
   std::string bound;       ///< of the distance, in the mesh's units; empty if none is claimed
   std::size_t coarse = 0;  ///< tetrahedra to which only the coarse bound applies
   bool embedded = false;   ///< whether it is certified that the triangles are
+  bool claims_isotopy = false;  ///< that triangles are isotopic to the level in tetrahedra
+  std::size_t isotopic = 0;     ///< tetrahedra for which it is claimed and shown
+  /// Tetrahedra with triangles for which it is not, by reason; not those left out.
+  std::map<std::string, std::vector<std::uint64_t>> not_isotopic;
+  double moved = 0;  ///< at most so far rounding has moved the vertices of those shown
   bool claims_stability = false;  ///< that components are in all fields within a radius
   double radius = 0;
   bool radius_of_deviator = false;  ///< a share of each vertex' deviator, else in the tensor's units
