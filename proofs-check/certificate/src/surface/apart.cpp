@@ -45,6 +45,7 @@ bool have_common_side(std::span<const BallPoint> vectors) {
   double largest = 0;
   const auto consider = [&](Vector d) {
     const double length = std::hypot(d[0], d[1], d[2]);
+    if (!(length > 0)) return;
     double least = HUGE_VAL;
     for (double& x : d) x /= length;
     for (const Vector& u : units) least = std::min(least, dot(d, u));
