@@ -25,7 +25,10 @@ bool mark_left_out(const Json& claims, const Input& input, const Reason& reason_
   for (const Json& entry : claims["undecided"]) {
     const std::string reason = reason_in(entry[1]), name = "tetrahedron " + entry[0].dump();
     const std::size_t tet = input.tet_at(entry[0].get<Number>());
-    if (tet == Input::kNone) return ledger.refute(name, reason, "no such tetrahedron"), false;
+    if (tet == Input::kNone)
+      return ledger.refute(name, reason, "no such tetrahedron, the input has " +
+                                             std::to_string(input.tets.size())),
+             false;
     left_out[tet] = true;
     ledger.of_level().left_out[reason].push_back(entry[0].get<Number>());
     ledger.leave_open(name, reason);
@@ -136,14 +139,20 @@ void check_curves(const Json& claims, const Input& input, const Field& field,
 }
 
 /// Do the levels' ranges follow each other, to the end?
-bool are_in_order(const Json& levels, const char* key, Number all) {
+/// @return what is wrong; empty if nothing is
+std::string disorder_of(const Json& levels, const char* key, Number all) {
   Number next = 0;
-  for (const Json& level : levels) {
-    const Range range = range_of(level[key]);
-    if (range.first != next || range.count > all - next) return false;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const Range range = range_of(levels[l][key]);
+    if (range.first != next || range.count > all - next)
+      return std::string(key) + " of level " + std::to_string(l) + " are " +
+             levels[l][key].dump() + " (first, count), next is " + std::to_string(next) + " of " +
+             std::to_string(all);
     next += range.count;
   }
-  return next == all;
+  if (next == all) return {};
+  return std::string(key) + ": " + std::to_string(next) + " in all levels, " +
+         std::to_string(all) + " in the file";
 }
 
 /// A certificate's files, and what it claims of them.
@@ -212,10 +221,11 @@ class Checking {
     compare(std::string(key) + (*key == 's' ? "'s sha256" : "' sha256"), claims["sha256"],
             output.sha256());
     const Json& levels = certificate_["levels"];
-    const bool are_levels_of_output = are_in_order(levels, "vertices", output.points.size()) &&
-                                      are_in_order(levels, kind, cells);
+    std::string disorder = disorder_of(levels, "vertices", output.points.size());
+    if (disorder.empty()) disorder = disorder_of(levels, kind, cells);
+    const bool are_levels_of_output = disorder.empty();
     ledger_.settle(are_levels_of_output, "levels", "all of the file, one after the other",
-                   "they are not");
+                   disorder);
     if (levels.empty())
       ledger_.leave_open("levels", "the certificate claims nothing about any level");
     ledger_.begin("arrays");

@@ -133,7 +133,8 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
     text += '\n';
   }
   for (const Finding& f : report.refutations)
-    text += "refuted: " + f.entity + ": claimed " + f.claimed + "; derived " + f.derived + '\n';
+    text += "refuted: " + f.entity + ": claimed " + f.claimed + "; derived " + f.derived +
+            (f.witness.empty() ? "" : "; witness: " + f.witness) + '\n';
   for (const Finding& f : report.open) text += "undecided: " + f.entity + ": " + f.claimed + '\n';
   for (const Verdicts& kind : report.kinds)
     if (kind.certified + kind.refuted + kind.undecided > 0)
@@ -221,7 +222,10 @@ std::string to_json(const Report& report, const std::vector<std::string>& unmet)
   json["decided"] = {{"by_balls", report.by_balls}, {"by_integers", report.by_integers}};
   auto& refutations = json["witnesses"] = OrderedJson::array();
   for (const Finding& f : report.refutations)
-    refutations.push_back({{"entity", f.entity}, {"claimed", f.claimed}, {"derived", f.derived}});
+    refutations.push_back({{"entity", f.entity},
+                           {"claimed", f.claimed},
+                           {"derived", f.derived},
+                           {"witness", f.witness}});
   auto& open = json["open"] = OrderedJson::array();
   for (const Finding& f : report.open)
     open.push_back({{"entity", f.entity}, {"reason", f.claimed}});

@@ -29,6 +29,9 @@ class Malformed : public std::runtime_error {
 /// A claim that is wrong, or could not be decided.
 struct Finding {
   std::string entity, claimed, derived;
+  /// Of a refutation, unless both values tell already: what a reader can check by hand, as points of
+  /// a simplex, exactly, and on which sides of the level they are.
+  std::string witness;
 };
 
 /// What came of the claims of one kind.

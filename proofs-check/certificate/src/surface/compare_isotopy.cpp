@@ -212,7 +212,8 @@ void compare_isotopy(const LevelCase& c, const PlacedSurface* placed, Ledger& le
     const Tet tet = c.input.tet_at(cell.get<Number>());
     if (tet == Input::kNone || !isotopy.reasons().contains(tet))
       return ledger.refute("isotopic", "but in tetrahedron " + cell.dump(),
-                           "it holds no triangles that are claimed to be the level");
+                           "cell " + cell.dump() +
+                               " holds no triangles that are claimed to be the level");
     excepted.insert(tet);
   }
   std::string open;
