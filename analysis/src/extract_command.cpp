@@ -28,6 +28,7 @@
 #include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
+#include "tensortopo/certify/residual_bound.hpp"
 #include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
@@ -117,7 +118,8 @@ class OtherMethod {
   std::optional<TetMesh> fine_;
 };
 
-SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction) {
+SurfaceReport surface_report(const TetMesh& mesh, const ModeValue& mode,
+                             const Extraction& extraction) {
   SurfaceReport report;
   report.mode = mode;
   report.vertices = extraction.surface.points.size();
@@ -125,11 +127,9 @@ SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction
   report.invariants = surface_invariants(extraction.surface);
   report.invariants.component.clear();
   // Another method does not know.
-  if (extraction.surface.residual.empty() && report.vertices > 0)
-    report.max_abs_residual = std::numeric_limits<double>::quiet_NaN();
-  for (const double r : extraction.surface.residual) {
-    report.max_abs_residual = std::max(report.max_abs_residual, std::abs(r));
-  }
+  report.max_abs_residual = extraction.surface.residual.empty() && report.vertices > 0
+                                ? std::numeric_limits<double>::quiet_NaN()
+                                : residual_bound(mesh, mode, extraction.surface);
   for (const UnresolvedCell& cell : extraction.unresolved) {
     ++report.unresolved[std::string(name_of(cell.reason))];
   }
@@ -322,7 +322,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     }
     const auto filtered = filter.apply(read.mesh, modes[i], extraction.surface);
     const Clock invariants_clock;
-    report.surfaces.push_back(surface_report(modes[i], extraction));
+    report.surfaces.push_back(surface_report(read.mesh, modes[i], extraction));
     report.surfaces.back().filter = filtered;
     if (!command.other) report.surfaces.back().not_embedded = extraction.not_embedded.size();
     report.seconds_invariants += invariants_clock.seconds();
