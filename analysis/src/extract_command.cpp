@@ -137,6 +137,15 @@ SurfaceReport surface_report(const TetMesh& mesh, const ModeValue& mode,
   return report;
 }
 
+/// Keeps, of these tetrahedra, those that hold triangles.
+void keep_crossed(const SurfaceMesh& surface, std::vector<TetMesh::Index>& tets) {
+  std::vector<TetMesh::Index> crossed = surface.tet;
+  std::sort(crossed.begin(), crossed.end());
+  std::erase_if(tets, [&](TetMesh::Index t) {
+    return !std::binary_search(crossed.begin(), crossed.end(), t);
+  });
+}
+
 /// The share of a surface's area that lies in other tetrahedra than these (ascending).
 double share_outside(const SurfaceMesh& surface, const std::vector<TetMesh::Index>& tets) {
   double outside = 0, all = 0;
@@ -302,7 +311,6 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       farther = std::move(within.farther);
     } else if (command.pieces > 1) {
       extraction = extract_in_pieces(read.mesh, modes[i], command.pieces, options);
-      if (command.improve) improve_triangles(read.mesh, modes[i], extraction.surface);
     } else {
       using Use = PreparedField<double>::Use;
       if (!prepared)
@@ -310,10 +318,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       extraction = --surfaces_left > 0
                        ? extract_mode_surface(*prepared, modes[i], options)
                        : extract_mode_surface(std::move(*prepared), modes[i], options);
-      if (command.improve) {
-        improve_triangles(read.mesh, modes[i], extraction.surface);
-        extraction.not_embedded = tets_not_embedded(read.mesh, extraction.surface);
-      }
+    }
+    if (command.improve) {
+      improve_triangles(read.mesh, modes[i], extraction.surface);
+      extraction.not_embedded = tets_not_embedded(read.mesh, extraction.surface);
     }
     report.seconds_extract += extract_clock.seconds();
     for (const UnresolvedCell& cell : extraction.unresolved) {
@@ -321,6 +329,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       unresolved[{id, std::string(name_of(cell.reason))}].push_back(modes[i]);
     }
     const auto filtered = filter.apply(read.mesh, modes[i], extraction.surface);
+    if (filtered) keep_crossed(extraction.surface, extraction.not_embedded);
     const Clock invariants_clock;
     report.surfaces.push_back(surface_report(read.mesh, modes[i], extraction));
     report.surfaces.back().filter = filtered;
