@@ -15,6 +15,11 @@ namespace {
 
 using Json = nlohmann::json;
 
+double certificate_mode(const std::string& text) {
+  const auto slash = text.find('/');
+  return std::stod(text) / (slash == text.npos ? 1 : std::stod(text.substr(slash + 1)));
+}
+
 /// The mode by the formula of FORMAT.md.
 double mode_at(const TetMesh& mesh, const std::vector<std::size_t>& vertices,
                const std::vector<double>& weights) {
@@ -85,13 +90,57 @@ TEST(Witnesses, AreNamedByEachRefutation) {
     }
     const auto& levels = forged.certificate["levels"];
     if (levels.size() != 1 || !levels[0].contains("mode")) continue;
-    const std::string mode = levels[0]["mode"];
-    const auto slash = mode.find('/');
-    const double mu = std::stod(mode) / (slash == mode.npos ? 1 : std::stod(mode.substr(slash + 1)));
-    points += count_points(report, forged.mesh, mu);
+    points += count_points(report, forged.mesh, certificate_mode(levels[0]["mode"]));
   }
   EXPECT_GT(refutations, 100u);
   EXPECT_GT(points, 50u);
+}
+
+/// The largest difference of modes at the vertices, in each tetrahedron with a triangle there.
+double largest_residual(const Exhibit& e, double mu) {
+  double largest = 0;
+  for (std::size_t t = 0; t < e.surface.triangles.size(); ++t) {
+    const auto& tet = e.mesh.tets[as_size(e.surface.tet[t])];
+    std::array<Vector3<double>, 4> p;
+    for (std::size_t i = 0; i < 4; ++i) p[i] = e.mesh.points[as_size(tet[i])];
+    for (const auto v : e.surface.triangles[t]) {
+      std::vector<double> weights;
+      for (std::size_t i = 0; i < 4; ++i) {
+        auto q = p;
+        q[i] = e.surface.points[as_size(v)];
+        weights.push_back(dot(q[1] - q[0], cross(q[2] - q[0], q[3] - q[0])));
+      }
+      const double mode = mode_at(e.mesh, std::vector<std::size_t>(tet.begin(), tet.end()), weights);
+      if (std::isfinite(mode)) largest = std::max(largest, std::abs(mode - mu));
+    }
+  }
+  return largest;
+}
+
+/// A bound of what is so at the vertices as they are written, and a sharp one.
+TEST(Residual, IsABoundAtTheVerticesAsTheyAre) {
+  Court court("residual");
+  std::size_t compared = 0;
+  for (const Exhibit& honest : honest_exhibits()) {
+    const auto& levels = honest.certificate["levels"];
+    if (levels.size() != 1 || !levels[0].contains("mode") || !levels[0]["cones"].empty()) continue;
+    const auto mu = certificate_mode(levels[0]["mode"]);
+    for (const double by : {0.0, 1e-9, 1e-3}) {
+      Exhibit e = honest;
+      for (auto& p : e.surface.points) p.x += by;
+      e.rehash();
+      court.verdict(e);
+      const std::string report = court.report(), key = "residual at most ";
+      const auto at = report.find(key);
+      ASSERT_NE(at, std::string::npos) << report;
+      const double bound = std::stod(report.substr(at + key.size()));
+      const double exact = largest_residual(e, mu);
+      EXPECT_GE(1.01 * bound, exact - 1e-12) << report;  // three digits are printed
+      EXPECT_LE(bound, 1.01 * exact + 1e-8) << report;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 8u);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
 #include "surface/embedded.hpp"
+#include "surface/residual.hpp"
 
 namespace certificate {
 namespace {
@@ -99,6 +100,7 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
     compare_places(c, *placed, ledger);
     ledger.begin("orientation");
     compare_orientation(c, *placed, ledger);
+    ledger.of_level().residual = residual_bound(c, *placed);
   }
   ledger.begin("embedded");
   if (const auto embedded = claims.find("embedded"); embedded != claims.end())

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -59,6 +60,10 @@ std::string text_of(const LevelReport& level, bool of_curves) {
     text += "  " + std::to_string(level.stable_components.size()) + " of the components " +
             "are in every field whose deviators differ by at most " + bound +
             (level.radius_of_deviator ? " of themselves" : "") + " at the vertices\n";
+  }
+  if (level.residual) {
+    std::snprintf(bound, sizeof(bound), "%.3g", *level.residual);
+    text += std::string("  residual at most ") + bound + ", at the vertices as written\n";
   }
   if (level.claims_isotopy) {
     std::snprintf(bound, sizeof(bound), "%.3g", level.moved);
@@ -168,6 +173,8 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   for (const auto& [reason, tets] : level.left_out) json["left_out"][reason] = tets;
   if (of_curves) return json;
   json["embedded"] = level.embedded;
+  json["residual"] = nullptr;
+  if (level.residual && std::isfinite(*level.residual)) json["residual"] = *level.residual;
   json["isotopic"] = nullptr;
   if (level.claims_isotopy)
     json["isotopic"] = {{"tetrahedra", level.isotopic},

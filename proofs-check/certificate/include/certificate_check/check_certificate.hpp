@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -57,6 +58,9 @@ struct LevelReport {
   std::map<std::string, std::vector<std::uint64_t>> left_out;  ///< tetrahedra, by reason
   std::string bound;       ///< of the distance, in the mesh's units; empty if none is claimed
   std::size_t coarse = 0;  ///< tetrahedra to which only the coarse bound applies
+  /// At most by so much the mode, or other invariant, at the coordinates of vertices differs from the
+  /// level's value; nothing if the triangles are not as claimed. Of surfaces.
+  std::optional<double> residual;
   bool embedded = false;   ///< whether it is certified that the triangles are
   bool claims_isotopy = false;  ///< that triangles are isotopic to the level in tetrahedra
   std::size_t isotopic = 0;     ///< tetrahedra for which it is claimed and shown
