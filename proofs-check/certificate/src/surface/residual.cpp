@@ -14,22 +14,22 @@ namespace certificate {
 namespace {
 
 /// Bounds of a number. Doubles may be rounded a few times.
-struct Range {
+struct Bounds {
   double low = 0, high = 0;
 
-  static Range around(double low, double high) {
+  static Bounds around(double low, double high) {
     return {low - std::abs(low) * 0x1p-45 - Ball::kTiny, high + std::abs(high) * 0x1p-45 + Ball::kTiny};
   }
-  explicit Range(const Ball& x) { *this = around(x.value - x.error, x.value + x.error); }
-  Range(double l, double h) : low(l), high(h) {}
+  explicit Bounds(const Ball& x) { *this = around(x.value - x.error, x.value + x.error); }
+  Bounds(double l, double h) : low(l), high(h) {}
 };
 
-Range root(const Range& x) {
-  return Range::around(std::sqrt(std::max(x.low, 0.0)), std::sqrt(x.high));
+Bounds root(const Bounds& x) {
+  return Bounds::around(std::sqrt(std::max(x.low, 0.0)), std::sqrt(x.high));
 }
 /// @pre y.low > 0
-Range over(const Range& x, const Range& y) {
-  return Range::around(x.low < 0 ? x.low / y.low : x.low / y.high,
+Bounds over(const Bounds& x, const Bounds& y) {
+  return Bounds::around(x.low < 0 ? x.low / y.low : x.low / y.high,
                        x.high > 0 ? x.high / y.low : x.high / y.high);
 }
 
@@ -110,27 +110,27 @@ class Quantity {
   double at(const Inside& inside, const Point3& x) const {
     const Tensor<Ball> m = inside.at(x);
     const Forms<Ball, 1> forms({&m});
-    const Range p(forms.p.coefficients[0]), q(forms.q.coefficients[0]);
-    Range volume(inside.volume());
+    const Bounds p(forms.p.coefficients[0]), q(forms.q.coefficients[0]);
+    Bounds volume(inside.volume());
     const bool is_turned = volume.high < 0;
     if (is_turned) volume = {-volume.high, -volume.low};
     const double none = invariant_ ? HUGE_VAL : 2;
     if (!(volume.low > 0)) return none;
     if (!invariant_) {
-      const Range size = Range::around(p.low * std::sqrt(std::max(p.low, 0.0)),
+      const Bounds size = Bounds::around(p.low * std::sqrt(std::max(p.low, 0.0)),
                                        p.high * std::sqrt(p.high));
       if (!(size.low > 0)) return none;
-      const Range mode = over(q, size);
+      const Bounds mode = over(q, size);
       const double factor = is_turned ? -std::sqrt(54) : std::sqrt(54);  // odd in the tensor
       return std::min(none, farther(factor * mode.low, factor * mode.high));
     }
-    const Range all(forms.p.coefficients[0] + Ball(3) * m[6] * m[6]);  // 9 |T|^2
+    const Bounds all(forms.p.coefficients[0] + Ball(3) * m[6] * m[6]);  // 9 |T|^2
     if (*invariant_ == Invariant::anisotropy) {
       if (!(all.low > 0)) return none;
-      const Range found = root(over(p, all));
+      const Bounds found = root(over(p, all));
       return farther(found.low, found.high);
     }
-    const Range found = over(root(*invariant_ == Invariant::magnitude ? all : p), volume);
+    const Bounds found = over(root(*invariant_ == Invariant::magnitude ? all : p), volume);
     return farther(found.low / 3 * inside.unit(), found.high / 3 * inside.unit());
   }
 
