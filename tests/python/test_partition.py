@@ -49,7 +49,8 @@ def test_pieces_give_the_surface_of_the_whole(slab, mode):
 
 def test_pieces_that_do_not_fit_are_refused(slab):
     field = slab
-    owner = (field.points[field.tets].mean(axis=1)[:, 0] > np.median(field.points[:, 0])).astype(int)
+    middle = np.median(field.mode_surface("0").points[:, 1])  # the surface crosses the seam
+    owner = (field.points[field.tets].mean(axis=1)[:, 1] > middle).astype(int)
     first, second = pieces_of(field, owner, "0")
     with pytest.raises(ValueError, match="a piece is missing"):
         tt.merge_pieces([first])
