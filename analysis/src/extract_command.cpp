@@ -28,6 +28,7 @@
 #include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
+#include "tensortopo/certify/residual_bound.hpp"
 #include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
@@ -117,7 +118,8 @@ class OtherMethod {
   std::optional<TetMesh> fine_;
 };
 
-SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction) {
+SurfaceReport surface_report(const TetMesh& mesh, const ModeValue& mode,
+                             const Extraction& extraction) {
   SurfaceReport report;
   report.mode = mode;
   report.vertices = extraction.surface.points.size();
@@ -125,16 +127,23 @@ SurfaceReport surface_report(const ModeValue& mode, const Extraction& extraction
   report.invariants = surface_invariants(extraction.surface);
   report.invariants.component.clear();
   // Another method does not know.
-  if (extraction.surface.residual.empty() && report.vertices > 0)
-    report.max_abs_residual = std::numeric_limits<double>::quiet_NaN();
-  for (const double r : extraction.surface.residual) {
-    report.max_abs_residual = std::max(report.max_abs_residual, std::abs(r));
-  }
+  report.max_abs_residual = extraction.surface.residual.empty() && report.vertices > 0
+                                ? std::numeric_limits<double>::quiet_NaN()
+                                : residual_bound(mesh, mode, extraction.surface);
   for (const UnresolvedCell& cell : extraction.unresolved) {
     ++report.unresolved[std::string(name_of(cell.reason))];
   }
   report.statistics = extraction.statistics;
   return report;
+}
+
+/// Keeps, of these tetrahedra, those that hold triangles.
+void keep_crossed(const SurfaceMesh& surface, std::vector<TetMesh::Index>& tets) {
+  std::vector<TetMesh::Index> crossed = surface.tet;
+  std::sort(crossed.begin(), crossed.end());
+  std::erase_if(tets, [&](TetMesh::Index t) {
+    return !std::binary_search(crossed.begin(), crossed.end(), t);
+  });
 }
 
 /// The share of a surface's area that lies in other tetrahedra than these (ascending).
@@ -302,7 +311,6 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       farther = std::move(within.farther);
     } else if (command.pieces > 1) {
       extraction = extract_in_pieces(read.mesh, modes[i], command.pieces, options);
-      if (command.improve) improve_triangles(read.mesh, modes[i], extraction.surface);
     } else {
       using Use = PreparedField<double>::Use;
       if (!prepared)
@@ -310,10 +318,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       extraction = --surfaces_left > 0
                        ? extract_mode_surface(*prepared, modes[i], options)
                        : extract_mode_surface(std::move(*prepared), modes[i], options);
-      if (command.improve) {
-        improve_triangles(read.mesh, modes[i], extraction.surface);
-        extraction.not_embedded = tets_not_embedded(read.mesh, extraction.surface);
-      }
+    }
+    if (command.improve) {
+      improve_triangles(read.mesh, modes[i], extraction.surface);
+      extraction.not_embedded = tets_not_embedded(read.mesh, extraction.surface);
     }
     report.seconds_extract += extract_clock.seconds();
     for (const UnresolvedCell& cell : extraction.unresolved) {
@@ -321,8 +329,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       unresolved[{id, std::string(name_of(cell.reason))}].push_back(modes[i]);
     }
     const auto filtered = filter.apply(read.mesh, modes[i], extraction.surface);
+    if (filtered) keep_crossed(extraction.surface, extraction.not_embedded);
     const Clock invariants_clock;
-    report.surfaces.push_back(surface_report(modes[i], extraction));
+    report.surfaces.push_back(surface_report(read.mesh, modes[i], extraction));
     report.surfaces.back().filter = filtered;
     if (!command.other) report.surfaces.back().not_embedded = extraction.not_embedded.size();
     report.seconds_invariants += invariants_clock.seconds();

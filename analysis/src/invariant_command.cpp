@@ -17,6 +17,7 @@
 #include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/certify/residual_bound.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/write_surface.hpp"
 
@@ -27,7 +28,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-InvariantSurfaceReport surface_report(const InvariantLevel& level,
+InvariantSurfaceReport surface_report(const TetMesh& mesh, const InvariantLevel& level,
                                       const InvariantExtraction& extraction) {
   InvariantSurfaceReport report{level,
                                 extraction.surface.points.size(),
@@ -37,8 +38,7 @@ InvariantSurfaceReport surface_report(const InvariantLevel& level,
                                 extraction.zero_tensor.size(),
                                 extraction.statistics};
   report.topology.component.clear();
-  for (const double r : extraction.surface.residual)
-    report.max_abs_residual = std::max(report.max_abs_residual, std::abs(r));
+  report.max_abs_residual = residual_bound(mesh, level, extraction.surface);
   return report;
 }
 
@@ -78,7 +78,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
     report.seconds_extract += seconds_since(start);
     for (const auto t : extraction.zero_tensor)
       unresolved.insert(read.mesh.cell_ids[static_cast<std::size_t>(t)]);
-    report.surfaces.push_back(surface_report(level, extraction));
+    report.surfaces.push_back(surface_report(read.mesh, level, extraction));
     if (certifying) {
       overall("certificate", 0);
       start = Clock::now();

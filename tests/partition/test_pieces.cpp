@@ -87,6 +87,8 @@ RC_GTEST_PROP(Pieces, GiveTheSurfaceOfTheWholeMesh, ()) {
   const MergedSurface merged = merge_pieces(surfaces);
   RC_CLASSIFY(!whole.surface.triangles.empty());
   RC_ASSERT(difference(whole.surface, merged.surface) == "");
+  RC_ASSERT(std::equal(whole.not_embedded.begin(), whole.not_embedded.end(),
+                       merged.not_embedded.begin(), merged.not_embedded.end()));
   RC_ASSERT(whole.unresolved.size() == merged.unresolved.size());
   for (std::size_t i = 0; i < merged.unresolved.size(); ++i) {
     RC_ASSERT(merged.unresolved[i].cell_id == whole.unresolved[i].tet);
@@ -144,6 +146,7 @@ TEST(ExtractInPieces, GivesTheSameSurfaceWithDenserCells) {
       EXPECT_EQ(difference(whole.surface, again.surface), "") << text << ' ' << pieces;
       EXPECT_EQ(whole.statistics.tets_crossed, again.statistics.tets_crossed);
       EXPECT_EQ(whole.unresolved.size(), again.unresolved.size());
+      EXPECT_EQ(whole.not_embedded, again.not_embedded) << text << ' ' << pieces;
     }
   }
   const TetMesh mesh = random_field(random, 1);

@@ -298,10 +298,24 @@ bool is_crossing(const Json& x) { return x.is_array() && x.size() >= 3; }
 
 }  // namespace
 
+namespace {
+
+/// Does the second level say no more about isotopy than the first?
+bool excepts_more(const Json& honest, const Json& altered) {
+  if (!honest.contains("isotopic") || !altered.contains("isotopic"))
+    return honest.contains("isotopic");
+  const Json &a = honest["isotopic"]["except"], &b = altered["isotopic"]["except"];
+  return std::includes(b.begin(), b.end(), a.begin(), a.end());
+}
+
+}  // namespace
+
 bool may_be_true(const Json& honest, const Json& altered) {
   Json a = honest, b = altered;
   for (std::size_t l = 0; l < a["levels"].size(); ++l) {
     a["levels"][l].erase("distance"), b["levels"][l].erase("distance");
+    if (excepts_more(a["levels"][l], b["levels"][l]))
+      a["levels"][l].erase("isotopic"), b["levels"][l].erase("isotopic");
     if (a["levels"][l]["edges"].empty())
       a["levels"][l].erase("value"), b["levels"][l].erase("value");
     Json &edges = a["levels"][l]["edges"], &others = b["levels"][l]["edges"];

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -305,6 +306,50 @@ bool tell_array(Exhibit& e, Pick& pick) {
   }
 }
 
+/// Excepted: a tetrahedron that holds no triangles, or one twice.
+bool tell_excepted(Exhibit& e, Pick& pick) {
+  Json& level = any_level(e, pick);
+  if (!level.contains("isotopic")) return false;
+  Json& except = level["isotopic"]["except"];
+  if (!except.empty() && pick.coin()) return except.push_back(except.back()), true;
+  return except.push_back(1000000 + pick.below(1000)), true;
+}
+
+/// Claimed of what was excepted, too: cones, rings.
+bool tell_shown(Exhibit& e, Pick& pick) {
+  Json& level = any_level(e, pick);
+  if (!level.contains("isotopic") || level["isotopic"]["except"].empty()) return false;
+  Json& except = level["isotopic"]["except"];
+  if (pick.coin()) return except.clear(), true;
+  return except.erase(pick.below(except.size())), true;
+}
+
+/// Two corners of a triangle inside a tetrahedron, one bit from each other: it has an area, and what
+/// is between it and its neighbours is less than rounding.
+bool tell_close_triangles(Exhibit& e, Pick& pick) {
+  Json& level = any_level(e, pick);
+  if (!level.contains("isotopic")) return false;
+  const auto& except = level["isotopic"]["except"];
+  const std::size_t first = level["triangles"][0], count = level["triangles"][1];
+  for (std::size_t tries = 0; tries < 20 && count > 0; ++tries) {
+    const std::size_t t = first + pick.below(count);
+    const auto [v, w, x] = e.surface.triangles[t];
+    bool is_inside = true;
+    for (std::size_t s = 0; s < e.surface.triangles.size(); ++s)
+      if (std::count(e.surface.triangles[s].begin(), e.surface.triangles[s].end(), v) > 0)
+        is_inside = is_inside && e.surface.tet[s] == e.surface.tet[t];
+    const bool is_excepted =
+        std::find(except.begin(), except.end(), Json(e.surface.tet[t])) != except.end();
+    if (is_excepted || !is_inside) continue;
+    auto& point = e.surface.points[as_size(v)];
+    point = e.surface.points[as_size(w)];
+    point.x = std::nextafter(point.x, e.surface.points[as_size(x)].x);
+    level["distance"] = nullptr;
+    return e.rehash(), true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<LieRow> lies_of_claims() {
@@ -355,6 +400,9 @@ std::vector<LieRow> lies_of_claims() {
         level["embedded"] = true, level["distance"] = nullptr;
         return e.rehash(), true;
       }},
+      {"isotopic", tell_excepted},
+      {"isotopic: a sheet that is no disc", tell_shown},
+      {"isotopic: triangles too close", tell_close_triangles},
       {"distance: bounds, coarse", tell_distance},
       {"distance: reach", tell_reaches},
   };

@@ -26,6 +26,13 @@ def pieces_of(field, owner, mode):
         yield pickle.loads(pickle.dumps(surface))
 
 
+def test_what_is_not_embedded_is_kept(tetrahedron):
+    field = tt.Field(*tetrahedron)
+    made = tt.extract_piece(field, "1/2", [True], np.arange(4))
+    marked = tt.PieceSurface({**made.arrays, "not_embedded": [int(field.cell_ids[0])]})
+    assert marked.not_embedded == tt.merge_pieces([marked]).not_embedded == [int(field.cell_ids[0])]
+
+
 @pytest.mark.parametrize("mode", ["0", "-99/100"])
 def test_pieces_give_the_surface_of_the_whole(slab, mode):
     field = slab
@@ -37,11 +44,13 @@ def test_pieces_give_the_surface_of_the_whole(slab, mode):
                  "residual", "component"):  # fmt: skip
         assert getattr(merged, name).tobytes() == getattr(whole, name).tobytes(), name
     assert np.array_equal(merged.cell_ids, FAR + whole.tet)
+    assert merged.not_embedded == [FAR + tet for tet in whole.levels[0].not_embedded]
 
 
 def test_pieces_that_do_not_fit_are_refused(slab):
     field = slab
-    owner = (field.points[field.tets].mean(axis=1)[:, 0] > np.median(field.points[:, 0])).astype(int)
+    middle = np.median(field.mode_surface("0").points[:, 1])  # the surface crosses the seam
+    owner = (field.points[field.tets].mean(axis=1)[:, 1] > middle).astype(int)
     first, second = pieces_of(field, owner, "0")
     with pytest.raises(ValueError, match="a piece is missing"):
         tt.merge_pieces([first])

@@ -76,6 +76,7 @@ def test_uncertain_surface_and_certificate(program, slab, slab_file, tmp_path):
     assert bits(surface.instability) == bits(cells["instability"].values)
     assert 0 < surface.stable.sum() < len(surface.stable)
     assert surface.certificate == certificate.read_bytes()
+    assert len(surface.levels[0].not_embedded) == report["surfaces"][0]["not_embedded"]
     expected = report["surfaces"][0]["stability"]
     assert surface.levels[0].stability == {
         key: value for key, value in expected.items() if key not in ("radius", "seconds")

@@ -85,12 +85,16 @@ Json cones_json(const CertifiedLevel& level, std::size_t first_vertex, const Tet
   return cones;
 }
 
+Json cells_json(const std::vector<TetMesh::Index>& tets, const TetMesh& mesh) {
+  Json cells = Json::array();
+  for (const auto t : tets) cells.push_back(mesh.cell_ids[as_size(t)]);
+  return cells;
+}
+
 Json distance_json(const DistanceClaim& claim, const TetMesh& mesh) {
-  Json coarse = Json::array();
-  for (const auto t : claim.coarse) coarse.push_back(mesh.cell_ids[as_size(t)]);
   return {{"reach", claim.reach},
           {"bound", exact(claim.bound)},
-          {"coarse", std::move(coarse)},
+          {"coarse", cells_json(claim.coarse, mesh)},
           {"coarse_bound", exact(claim.coarse_bound)}};
 }
 
@@ -137,6 +141,8 @@ Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size
   json["distance"] = distance_json(level.distance, mesh);
   if (level.stability) json["stability"] = stability_json(*level.stability, first_vertex);
   if (level.embedded) json["embedded"] = true;
+  if (level.not_isotopic)
+    json["isotopic"] = {{"except", cells_json(*level.not_isotopic, mesh)}};
   return json;
 }
 

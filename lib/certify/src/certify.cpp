@@ -8,6 +8,7 @@
 #include "crossing_brackets.hpp"
 #include "distance_proof.hpp"
 #include "for_each.hpp"
+#include "isotopic_tets.hpp"
 #include "extract/level/level.hpp"
 #include "extract/surface/renumber_extraction.hpp"
 #include "tensortopo/certify/certified_level.hpp"
@@ -47,8 +48,12 @@ void renumber(CertifiedLevel& claims, Extraction& extraction, std::span<const In
   for (auto& cell : claims.undecided) cell.tet = tets[as_size(cell.tet)];
   std::sort(claims.undecided.begin(), claims.undecided.end(),
             [](const auto& p, const auto& q) { return p.tet < q.tet; });
-  for (Index& t : claims.distance.coarse) t = tets[as_size(t)];
-  std::sort(claims.distance.coarse.begin(), claims.distance.coarse.end());
+  const auto move = [&](std::vector<Index>& list) {
+    for (Index& t : list) t = tets[as_size(t)];
+    std::sort(list.begin(), list.end());
+  };
+  move(claims.distance.coarse);
+  if (claims.not_isotopic) move(*claims.not_isotopic);
 }
 
 /// @param extraction  in the numbers of this mesh
@@ -70,8 +75,10 @@ CertifiedLevel certify_in_order(const TetMesh& mesh, const ModeValue& mode,
              [](Index) { return std::string(); });
   result.components = components_of(surface);
   result.embedded = is_embedded(surface);
-  result.distance = prove_distance(mesh, surface, decided_triangles(mesh, surface, result),
-                                   result.topology, field, level);
+  const auto decided = decided_triangles(mesh, surface, result);
+  if (result.embedded)
+    result.not_isotopic = tets_not_isotopic(mesh, surface, decided, result.topology);
+  result.distance = prove_distance(mesh, surface, decided, result.topology, field, level);
   return result;
 }
 

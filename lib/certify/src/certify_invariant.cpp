@@ -10,6 +10,7 @@
 #include "critical_simplices.hpp"
 #include "distance_proof.hpp"
 #include "for_each.hpp"
+#include "isotopic_tets.hpp"
 #include "surface_topology.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/extract/embedded.hpp"
@@ -118,8 +119,10 @@ CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
   });
   result.components = components_of(surface);
   result.embedded = is_embedded(surface);
-  result.distance = prove_distance(mesh, surface, decided_triangles(mesh, surface, result),
-                                   result.topology, form);
+  const auto decided = decided_triangles(mesh, surface, result);
+  if (result.embedded)
+    result.not_isotopic = tets_not_isotopic(mesh, surface, decided, result.topology);
+  result.distance = prove_distance(mesh, surface, decided, result.topology, form);
   return result;
 }
 

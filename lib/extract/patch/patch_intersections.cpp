@@ -150,6 +150,21 @@ std::size_t axis_of(const std::vector<Side>& sides) {
                                   overlap.begin());
 }
 
+/// Calls f for any two of these whose boxes, `low` to `high`, meet.
+template <class Boxes, class F>
+void for_meeting(const Boxes& all, const F& f) {
+  using Handle = decltype(&*all.begin());
+  using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, Handle>;
+  std::vector<Box> boxes;
+  boxes.reserve(all.size());
+  for (const auto& s : all)
+    boxes.emplace_back(
+        CGAL::Bbox_3(s.low[0], s.low[1], s.low[2], s.high[0], s.high[1], s.high[2]), &s);
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& p, const Box& q) {
+    f(*p.handle(), *q.handle());
+  });
+}
+
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> intersecting_pairs(
@@ -193,17 +208,22 @@ bool are_embedded(std::span<const Vector3<double>> points,
   const auto sides = sides_of(points, triangles);
   if (!std::all_of(sides.begin(), sides.end(), [](const Side& s) { return s.has_area; }))
     return false;
-  using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Side*>;
-  std::vector<Box> boxes;
-  boxes.reserve(sides.size());
-  for (const auto& s : sides)
-    boxes.emplace_back(
-        CGAL::Bbox_3(s.low[0], s.low[1], s.low[2], s.high[0], s.high[1], s.high[2]), &s);
   bool all = true;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& p, const Box& q) {
-    all = all && !intersect<Same::number>(*p.handle(), *q.handle());
+  for_meeting(sides, [&](const Side& s, const Side& t) {
+    all = all && !intersect<Same::number>(s, t);
   });
   return all;
+}
+
+std::vector<std::array<std::uint32_t, 2>> meeting_boxes(std::span<const AxisBox> boxes) {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for_meeting(boxes, [&](const AxisBox& s, const AxisBox& t) {
+    const auto place = [&](const AxisBox& b) {
+      return static_cast<std::uint32_t>(&b - boxes.data());
+    };
+    pairs.push_back({place(s), place(t)});
+  });
+  return pairs;
 }
 
 }  // namespace tensortopo

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "extraction.hpp"
+#include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/mesh/append_surface.hpp"
 
@@ -128,8 +129,12 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
       part.tets_farther = within.farther.size();
     } else {
       extraction = extract_mode_surface(*shared_->prepare(modes.size()), mode, options);
-      if (request.improve) improve_triangles(mesh, mode, extraction.surface);
+      if (request.improve) {
+        improve_triangles(mesh, mode, extraction.surface);
+        extraction.not_embedded = tets_not_embedded(mesh, extraction.surface);
+      }
     }
+    part.not_embedded = std::move(extraction.not_embedded);
     part.vertices = extraction.surface.points.size();
     part.cells = extraction.surface.triangles.size();
     part.invariants = surface_invariants(extraction.surface);

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/partition/mesh_piece.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 
@@ -56,7 +55,8 @@ Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::in
   result.surface = std::move(merged.surface);
   for (const UnresolvedOwnedCell& cell : merged.unresolved)
     result.unresolved.push_back({static_cast<TetMesh::Index>(cell.cell_id), cell.reason});
-  if (options.embedded) result.not_embedded = tets_not_embedded(mesh, result.surface);
+  for (const std::int64_t id : merged.not_embedded)
+    result.not_embedded.push_back(static_cast<TetMesh::Index>(id));
   const auto& tets = result.surface.tet;
   for (std::size_t i = 0; i < tets.size(); ++i)
     result.statistics.tets_crossed += i == 0 || tets[i] != tets[i - 1];

@@ -177,6 +177,10 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
   for (const UnresolvedCell& cell : extraction.unresolved)
     if (piece.is_owned[as_size(cell.tet)])
       result.unresolved.push_back({piece.mesh.cell_ids[as_size(cell.tet)], cell.reason});
+  for (const TetMesh::Index tet : extraction.not_embedded)
+    if (piece.is_owned[as_size(tet)])
+      result.not_embedded.push_back(piece.mesh.cell_ids[as_size(tet)]);
+  std::sort(result.not_embedded.begin(), result.not_embedded.end());
   result.owned = static_cast<std::size_t>(
       std::count_if(piece.is_owned.begin(), piece.is_owned.end(), [](char o) { return o != 0; }));
   result.ordinals = ordinals_of(result.surface);

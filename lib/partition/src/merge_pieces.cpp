@@ -284,9 +284,13 @@ class Merger {
       surface.tet.push_back(short_id(id));
     }
     surface.component = surface_components(surface);
-    for (const auto& piece : pieces_)
+    for (const auto& piece : pieces_) {
       result_.unresolved.insert(result_.unresolved.end(), piece.unresolved.begin(),
                                 piece.unresolved.end());
+      result_.not_embedded.insert(result_.not_embedded.end(), piece.not_embedded.begin(),
+                                  piece.not_embedded.end());
+    }
+    std::sort(result_.not_embedded.begin(), result_.not_embedded.end());
     std::sort(result_.unresolved.begin(), result_.unresolved.end(),
               [](const auto& a, const auto& b) { return a.cell_id < b.cell_id; });
   }

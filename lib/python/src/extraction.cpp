@@ -60,6 +60,7 @@ py::dict surface_level(const ModePart& part) {
   return py::dict("mode"_a = part.mode.text(), "vertices"_a = part.vertices,
                   "triangles"_a = part.cells, "parts"_a = parts,
                   "distance_bound"_a = part.distance_bound, "tets_farther"_a = part.tets_farther,
+                  "not_embedded"_a = part.not_embedded,
                   "stability"_a = stability_of(part.stability),
                   "statistics"_a = statistics_of(part));
 }

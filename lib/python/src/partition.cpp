@@ -79,6 +79,7 @@ py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64
   out["cell_ids"] = array_of<std::int64_t>(std::move(made.cells.cell_ids));
   out["vertex_ids"] = array_of<std::int64_t>(std::move(made.vertex_ids));
   out["unresolved"] = list_of(made.unresolved);
+  out["not_embedded"] = made.not_embedded;
   out["owned"] = made.owned;
   return out;
 }
@@ -142,6 +143,7 @@ PieceSurface piece_from(const py::dict& d) {
   for (const auto& [id, reason] :
        d["unresolved"].cast<std::vector<std::pair<std::int64_t, std::string>>>())
     piece.unresolved.push_back({id, reason_named(reason)});
+  piece.not_embedded = d["not_embedded"].cast<std::vector<std::int64_t>>();
   piece.owned = d["owned"].cast<std::size_t>();
   require_indices(piece);
   return piece;
@@ -162,6 +164,7 @@ py::dict merge(const std::vector<py::dict>& dicts) {
   out["cell_ids"] = array_of<std::int64_t>(std::move(made.cell_ids));
   out["carrier_ids"] = array_of<std::int64_t>(std::move(made.carrier_ids));
   out["unresolved"] = list_of(made.unresolved);
+  out["not_embedded"] = made.not_embedded;
   return out;
 }
 

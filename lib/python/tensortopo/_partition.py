@@ -43,6 +43,11 @@ class PieceSurface:
         """Ids of owned cells that were not extracted, with the reason."""
         return self.arrays["unresolved"]
 
+    @property
+    def not_embedded(self) -> list[int]:
+        """Ids of owned cells whose triangles intersect, or are at 90 degrees or more to the gradient."""
+        return self.arrays["not_embedded"]
+
     def __repr__(self) -> str:
         return f"PieceSurface({len(self.points)} points, {len(self.triangles)} triangles)"
 
@@ -65,6 +70,9 @@ class MergedSurface:
         Id of the cell that holds the triangle.
     unresolved : list of tuple
         Ids of cells that were not extracted, with the reason.
+    not_embedded : list of int
+        Ids of cells whose triangles have the proved topology, but intersect each other or are at 90
+        degrees or more to the gradient of the mode.
     """
 
     points: npt.NDArray[np.float64]
@@ -79,6 +87,7 @@ class MergedSurface:
     component: npt.NDArray[np.int32]
     cell_ids: npt.NDArray[np.int64]
     unresolved: list[tuple[int, str]]
+    not_embedded: list[int]
 
     def __repr__(self) -> str:
         return f"MergedSurface({len(self.points)} points, {len(self.triangles)} triangles)"

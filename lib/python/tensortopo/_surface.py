@@ -79,6 +79,9 @@ class SurfaceLevel:
         ``max_error``.
     tets_farther : int
         Tetrahedra in which ``max_error`` is not proved.
+    not_embedded : tuple of int
+        Tetrahedra, as indices into ``field.tets``, whose triangles have the proved topology, but intersect
+        each other or are at 90 degrees or more to the gradient of the mode.
     stability : dict or None
         With ``uncertainty``: ``stable_tets`` and ``unstable_tets`` of the mesh, ``crossed_stable_tets``,
         ``reasons`` (unstable tetrahedra by the reason's name), ``stable_components``.
@@ -92,6 +95,7 @@ class SurfaceLevel:
     components: tuple[Component, ...]
     distance_bound: Optional[float]
     tets_farther: int
+    not_embedded: tuple[int, ...]
     stability: Optional[dict[str, Any]]
     statistics: dict[str, float] = dataclass_field(repr=False)
 
@@ -207,6 +211,7 @@ class Surface(_Output):
                 tuple(Component(**part) for part in level["parts"]),
                 level["distance_bound"],
                 level["tets_farther"],
+                tuple(level["not_embedded"]),
                 level["stability"],
                 level["statistics"],
             )

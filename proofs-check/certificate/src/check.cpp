@@ -7,9 +7,11 @@
 #include "claims/curve_names.hpp"
 #include "run/parallel.hpp"
 #include "surface/compare_distance.hpp"
+#include "surface/compare_isotopy.hpp"
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
 #include "surface/embedded.hpp"
+#include "surface/residual.hpp"
 
 namespace certificate {
 namespace {
@@ -24,7 +26,10 @@ bool mark_left_out(const Json& claims, const Input& input, const Reason& reason_
   for (const Json& entry : claims["undecided"]) {
     const std::string reason = reason_in(entry[1]), name = "tetrahedron " + entry[0].dump();
     const std::size_t tet = input.tet_at(entry[0].get<Number>());
-    if (tet == Input::kNone) return ledger.refute(name, reason, "no such tetrahedron"), false;
+    if (tet == Input::kNone)
+      return ledger.refute(name, reason, "no such tetrahedron, the input has " +
+                                             std::to_string(input.tets.size())),
+             false;
     left_out[tet] = true;
     ledger.of_level().left_out[reason].push_back(entry[0].get<Number>());
     ledger.leave_open(name, reason);
@@ -95,6 +100,7 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
     compare_places(c, *placed, ledger);
     ledger.begin("orientation");
     compare_orientation(c, *placed, ledger);
+    ledger.of_level().residual = residual_bound(c, *placed);
   }
   ledger.begin("embedded");
   if (const auto embedded = claims.find("embedded"); embedded != claims.end())
@@ -108,6 +114,8 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
     ledger.of_level().coarse = distance["coarse"].size();
     compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   }
+  ledger.begin("isotopic");
+  if (claims.contains("isotopic")) compare_isotopy(c, is_sound ? &*placed : nullptr, ledger);
   ledger.begin("stability");
   if (claims.contains("stability")) compare_stability(c, is_sound ? &*placed : nullptr, ledger);
   ledger.count(level.decided_by_balls(), level.decided_exactly());
@@ -133,14 +141,20 @@ void check_curves(const Json& claims, const Input& input, const Field& field,
 }
 
 /// Do the levels' ranges follow each other, to the end?
-bool are_in_order(const Json& levels, const char* key, Number all) {
+/// @return what is wrong; empty if nothing is
+std::string disorder_of(const Json& levels, const char* key, Number all) {
   Number next = 0;
-  for (const Json& level : levels) {
-    const Range range = range_of(level[key]);
-    if (range.first != next || range.count > all - next) return false;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const Range range = range_of(levels[l][key]);
+    if (range.first != next || range.count > all - next)
+      return std::string(key) + " of level " + std::to_string(l) + " are " +
+             levels[l][key].dump() + " (first, count), next is " + std::to_string(next) + " of " +
+             std::to_string(all);
     next += range.count;
   }
-  return next == all;
+  if (next == all) return {};
+  return std::string(key) + ": " + std::to_string(next) + " in all levels, " +
+         std::to_string(all) + " in the file";
 }
 
 /// A certificate's files, and what it claims of them.
@@ -209,10 +223,11 @@ class Checking {
     compare(std::string(key) + (*key == 's' ? "'s sha256" : "' sha256"), claims["sha256"],
             output.sha256());
     const Json& levels = certificate_["levels"];
-    const bool are_levels_of_output = are_in_order(levels, "vertices", output.points.size()) &&
-                                      are_in_order(levels, kind, cells);
+    std::string disorder = disorder_of(levels, "vertices", output.points.size());
+    if (disorder.empty()) disorder = disorder_of(levels, kind, cells);
+    const bool are_levels_of_output = disorder.empty();
     ledger_.settle(are_levels_of_output, "levels", "all of the file, one after the other",
-                   "they are not");
+                   disorder);
     if (levels.empty())
       ledger_.leave_open("levels", "the certificate claims nothing about any level");
     ledger_.begin("arrays");

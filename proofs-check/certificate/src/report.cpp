@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -28,23 +29,27 @@ std::string text_of(const Component& c, bool is_curve) {
          counted(c.boundary_loops, "boundary loop") + ", " + counted(c.cells, "triangle");
 }
 
+constexpr std::size_t kShown = 10;
+
+/// "2 tetrahedra (budget_exhausted: 4 7)"
+std::string listed(const std::string& reason, const std::vector<std::uint64_t>& tets) {
+  std::string text = std::to_string(tets.size()) + " tetrahedra (" + reason + ": ";
+  for (std::size_t i = 0; i < std::min(tets.size(), kShown); ++i)
+    text += (i == 0 ? "" : " ") + std::to_string(tets[i]);
+  return text + (tets.size() > kShown ? " ...)" : ")");
+}
+
 std::string text_of(const LevelReport& level, bool of_curves) {
   std::string text = level.name + ": " + status_of(level.refuted, level.undecided) + ", " +
                      counted(level.components.size(), "component") +
                      (level.refuted + level.undecided > 0 ? " in the file" : "");
-  constexpr std::size_t kShown = 10;
   for (std::size_t i = 0; i < std::min(level.components.size(), kShown); ++i)
     text += (i == 0 ? ": " : "; ") + text_of(level.components[i], of_curves);
   if (level.components.size() > kShown)
     text += "; and " + std::to_string(level.components.size() - kShown) + " more";
   text += "\n  left out: ";
   if (level.left_out.empty()) text += "nothing";
-  for (const auto& [reason, tets] : level.left_out) {
-    text += std::to_string(tets.size()) + " tetrahedra" + " (" + reason + ": ";
-    for (std::size_t i = 0; i < std::min(tets.size(), kShown); ++i)
-      text += (i == 0 ? "" : " ") + std::to_string(tets[i]);
-    text += tets.size() > kShown ? " ...) " : ") ";
-  }
+  for (const auto& [reason, tets] : level.left_out) text += listed(reason, tets) + ' ';
   text += '\n';
   if (of_curves) return text;
   text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
@@ -55,6 +60,18 @@ std::string text_of(const LevelReport& level, bool of_curves) {
     text += "  " + std::to_string(level.stable_components.size()) + " of the components " +
             "are in every field whose deviators differ by at most " + bound +
             (level.radius_of_deviator ? " of themselves" : "") + " at the vertices\n";
+  }
+  if (level.residual) {
+    std::snprintf(bound, sizeof(bound), "%.3g", *level.residual);
+    text += std::string("  residual at most ") + bound + ", at the vertices as written\n";
+  }
+  if (level.claims_isotopy) {
+    std::snprintf(bound, sizeof(bound), "%.3g", level.moved);
+    text += "  isotopic to the level in " + std::to_string(level.isotopic) +
+            " tetrahedra, with vertices moved by at most " + bound;
+    for (const auto& [reason, tets] : level.not_isotopic)
+      text += "; not shown in " + listed(reason, tets);
+    text += '\n';
   }
   if (level.bound.empty()) return text + "  no distance is claimed\n";
   std::snprintf(bound, sizeof(bound), "%.6g", std::strtod(level.bound.c_str(), nullptr));
@@ -121,7 +138,8 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
     text += '\n';
   }
   for (const Finding& f : report.refutations)
-    text += "refuted: " + f.entity + ": claimed " + f.claimed + "; derived " + f.derived + '\n';
+    text += "refuted: " + f.entity + ": claimed " + f.claimed + "; derived " + f.derived +
+            (f.witness.empty() ? "" : "; witness: " + f.witness) + '\n';
   for (const Finding& f : report.open) text += "undecided: " + f.entity + ": " + f.claimed + '\n';
   for (const Verdicts& kind : report.kinds)
     if (kind.certified + kind.refuted + kind.undecided > 0)
@@ -155,6 +173,15 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   for (const auto& [reason, tets] : level.left_out) json["left_out"][reason] = tets;
   if (of_curves) return json;
   json["embedded"] = level.embedded;
+  json["residual"] = nullptr;
+  if (level.residual && std::isfinite(*level.residual)) json["residual"] = *level.residual;
+  json["isotopic"] = nullptr;
+  if (level.claims_isotopy)
+    json["isotopic"] = {{"tetrahedra", level.isotopic},
+                        {"vertices_moved_at_most", level.moved},
+                        {"not_shown", OrderedJson::object()}};
+  for (const auto& [reason, tets] : level.not_isotopic)
+    json["isotopic"]["not_shown"][reason] = tets;
   json["stability"] = nullptr;
   if (level.claims_stability)
     json["stability"] = {{"radius", level.radius},
@@ -202,7 +229,10 @@ std::string to_json(const Report& report, const std::vector<std::string>& unmet)
   json["decided"] = {{"by_balls", report.by_balls}, {"by_integers", report.by_integers}};
   auto& refutations = json["witnesses"] = OrderedJson::array();
   for (const Finding& f : report.refutations)
-    refutations.push_back({{"entity", f.entity}, {"claimed", f.claimed}, {"derived", f.derived}});
+    refutations.push_back({{"entity", f.entity},
+                           {"claimed", f.claimed},
+                           {"derived", f.derived},
+                           {"witness", f.witness}});
   auto& open = json["open"] = OrderedJson::array();
   for (const Finding& f : report.open)
     open.push_back({{"entity", f.entity}, {"reason", f.claimed}});

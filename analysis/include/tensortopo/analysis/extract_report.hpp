@@ -42,7 +42,7 @@ struct SurfaceReport {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   SurfaceInvariants invariants;  ///< `component` is left empty
-  double max_abs_residual = 0;   ///< largest |mode at a vertex - mode|
+  double max_abs_residual = 0;   ///< see `residual_bound`; NaN of the methods to compare
   std::optional<double> distance_bound;  ///< to the level, both ways, if proved
   std::size_t tets_farther = 0;  ///< tetrahedra without the distance that was asked for
   double area_within = 0;  ///< share of the area in the other tetrahedra, if a distance was asked for

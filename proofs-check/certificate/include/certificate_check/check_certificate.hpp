@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ class Malformed : public std::runtime_error {
 /// A claim that is wrong, or could not be decided.
 struct Finding {
   std::string entity, claimed, derived;
+  /// Of a refutation, unless both values tell already: what a reader can check by hand, as points of
+  /// a simplex, exactly, and on which sides of the level they are.
+  std::string witness;
 };
 
 /// What came of the claims of one kind.
@@ -54,7 +58,15 @@ struct LevelReport {
   std::map<std::string, std::vector<std::uint64_t>> left_out;  ///< tetrahedra, by reason
   std::string bound;       ///< of the distance, in the mesh's units; empty if none is claimed
   std::size_t coarse = 0;  ///< tetrahedra to which only the coarse bound applies
+  /// At most by so much the mode, or other invariant, at the coordinates of vertices differs from the
+  /// level's value; nothing if the triangles are not as claimed. Of surfaces.
+  std::optional<double> residual;
   bool embedded = false;   ///< whether it is certified that the triangles are
+  bool claims_isotopy = false;  ///< that triangles are isotopic to the level in tetrahedra
+  std::size_t isotopic = 0;     ///< tetrahedra for which it is claimed and shown
+  /// Tetrahedra with triangles for which it is not, by reason; not those left out.
+  std::map<std::string, std::vector<std::uint64_t>> not_isotopic;
+  double moved = 0;  ///< at most so far rounding has moved the vertices of those shown
   bool claims_stability = false;  ///< that components are in all fields within a radius
   double radius = 0;
   bool radius_of_deviator = false;  ///< a share of each vertex' deviator, else in the tensor's units

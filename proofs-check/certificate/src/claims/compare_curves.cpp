@@ -85,6 +85,36 @@ bool is_near(const CurveCase& c, Number vertex, std::size_t tet) {
   return lies_in(c.curves.points[vertex], corners);
 }
 
+/// The points of a face, about: weights of its vertices at both ends of an arc that holds each.
+std::string places_in(const CurveCase& c, const std::array<Number, 3>& numbers) {
+  std::array<Vertex, 3> vertices{};
+  std::transform(numbers.begin(), numbers.end(), vertices.begin(),
+                 [](Number v) { return static_cast<Vertex>(v); });
+  const CurveFace* const face = c.topology.face(vertices);
+  const std::size_t count = face == nullptr ? 0 : face->level.points.size();
+  std::string text = std::to_string(count) + " points in face " + Json(numbers).dump();
+  for (std::size_t n = 0; n < count; ++n) {
+    FacePoint point = face->level.points[n];
+    point.sharpen();
+    for (const std::size_t end : {0U, 4U}) {
+      std::array<mpq_class, 3> w;
+      mpq_class sum;
+      for (std::size_t l = 0; l < 3; ++l) {
+        w[l] = point.weight(l, end);
+        const long e = -c.field.exponent(vertices[l]);
+        if (e > 0) mpq_mul_2exp(w[l].get_mpq_t(), w[l].get_mpq_t(), static_cast<unsigned long>(e));
+        if (e < 0) mpq_div_2exp(w[l].get_mpq_t(), w[l].get_mpq_t(), static_cast<unsigned long>(-e));
+        sum += w[l];
+      }
+      Json shown = Json::array();
+      for (const mpq_class& x : w) shown.push_back(mpq_class(x / sum).get_d());
+      text += (end == 0 ? (n == 0 ? ", at weights between " : ", between ") : " and ") +
+              shown.dump();
+    }
+  }
+  return text;
+}
+
 bool is_of(const Range& range, Number i) { return i - range.first < range.count; }
 
 std::array<Number, 2> ascending(Number v, Number w) { return {std::min(v, w), std::max(v, w)}; }
@@ -103,11 +133,12 @@ PointVertices compare_face_points(const CurveCase& c, Ledger& ledger) {
     for (std::size_t n = 3; n < claim.size() && wrong.empty(); ++n) {
       const Box box(claim[n]);
       if (!is_of(c.vertices, box.vertex)) {
-        wrong = "a vertex of other curves";
+        wrong = "vertex " + std::to_string(box.vertex) + " of other curves";
       } else if (!taken.insert(box.vertex).second) {
-        wrong = "a vertex at two points";
+        wrong = "vertex " + std::to_string(box.vertex) + " at two points";
       } else if (!is_near(c, box, face.vertices)) {
-        wrong = "a vertex that is elsewhere";
+        wrong = "vertex " + std::to_string(box.vertex) + " is not in its box, but at " +
+                Json(c.curves.points[box.vertex]).dump();
       }
       std::size_t inside = 0;
       for (std::size_t i = 0; i < count; ++i) {
@@ -117,15 +148,18 @@ PointVertices compare_face_points(const CurveCase& c, Ledger& ledger) {
         ++inside, ++met[i];
         result[{face.vertices, i}] = box.vertex;
       }
-      if (inside != 1 && wrong.empty()) wrong = std::to_string(inside) + " points in a box";
+      if (inside != 1 && wrong.empty())
+        wrong = std::to_string(inside) + " points in the box of vertex " +
+                std::to_string(box.vertex);
     }
     if (is_open) return ledger.leave_open(name, "a point on the edge of its box");
     if (wrong.empty() && std::any_of(met.begin(), met.end(), [](std::size_t n) { return n != 1; }))
       wrong = "a point in two boxes";
-    ledger.settle(wrong.empty(), name, claim.dump(), wrong);
+    ledger.settle(wrong.empty(), name, claim.dump(), wrong,
+                  [&] { return places_in(c, numbers_of(face)); });
   };
   compare_list<3>("face ", c.claims["faces"], c.topology.faces, numbers_of<CurveFace>, settle,
-                  ledger);
+                  [&](const auto& vertices) { return places_in(c, vertices); }, ledger);
   return result;
 }
 
@@ -147,7 +181,18 @@ void compare_pieces(const CurveCase& c, const PointVertices& vertices, Ledger& l
   const auto key = [&](const CurveTet& tet) {
     return std::array<Number, 1>{c.input.cells[tet.tet]};
   };
-  compare_list<1>("tetrahedron ", c.claims["tets"], c.topology.tets, key, settle, ledger);
+  const auto witness = [&](const std::array<Number, 1>& cell) {
+    const std::size_t t = c.input.tet_at(cell[0]);
+    std::string text;
+    for (std::size_t i = 0; t != Input::kNone && i < 4; ++i) {
+      std::array<Number, 3> face{};
+      const auto corners = face_of(c.input.tets[t], i);
+      std::copy(corners.begin(), corners.end(), face.begin());
+      text += (i == 0 ? "" : "; ") + places_in(c, face);
+    }
+    return t == Input::kNone ? std::string("no tetrahedron of the input is that cell") : text;
+  };
+  compare_list<1>("tetrahedron ", c.claims["tets"], c.topology.tets, key, settle, witness, ledger);
 }
 
 namespace {
@@ -179,7 +224,9 @@ void compare_lines(const CurveCase& c, Ledger& ledger) {
   }
   for (const Number v : inner)
     if (used[v] != 1 && wrong.empty()) wrong = "lines meet at vertex " + std::to_string(v);
-  if (used.size() != c.vertices.count && wrong.empty()) wrong = "a vertex on no line";
+  if (used.size() != c.vertices.count && wrong.empty())
+    wrong = std::to_string(used.size()) + " vertices on lines, of " +
+            std::to_string(c.vertices.count);
   for (auto& [cell, lines] : found) std::sort(lines.begin(), lines.end());
   for (const Json& claim : c.claims["tets"])
     for (std::size_t n = 1; n < claim.size(); ++n)
@@ -187,7 +234,8 @@ void compare_lines(const CurveCase& c, Ledger& ledger) {
   if (wrong.empty() && found != claimed) {
     const auto differs = std::mismatch(found.begin(), found.end(), claimed.begin(), claimed.end());
     const Number cell = differs.first != found.end() ? differs.first->first : differs.second->first;
-    wrong = "other lines in tetrahedron " + std::to_string(cell);
+    wrong = "lines in tetrahedron " + std::to_string(cell) + " between " +
+            Json(found[cell]).dump() + ", claimed " + Json(claimed[cell]).dump();
   }
   ledger.settle(wrong.empty(), "lines", "the pieces claimed", wrong);
 }

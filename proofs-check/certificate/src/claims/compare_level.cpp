@@ -6,6 +6,7 @@
 
 #include "claims/compare_list.hpp"
 #include "claims/curve_names.hpp"
+#include "claims/sides.hpp"
 #include "files/given_tensor.hpp"
 
 namespace certificate {
@@ -90,6 +91,13 @@ std::vector<Number> named(const LevelCase& c, const CrossingVertices& vertices,
   return names;
 }
 
+std::string sides_in_cell(const LevelCase& c, const std::array<Number, 1>& cell) {
+  const std::size_t tet = c.input.tet_at(cell[0]);
+  if (tet == Input::kNone) return "no tetrahedron of the input is that cell";
+  const auto& vertices = c.input.tets[tet];
+  return sides_in(c, std::vector<Number>(vertices.begin(), vertices.end()));
+}
+
 }  // namespace
 
 bool is_at(const LevelCase& c, const Json& vertex, Vertex place) {
@@ -105,13 +113,17 @@ CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
     const Number first = crossing[2].get<Number>();
     for (std::size_t i = 2; i < crossing.size(); ++i) {
       const Number v = crossing[i].get<Number>();
-      if (v - c.vertices.first >= c.vertices.count) return "a vertex of another level";
-      if (!result.crossing.emplace(v, MeshCrossing{edge.vertices, n}).second)
-        return "a vertex at two crossings";
+      if (v - c.vertices.first >= c.vertices.count)
+        return "vertex " + std::to_string(v) + " of another level";
+      if (const auto [other, is_new] =
+              result.crossing.emplace(v, MeshCrossing{edge.vertices, n});
+          !is_new)
+        return "vertex " + std::to_string(v) + " at two crossings, also on edge " +
+               Json(other->second.edge).dump();
       if (i > 2) result.original[v] = first;
     }
     result.vertex[{edge.vertices, n}] = first;
-    return "";
+    return std::string();
   };
   const auto settle = [&](const EdgeTopology& edge, const Json& claim, const std::string& name) {
     const std::size_t count = claim.size() - 2;
@@ -121,30 +133,44 @@ CrossingVertices compare_edges(const LevelCase& c, Ledger& ledger) {
     for (unsigned n = 0; n < count && wrong.empty(); ++n) {
       const Json& crossing = claim[n + 2];
       const Interval interval = interval_of(crossing);
-      if (interval.end(0) < free_from) wrong = "intervals that overlap";
+      if (interval.end(0) < free_from)
+        wrong = "intervals that overlap: one ends at " + free_from.get_str() +
+                ", the next begins at " + interval.end(0).get_str();
       if (above_at(c, edge.vertices, interval.i, interval.k) ==
           above_at(c, edge.vertices, interval.i + 1, interval.k))
         wrong = std::string("the field is ") +
                 (above_at(c, edge.vertices, interval.i, interval.k) ? "above" : "below") +
-                " at both ends of an interval";
+                " at both ends of an interval, at " + interval.end(0).get_str() + " and " +
+                interval.end(1).get_str() + " of the way";
       if (const std::string unfit = note(edge, n, crossing); !unfit.empty()) wrong = unfit;
       free_from = interval.end(1);
     }
-    ledger.settle(wrong.empty(), name, claim.dump(), wrong);
+    ledger.settle(wrong.empty(), name, claim.dump(), wrong,
+                  [&] { return sides_in(c, numbers_of(edge)); });
   };
   compare_list<2>("edge ", c.claims["edges"], c.topology.edges, numbers_of<EdgeTopology>, settle,
-                  ledger);
+                  [&](const auto& vertices) { return sides_in(c, vertices); }, ledger);
   // What is claimed of an edge that stays open names its crossings all the same.
   for (const Json& claim : c.claims["edges"]) {
     const EdgeTopology* edge = c.topology.edge({claim[0].get<Vertex>(), claim[1].get<Vertex>()});
     for (unsigned n = 0; edge != nullptr && !edge->is_decided() && n + 2 < claim.size(); ++n)
-      if (*note(*edge, n, claim[n + 2]) != 0)
-        ledger.refute("edge " + claim.dump(), claim.dump(), "no names for its crossings");
+      if (const std::string unfit = note(*edge, n, claim[n + 2]); !unfit.empty())
+        ledger.refute("edge " + claim.dump(), claim.dump(), unfit);
   }
   return result;
 }
 
 void compare_faces(const LevelCase& c, const CrossingVertices& vertices, Ledger& ledger) {
+  const auto sides_in_face = [&](const std::array<Number, 3>& numbers) {
+    std::string text = sides_in(c, numbers);
+    std::array<Vertex, 3> corners{};
+    std::transform(numbers.begin(), numbers.end(), corners.begin(),
+                   [](Number v) { return static_cast<Vertex>(v); });
+    if (const FaceTopology* face = c.topology.face(corners); face != nullptr && face->is_decided())
+      if (const std::string curves = sides_of_curves(c, *face); !curves.empty())
+        text += "; " + curves;
+    return text;
+  };
   const auto settle = [&](const FaceTopology& face, const Json& claim, const std::string& name) {
     std::vector<std::array<Number, 2>> arcs;
     bool known = true;
@@ -158,11 +184,13 @@ void compare_faces(const LevelCase& c, const CrossingVertices& vertices, Ledger&
     for (const Json& v : claim[4]) known = known && !vertices.crossing.contains(v.get<Number>());
     ledger.settle(known && claim[3] == Json(arcs) && claim[4].size() == face.level.loops.size(),
                   name, claim.dump(),
-                  "arcs " + Json(arcs).dump() + " and " + std::to_string(face.level.loops.size()) +
-                      " closed, or crossings without names");
+                  std::to_string(face.arcs.size()) + " arcs, those with names are " +
+                      Json(arcs).dump() + ", and " + std::to_string(face.level.loops.size()) +
+                      " closed",
+                  [&] { return sides_in_face(numbers_of(face)); });
   };
   compare_list<3>("face ", c.claims["faces"], c.topology.faces, numbers_of<FaceTopology>, settle,
-                  ledger);
+                  sides_in_face, ledger);
 }
 
 void compare_tets(const LevelCase& c, const CrossingVertices& vertices, Ledger& ledger) {
@@ -183,15 +211,20 @@ void compare_tets(const LevelCase& c, const CrossingVertices& vertices, Ledger& 
     if (claim != derived && has_uncertain_curves(c, tet.tet) &&
         without_curves(c, claim) == without_curves(c, derived))
       return ledger.leave_open(name, "which closed curve of a face is which");
-    ledger.settle(claim == derived, name, claim.dump(), derived.dump());
+    ledger.settle(claim == derived, name, claim.dump(), derived.dump(),
+                  [&] { return sides_in_cell(c, {c.input.cells[tet.tet]}); });
   };
   const auto key = [&](const TetTopology& tet) {
     return std::array<Number, 1>{c.input.cells[tet.tet]};
   };
-  compare_list<1>("tetrahedron ", c.claims["tets"], c.topology.tets, key, settle, ledger);
+  compare_list<1>("tetrahedron ", c.claims["tets"], c.topology.tets, key, settle,
+                  [&](const auto& cell) { return sides_in_cell(c, cell); }, ledger);
 }
 
 void compare_cones(const LevelCase& c, const CrossingVertices& vertices, Ledger& ledger) {
+  const auto sides_in_base = [&](const ConeTopology& cone) {
+    return sides_in(c, std::vector<Number>(cone.base.begin(), cone.base.end()));
+  };
   const auto settle = [&](const ConeTopology& cone, const Json& claim, const std::string& name) {
     std::map<std::vector<Number>, const ConeSheet*> derived;
     for (const ConeSheet& sheet : cone.sheets)
@@ -209,12 +242,16 @@ void compare_cones(const LevelCase& c, const CrossingVertices& vertices, Ledger&
              std::equal(names.begin(), names.end(), s.begin()) &&
              is_at(c, s[first], sheet->tips[0]) && is_at(c, s.back(), sheet->tips.back());
     }
-    ledger.settle(same, name, claim.dump(), text);
+    ledger.settle(same, name, claim.dump(), text, [&] { return sides_in_base(cone); });
   };
   const auto key = [&](const ConeTopology& cone) {
     return std::array<Number, 1>{c.input.cells[cone.tet]};
   };
-  compare_list<1>("cone ", c.claims["cones"], c.topology.cones, key, settle, ledger);
+  const auto witness = [&](const std::array<Number, 1>& cell) {
+    const ConeTopology* const cone = c.topology.cone(c.input.tet_at(cell[0]));
+    return cone == nullptr ? sides_in_cell(c, cell) : sides_in_base(*cone);
+  };
+  compare_list<1>("cone ", c.claims["cones"], c.topology.cones, key, settle, witness, ledger);
 }
 
 }  // namespace certificate

@@ -20,9 +20,11 @@ using Number = std::uint64_t;
 /// listed, and the claim that the others are not crossed.
 /// @param key  the numbers that name a simplex
 /// @param settle  what to do with a crossed simplex that is listed
-template <std::size_t Count, class Simplex, class Key, class Settle>
+/// @param witness  of a simplex, by its numbers, and whether it is one of `truth`: why it is not as
+///                 the list says
+template <std::size_t Count, class Simplex, class Key, class Settle, class Witness>
 void compare_list(const char* kind, const Json& claims, const std::vector<Simplex>& truth,
-                  const Key& key, const Settle& settle, Ledger& ledger) {
+                  const Key& key, const Settle& settle, const Witness& witness, Ledger& ledger) {
   bool complete = true;
   const auto compare = [&](const Simplex* simplex, const Json* claim,
                            const std::array<Number, Count>& numbers) {
@@ -34,7 +36,8 @@ void compare_list(const char* kind, const Json& claims, const std::vector<Simple
     if (simplex != nullptr && !simplex->is_decided())
       return ledger.leave_open(kind + Json(numbers).dump(), "no proof closes");
     ledger.refute(kind + Json(numbers).dump(), claim != nullptr ? claim->dump() : "not listed",
-                  claim != nullptr ? "not crossed, not there or left out" : "crossed");
+                  claim == nullptr ? "crossed" : "not crossed, or not in the mesh but for what is left out",
+                  [&] { return witness(numbers); });
   };
   auto next = truth.begin();
   for (const Json& claim : claims) {

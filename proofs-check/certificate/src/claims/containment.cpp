@@ -64,8 +64,9 @@ bool is_near(const Point3& x, std::span<const Point3> corners, const std::array<
   return true;
 }
 
-/// Weights of about the nearest point of the simplex' plane.
-std::array<double, 4> weights_of(const Point3& x, std::span<const Point3> corners) {
+}  // namespace
+
+std::array<double, 4> weights_near(const Point3& x, std::span<const Point3> corners) {
   const auto size = static_cast<Eigen::Index>(corners.size()) - 1;
   const Eigen::Map<const Eigen::Vector3d> origin(corners[0].data());
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, size);
@@ -87,11 +88,9 @@ std::array<double, 4> weights_of(const Point3& x, std::span<const Point3> corner
   return result;
 }
 
-}  // namespace
-
 bool lies_in(const Point3& x, std::span<const Point3> corners) {
   if (corners.size() > 1) {
-    const auto weights = weights_of(x, corners);
+    const auto weights = weights_near(x, corners);
     const bool are_weights = std::all_of(weights.begin(), weights.end(),
                                          [](double w) { return w >= 0 && w <= 2; });
     if (are_weights && is_near(x, corners, weights)) return true;
@@ -105,7 +104,7 @@ bool lies_in(const Point3& x, std::span<const Point3> corners) {
 bool lies_between(const Point3& x, const Point3& a, const Point3& b, const mpq_class& from,
                   const mpq_class& to) {
   const std::array corners{a, b};
-  const auto weights = weights_of(x, corners);
+  const auto weights = weights_near(x, corners);
   const double t = weights[1] / (weights[0] + weights[1]);
   if (t >= 0 && t <= 1 && from <= t && t <= to && is_near(x, corners, {1 - t, t})) return true;
   Exact first = exact(a), last = first, along = minus(exact(b), first);

@@ -20,6 +20,11 @@ using Point3 = std::array<double, 3>;
 /// off by four more: together by less than 8 times 2^-53 of the largest |P_i|.
 constexpr double kRounding = 0x1p-50;
 
+/// Weights of about the point of a simplex' plane that is nearest to x, those below zero put to
+/// zero; in doubles, not more than near.
+/// @pre 2 to 4 corners
+std::array<double, 4> weights_near(const Point3& x, std::span<const Point3> corners);
+
 /// Does a point of the simplex differ from x by no more than rounding, on each axis?
 /// @pre 1 to 4 corners
 bool lies_in(const Point3& x, std::span<const Point3> corners);

@@ -19,7 +19,8 @@ HalfEdges::HalfEdges(std::span<const Triangle> triangles)
   };
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
-      if (!by_edge.emplace(key(t, i, (i + 1) % 3), t).second) has_double_edge_ = true;
+      if (!by_edge.emplace(key(t, i, (i + 1) % 3), t).second && !double_edge_)
+        double_edge_ = {triangles[t][i], triangles[t][(i + 1) % 3]};
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto other = by_edge.find(key(t, (i + 1) % 3, i));
@@ -29,8 +30,10 @@ HalfEdges::HalfEdges(std::span<const Triangle> triangles)
 }
 
 void HalfEdges::require_manifold() const {
-  if (has_double_edge_)
-    throw Wrong("an edge that two triangles run along in the same direction");
+  if (double_edge_)
+    throw Wrong("two triangles that run along the edge from vertex " +
+                std::to_string((*double_edge_)[0]) + " to " + std::to_string((*double_edge_)[1]) +
+                " in the same direction");
   // Corners of one vertex that a common edge joins are in one fan.
   UnionFind fans;
   const auto corner_at = [&](std::size_t t, std::uint32_t vertex) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -46,7 +47,7 @@ class HalfEdges {
   void require_manifold() const;
   /// Are the same triangles neighbours, across the same edges?
   bool has_neighbours_of(const HalfEdges& other) const {
-    return across_ == other.across_ && has_double_edge_ == other.has_double_edge_;
+    return across_ == other.across_ && double_edge_.has_value() == other.double_edge_.has_value();
   }
   /// The pieces of some triangles, in the order of their vertices. Throws Wrong if the boundary of
   /// one passes a vertex twice.
@@ -60,7 +61,7 @@ class HalfEdges {
   std::span<const Triangle> triangles_;
   /// The triangles at the other sides of the edges (from corner i to the next), or kNone.
   std::vector<std::array<std::size_t, 3>> across_;
-  bool has_double_edge_ = false;
+  std::optional<std::array<std::uint32_t, 2>> double_edge_;  ///< of two triangles in one direction
 };
 
 }  // namespace certificate

@@ -41,6 +41,7 @@ Json make_shape() {
                             "orientable": "boolean", "triangles": "natural",
                             "first_vertex": "natural"}],
       "embedded or none": "boolean",
+      "isotopic or none": {"except": ["*1", "natural"]},
       "stability or none": {"radius": "text", "of": "text", "components": ["*1", "natural"]},
       "distance or null": {"reach": ["*0", "integer"], "bound": "text",
                            "coarse": ["*1", "natural"], "coarse_bound": "text"}}]})");

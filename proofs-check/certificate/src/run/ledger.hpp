@@ -32,22 +32,32 @@ class Ledger {
     ++report_.certified, ++report_.kinds.at(kind_).certified;
     if (!report_.levels.empty()) ++of_level().certified;
   }
+  /// @param witness  tells what a reader can look at beside both; asked only if it is shown
+  template <class Witness>
+  void refute(const std::string& entity, const std::string& claimed, const std::string& derived,
+              const Witness& witness) {
+    const bool is_shown = report_.refutations.size() < kShown;
+    refute(entity, claimed, derived);
+    if (is_shown) report_.refutations.back().witness = witness();
+  }
   void refute(const std::string& entity, const std::string& claimed, const std::string& derived) {
     ++report_.refuted, ++report_.kinds.at(kind_).refuted;
     if (!report_.levels.empty()) ++of_level().refuted;
-    keep(report_.refutations, {level + entity, claimed, derived});
+    keep(report_.refutations, {level + entity, claimed, derived, ""});
   }
   void leave_open(const std::string& entity, const std::string& why) {
     ++report_.undecided, ++report_.kinds.at(kind_).undecided;
     if (!report_.levels.empty()) ++of_level().undecided;
-    keep(report_.open, {level + entity, why, ""});
+    keep(report_.open, {level + entity, why, "", ""});
   }
+  /// @param witness  as `refute` has it, or nothing
+  template <class... Witness>
   void settle(bool holds, const std::string& entity, const std::string& claimed,
-              const std::string& derived) {
+              const std::string& derived, const Witness&... witness) {
     if (holds) {
       certify();
     } else {
-      refute(entity, claimed, derived);
+      refute(entity, claimed, derived, witness...);
     }
   }
   bool has_refuted() const { return report_.refuted > 0; }
@@ -59,8 +69,8 @@ class Ledger {
   std::string level;  ///< put before each entity
 
  private:
+  static constexpr std::size_t kShown = 10;
   static void keep(std::vector<Finding>& findings, Finding finding) {
-    constexpr std::size_t kShown = 10;
     if (findings.size() < kShown) findings.push_back(std::move(finding));
   }
   Report& report_;

@@ -3,6 +3,7 @@
 #include "surface/compare_distance.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "claims/half_edges.hpp"
 #include "run/parallel.hpp"
@@ -10,6 +11,8 @@
 
 namespace certificate {
 namespace {
+
+std::string text_of(double x) { return Json(x).dump(); }
 
 /// What is not proved to be so.
 struct Unproved : Wrong {
@@ -88,17 +91,22 @@ void Distances::require_no_longer_edge(std::size_t tet) const {
       sum += d * d;
     }
     if (sum > mpq_class(coarse_bound_) * mpq_class(coarse_bound_))
-      throw Wrong("an edge longer than coarse_bound" + where(tet));
+      throw Wrong("the edge of vertices " + std::to_string(v[ends[0]]) + " and " +
+                  std::to_string(v[ends[1]]) + " is longer, about " +
+                  text_of(std::sqrt(sum.get_d())) + ", than coarse_bound " +
+                  text_of(coarse_bound_) + where(tet));
   });
 }
 
 /// What is wrong by the numbers themselves.
 void Distances::require_bounds() const {
   if (reach_.size() != placed_.carriers.size())
-    throw Wrong(std::to_string(placed_.carriers.size()) + " vertices");
+    throw Wrong(std::to_string(placed_.carriers.size()) + " vertices, " +
+                std::to_string(reach_.size()) + " reaches");
   for (std::size_t v = 0; v < reach_.size(); ++v)
     if (is_used_[v] && !is_apex(v) && reach_length(reach_[v]) > bound_)
-      throw Wrong("a reach above the bound, of " + vertex(v));
+      throw Wrong("the reach of " + vertex(v) + " is " + text_of(reach_length(reach_[v])) +
+                  ", above the bound " + text_of(bound_));
   for (std::size_t tet = 0; tet < is_coarse_.size(); ++tet)
     if (is_coarse_[tet]) require_no_longer_edge(tet);
 }

@@ -49,7 +49,8 @@ bool is_above_inside(const FaceTopology& face, std::size_t curve) {
 enum class Turn { right, wrong, unsure };
 
 /// Does the polygon of a closed curve turn as the curve does, seen from outside?
-Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop) {
+/// @param witness  receives what is wrong
+Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop, std::string& witness) {
   if (c.topology.tet(tet) == nullptr && c.topology.cone(tet) == nullptr)
     return Turn::unsure;  // what is claimed there is refuted already
   const FaceTopology& face = face_opposite(c, tet, loop.opposite);
@@ -75,9 +76,12 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop) {
   }
   mpq_class seen, length;
   for (std::size_t k = 0; k < 3; ++k) seen += area[k] * normal[k], length += normal[k] * normal[k];
+  const double size = std::sqrt(length.get_d());
+  witness = std::string("the values inside are ") + (above ? "larger" : "smaller") +
+            ", the area of its polygon has the other sign: seen from outside about " +
+            Json((is_turned ? -seen.get_d() : seen.get_d()) / (2 * size)).dump();
   if (above == is_turned) seen = -seen;
   if (seen > 0) return Turn::right;
-  const double size = std::sqrt(length.get_d());
   return std::abs(seen.get_d()) <= around * slack * size ? Turn::unsure : Turn::wrong;
 }
 
@@ -97,7 +101,9 @@ mpq_class volume_of(const LevelCase& c, const std::vector<std::size_t>& triangle
 }
 
 /// Larger values are where triangles are seen counter-clockwise: outside of a positive volume.
-Turn turn_of(const LevelCase& c, std::size_t tet, const std::vector<ClosedPiece>& pieces) {
+/// @param witness  receives what is wrong
+Turn turn_of(const LevelCase& c, std::size_t tet, const std::vector<ClosedPiece>& pieces,
+             std::string& witness) {
   std::map<long, long> above, outward;  // how many more are so, by Euler characteristics
   const TetTopology* const found = c.topology.tet(tet);
   if (found == nullptr) return Turn::unsure;
@@ -107,6 +113,11 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const std::vector<ClosedPiece>
     const int sign = sgn(volume_of(c, piece.triangles));
     if (sign == 0) return Turn::unsure;
     outward[piece.euler_characteristic] -= sign;
+    witness += (witness.empty() ? "the volume that its triangles enclose has the other sign: from "
+                                  "triangle "
+                                : ", from triangle ") +
+               std::to_string(c.triangles.first + piece.triangles[0]) + " on about " +
+               Json(volume_of(c, piece.triangles).get_d() / 6).dump();
   }
   return above == outward ? Turn::right : Turn::wrong;
 }
@@ -116,20 +127,19 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const std::vector<ClosedPiece>
 void compare_orientation(const LevelCase& c, const PlacedSurface& placed, Ledger& ledger) {
   const std::string claimed = "larger values where the triangles are counter-clockwise";
   std::string open;
-  const auto is_wrong = [&](Turn turn, const std::string& name, const char* witness) {
+  const auto is_wrong = [&](std::size_t tet, const auto& part, const std::string& name) {
+    std::string witness;
+    const Turn turn = turn_of(c, tet, part, witness);
     if (turn == Turn::unsure && open.empty()) open = name;
     if (turn == Turn::wrong) ledger.refute("orientation of " + name, claimed, witness);
     return turn == Turn::wrong;
   };
   for (const auto& [tet, loop] : placed.closed_curves)
-    if (is_wrong(turn_of(c, tet, loop),
-                 "the closed curve at vertex " + std::to_string(loop.vertices[0]),
-                 "the area of its polygon has the other sign"))
+    if (is_wrong(tet, loop, "the closed curve at vertex " + std::to_string(loop.vertices[0])))
       return;
   for (const auto& [tet, pieces] : placed.closed_pieces)
-    if (is_wrong(turn_of(c, tet, pieces),
-                 "a closed sheet in tetrahedron " + std::to_string(c.input.cells[tet]),
-                 "the volume that its triangles enclose has the other sign"))
+    if (is_wrong(tet, pieces,
+                 "a closed sheet in tetrahedron " + std::to_string(c.input.cells[tet])))
       return;
   if (open.empty()) return ledger.certify();
   ledger.leave_open("orientation of " + open, "its polygon has no area beyond rounding");

@@ -65,7 +65,9 @@ void compare_stability(const LevelCase& c, const PlacedSurface* placed, Ledger& 
   for (const Json& vertex : claims["components"]) {
     const auto found = components.find(vertex.get<Number>());
     if (found == components.end()) {
-      ledger.refute(name(vertex), "a component's smallest vertex", "it is not");
+      std::string all;
+      for (const auto& [smallest, tets] : components) all += ' ' + std::to_string(smallest);
+      ledger.refute(name(vertex), "a component's smallest vertex", "these are" + all.substr(0, 200));
       continue;
     }
     const auto is_left_out = [&](std::size_t t) {
@@ -73,8 +75,11 @@ void compare_stability(const LevelCase& c, const PlacedSurface* placed, Ledger& 
       return c.left_out[t] || std::any_of(faces.begin(), faces.end(),
                                           [&](const Face& f) { return beside.contains(f); });
     };
-    if (std::any_of(found->second.begin(), found->second.end(), is_left_out)) {
-      ledger.refute(name(vertex), "stable", "in or beside a tetrahedron that is left out");
+    if (const auto left = std::find_if(found->second.begin(), found->second.end(), is_left_out);
+        left != found->second.end()) {
+      ledger.refute(name(vertex), "stable",
+                    "tetrahedron " + std::to_string(c.input.cells[*left]) +
+                        " is left out, or has a face in common with one that is");
       continue;
     }
     const Freedom freedom =

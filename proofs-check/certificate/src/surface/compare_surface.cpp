@@ -3,6 +3,7 @@
 #include "surface/compare_surface.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "claims/half_edges.hpp"
@@ -22,8 +23,28 @@ void check_range(const LevelCase& c, std::span<const HalfEdges::Triangle> triang
       used[v - c.vertices.first] = true;
     }
   }
-  if (std::find(used.begin(), used.end(), false) != used.end())
-    throw Wrong("a vertex in no triangle");
+  if (const auto unused = std::find(used.begin(), used.end(), false); unused != used.end())
+    throw Wrong("vertex " + std::to_string(c.vertices.first + static_cast<Number>(
+                                               unused - used.begin())) + " in no triangle");
+}
+
+/// Where triangles with one vertex for each crossing have other neighbours.
+std::string joined_by_names(std::span<const HalfEdges::Triangle> triangles,
+                            std::span<const HalfEdges::Triangle> renamed) {
+  std::map<std::array<std::uint32_t, 2>, std::array<std::uint32_t, 2>> before;  // of edges
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const auto key = std::minmax(renamed[t][i], renamed[t][j]);
+      const auto edge = std::minmax(triangles[t][i], triangles[t][j]);
+      const std::array own{edge.first, edge.second};
+      const auto [known, is_new] = before.try_emplace({key.first, key.second}, own);
+      if (key.first == key.second || (!is_new && known->second != own))
+        return "further vertices of crossings: the edges " + Json(known->second).dump() + " and " +
+               Json(own).dump() + " of triangles have the same crossings at their ends";
+    }
+  return "further vertices of crossings: two of " + std::to_string(triangles.size()) +
+         " triangles become neighbours";
 }
 
 }  // namespace
@@ -70,7 +91,7 @@ std::optional<PlacedSurface> compare_surface(const LevelCase& c, const CrossingV
   const HalfEdges glued(renamed);
   try {
     if (!renamed.empty() && !glued.has_neighbours_of(mesh))
-      throw Wrong("a crossing's vertices along an edge");
+      throw Wrong(joined_by_names(triangles, renamed));
     Pieces pieces(c, vertices, renamed.empty() ? mesh : glued);
     pieces.compare();
     ledger.certify();

@@ -16,7 +16,7 @@ Vertex off_edge(const ConeTopology& cone, const CrossingVertices& vertices, cons
     if (place != vertices.crossing.end() && v != place->second.edge[0] &&
         v != place->second.edge[1])
       return v;
-  throw Wrong("a cone over no arc");
+  throw Wrong("a cone over no arc at vertex " + crossing.dump());
 }
 
 }  // namespace
@@ -28,9 +28,10 @@ Json with_loops(const LevelCase& c, const CrossingVertices& vertices, const Cone
     const Json& s = claim[i];
     for (const Json& v : s)
       if (v.get<Number>() - c.vertices.first >= c.vertices.count)
-        throw Wrong("a cone with a vertex of another level");
+        throw Wrong("a cone with vertex " + v.dump() + " of another level");
     if (s.size() != (cone.tips.size() == 2 ? 4 : std::min<std::size_t>(s.size(), 3)))
-      throw Wrong("a cone with other vertices");
+      throw Wrong("a cone with " + std::to_string(s.size()) + " vertices, " +
+                  std::to_string(cone.tips.size()) + " of them tips");
     Json loop;
     if (s.size() == 2) {
       loop = {s[0], cone.tips[0]};

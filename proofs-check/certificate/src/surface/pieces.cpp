@@ -31,7 +31,9 @@ void Pieces::add_chain(std::size_t tet, const Json& opposite, std::span<const Bo
                        bool closed) {
   const auto& vertices = c_.input.tets[tet];
   const auto i = std::find(vertices.begin(), vertices.end(), opposite.get<Number>());
-  if (i == vertices.end()) throw Wrong("a loop through no face");
+  if (i == vertices.end())
+    throw Wrong("a loop through the face opposite vertex " + opposite.dump() +
+                ", which is no corner");
   const Face face = face_of(vertices, static_cast<std::size_t>(i - vertices.begin()));
   std::size_t neighbour = kNone;
   for (const std::size_t other : tets_at_[face])
@@ -56,19 +58,24 @@ std::vector<ClosedLoop> Pieces::compare(std::size_t tet, const Json& claim,
   const auto is_end_of = [&](const BoundaryEdge& e) { return is_end(e.from); };
   const auto ends = static_cast<std::size_t>(std::count_if(loop.begin(), loop.end(), is_end_of));
   if (claim.size() != 2 * std::max<std::size_t>(ends, 1))
-    throw Wrong("other crossings on a loop");
+    throw Wrong(std::to_string(ends) + " crossings on the loop through vertex " +
+                std::to_string(loop.front().from) + ", claimed " + claim.dump());
   if (ends == 0) {
     add_chain(tet, claim[1], loop, true);
     ClosedLoop found{claim[1].get<Vertex>(), {}};
     for (const BoundaryEdge& edge : loop) found.vertices.push_back(edge.from);
     if (found.vertices[0] != *std::min_element(found.vertices.begin(), found.vertices.end()))
-      throw Wrong("a closed curve not named by its smallest vertex");
+      throw Wrong("a closed curve named by vertex " + std::to_string(found.vertices[0]) +
+                  ", the smallest is " + std::to_string(*std::min_element(found.vertices.begin(),
+                                                                     found.vertices.end())));
     closed_curves_.emplace_back(tet, found);
     return {found};
   }
   auto start = loop.begin();
   for (std::size_t k = 0; k < ends; ++k) {
-    if (claim[2 * k] != start->from) throw Wrong("other crossings on a loop");
+    if (claim[2 * k] != start->from)
+      throw Wrong("crossing " + std::to_string(start->from) + " on a loop, where " +
+                  claim[2 * k].dump() + " is claimed");
     const auto end = std::find_if(start + 1, loop.end(), is_end_of);
     if (!claim[2 * k + 1].is_null()) {
       add_chain(tet, claim[2 * k + 1], {start, end}, false);
@@ -92,7 +99,8 @@ void Pieces::compare(std::size_t tet, const Json& claim, std::vector<Piece>& pie
           throw Wrong("two pieces at vertex " + std::to_string(edge.from));
   std::vector<bool> is_used(pieces.size());
   if (pieces.size() != claim.size() - 1)
-    throw Wrong(std::to_string(pieces.size()) + " pieces of triangles");
+    throw Wrong(std::to_string(pieces.size()) + " pieces of triangles, " +
+                std::to_string(claim.size() - 1) + " claimed");
   for (std::size_t s = 1; s < claim.size(); ++s) {
     std::vector<ClosedLoop> closed;
     std::optional<std::size_t> piece;
@@ -101,10 +109,12 @@ void Pieces::compare(std::size_t tet, const Json& claim, std::vector<Piece>& pie
       if (pieces[p].loops.empty() && !is_used[p]) piece = p;
     for (std::size_t l = 1; l < claim[s].size(); ++l) {
       const auto place = at.find(claim[s][l][0].get<Number>());
-      if (place == at.end()) throw Wrong("a loop through no vertex of the boundary");
+      if (place == at.end())
+        throw Wrong("a loop through vertex " + claim[s][l][0].dump() +
+                    ", on the boundary of no piece");
       const auto [p, number] = place->second;
       if (piece.value_or(p) != p || !loops.insert(number).second)
-        throw Wrong("loops that bound other pieces");
+        throw Wrong("the loop through vertex " + claim[s][l][0].dump() + " bounds another piece");
       piece = p;
       std::vector<BoundaryEdge>& loop = pieces[p].loops[number];
       std::rotate(loop.begin(),
@@ -113,9 +123,15 @@ void Pieces::compare(std::size_t tet, const Json& claim, std::vector<Piece>& pie
                   loop.end());
       for (ClosedLoop& curve : compare(tet, claim[s][l], loop)) closed.push_back(std::move(curve));
     }
-    if (!piece || is_used[*piece] || loops.size() != pieces[*piece].loops.size() ||
+    if (!piece || is_used[*piece])
+      throw Wrong("no piece for the sheet " + claim[s].dump());
+    if (loops.size() != pieces[*piece].loops.size() ||
         claim[s][0] != pieces[*piece].euler_characteristic)
-      throw Wrong("a piece with other loops or Euler characteristic");
+      throw Wrong("the piece with vertex " + std::to_string(pieces[*piece].vertices[0]) +
+                  " has Euler characteristic " +
+                  std::to_string(pieces[*piece].euler_characteristic) + " and " +
+                  std::to_string(pieces[*piece].loops.size()) + " loops, claimed " +
+                  claim[s].dump());
     is_used[*piece] = true;
     if (closed.size() == loops.size()) closed_sheets_.emplace_back(tet, std::move(closed));
   }
@@ -142,7 +158,8 @@ void Pieces::compare_chains() const {
       std::sort(chains.begin(), chains.end());
     }
     if (both.size() == 2 && both[0] != both[1])
-      throw Wrong("two sides of face " + Json(face).dump() + " differ");
+      throw Wrong("two sides of face " + Json(face).dump() + " differ: " + Json(both[0]).dump() +
+                  " and " + Json(both[1]).dump());
   }
 }
 
@@ -151,7 +168,7 @@ void Pieces::note_apexes() {
     for (std::size_t i = 1; i < claim.size(); ++i)
       for (std::size_t k = claim[i].size() == 3 ? 2 : 1; k < claim[i].size(); ++k)
         if (vertices_.crossing.contains(*apexes_.insert(claim[i][k].get<Number>()).first))
-          throw Wrong("a crossing as tip");
+          throw Wrong("a crossing as tip, vertex " + claim[i][k].dump());
 }
 
 /// @param cone  if it is one
@@ -174,7 +191,9 @@ void Pieces::compare_sheets(const Json& claim, const ConeTopology* cone) {
       };
       return has(claim[i][0]) && has(claim[i].back());
     };
-    if (std::none_of(pieces.begin(), pieces.end(), holds)) throw Wrong("a tip of another sheet");
+    if (std::none_of(pieces.begin(), pieces.end(), holds))
+      throw Wrong("vertices " + claim[i][0].dump() + " and " + claim[i].back().dump() +
+                  ", a crossing and a tip, in different pieces");
   }
 }
 
@@ -198,7 +217,16 @@ void Pieces::compare() {
   compare_all(c_.claims["cones"], true);
   for (const auto& [tet, triangles] : by_tet_)
     if (c_.left_out[tet]) ++matched;
-  if (matched != by_tet_.size()) throw Wrong("triangles in a tetrahedron without sheets");
+  if (matched != by_tet_.size()) {
+    std::set<std::size_t> claimed;
+    for (const char* list : {"tets", "cones"})
+      for (const Json& claim : c_.claims[list]) claimed.insert(c_.input.tet_at(claim[0].get<Number>()));
+    for (const auto& [tet, triangles] : by_tet_)
+      if (!c_.left_out[tet] && !claimed.contains(tet))
+        throw Wrong("triangle " + std::to_string(c_.triangles.first + triangles[0]) +
+                    " in tetrahedron " + std::to_string(c_.input.cells[tet]) + " without sheets");
+    throw Wrong("sheets of a tetrahedron claimed twice");
+  }
   compare_chains();
   compare_folds();
   compare_fans();
@@ -213,7 +241,8 @@ void Pieces::compare_folds() const {
     if (name != vertices_.vertex.end())
       if (const auto found = folds_.find({fold.cone->tet, name->second}); found != folds_.end())
         return found->second;
-    throw Wrong("no sheet at a crossing");
+    throw Wrong("no sheet at the crossing in tetrahedron " +
+                std::to_string(c_.input.cells[fold.cone->tet]));
   };
   for (const ConeTopology& cone : c_.topology.cones) {
     if (!cone.is_decided()) continue;

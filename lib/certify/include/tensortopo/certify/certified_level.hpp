@@ -66,11 +66,14 @@ struct CertifiedLevel {
   DistanceClaim distance;  ///< between triangles and level
   std::optional<StabilityClaim> stability;  ///< of an uncertain field
   bool embedded = false;  ///< see `is_embedded`; false if that is not claimed
+  /// Tetrahedra with triangles in which these are not claimed to be isotopic to the level,
+  /// ascending; they are in all others that are not undecided. Nothing: that is claimed of none.
+  std::optional<std::vector<TetMesh::Index>> not_isotopic;
 
   /// Entities claimed: crossed edges, faces and tetrahedra, components, distance, stable components.
   std::size_t claims() const {
     return topology.edges.size() + topology.faces.size() + topology.tets.size() +
-           topology.cones.size() + components.size() + 1 + (embedded ? 1 : 0) +
+           topology.cones.size() + components.size() + 1 + (embedded ? 1 : 0) + (not_isotopic ? 1 : 0) +
            (stability ? stability->components.size() : 0);
   }
 };

@@ -72,6 +72,7 @@ struct ModePart {
   CurveInvariants curve_invariants;     ///< of curves
   std::optional<double> distance_bound;  ///< of a surface, to the level, both ways, if proved
   std::size_t tets_farther = 0;          ///< tetrahedra without the distance that was asked for
+  std::vector<TetMesh::Index> not_embedded;  ///< of a surface: see `Extraction`
   std::optional<StabilitySummary> stability;  ///< of a surface of an uncertain field
   std::vector<std::pair<std::string, double>> statistics;  ///< what the extraction counted
 };

@@ -35,6 +35,8 @@ struct PieceSurface {
   TetMesh cells;
   std::vector<std::int64_t> vertex_ids;         ///< of the points of `cells`
   std::vector<UnresolvedOwnedCell> unresolved;  ///< those without a proof
+  /// Ids of owned tetrahedra as `Extraction::not_embedded` has them, ascending.
+  std::vector<std::int64_t> not_embedded;
   std::size_t owned = 0;                        ///< tetrahedra that the piece owns
 };
 
@@ -60,6 +62,7 @@ struct MergedSurface {
   std::vector<std::int64_t> cell_ids;                    ///< of each triangle
   std::vector<std::array<std::int64_t, 4>> carrier_ids;  ///< of each vertex; ascending, -1 fills up
   std::vector<UnresolvedOwnedCell> unresolved;           ///< by id
+  std::vector<std::int64_t> not_embedded;  ///< as those of the pieces, ascending
 };
 
 /// Pieces that do not agree where they meet: one is missing, or they need more layers of ghosts.
