@@ -131,7 +131,7 @@ std::optional<int> arcs_of_loop(const std::array<Rational, 3>& values, const Rat
                    &part = (*parts)[(first + i) % parts->size()];
     if (part.place != LoopPlace::passing) {
       come_to(part.place);
-    } else if (before.place == LoopPlace::passing) {
+    } else if (before.place == LoopPlace::passing && before != part) {
       // Where parts of different weights meet, all weights are those of a tensor inside.
       if (before.weight == part.weight) return std::nullopt;
       come_to(LoopPlace::inside);
