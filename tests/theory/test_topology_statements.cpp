@@ -60,6 +60,11 @@ TEST(TopologyStatements, NeedExactSigns) {
   }
 }
 
+// Cut along the loop and the arcs, and filled along the loop, each piece is a sphere with holes.
+void expect_spheres_with_holes(const LoopCut& cut) {
+  EXPECT_EQ(cut.surface.euler + cut.arcs + 2, 2 * cut.pieces - cut.rims);
+}
+
 // Loops of the complex domain's boundary inside a tetrahedron: a handle in two of them; in the two
 // others one sphere with three holes, where the tube around the loop joins a disc and an annulus.
 TEST(InteriorLoop, HasAHandleOrJoinsTwoSheets) {
@@ -71,6 +76,8 @@ TEST(InteriorLoop, HasAHandleOrJoinsTwoSheets) {
               (LevelSurface{.euler = -2, .components = 1, .boundary_loops = 2}));
     EXPECT_EQ(found.cut->sheets, 1);
     EXPECT_TRUE(found.cut->has_handle());
+    EXPECT_EQ(found.cut->arcs, 1);
+    expect_spheres_with_holes(*found.cut);
   }
   for (const LoopTetrahedron& t : {loop_of_tube(), loop_of_another_tube()}) {
     const LoopOutcome found = loop_outcome(t);
@@ -80,6 +87,8 @@ TEST(InteriorLoop, HasAHandleOrJoinsTwoSheets) {
               (LevelSurface{.euler = -1, .components = 1, .boundary_loops = 3}));
     EXPECT_EQ(found.cut->sheets, 2);
     EXPECT_FALSE(found.cut->has_handle());
+    EXPECT_EQ(found.cut->arcs, 1);
+    expect_spheres_with_holes(*found.cut);
   }
 }
 

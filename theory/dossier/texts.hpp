@@ -31,7 +31,7 @@ Four ways, of different weight. Each statement says which of them it has.
 2. **Exact steps.** Identities, inequalities and counts over the rational numbers, proved by normal forms of polynomials, sums of squares and Sturm sequences
    (`proofs-check/STEPS.md`). They hold for all values of their variables. Between steps there can be inferences in words.
 3. **Tried.** The statement is a program. `tensortopo verify` runs it on linear fields with rational entries, random and special ones, or on the tetrahedra of a mesh
-   (`--input MESH`). Over `rational`, the default, every sign is exact (but for where the boundary cuts a surface in `interior-boundary-loop`, which is found in doubles).
+   (`--input MESH`). Over `rational`, the default, every sign is certain: exact, or of a number with an error bound that it exceeds.
    Passing is evidence, not proof.
 4. **A reader.** An inference in words that no program has checked. These are listed, statement by statement.
 

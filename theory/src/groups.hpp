@@ -20,5 +20,6 @@ std::vector<Statement> chart_statements();
 std::vector<Statement> sphere_statements();
 std::vector<Statement> topology_statements();
 std::vector<Statement> planar_statements();
+std::vector<Statement> star_statements();
 
 }  // namespace tensortopo::theory

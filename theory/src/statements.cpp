@@ -13,7 +13,7 @@ std::vector<Statement> all_statements() {
   std::vector<Statement> all;
   for (auto group : {tensor_statements, stability_statements, field_statements, matrix_statements,
                      domain_statements, lift_statements, crossing_statements, chart_statements,
-                     sphere_statements, topology_statements, planar_statements}) {
+                     sphere_statements, topology_statements, planar_statements, star_statements}) {
     std::ranges::move(group(), std::back_inserter(all));
   }
   add_hypotheses(all);

@@ -161,9 +161,9 @@ Statement boundary_loop() {
           "tube joins two sheets that they show apart.",
       .sharper = "At most one of the two loops is inside, and for mu > mu0 the one loop never is.",
       .special =
-          "The surface is a certified complex of discs; where the boundary cuts their sides is "
-          "found in "
-          "doubles.",
+          "More than one arc of the other loop is left out; so is what a budget of cells does not "
+          "decide. The surface is a certified complex of discs, and whether the boundary crosses "
+          "a side of a disc an odd number of times is decided by certified signs.",
       .flaws = {Flaw::substantive},
       .check = interior_boundary_loop,
       .paper_at_witness = loop_that_meets_no_face,

@@ -20,7 +20,8 @@ Qed.
 Lemma equal_pair_degenerate a b u v w : orthonormal u v w ->
   spectral b a a u v w = add (scale a identity) (scale (b - a) (dyad u)).
 Proof.
-  intros O. rewrite (identity_spectral u v w O). unfold spectral. tensor_ring.
+  intros O. rewrite (identity_spectral u v w O). unfold spectral.
+  generalize (dyad u) (dyad v) (dyad w). clear. intros. tensor_ring.
 Qed.
 
 Lemma degenerate_spectral t : degenerate t ->

@@ -63,15 +63,16 @@ Proof.
   exact L.
 Qed.
 
-Lemma mode_directional t u : t <> zero -> trace t = 0 -> trace u = 0 -> exists k, 0 < k /\
+Lemma mode_gradient t : t <> zero -> trace t = 0 -> exists k, 0 < k /\ forall u, trace u = 0 ->
   derivable_pt_lim (fun x => mode (add t (scale x u))) 0 (k * inner (dual t) u).
 Proof.
-  intros N T U. assert (Z : add t (scale 0 u) = t) by (clear; tensor_ring).
-  assert (D := mode_line_derivative t u 0). rewrite Z in D. assert (E := D N). clear D.
+  intros N T.
   assert (P := norm_positive t N). assert (P2 := norm2_positive t N). assert (S := sqrt6_positive).
   exists (3 * sqrt 6 / (norm t * (norm2 t * norm2 t))). split.
   - apply Rdiv_lt_0_compat; [lra|]. repeat apply Rmult_lt_0_compat; lra.
-  - replace (_ * inner _ _) with (3 * sqrt 6 *
+  - intros u U. assert (Z : add t (scale 0 u) = t) by (clear; tensor_ring).
+    assert (D := mode_line_derivative t u 0). rewrite Z in D. assert (E := D N). clear D.
+    replace (_ * inner _ _) with (3 * sqrt 6 *
       ((2 * norm2 t * (det_linear t u + 2 * det_linear u t * 0 + 3 * det u * (0 * 0))
        - 3 * det t * (2 * inner t u + 2 * norm2 u * 0)) / (2 * norm t * (norm2 t * norm2 t)))); [exact E|].
     assert (I : inner (dual t) u = norm2 t * det_linear t u - 3 * det t * inner t u).
@@ -84,6 +85,10 @@ Proof.
       rewrite U. ring. }
     rewrite I. field. lra.
 Qed.
+
+Lemma mode_directional t u : t <> zero -> trace t = 0 -> trace u = 0 -> exists k, 0 < k /\
+  derivable_pt_lim (fun x => mode (add t (scale x u))) 0 (k * inner (dual t) u).
+Proof. intros N T U. destruct (mode_gradient t N T) as [k [K D]]. exists k. auto. Qed.
 
 Lemma square_spectral l1 l2 l3 u v w : orthonormal u v w ->
   square (spectral l1 l2 l3 u v w) = spectral (l1 * l1) (l2 * l2) (l3 * l3) u v w.

@@ -115,6 +115,14 @@ Proof.
     unfold det. cbn [xx yy zz xy yz xz]. ring.
 Qed.
 
+(* What the sign of a second derivative h says of a value a beside the value b. *)
+Lemma rises h a b : 0 < h * (a - b) -> (a <= b -> h <= 0) /\ (b <= a -> 0 <= h).
+Proof.
+  intros H. split; intros L; apply Rnot_lt_le; intros K.
+  - assert (0 <= h * (b - a)) by (apply Rmult_le_pos; lra). lra.
+  - assert (0 <= - h * (a - b)) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
 Theorem second_order_in_frame t1 t2 t3 u v w x y z : orthonormal u v w -> t1 + t2 + t3 = 0 ->
   t1 <> 0 \/ t3 <> 0 -> let h := second_form t1 t2 t3 x y z in h <> 0 ->
   let s := spectral t1 t2 t3 u v w in

@@ -67,13 +67,18 @@ Lemma tensor_eq a b : xx a = xx b -> yy a = yy b -> zz a = zz b ->
 Proof. destruct a, b; cbn; intros; subst; reflexivity. Qed.
 Lemma vector_eq a b : vx a = vx b -> vy a = vy b -> vz a = vz b -> a = b.
 Proof. destruct a, b; cbn; intros; subst; reflexivity. Qed.
-Ltac tensor_ring := coordinates; apply tensor_eq; cbn [xx yy zz xy yz xz]; ring.
-Ltac vector_ring := coordinates; apply vector_eq; cbn [vx vy vz]; ring.
+(* What is assumed is of no use to ring, and coordinates would unfold it. *)
+Ltac without_assumptions :=
+  repeat match goal with H : ?P |- _ => match type of P with Prop => clear H end end.
+Ltac tensor_ring := without_assumptions; coordinates; apply tensor_eq; cbn [xx yy zz xy yz xz]; ring.
+Ltac vector_ring := without_assumptions; coordinates; apply vector_eq; cbn [vx vy vz]; ring.
 
 Lemma square_pos x : x <> 0 -> 0 < x * x.
 Proof. intros H. exact (Rsqr_pos_lt x H). Qed.
 Lemma square_nonneg x : 0 <= x * x.
 Proof. exact (Rle_0_sqr x). Qed.
+Lemma nonneg_factor k x : 0 < k -> 0 <= k * x -> 0 <= x.
+Proof. intros K H. apply (Rmult_le_reg_l k); [exact K|]. rewrite Rmult_0_r. exact H. Qed.
 Lemma square_zero x : x * x = 0 -> x = 0.
 Proof. intros H. destruct (Rmult_integral _ _ H); assumption. Qed.
 

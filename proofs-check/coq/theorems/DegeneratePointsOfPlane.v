@@ -120,7 +120,8 @@ Proof.
   assert (W : exists y' z', y * z' - z * y' <> 0 /\ b * (y' * y' - z' * z') + 2 * c * (y' * z') = 0).
   { assert (V : exists p q, (p <> 0 \/ q <> 0) /\ b * (p * p - q * q) + 2 * c * (p * q) = 0).
     { destruct (Req_dec b 0) as [B|B]; [exists 1, 0; split; [left; lra|rewrite B; ring]|].
-      set (h := sqrt (c * c + b * b)). assert (H : h * h = c * c + b * b) by (apply sqrt_sqrt; nra).
+      set (h := sqrt (c * c + b * b)). assert (CC := square_nonneg c). assert (BB := square_nonneg b).
+      assert (H : h * h = c * c + b * b) by (apply sqrt_sqrt; lra).
       exists (h - c), b. split; [right; exact B|]. transitivity (b * (h * h - (c * c + b * b))); [ring|rewrite H; ring]. }
     destruct V as [p [q [PQ V]]]. destruct (Req_dec (y * q - z * p) 0) as [H|H]; [|exists p, q; auto].
     exists (- q), p. split.

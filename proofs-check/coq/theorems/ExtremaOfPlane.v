@@ -204,7 +204,8 @@ Proof.
       assert (Fl := Rmin_l eps eps'); assert (Fr := Rmin_r eps eps');
       assert (R1 := Q f ltac:(unfold f; lra) ltac:(unfold f; rewrite Rabs_pos_eq; lra));
       assert (R2 := Q' f ltac:(unfold f; rewrite Rabs_pos_eq; lra));
-      cbv zeta in R1; rewrite <- F in R1; set (hh := second_form t1 t2 t3 x y z) in *; nra. }
+      cbv zeta in R1; rewrite <- F in R1; destruct (rises _ _ _ R1) as [Falls Grows];
+      [apply Falls in R2|apply Grows in R2]; lra. }
   assert (Sigma : 0 <= a1 * a1 * (q2 * q4) + a2 * a2 * (q1 * q4) + a3 * a3 * (q1 * q2)).
   { destruct Test as [o [Oz Test]].
     set (sg := a1 * a1 * (q2 * q4) + a2 * a2 * (q1 * q4) + a3 * a3 * (q1 * q2)).
@@ -212,15 +213,15 @@ Proof.
     { destruct (Rlt_dec 0 (a1 * a1)); [auto|]. destruct (Rlt_dec 0 (a2 * a2)); [auto|]. right. right. lra. }
     destruct Cases as [K|[K|K]].
     - assert (W := semidefinite (q1 * (a2 * a2) + q2 * (a1 * a1)) (q1 * a2 * a3) (q1 * (a3 * a3) + q4 * (a1 * a1)) o Oz).
-      assert (V : 0 <= a1 * a1 * sg); [|apply Rnot_lt_le; intros L; nra].
+      apply (nonneg_factor _ _ K).
       apply Rle_trans with ((q1 * (a2 * a2) + q2 * (a1 * a1)) * (q1 * (a3 * a3) + q4 * (a1 * a1)) - q1 * a2 * a3 * (q1 * a2 * a3)); [|right; unfold sg; ring].
       apply Rge_le, Rge_minus, Rle_ge, W. intros x y. assert (H := Test (a2 * x + a3 * y) (- a1 * x) (- a1 * y) ltac:(ring)). lra.
     - assert (W := semidefinite (q1 * (a2 * a2) + q2 * (a1 * a1)) (q2 * a1 * a3) (q2 * (a3 * a3) + q4 * (a2 * a2)) o Oz).
-      assert (V : 0 <= a2 * a2 * sg); [|apply Rnot_lt_le; intros L; nra].
+      apply (nonneg_factor _ _ K).
       apply Rle_trans with ((q1 * (a2 * a2) + q2 * (a1 * a1)) * (q2 * (a3 * a3) + q4 * (a2 * a2)) - q2 * a1 * a3 * (q2 * a1 * a3)); [|right; unfold sg; ring].
       apply Rge_le, Rge_minus, Rle_ge, W. intros x y. assert (H := Test (- a2 * x) (a1 * x + a3 * y) (- a2 * y) ltac:(ring)). lra.
     - assert (W := semidefinite (q1 * (a3 * a3) + q4 * (a1 * a1)) (q4 * a1 * a2) (q2 * (a3 * a3) + q4 * (a2 * a2)) o Oz).
-      assert (V : 0 <= a3 * a3 * sg); [|apply Rnot_lt_le; intros L; nra].
+      apply (nonneg_factor _ _ K).
       apply Rle_trans with ((q1 * (a3 * a3) + q4 * (a1 * a1)) * (q2 * (a3 * a3) + q4 * (a2 * a2)) - q4 * a1 * a2 * (q4 * a1 * a2)); [|right; unfold sg; ring].
       apply Rge_le, Rge_minus, Rle_ge, W. intros x y. assert (H := Test (- a3 * x) (- a3 * y) (a1 * x + a2 * y) ltac:(ring)). lra. }
   set (b1 := e * (t2 - t3)) in *. set (b2 := e * (t3 - t1)) in *. set (b3 := e * (t1 - t2)) in *.

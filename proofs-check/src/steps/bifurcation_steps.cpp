@@ -5,6 +5,7 @@
 #include <array>
 
 #include "certificates/step.hpp"
+#include "steps/boundary_edges.hpp"
 #include "steps/ordered_eigenvalues.hpp"
 
 namespace proofs {
@@ -106,51 +107,11 @@ std::vector<Polynomial> function_on_edges(Constants& k) {
   return differences;
 }
 
-/// Of all coefficients of a polynomial in positive variables, or 0 if they differ.
-int common_sign(const Polynomial& f) {
-  int common = 0;
-  for (const Rational& coefficient : f.coefficients()) {
-    if (common != 0 && sgn(coefficient) != common) return 0;
-    common = sgn(coefficient);
-  }
-  return common;
-}
-
-/// A value of alpha as a fraction with a positive denominator.
-struct Fraction {
-  Polynomial numerator, denominator;
-};
-
-/// Crossings of the boundary with the open edge m_i = 0, on which alpha lies strictly between the
-/// two other eigenvalues. A sign that coefficients do not give fails a check.
-int crossings(Checks& c, std::size_t i, const std::vector<Fraction>& roots) {
-  const OrderedEigenvalues b;
-  const Polynomial high = i == 0 ? b.b2 : b.b1, low = i == 2 ? b.b2 : b.b3;
-  int number = 0;
-  for (const auto& [numerator, denominator] : roots) {
-    c.positive_on_orthant(denominator);
-    const Polynomial above_low = numerator - low * denominator;
-    const Polynomial below_high = high * denominator - numerator;
-    if (common_sign(above_low) > 0 && common_sign(below_high) > 0) {
-      ++number;
-    } else {
-      c.that(above_low.is_zero() || common_sign(above_low) < 0 || common_sign(below_high) < 0,
-             "a crossing that signs do not place");
-    }
-  }
-  return number;
-}
-
-/// The two roots in alpha on the edge m_i = 0 for s = p / q.
-std::vector<Fraction> roots_on_edge(std::size_t i, const Polynomial& p, const Polynomial& q) {
-  const Polynomial numerator = Polynomial(-2) * OrderedEigenvalues().all()[i] * q;
-  return {{numerator, q + p}, {numerator, q - p}};
-}
-
 void edges_at_mode_one(Checks& c) {
   const OrderedEigenvalues b;
   const std::array<Polynomial, 3> expected{c.k(1), c.k(1), c.k(0)};
-  for (std::size_t i = 0; i < 3; ++i) c.equal(crossings(c, i, {{-b.all()[i], 1}}), expected[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    c.equal(edge_crossings(c, i, {{-b.all()[i], 1}}), expected[i]);
 }
 
 void edge_without_medium(Checks& c) {
@@ -160,28 +121,23 @@ void edge_without_medium(Checks& c) {
 }
 
 void edges_before(Checks& c) {
-  // s between s0 = g / (2 b2 + g) and 1: (s0 + t) / (1 + t).
-  const OrderedEigenvalues b;
-  const auto t = variable("t"), g = variable("g");
-  const Polynomial sum = b.b1 + b.b2, p = g + t * sum, q = sum * (Polynomial(1) + t);
+  const std::array<int, 3> found = crossings_above_bifurcation(c);
   const std::array<Polynomial, 3> expected{c.k(1), c.k(1), c.k(0)};
-  for (std::size_t i = 0; i < 3; ++i) c.equal(crossings(c, i, roots_on_edge(i, p, q)), expected[i]);
+  for (std::size_t i = 0; i < 3; ++i) c.equal(found[i], expected[i]);
 }
 
 void edges_after(Checks& c) {
-  // s between 0 and s0: s0 / (1 + t).
-  const OrderedEigenvalues b;
-  const auto t = variable("t"), g = variable("g");
-  const Polynomial p = g, q = (b.b1 + b.b2) * (Polynomial(1) + t);
+  const std::array<int, 3> found = crossings_below_bifurcation(c);
   const std::array<Polynomial, 3> expected{c.k(0), c.k(2), c.k(0)};
-  for (std::size_t i = 0; i < 3; ++i) c.equal(crossings(c, i, roots_on_edge(i, p, q)), expected[i]);
+  for (std::size_t i = 0; i < 3; ++i) c.equal(found[i], expected[i]);
 }
 
 void edges_at_bifurcation(Checks& c) {
   const OrderedEigenvalues b;
   const Polynomial p = variable("g"), q = b.b1 + b.b2;
   const std::array<Polynomial, 3> expected{c.k(0), c.k(1), c.k(0)};
-  for (std::size_t i = 0; i < 3; ++i) c.equal(crossings(c, i, roots_on_edge(i, p, q)), expected[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    c.equal(edge_crossings(c, i, roots_on_edge(i, p, q)), expected[i]);
   c.vanishes(square(q) * boundary_function(b.all(), {0, 0, 1}, 0) +
              c.k(1, 4) * (square(q) - square(p)) * square(b.b3));
 }

@@ -291,8 +291,8 @@ std::vector<Step> extrema_steps() {
            "the circle x^2 + y^2 = 9"},
           at_most_four, infinitely_many),
       claim(place, "numbers-of-extrema", Kind::count,
-            "with at least two degenerate points, in the projective plane: 2, 3 or 4 extrema with "
-            "one saddle less (not in the paper)",
+            "isolated and simple critical points, at least two of them degenerate tensors: 2, 3 or "
+            "4 extrema in the projective plane, with one saddle less (not in the paper)",
             sharper_numbers),
   };
 }

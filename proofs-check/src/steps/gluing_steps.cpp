@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "certificates/step.hpp"
+#include "steps/boundary_edges.hpp"
 #include "steps/glued_cube.hpp"
 
 namespace proofs {
@@ -49,23 +50,29 @@ int loops(Checks& c, int on_first, int on_second) {
   return static_cast<int>(sizes.size());
 }
 
-/// No loop is its own antipode: each is on one side of the plane z = 0, which it does not meet.
-void glued_pairs(Checks& c, int on_first, int on_second, const Polynomial& euler) {
-  const int pairs = loops(c, on_first, on_second) / 2;
-  const int kept = whole(c.k(0));
-  const std::vector<TopSquare> one{{1, 3}}, two{{1, 3}, {5, 3}};
-  is_closed_surface(c, glue_opposites(7, pairs == 1 ? one : two, kept), euler);
-  c.that(pairs == 1 || pairs == 2, "a number of loops that is not modelled");
+/// Pairs of antipodal loops. No loop is its own antipode: each is on one side of the plane z = 0,
+/// which it does not meet.
+int pairs_of_loops(Checks& c, const std::array<int, 3>& crossings) {
+  c.equal(crossings[2], c.k(0));
+  return loops(c, crossings[0], crossings[1]) / 2;
 }
 
-// As edges-before-bifurcation and edges-after-bifurcation count.
+// The discs that are left out of the sphere, one of each pair.
+void glued_pairs(Checks& c, int pairs, const std::vector<TopSquare>& discs,
+                 const Polynomial& euler) {
+  c.equal(pairs, static_cast<int>(discs.size()));
+  is_closed_surface(c, glue_opposites(7, discs, whole(c.k(0))), euler);
+}
+
 void two_loops(Checks& c) {
-  const int on_first = whole(c.k(1)), on_second = whole(c.k(1));
-  glued_pairs(c, on_first, on_second, c.k(0));
+  const int pairs = pairs_of_loops(c, crossings_above_bifurcation(c));
+  c.equal(pairs, c.k(1));
+  glued_pairs(c, pairs, {{1, 3}}, c.k(0));
 }
 void four_loops(Checks& c) {
-  const int on_first = whole(c.k(0)), on_second = whole(c.k(2));
-  glued_pairs(c, on_first, on_second, c.k(-2));
+  const int pairs = pairs_of_loops(c, crossings_below_bifurcation(c));
+  c.equal(pairs, c.k(2));
+  glued_pairs(c, pairs, {{1, 3}, {5, 3}}, c.k(-2));
 }
 
 void no_loops(Checks& c) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far the signed Lode angle f = arcsin(mode) / 3 moves if a deviator D becomes D' with
 // |D - D'| <= e < |D|: by arcsin(e / |D|) at most.
+#include "algebra/matrix.hpp"
 #include "certificates/step.hpp"
 
 namespace proofs {

@@ -6,37 +6,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "tensortopo/scalar/interval.hpp"
 #include "tensortopo/theory/arithmetic.hpp"
+#include "topology/boundary_weights.hpp"
 
 namespace tensortopo::theory {
 namespace {
-
-struct BoundaryLoop {
-  std::array<Interval, 3> l;
-  Interval s, low, high;  // of alpha
-  int side;
-  std::array<SymmetricTensor<Interval>, 4> dual;
-};
-
-SymmetricTensor<Interval> enclosure(const Tensor& t) {
-  return {enclosing<Interval>(t.xx), enclosing<Interval>(t.yy), enclosing<Interval>(t.zz),
-          enclosing<Interval>(t.xy), enclosing<Interval>(t.yz), enclosing<Interval>(t.xz)};
-}
-
-BoundaryLoop loop_of(const std::array<Rational, 3>& values, const Rational& s,
-                     const std::array<Tensor, 4>& vertices, int side) {
-  BoundaryLoop loop;
-  for (std::size_t i = 0; i < 3; ++i) loop.l[i] = enclosing<Interval>(values[i]);
-  loop.s = enclosing<Interval>(s);
-  const Rational medium = Rational(-2) * values[1], one(1);
-  loop.low = enclosing<Interval>(Rational(medium / (one - s)));
-  loop.high = enclosing<Interval>(Rational(medium / (one + s)));
-  loop.side = side;
-  const std::array<Tensor, 4> dual = dual_basis(vertices);
-  for (std::size_t i = 0; i < 4; ++i) loop.dual[i] = enclosure(dual[i]);
-  return loop;
-}
 
 // Of a number that is not negative.
 Interval root(const Interval& x) {
@@ -50,28 +24,12 @@ struct Signs {
 };
 
 Signs weights_at(const BoundaryLoop& loop, const Interval& alpha, int sign_y) {
-  const Interval one(1), two(2), three(3), four(4), &s = loop.s;
-  const auto& l = loop.l;
-  const Interval half = (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]) / two;
-  std::array<Interval, 3> m;
-  SymmetricTensor<Interval> t;
-  const std::array<Interval*, 3> diagonal = {&t.xx, &t.yy, &t.zz};
-  const Interval plane = alpha / two * (one + s * s / three), along = s * s / three * alpha;
-  for (std::size_t i = 0; i < 3; ++i) {
-    m[i] = ((one - s) * alpha + two * l[i]) * ((one + s) * alpha + two * l[i]) /
-           (four * (three * l[i] * l[i] - half));
-    *diagonal[i] = l[i] + plane + m[i] * (alpha - two * l[i] - plane - along);
-  }
-  const Interval x = root(m[0]), y = Interval(sign_y) * root(m[1]),
-                 z = Interval(loop.side) * root(m[2]);
-  // The eigenvalue of the third axis and cos^2(theta) alpha / 2.
-  const Interval turn = (one - s * s) * alpha / two;
-  t.xy = x * y * (l[2] + turn);
-  t.yz = y * z * (l[0] + turn);
-  t.xz = x * z * (l[1] + turn);
+  const std::array<Interval, 3> m = squares_at(loop, alpha);
+  const std::array<Interval, 3> v = {root(m[0]), Interval(sign_y) * root(m[1]),
+                                     Interval(loop.side) * root(m[2])};
   Signs signs;
-  for (const auto& d : loop.dual) {
-    const Verdict sign = certified_sign(inner(d, t));
+  for (const Interval& weight : weights_of(loop, alpha, m, v)) {
+    const Verdict sign = certified_sign(weight);
     signs.positive += sign == Verdict::positive ? 1 : 0;
     signs.negative += sign == Verdict::negative ? 1 : 0;
   }
@@ -102,11 +60,30 @@ bool is_everywhere(const BoundaryLoop& loop, const IsWanted& is_wanted) {
   return true;
 }
 
+}  // namespace
+
 bool has_two_loops(const std::array<Rational, 3>& l, const Rational& s) {
   return s > 0 && s * (l[0] + l[1]) < l[0] - l[1] && l[1] > 0;
 }
 
-}  // namespace
+BoundaryLoop boundary_loop(const std::array<Rational, 3>& values, const Rational& s,
+                           const std::array<Tensor, 4>& vertices, int side) {
+  BoundaryLoop loop;
+  for (std::size_t i = 0; i < 3; ++i) loop.l[i] = enclosing<Interval>(values[i]);
+  loop.s = enclosing<Interval>(s);
+  const Rational medium = Rational(-2) * values[1], one(1);
+  loop.low = enclosing<Interval>(Rational(medium / (one - s)));
+  loop.high = enclosing<Interval>(Rational(medium / (one + s)));
+  loop.side = side;
+  const std::array<Tensor, 4> dual = dual_basis(vertices);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Tensor& d = dual[i];
+    loop.dual[i] = {enclosing<Interval>(d.xx), enclosing<Interval>(d.yy),
+                    enclosing<Interval>(d.zz), enclosing<Interval>(d.xy),
+                    enclosing<Interval>(d.yz), enclosing<Interval>(d.xz)};
+  }
+  return loop;
+}
 
 std::array<Tensor, 4> dual_basis(const std::array<Tensor, 4>& vertices) {
   // By inversion of the matrix of inner products.
@@ -135,7 +112,7 @@ std::array<Tensor, 4> dual_basis(const std::array<Tensor, 4>& vertices) {
 int mode_of_loop_inside(const std::array<Rational, 3>& values, const Rational& s,
                         const std::array<Tensor, 4>& vertices, int side) {
   if (!has_two_loops(values, s)) return 0;
-  const BoundaryLoop loop = loop_of(values, s, vertices, side);
+  const BoundaryLoop loop = boundary_loop(values, s, vertices, side);
   if (is_everywhere(loop, [](const Signs& signs) { return signs.negative == 4; })) return 1;
   const auto all_positive = [](const Signs& signs) { return signs.positive == 4; };
   return is_everywhere(loop, all_positive) ? -1 : 0;
@@ -144,7 +121,7 @@ int mode_of_loop_inside(const std::array<Rational, 3>& values, const Rational& s
 bool loop_is_outside(const std::array<Rational, 3>& values, const Rational& s,
                      const std::array<Tensor, 4>& vertices, int side) {
   if (!has_two_loops(values, s)) return false;
-  return is_everywhere(loop_of(values, s, vertices, side),
+  return is_everywhere(boundary_loop(values, s, vertices, side),
                        [](const Signs& signs) { return signs.positive > 0 && signs.negative > 0; });
 }
 

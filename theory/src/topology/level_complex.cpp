@@ -97,7 +97,7 @@ std::vector<LevelComplex::Cell> LevelComplex::cells() const {
   return result;
 }
 
-bool LevelComplex::refine(std::size_t budget) {
+bool LevelComplex::refine(std::size_t budget, const std::function<bool(const Face&)>& is_resolved) {
   // The largest first: a large cell must not be worn down from its sides by cuts of small ones.
   std::priority_queue<std::pair<double, Index>> waiting;
   std::size_t next = 0;
@@ -110,7 +110,7 @@ bool LevelComplex::refine(std::size_t budget) {
     const Index at = waiting.top().second;
     waiting.pop();
     if (!pieces_[at].alive) continue;
-    auto edge = edge_to_cut(pieces_[at]);
+    auto edge = edge_to_cut(pieces_[at], is_resolved);
     if (!edge) continue;
     while (const auto longer = much_longer_edge(*edge)) edge = longer;
     if (pieces_.size() > budget || !cut(*edge)) return false;
@@ -134,7 +134,8 @@ LevelComplex::Edge LevelComplex::longest_edge(const Cell& cell) const {
   return longest;
 }
 
-std::optional<LevelComplex::Edge> LevelComplex::edge_to_cut(Piece& piece) {
+std::optional<LevelComplex::Edge> LevelComplex::edge_to_cut(
+    Piece& piece, const std::function<bool(const Face&)>& is_resolved) {
   const Cell& c = piece.vertices;
   if (piece.proof == SimplexProof::none) {
     piece.proof = prove<4>(
@@ -154,7 +155,7 @@ std::optional<LevelComplex::Edge> LevelComplex::edge_to_cut(Piece& piece) {
     }
   for (const Face& face : {Face{c[0], c[1], c[2]}, Face{c[0], c[1], c[3]}, Face{c[0], c[2], c[3]},
                            Face{c[1], c[2], c[3]}})
-    if (!is_simple(face)) return longest;
+    if (!is_simple(face) || (is_resolved && is_met(face) && !is_resolved(face))) return longest;
   return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -32,6 +33,7 @@ namespace tensortopo::theory {
 class LevelComplex {
  public:
   using Index = std::uint32_t;
+  using Face = std::array<Index, 3>;
   using Cell = std::array<Index, 4>;
 
   explicit LevelComplex(const ModeLevel& level);
@@ -48,11 +50,16 @@ class LevelComplex {
 
   /// Cuts edges, with all cells around them, until every cell is simple; false if that takes more
   /// than `budget` cells, or too deep a refinement.
-  bool refine(std::size_t budget);
+  ///
+  /// @param is_resolved  what every face that the level meets must pass besides; none if empty
+  bool refine(std::size_t budget, const std::function<bool(const Face&)>& is_resolved = {});
 
   bool is_antipodal() const { return antipodal_; }
   static Index twin(Index vertex) { return vertex ^ 1; }
   bool is_above(Index vertex) const { return vertices_[vertex].above; }
+  bool is_met(const Face& face) const {
+    return is_above(face[0]) != is_above(face[1]) || is_above(face[0]) != is_above(face[2]);
+  }
   const Deviator<Integer>& tensor(Index vertex) const { return vertices_[vertex].tensor; }
   /// The present cells.
   std::vector<Cell> cells() const;
@@ -71,11 +78,11 @@ class LevelComplex {
     bool alive;  ///< not cut
   };
   using Edge = std::array<Index, 2>;
-  using Face = std::array<Index, 3>;
 
   double squared_chord(Index u, Index v) const;
   Edge longest_edge(const Cell& cell) const;
-  std::optional<Edge> edge_to_cut(Piece& piece);
+  std::optional<Edge> edge_to_cut(Piece& piece,
+                                  const std::function<bool(const Face&)>& is_resolved);
   std::optional<Edge> much_longer_edge(const Edge& edge) const;
   bool is_simple(const Edge& edge);
   bool is_simple(const Face& face);

@@ -21,10 +21,11 @@ struct LoopCut {
   bool has_handle() const { return sheets == surface.components; }
 };
 
-/// The surface is a certified complex of discs. Where the boundary cuts their sides is found in
-/// doubles: the medium eigenvector is carried along each side, in a triangle without degenerate
-/// points, and compared with that of sigma <= 0 at the end. Nothing if a budget is exceeded, if
-/// the other loop has more than one arc, or if cuts are not resolved.
+/// Exactly. The arcs of the surface in faces, and its points on edges, are a graph whose cycles
+/// generate those of the surface, mod 2; a closed curve, or an arc between boundary points,
+/// separates it exactly if all cycles cross it an even number of times (`LoopCrossings`). The
+/// number of arcs is that of `arcs_of_loop`. Nothing if a budget is exceeded, or if the other loop
+/// has more than one arc.
 ///
 /// @param t  the loop on its side has mode mu inside
 std::optional<LoopCut> cut_along_loops(const LoopTetrahedron& t);

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tensortopo/algebra/barycentric_polynomial.hpp"
+#include "topology/forms.hpp"
 
 namespace tensortopo::theory {
 namespace {
 
 using Number = Bounded<double>;
-
-template <std::size_t N, std::size_t Degree>
-using Form = BarycentricPolynomial<Number, N, Degree>;
 
 // P = 3 |T|^2 and Q = 27 det T as polynomials in the weights of the vertices.
 template <std::size_t N>
@@ -24,11 +21,7 @@ struct ModeForms {
 
 template <std::size_t N>
 ModeForms<N> mode_forms(const std::array<BoundedDeviator, N>& tensors) {
-  const auto linear = [&](Number BoundedDeviator::*entry) {
-    Form<N, 1> form;
-    for (std::size_t i = 0; i < N; ++i) form.coefficients[i] = tensors[i].*entry;
-    return form;
-  };
+  const auto linear = [&](Number BoundedDeviator::*entry) { return linear_form(tensors, entry); };
   const Form<N, 1> a = linear(&BoundedDeviator::a), b = linear(&BoundedDeviator::b);
   const Form<N, 1> xy = linear(&BoundedDeviator::xy), yz = linear(&BoundedDeviator::yz),
                    xz = linear(&BoundedDeviator::xz);
@@ -40,12 +33,6 @@ ModeForms<N> mode_forms(const std::array<BoundedDeviator, N>& tensors) {
   forms.q = x * (y * z - Number(9) * yz2) - Number(9) * (y * xz2 + z * xy2) +
             Number(54) * ((xy * yz) * xz);
   return forms;
-}
-
-template <std::size_t N, std::size_t Degree>
-bool has_strict_sign(const Form<N, Degree>& form, Verdict sign) {
-  return std::all_of(form.coefficients.begin(), form.coefficients.end(),
-                     [&](const Number& c) { return certified_sign(c) == sign; });
 }
 
 // The coefficient of the highest power of one weight: the value at its vertex.
@@ -61,7 +48,7 @@ bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const Number& s
   const Verdict sign = certified_sign(forms.q.coefficients[0]);
   const Verdict at_level = level.sign > 0 ? Verdict::positive : Verdict::negative;
   if ((level.is_neutral() || sign != at_level) && sign != Verdict::unknown &&
-      sign != Verdict::zero && has_strict_sign(forms.q, sign)) {
+      sign != Verdict::zero && strict_sign(forms.q) == sign) {
     return true;
   }
   if (level.is_neutral()) return false;
@@ -74,8 +61,8 @@ bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const Number& s
   for (std::size_t i = 1; i < N; ++i) {
     if (excess_at(corner(forms.p, i), corner(forms.q, i)) != first) return false;
   }
-  return has_strict_sign(Number(2) * (forms.q * forms.q) - square * (forms.p * (forms.p * forms.p)),
-                         first);
+  return strict_sign(Number(2) * (forms.q * forms.q) - square * (forms.p * (forms.p * forms.p))) ==
+         first;
 }
 
 // 2 P dQ - 3 Q dP, of the sign of the mode's derivative, for each weight on its own.
@@ -142,7 +129,7 @@ bool is_monotone(const ModeForms<N>& forms) {
   const std::array<double, N> d = likely_direction(rows);
   Form<N, 4> along = Number(d[0], 0) * increase[0];
   for (std::size_t k = 1; k < N; ++k) along = along + Number(d[k], 0) * increase[k];
-  return has_strict_sign(along, Verdict::positive);
+  return strict_sign(along) == Verdict::positive;
 }
 
 constexpr int kEdgeDepth = 8;
