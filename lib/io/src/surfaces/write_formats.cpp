@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surfaces/surface_formats.hpp"
+#include "surfaces/write_formats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,8 +50,8 @@ struct Levels {
 };
 
 Levels levels_of(const SurfaceMesh& surface, const CurveMesh& curves) {
-  const bool are_modes = surface.mode.size() == surface.points.size() &&
-                         curves.mode.size() == curves.points.size();
+  const bool are_modes =
+      surface.mode.size() == surface.points.size() && curves.mode.size() == curves.points.size();
   if (are_modes) {
     Levels levels{"mode", surface.mode};
     levels.values.insert(levels.values.end(), curves.mode.begin(), curves.mode.end());
