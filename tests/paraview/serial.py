@@ -48,7 +48,7 @@ assert triangles > 1000
 lines = TensorDegenerateCurves(Input=reader)
 lines.UpdatePipeline()
 require_same("curves", servermanager.Fetch(lines))
-require_same("curves", servermanager.Fetch(OutputPort(surface, 1)))
+require_same("curves", servermanager.Fetch(surface, idx=1))
 left_out = OutputPort(surface, 2).GetDataInformation().GetNumberOfCells()
 assert left_out == int(expected["unresolved"]), left_out
 
