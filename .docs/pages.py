@@ -112,6 +112,8 @@ def cxx(source, doxygen, folder):
             page += heading(header.removeprefix(f"tensortopo/{module}/"), "-")
             page += f"``#include <{header}>``\n\n"
             declared = sorted(entities.pop(file, []))
+            if not declared:
+                sys.exit(f"{file}: declares nothing that Doxygen has read")
             shown += len(declared)
             page += "\n".join(directive for _, directive in declared) + "\n"
         write(folder / "cxx" / f"{module}.rst", page)

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -32,7 +31,7 @@
 #include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
-#include "tensortopo/io/lower_extension.hpp"
+#include "tensortopo/io/surface_formats.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/partition/extract_in_pieces.hpp"
@@ -203,17 +202,14 @@ std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool g
 }
 
 void require_surface_extension(const std::filesystem::path& output, bool curves) {
-  constexpr std::array<std::string_view, 5> known{".vtp", ".ply", ".obj", ".off", ".stl"};
-  const std::string extension = lower_extension(output);
-  if (std::find(known.begin(), known.end(), extension) == known.end()) {
-    throw UsageError(output.string() +
-                     ": the name must end in .vtp, .ply, .obj, .off or .stl (no format for '" +
-                     output.extension().string() + "')");
-  }
-  if (curves && (extension == ".off" || extension == ".stl")) {
-    throw UsageError(output.string() +
-                     ": degenerate curves (--mode 1 or -1) need a name in .vtp, .ply or .obj");
-  }
+  const SurfaceFormat* const format = surface_format_of(output);
+  if (format == nullptr)
+    throw UsageError(fmt::format("{}: the name must end in {} (no format for '{}')",
+                                 output.string(), surface_extensions(),
+                                 output.extension().string()));
+  if (curves && !format->holds_curves)
+    throw UsageError(fmt::format("{}: degenerate curves (--mode 1 or -1) need a name in {}",
+                                 output.string(), surface_extensions(true)));
 }
 
 ExtractReport run_extract(const ExtractCommand& command, const Progress& progress) {

@@ -13,6 +13,7 @@
 
 #include "readers.hpp"
 #include "tensortopo/io/field_formats.hpp"
+#include "tensortopo/io/surface_formats.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -67,7 +68,7 @@ TEST_P(Corpus, SoDoesWhatIsCutOffOrAltered) {
   EXPECT_GE(tried, 60u);
 }
 
-TEST(CorpusOfFields, HasATargetForEachFormatOfFields) {
+TEST(CorpusOfFormats, HasATargetForEach) {
   std::set<std::string> names;
   for (const FuzzedReader& reader : fuzzed_readers()) names.insert(reader.name);
   std::size_t compared = 0;
@@ -77,6 +78,11 @@ TEST(CorpusOfFields, HasATargetForEachFormatOfFields) {
     ++compared;
   }
   EXPECT_GE(compared, 6u);
+  for (const SurfaceFormat& format : surface_formats()) {
+    EXPECT_TRUE(names.contains(std::string(format.fuzzed_as))) << format.extension;
+    ++compared;
+  }
+  EXPECT_GE(compared, 11u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, Corpus, testing::ValuesIn(fuzzed_readers()),

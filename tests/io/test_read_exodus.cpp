@@ -37,6 +37,28 @@ TEST(ReadExodus, NamesOfScalarsSpellTheTensor) {
   EXPECT_EQ(field_steps(put("a.e", exodus("nodes"))), (std::vector<std::string>{"time 0", "time 1"}));
 }
 
+// VTK's writer names the components of an array in VTK's order (XX, YY, ZZ, XY, YZ, XZ) XX, XY, XZ,
+// YY, YZ, ZZ.
+TEST(ReadExodus, NamesThatVtkMakesUpAreNotBelieved) {
+  const auto formats = std::filesystem::path(TENSORTOPO_EXAMPLES) / "formats";
+  expect_error(formats / "plate.e", invalid, {"in which order", "`STRESS`", "--components"});
+  ReadOptions options;
+  options.components = ComponentOrder::vtk;
+  const auto read = read_mesh(formats / "plate.e", options);
+  ReadOptions first;
+  first.step = 1;
+  const auto plate = read_mesh(formats / "plate.frd", first);
+  ASSERT_EQ(read.mesh.tensors.size(), plate.mesh.tensors.size());
+  EXPECT_GT(read.mesh.tensors.size(), 1000u);
+  EXPECT_EQ(read.mesh.tets, plate.mesh.tets);
+  for (std::size_t v = 0; v < plate.mesh.tensors.size(); ++v) {
+    const auto &a = read.mesh.tensors[v], &b = plate.mesh.tensors[v];
+    ASSERT_TRUE(a.xx == b.xx && a.yy == b.yy && a.zz == b.zz && a.xy == b.xy && a.yz == b.yz &&
+                a.xz == b.xz)
+        << v;
+  }
+}
+
 TEST(ReadExodus, NineNamesAreAMatrix) {
   ReadOptions options;
   expect_error(put("a.exo", exodus("matrix")), invalid, {"not symmetric", "--symmetrize"}, options);

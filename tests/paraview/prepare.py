@@ -1,16 +1,20 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-"""prepare.py FIELD OUT: a field whole and in two pieces with global ids, and what to expect of it."""
+"""prepare.py FIELD OUT PROGRAM: a field whole and in two pieces with global ids, and what to expect of it.
+
+What is expected are the arrays of the files that the program writes. Python gives the same, bit for bit.
+"""
+import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 
 import tensortopo as tt
-from tensortopo._vtk_xml import piece_text
+from tensortopo._vtk_xml import piece_text, read_piece
 
 field = tt.read(sys.argv[1])
-out = Path(sys.argv[2])
+out, program = Path(sys.argv[2]), sys.argv[3]
 tt.write(out / "field.vtu", field)
 
 name = field.tensor_name
@@ -52,21 +56,55 @@ for piece, own in enumerate((left, ~left)):
 </PUnstructuredGrid></VTKFile>
 """)
 
+
+
+def written(name, *options):
+    """The points, arrays and connectivity of the file that the program writes."""
+    file = out / f"{name}.vtp"
+    # 0 or 1: cells may lack a proof.
+    command = [program, "extract", out / "field.vtu", "-o", file, "--quiet", *options]
+    assert subprocess.run(command, check=False).returncode in (0, 1)
+    sections = read_piece(file).sections
+    arrays = {key: array.values for part in ("PointData", "CellData") for key, array in sections[part].items()}
+    arrays["points"] = next(iter(sections["Points"].values())).values
+    cells = sections["Polys" if name == "surface" else "Lines"]
+    arrays["cells"], arrays["offsets"] = cells["connectivity"].values, cells["offsets"].values
+    return {f"{name}_{key}": values for key, values in arrays.items()}
+
+
+expected = {
+    **written("surface", "--mode", "1/2", "--generalized"),
+    **written("curves", "--mode", "1", "--mode=-1"),
+}
 surface = field.mode_surface("1/2", generalized=True)
 curves = field.degenerate_curves()
+python = {
+    "surface_points": surface.points,
+    "surface_mode": surface.mode,
+    "surface_medium_eigenvector": surface.medium_eigenvectors,
+    "surface_dominant_eigenvector": surface.dominant_eigenvectors,
+    "surface_normal": surface.normals,
+    "surface_residual": surface.residual,
+    "surface_tet": surface.cell_ids,
+    "surface_component": surface.component,
+    "surface_cells": surface.triangles.astype(np.int64).ravel(),
+    "curves_points": curves.points,
+    "curves_mode": curves.mode,
+    "curves_dominant_eigenvector": curves.dominant_eigenvectors,
+    "curves_residual": curves.residual,
+    "curves_separation": curves.separation,
+    "curves_tet": curves.cell_ids,
+    "curves_component": curves.component,
+    "curves_cells": curves.connectivity.astype(np.int64),
+}
+assert {*python} == {key for key in expected if not key.endswith("offsets")}, {*python} ^ {*expected}
+for key, values in python.items():
+    assert values.dtype == expected[key].dtype and values.tobytes() == expected[key].tobytes(), key
 every = field.mode_surface("1/2", all_samples=True)
 np.savez(
     out / "expected.npz",
-    points=surface.points,
-    triangles=surface.triangles,
-    medium_eigenvector=surface.medium_eigenvectors,
-    normal=surface.normals,
-    residual=surface.residual,
-    tet=surface.cell_ids,
-    component=surface.component,
-    curve_points=curves.points,
-    curve_separation=curves.separation,
+    **expected,
     corners=every.points[every.triangles],
     unresolved=len(surface.unresolved) + len(curves.unresolved),
 )
-print(field, surface, curves)
+print(f"python: {len(python)} arrays are the program's, bit for bit: {field}, {surface}, {curves}")

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -108,7 +109,7 @@ RC_GTEST_PROP(Pieces, NumberTheirVerticesAsTheyLike, ()) {
   for (int p = 0; p < 3; ++p) {
     const MeshPiece piece = cut_piece(mesh, owner, p);
     const RenumberedMesh other = renumbered_mesh(piece.mesh, random);
-    MeshPiece shuffled{other.mesh, {}, {}};
+    MeshPiece shuffled{other.mesh, {}, {}, piece.whole_tets};
     for (const Index v : other.vertices)
       shuffled.vertex_ids.push_back(kFar + piece.vertex_ids[as_size(v)]);
     for (std::size_t t = 0; t < other.tets.size(); ++t) {
@@ -178,6 +179,45 @@ class WrongPieces : public testing::Test {
 TEST_F(WrongPieces, OneIsMissing) {
   EXPECT_EQ(refusal({piece(0), piece(1), piece(2)}), "");
   EXPECT_NE(refusal({piece(0), piece(2)}).find("a piece is missing"), std::string::npos);
+  EXPECT_NE(refusal({}), "");
+}
+
+// The cells in question hold no triangles and touch no others.
+TEST_F(WrongPieces, OneWithoutASurfaceIsMissingOrGivenTwice) {
+  const TetMesh plain = cube_mesh(1);
+  const std::size_t cells = mesh_.tets.size();
+  const auto first = static_cast<Index>(mesh_.points.size());
+  for (const auto& p : plain.points) {
+    mesh_.points.push_back({p.x + 100, p.y, p.z});
+    mesh_.tensors.push_back({2, -1, -1, 0, 0, 0});
+  }
+  for (auto tet : plain.tets) {
+    for (Index& v : tet) v += first;
+    mesh_.tets.push_back(tet);
+  }
+  owner_.resize(mesh_.tets.size(), 3);
+  ASSERT_TRUE(piece(3).surface.triangles.empty());
+  EXPECT_EQ(refusal({piece(0), piece(1), piece(2), piece(3)}), "");
+  EXPECT_EQ(refusal({piece(0), piece(1), piece(2)}),
+            "pieces: they own " + std::to_string(cells) + " of the " +
+                std::to_string(mesh_.tets.size()) + " cells of the whole mesh: a piece is missing");
+  EXPECT_NE(refusal({piece(0), piece(3), piece(1), piece(2), piece(3)}).find("two pieces"),
+            std::string::npos);
+}
+
+TEST_F(WrongPieces, OneIsCountedDifferently) {
+  PieceSurface other = piece(1);
+  ++other.whole_tets;
+  EXPECT_NE(refusal({piece(0), other, piece(2)}).find("not of one mesh"), std::string::npos);
+  other = piece(1);
+  other.owned_ids[0][0] = std::numeric_limits<std::int64_t>::min();
+  EXPECT_NE(refusal({piece(0), other, piece(2)}).find("not in order"), std::string::npos);
+  other = piece(1);
+  other.owned_ids.clear();
+  EXPECT_NE(refusal({piece(0), other, piece(2)}).find("does not own it"), std::string::npos);
+  MeshPiece cut = cut_piece(mesh_, owner_, 0);
+  cut.whole_tets = 1;
+  EXPECT_THROW(extract_piece(cut, mode_), std::invalid_argument);
 }
 
 TEST_F(WrongPieces, OneIsGivenTwice) {

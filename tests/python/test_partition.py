@@ -22,7 +22,7 @@ def pieces_of(field, owner, mode):
         number = np.full(len(field.points), -1)
         number[vertices] = np.arange(len(vertices))
         piece = tt.Field(field.points[vertices], field.tensors[vertices], number[field.tets[cells]], cell_ids=FAR + cells)
-        surface = tt.extract_piece(piece, mode, owner[cells] == part, FAR + vertices)
+        surface = tt.extract_piece(piece, mode, owner[cells] == part, FAR + vertices, len(field.tets))
         yield pickle.loads(pickle.dumps(surface))
 
 
@@ -59,5 +59,10 @@ def test_pieces_that_do_not_fit_are_refused(slab):
     broken = tt.PieceSurface({**first.arrays, "triangles": first.triangles + len(first.points)})
     with pytest.raises(ValueError, match="do not fit"):
         tt.merge_pieces([broken, second])
+    other = tt.PieceSurface({**first.arrays, "whole_cells": first.arrays["whole_cells"] - 1})
+    with pytest.raises(ValueError, match="not of one mesh"):
+        tt.merge_pieces([other, second])
     with pytest.raises(ValueError, match="marks of ownership"):
-        tt.extract_piece(field, "0", [True], np.arange(len(field.points)))
+        tt.extract_piece(field, "0", [True], np.arange(len(field.points)), len(field.tets))
+    with pytest.raises(ValueError, match="the whole mesh 1$"):
+        tt.extract_piece(field, "0", np.ones(len(field.tets)), np.arange(len(field.points)), 1)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The same surfaces, curves and certificates as the program writes, bit for bit."""
 import json
+from xml.etree import ElementTree
+
 import numpy as np
 import pytest
 
@@ -136,3 +138,23 @@ def test_what_is_written_is_read_and_checked_by_the_program(program, slab, tmp_p
     assert verdict["status"] == "certified"
     program("extract", tmp_path / "f.vtu", "-o", tmp_path / "t.vtp", "--quiet", "--mode", "0.6")
     require_same(surface, tmp_path / "t.vtp", "Polys")
+
+
+def test_active_attributes_and_names_of_components(program, slab, slab_file, tmp_path):
+    def told(file):
+        data = ElementTree.parse(file).getroot().find(".//PointData")
+        arrays = {
+            array.get("Name"): [array.get(f"ComponentName{i}") for i in range(int(array.get("NumberOfComponents", 1)))]
+            for array in data
+        }  # fmt: skip
+        return dict(data.attrib), arrays
+
+    program("convert", slab_file, "-o", tmp_path / "program.vtu")
+    tt.write(tmp_path / "python.vtu", slab)
+    marks, names = told(tmp_path / "python.vtu")
+    assert (marks, names) == told(tmp_path / "program.vtu")
+    assert names == {"stress": ["XX", "YY", "ZZ", "XY", "YZ", "XZ"]} and marks == {"Tensors": "stress"}
+    program("extract", slab_file, "-o", tmp_path / "program.vtp", "--quiet", "--mode", "0")
+    tt.write(tmp_path / "python.vtp", slab.mode_surface(0))
+    marks, _ = told(tmp_path / "python.vtp")
+    assert marks == told(tmp_path / "program.vtp")[0] == {"Scalars": "mode", "Normals": "normal"}

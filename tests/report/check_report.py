@@ -88,6 +88,11 @@ with Browser() as browser:
         palettes.add(count["colours"])
     assert len(palettes) > 2, palettes
 
+    # Nothing of the table of components is cut off at its right side.
+    table = "document.getElementById('parts')"
+    widths = browser.evaluate(f"[{table}.scrollWidth, {table}.clientWidth]")
+    assert widths[0] <= widths[1], widths
+
     # Turning, zooming.
     size = browser.evaluate("(() => { const b = document.getElementById('view').getBoundingClientRect(); "
                             "return [b.x + b.width / 2, b.y + b.height / 2]; })()")  # fmt: skip

@@ -148,6 +148,35 @@ TEST(VtkFilters, GiveTheBitsThatTheProgramWrites) {
   EXPECT_GE(expect_same(alone->GetOutput(0), written(nullptr, &curves)), 8);
 }
 
+TEST(VtkFilters, UncertaintyMarksTriangles) {
+  vtkNew<vtkTensorModeSurface> filter;
+  filter->SetInputData(grid_of(slab()));
+  filter->SetModes("0.5, -0.5");
+  filter->SetUncertainty("1%");
+  filter->Update();
+  SurfaceRequest request;
+  request.modes = {ModeValue::parse("1/2"), ModeValue::parse("-1/2")};
+  request.uncertainty = parse_uncertainty("1%");
+  const ModeSurfaces expected = ModeExtractor(slab()).surfaces(request);
+  EXPECT_GE(expect_same(filter->GetOutput(0), written(&expected, nullptr)), 9);
+  ASSERT_EQ(expected.more.size(), 2u);
+  for (const CellArray& array : expected.more) {
+    vtkDataArray* found = filter->GetOutput(0)->GetCellData()->GetArray(array.name.c_str());
+    ASSERT_NE(found, nullptr) << array.name;
+    ASSERT_EQ(static_cast<std::size_t>(found->GetNumberOfTuples()), array.values.size());
+    for (std::size_t i = 0; i < array.values.size(); ++i)
+      ASSERT_EQ(found->GetComponent(static_cast<vtkIdType>(i), 0), array.values[i]) << i;
+    const auto [low, high] = std::minmax_element(array.values.begin(), array.values.end());
+    EXPECT_LT(*low, *high) << array.name;
+  }
+  filter->SetUncertainty("much");
+  const Complaints complaints(filter);
+  vtkNew<vtkCallbackCommand> ignore;
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, ignore);
+  filter->Update();
+  EXPECT_NE(complaints.text.find("neither a number"), std::string::npos) << complaints.text;
+}
+
 TEST(VtkFilters, ASlidersNumberIsItsShortestDecimal) {
   const auto grid = grid_of(slab());
   vtkNew<vtkTensorModeSurface> text, slider;

@@ -23,6 +23,7 @@ MeshPiece in_order_of_ids(const MeshPiece& piece) {
   });
   MeshPiece result;
   result.is_owned = piece.is_owned;
+  result.whole_tets = piece.whole_tets;
   result.mesh.cell_ids = piece.mesh.cell_ids;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto v = as_size(order[i]);
@@ -57,6 +58,22 @@ struct SeamFace {
   Face face;
   std::int64_t ghost;  ///< its id
 };
+
+/// The ids that the piece owns, as `PieceSurface::owned_ids`.
+std::vector<std::array<std::int64_t, 2>> owned_ids_of(const MeshPiece& piece) {
+  std::vector<std::int64_t> ids;
+  for (std::size_t t = 0; t < piece.is_owned.size(); ++t)
+    if (piece.is_owned[t] != 0) ids.push_back(piece.mesh.cell_ids[t]);
+  std::sort(ids.begin(), ids.end());
+  std::vector<std::array<std::int64_t, 2>> runs;
+  for (const std::int64_t id : ids) {
+    if (!runs.empty() && runs.back()[1] + 1 == id)
+      runs.back()[1] = id;
+    else
+      runs.push_back({id, id});
+  }
+  return runs;
+}
 
 /// Ascending.
 std::vector<SeamFace> seam_of(const MeshPiece& piece) {
@@ -181,8 +198,8 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
     if (piece.is_owned[as_size(tet)])
       result.not_embedded.push_back(piece.mesh.cell_ids[as_size(tet)]);
   std::sort(result.not_embedded.begin(), result.not_embedded.end());
-  result.owned = static_cast<std::size_t>(
-      std::count_if(piece.is_owned.begin(), piece.is_owned.end(), [](char o) { return o != 0; }));
+  result.owned_ids = owned_ids_of(piece);
+  result.whole_tets = piece.whole_tets;
   result.ordinals = ordinals_of(result.surface);
   keep_owned(piece, result);
   const auto seam = seam_of(piece);

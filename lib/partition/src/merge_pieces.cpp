@@ -69,11 +69,51 @@ CrossedCells crossed_cells(std::span<const PieceSurface> pieces) {
     all.mesh.cell_ids.insert(all.mesh.cell_ids.end(), piece.cells.cell_ids.begin(),
                              piece.cells.cell_ids.end());
   }
-  auto ids = all.mesh.cell_ids;
-  std::sort(ids.begin(), ids.end());
-  if (const auto twice = std::adjacent_find(ids.begin(), ids.end()); twice != ids.end())
-    refuse("cell " + std::to_string(*twice) + " is owned by two pieces");
   return all;
+}
+
+bool owns(const PieceSurface& piece, std::int64_t id) {
+  const auto after = std::upper_bound(piece.owned_ids.begin(), piece.owned_ids.end(), id,
+                                      [](std::int64_t i, const auto& run) { return i < run[0]; });
+  return after != piece.owned_ids.begin() && (*(after - 1))[1] >= id;
+}
+
+/// Runs of ids as they should be, and what the piece says is about cells that it owns.
+void require_owned(const PieceSurface& piece) {
+  std::int64_t before = -1;
+  for (const auto& [first, last] : piece.owned_ids) {
+    if (first <= before || last < first) refuse("the ids that one owns are not in order");
+    before = last;
+  }
+  const auto require = [&](std::int64_t id) {
+    if (!owns(piece, id)) refuse("cell " + std::to_string(id) + " is in one that does not own it");
+  };
+  for (const std::int64_t id : piece.cells.cell_ids) require(id);
+  for (const UnresolvedOwnedCell& cell : piece.unresolved) require(cell.cell_id);
+}
+
+/// The pieces own each tetrahedron of the whole mesh once.
+void require_all_cells(std::span<const PieceSurface> pieces) {
+  if (pieces.empty()) refuse("there are none");
+  const std::int64_t whole = pieces[0].whole_tets;
+  std::vector<std::array<std::int64_t, 2>> runs;
+  for (const auto& piece : pieces) {
+    if (piece.whole_tets != whole)
+      refuse("the whole mesh has " + std::to_string(whole) + " cells by one, " +
+             std::to_string(piece.whole_tets) + " by another: they are not of one mesh");
+    require_owned(piece);
+    runs.insert(runs.end(), piece.owned_ids.begin(), piece.owned_ids.end());
+  }
+  std::sort(runs.begin(), runs.end());
+  std::uint64_t owned = 0;  // at most 2^63, as the runs are apart
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i > 0 && runs[i][0] <= runs[i - 1][1])
+      refuse("cell " + std::to_string(runs[i][0]) + " is owned by two pieces");
+    owned += static_cast<std::uint64_t>(runs[i][1] - runs[i][0]) + 1;
+  }
+  if (owned != static_cast<std::uint64_t>(whole))
+    refuse("they own " + std::to_string(owned) + " of the " + std::to_string(whole) +
+           " cells of the whole mesh: a piece is missing");
 }
 
 /// In the order in which an extraction numbers its vertices.
@@ -316,7 +356,7 @@ class Merger {
             "pieces: the triangles of cells " +
             std::to_string(pieces_[p].cells.cell_ids[as_size(pieces_[p].surface.tet[i])]) +
             " and " + std::to_string(ghost) +
-            " do not meet: a piece is missing, or more layers of ghosts are needed");
+            " do not meet: they were extracted with other options, or need more layers of ghosts");
       }
   }
 
@@ -340,6 +380,9 @@ class Merger {
 
 }  // namespace
 
-MergedSurface merge_pieces(std::span<const PieceSurface> pieces) { return Merger(pieces).run(); }
+MergedSurface merge_pieces(std::span<const PieceSurface> pieces) {
+  require_all_cells(pieces);
+  return Merger(pieces).run();
+}
 
 }  // namespace tensortopo

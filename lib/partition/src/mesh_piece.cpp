@@ -39,6 +39,9 @@ void require_sound(const MeshPiece& piece) {
   require_length(piece.is_owned.size(), piece.mesh.tets.size(), "marks of ownership");
   require_distinct(piece.vertex_ids, "vertex");
   require_distinct(piece.mesh.cell_ids, "cell");
+  if (piece.whole_tets < static_cast<std::int64_t>(piece.mesh.tets.size()))
+    throw std::invalid_argument("piece: it has " + std::to_string(piece.mesh.tets.size()) +
+                                " tetrahedra, the whole mesh " + std::to_string(piece.whole_tets));
 }
 
 MeshPiece cut_piece(const TetMesh& mesh, std::span<const std::int32_t> owner, std::int32_t piece,
@@ -74,6 +77,7 @@ MeshPiece cut_piece(const TetMesh& mesh, std::span<const std::int32_t> owner, st
     result.mesh.cell_ids.push_back(static_cast<std::int64_t>(t));
     result.is_owned.push_back(owner[t] == piece);
   }
+  result.whole_tets = static_cast<std::int64_t>(mesh.tets.size());
   return result;
 }
 

@@ -22,10 +22,10 @@ using namespace py::literals;
 using Index = TetMesh::Index;
 
 constexpr std::array kReasons{
-    UnresolvedReason::zero_deviator_inside,    UnresolvedReason::level_constant_in_cell,
-    UnresolvedReason::level_constant_on_face,  UnresolvedReason::level_constant_on_edge,
-    UnresolvedReason::critical_value_in_cell,  UnresolvedReason::critical_value_on_face,
-    UnresolvedReason::critical_value_on_edge,  UnresolvedReason::budget_exhausted,
+    UnresolvedReason::zero_deviator_inside,   UnresolvedReason::level_constant_in_cell,
+    UnresolvedReason::level_constant_on_face, UnresolvedReason::level_constant_on_edge,
+    UnresolvedReason::critical_value_in_cell, UnresolvedReason::critical_value_on_face,
+    UnresolvedReason::critical_value_on_edge, UnresolvedReason::budget_exhausted,
     UnresolvedReason::inconsistent_samples};
 
 UnresolvedReason reason_named(const std::string& name) {
@@ -55,11 +55,11 @@ void put_surface(py::dict& out, SurfaceMesh&& s) {
 }
 
 py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64_t>& vertex_ids,
-               const Input<bool>& owned, double resolution, bool all_samples,
-               const py::object& progress) {
+               const Input<bool>& owned, std::int64_t whole_cells, double resolution,
+               bool all_samples, const py::object& progress) {
   if (!(resolution > 0) || resolution > 1000)
     throw py::value_error("resolution: must be a positive number, at most 1000");
-  MeshPiece given{self.mesh, {}, {}};
+  MeshPiece given{self.mesh, {}, {}, whole_cells};
   given.vertex_ids.assign(vertex_ids.data(), vertex_ids.data() + vertex_ids.size());
   for (py::ssize_t t = 0; t < owned.size(); ++t) given.is_owned.push_back(owned.data()[t]);
   ExtractOptions options;
@@ -80,7 +80,8 @@ py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64
   out["vertex_ids"] = array_of<std::int64_t>(std::move(made.vertex_ids));
   out["unresolved"] = list_of(made.unresolved);
   out["not_embedded"] = made.not_embedded;
-  out["owned"] = made.owned;
+  out["owned_ids"] = array_of<std::int64_t>(std::move(made.owned_ids));
+  out["whole_cells"] = made.whole_tets;
   return out;
 }
 
@@ -144,7 +145,8 @@ PieceSurface piece_from(const py::dict& d) {
        d["unresolved"].cast<std::vector<std::pair<std::int64_t, std::string>>>())
     piece.unresolved.push_back({id, reason_named(reason)});
   piece.not_embedded = d["not_embedded"].cast<std::vector<std::int64_t>>();
-  piece.owned = d["owned"].cast<std::size_t>();
+  piece.owned_ids = rows<std::array<std::int64_t, 2>, std::int64_t>(d, "owned_ids");
+  piece.whole_tets = d["whole_cells"].cast<std::int64_t>();
   require_indices(piece);
   return piece;
 }
@@ -172,7 +174,8 @@ py::dict merge(const std::vector<py::dict>& dicts) {
 
 void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
   mesh.def("piece", &piece, py::arg("mode"), py::arg("vertex_ids"), py::arg("owned"),
-           py::arg("resolution"), py::arg("all_samples"), py::arg("progress"));
+           py::arg("whole_cells"), py::arg("resolution"), py::arg("all_samples"),
+           py::arg("progress"));
   m.def("merge_pieces", &merge, py::arg("pieces"));
 }
 

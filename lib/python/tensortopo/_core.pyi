@@ -58,6 +58,7 @@ class Mesh:
         mode: str,
         vertex_ids: npt.NDArray[np.int64],
         owned: npt.NDArray[np.bool_],
+        whole_cells: int,
         resolution: float,
         all_samples: bool,
         progress: _Progress,

@@ -210,6 +210,8 @@ def _field_text(field: Field) -> str:
             "Points": {"Points": field.points},
             "Cells": cells,
         },
+        marks={"Tensors": field.tensor_name},
+        names={field.tensor_name: tuple(name.upper() for name in COMPONENT_ORDERS["vtk"])},
     )
 
 
@@ -246,6 +248,7 @@ def _output_text(output: _Output) -> str:
             "Points": {"Points": output.points},
             section: {"connectivity": connectivity, "offsets": offsets},
         },
+        marks={"Scalars": "mode"} | ({"Normals": "normal"} if isinstance(output, Surface) else {}),
     )
 
 
@@ -253,7 +256,7 @@ def write(path: Union[str, os.PathLike[str]], what: Union[Field, Surface, Curves
     """Writes a field (.vtu), or a surface or curves (.vtp), whole or not at all.
 
     The arrays of a .vtp are those that the program writes, with the same names and numbers, so that
-    ``tensortopo check`` takes it.
+    ``tensortopo check`` takes it. Tensors are in VTK's order, which the names of their components spell.
 
     Parameters
     ----------

@@ -98,6 +98,7 @@ def extract_piece(
     mode: Any,
     owned: npt.ArrayLike,
     vertex_ids: npt.ArrayLike,
+    whole_cells: int,
     *,
     resolution: float = 4,
     all_samples: bool = False,
@@ -118,6 +119,8 @@ def extract_piece(
         Of each cell whether the piece owns it. Each cell of the whole mesh is owned by one piece.
     vertex_ids : array_like of int of shape (n,)
         Of each point the id in the whole mesh, at least 0.
+    whole_cells : int
+        How many cells the whole mesh has: `merge_pieces` notices by it that a piece is missing.
     resolution, all_samples, progress
         As for `Field.mode_surface`.
 
@@ -128,7 +131,7 @@ def extract_piece(
     Raises
     ------
     ValueError
-        If lists have other lengths than the mesh, or ids repeat.
+        If lists have other lengths than the mesh, ids repeat, or the whole mesh has fewer cells than the piece.
     """
     texts = mode_texts(mode)
     if len(texts) != 1:
@@ -138,6 +141,7 @@ def extract_piece(
         mode=texts[0],
         vertex_ids=np.ascontiguousarray(vertex_ids, dtype=np.int64),
         owned=np.ascontiguousarray(owned, dtype=bool),
+        whole_cells=whole_cells,
         resolution=float(resolution),
         all_samples=all_samples,
         progress=progress,
@@ -153,8 +157,9 @@ def merge_pieces(pieces: Iterable[PieceSurface]) -> MergedSurface:
     Raises
     ------
     ValueError
-        If the pieces are not those of one mesh, or do not meet: one is missing, or more layers of cells
-        around the owned ones are needed. The message says where.
+        If the pieces do not own each cell of the whole mesh once, are not those of one mesh, or do not meet: they
+        were extracted with other options, or more layers of cells around the owned ones are needed. The message
+        says where.
     """
     made = _core.merge_pieces([piece.arrays for piece in pieces])
     return MergedSurface(**{name: made[name] for name in MergedSurface.__dataclass_fields__})

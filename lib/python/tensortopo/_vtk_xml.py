@@ -9,6 +9,7 @@ import os
 import struct
 import tempfile
 import zlib
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Optional
@@ -219,8 +220,25 @@ def _escaped(text: str) -> str:
     return text
 
 
-def piece_text(kind: str, counts: dict[str, int], sections: dict[str, dict[str, Array]]) -> str:
-    """A .vtu or .vtp, inline binary, which VTK and ParaView of all versions read."""
+def piece_text(
+    kind: str,
+    counts: dict[str, int],
+    sections: dict[str, dict[str, Array]],
+    *,
+    marks: Optional[Mapping[str, str]] = None,
+    names: Optional[Mapping[str, tuple[str, ...]]] = None,
+) -> str:
+    """A .vtu or .vtp, inline binary, which VTK and ParaView of all versions read.
+
+    Parameters
+    ----------
+    kind, counts, sections
+        The grid's type, the piece's attributes, and arrays by section and name.
+    marks : mapping of str to str
+        Which point array is the points' ``Tensors``, ``Normals``, ``Scalars``.
+    names : mapping of str to tuple of str
+        The names of components, by point array.
+    """
     lines = [
         '<?xml version="1.0"?>',
         f'<VTKFile type="{kind}" version="1.0" byte_order="LittleEndian" header_type="UInt64" '
@@ -229,14 +247,18 @@ def piece_text(kind: str, counts: dict[str, int], sections: dict[str, dict[str, 
         "<Piece " + " ".join(f'{name}="{count}"' for name, count in counts.items()) + ">",
     ]
     for section, arrays in sections.items():
-        lines.append(f"<{section}>")
+        is_points = section == "PointData"
+        attributes = [f' {mark}="{_escaped(name)}"' for mark, name in (marks or {}).items() if is_points]
+        lines.append(f"<{section}{''.join(attributes)}>")
         for name, values in arrays.items():
             flat = np.ascontiguousarray(values)
             flat = flat.astype(flat.dtype.newbyteorder("<"), copy=False)
             width = flat.shape[1] if flat.ndim == 2 else 1
             number = _NAMES[flat.dtype.kind + str(flat.dtype.itemsize)]
+            labels = names.get(name, ()) if names and is_points else ()
+            spelled = "".join(f'ComponentName{i}="{label}" ' for i, label in enumerate(labels))
             lines.append(
-                f'<DataArray type="{number}" Name="{_escaped(name)}" NumberOfComponents="{width}" '
+                f'<DataArray type="{number}" Name="{_escaped(name)}" NumberOfComponents="{width}" {spelled}'
                 f'format="binary">{_encoded(flat)}</DataArray>'
             )
         lines.append(f"</{section}>")

@@ -112,7 +112,8 @@ void add_cell_data(vtkPolyData* output, const std::vector<Index>& tets,
 
 }  // namespace
 
-void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& grid) {
+void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& grid,
+          const std::vector<CellArray>& more) {
   const auto own = own_cells(surface.tet, grid);
   const Kept kept(surface.points.size(), surface.triangles, own);
   const auto& which = kept.vertices;
@@ -125,6 +126,12 @@ void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& gri
   data->SetNormals(vectors("normal", surface.normal, which));
   data->AddArray(numbers("residual", surface.residual, which));
   add_cell_data(output, surface.tet, surface.component, own, grid.mesh);
+  for (const CellArray& values : more) {
+    vtkNew<vtkTypeInt32Array> array;
+    array->SetName(values.name.c_str());
+    for (const std::size_t c : own) array->InsertNextValue(values.values[c]);
+    output->GetCellData()->AddArray(array);
+  }
 }
 
 void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid) {

@@ -57,6 +57,7 @@ void vtkTensorModeSurface::Extract(const filters::TensorGrid& grid, bool in_piec
   // Whether a sample can be done without depends on more than the tetrahedra around it.
   surfaces.all_samples = AllSamples || in_pieces;
   surfaces.improve = ImproveTriangles;
+  if (!Uncertainty.empty()) surfaces.uncertainty = parse_uncertainty(Uncertainty);
   surfaces.certify = IsCertifying();
   surfaces.names = {grid.tensor, grid.components, IsCertificateCbor()};
   CurveRequest curves;
@@ -73,7 +74,7 @@ void vtkTensorModeSurface::Extract(const filters::TensorGrid& grid, bool in_piec
     curves.progress = report;
     lines = extractor.curves(curves);
   });
-  filters::fill(vtkPolyData::GetData(outputs, 0), surface.surface, grid);
+  filters::fill(vtkPolyData::GetData(outputs, 0), surface.surface, grid, surface.more);
   if (lines) {
     filters::fill(vtkPolyData::GetData(outputs, 1), lines->curves, grid);
     surface.unresolved.insert(surface.unresolved.end(), lines->unresolved.begin(),
@@ -92,5 +93,6 @@ void vtkTensorModeSurface::PrintSelf(std::ostream& os, vtkIndent indent) {
      << indent << "MaximumError: " << MaximumError << '\n'
      << indent << "AllSamples: " << AllSamples << '\n'
      << indent << "ImproveTriangles: " << ImproveTriangles << '\n'
+     << indent << "Uncertainty: " << Uncertainty << '\n'
      << indent << "Curves: " << Curves << '\n';
 }

@@ -13,6 +13,7 @@
 #include "program/subcommands/subcommands.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/surface_formats.hpp"
 
 namespace tensortopo {
 namespace {
@@ -62,7 +63,7 @@ void add_conformance_subcommand(CLI::App& program, CommonOptions& common, Action
   const auto options = std::make_shared<ConformanceOptions>();
   ConformanceCommand& command = options->command;
   options->app = &app;
-  app.add_option("--surface", command.surface, "Triangles to score: .vtp, .ply, .stl, .obj or .off")
+  app.add_option("--surface", command.surface, "Triangles to score: " + surface_extensions())
       ->type_name("FILE");
   app.add_option("--input", command.input, "Tetrahedral mesh with tensors that they were made from")
       ->type_name("MESH");

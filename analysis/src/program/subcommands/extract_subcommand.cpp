@@ -25,6 +25,7 @@
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/field_steps.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/surface_formats.hpp"
 
 namespace tensortopo {
 namespace {
@@ -205,8 +206,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   writes(common,
          app.add_option(
              "-o,--output", command.output,
-             "Surfaces: .vtp (all arrays), .ply, .obj, .off, .stl; curves: the first three. {step} "
-             "in the name: a file for each step of INPUT"))
+             "Surfaces: " + surface_extensions() + " (.vtp: all arrays); curves: " +
+                 surface_extensions(true) + ". {step} in the name: a file for each step of INPUT"))
       ->type_name("FILE")
       ->required();
   add_mode_option(app, options->modes)->required(false);

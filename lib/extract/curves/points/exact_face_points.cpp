@@ -39,6 +39,23 @@ bool is_excluded(const Corners& corners, double lode_angle, int depth) {
                      [&](const Corners& part) { return is_excluded(part, lode_angle, depth - 1); });
 }
 
+/// Whether all rows are multiples of one. Exact.
+bool are_multiples(const std::array<Covector<Rational>, 3>& rows) {
+  const auto pivot_of = [](const Covector<Rational>& row) {
+    return std::find_if(row.begin(), row.end(), [](const Rational& x) { return x != 0; }) -
+           row.begin();
+  };
+  const auto leading =
+      std::min_element(rows.begin(), rows.end(),
+                       [&](const auto& a, const auto& b) { return pivot_of(a) < pivot_of(b); });
+  const auto p = static_cast<std::size_t>(pivot_of(*leading));
+  if (p == leading->size()) return true;
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c)
+      if (row[c] * (*leading)[p] != row[p] * (*leading)[c]) return false;
+  return true;
+}
+
 /// Of conics that meet in infinitely many points, or in fewer than four complex ones.
 CurveObstacle obstacle_of(const FieldForms<Rational, 3>& forms, const std::array<Rational, 4>& f) {
   for (const Rational& c : f)
@@ -146,6 +163,9 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
     if (none.concerns_linear || none.concerns_planar) none.obstacle = obstacle;
     return none;
   };
+  // Where the field is the same up to a factor, as in uniaxial stress, digits tell nothing.
+  if (are_multiples(coordinate_rows<Rational>(tensors)))
+    return with(CurveObstacle::dependent_tensors_on_face);
   const MultiprecisionFace face(tensors);
   const PlaneCount counted = count_in_plane(face);
   if (counted.obstacle) return with(*counted.obstacle);

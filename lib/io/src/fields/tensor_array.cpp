@@ -85,8 +85,9 @@ TensorComponents order_of(const RawGrid& grid, const ArraySource& source,
   }
   if (options.components) return {*options.components, ComponentSource::given};
   if (source.has_no_usual_order && !is_full)
-    refuse(grid, "does not say in which order the components of its tensors are; say it with "
-                 "--components (mrtrix, fsl, nifti or dipy: what wrote them)");
+    refuse(grid, "does not say in which order the components of `" + source.name +
+                     "` are; say it with --components (mrtrix, fsl, nifti, dipy, vtk, abaqus or "
+                     "voigt: what wrote them)");
   return {is_full ? ComponentOrder::full : ComponentOrder::vtk, ComponentSource::assumed};
 }
 

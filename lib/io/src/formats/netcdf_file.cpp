@@ -50,7 +50,7 @@ class NetcdfHeader {
         throw FormatError("has the dimension " + name + " twice");
       lengths_.push_back(length);
     }
-    attributes();
+    file_.texts_ = attributes();
     for (std::uint64_t i = list(11, 24); i > 0; --i) variable();
     // One variable alone is not padded.
     std::size_t with_records = 0;
@@ -119,7 +119,8 @@ class NetcdfHeader {
     std::uint64_t values = 1;
     for (std::uint64_t d = 0; d < dimensions; ++d) {
       const std::uint64_t id = count();
-      if (id >= lengths_.size()) throw FormatError("has a variable of a dimension that is not there");
+      if (id >= lengths_.size())
+        throw FormatError("has a variable of a dimension that is not there");
       if (lengths_[id] == 0) {
         if (d != 0) throw FormatError("has records that are not the first dimension");
         v.has_records = true;
@@ -149,9 +150,15 @@ class NetcdfHeader {
 
 NetcdfFile::NetcdfFile(std::string_view bytes) : bytes_(bytes) {
   if (bytes.starts_with("\x89HDF"))
-    throw FormatError("is a NetCDF-4 file (HDF5); nccopy -k cdf5 IN OUT (netcdf-bin) makes a classic "
-                      "one, which is read");
+    throw FormatError(
+        "is a NetCDF-4 file (HDF5); nccopy -k cdf5 IN OUT (netcdf-bin) makes a classic "
+        "one, which is read");
   NetcdfHeader(*this, bytes).read();
+}
+
+std::string NetcdfFile::text(const std::string& name) const {
+  const auto found = texts_.find(name);
+  return found != texts_.end() ? found->second : std::string();
 }
 
 std::size_t NetcdfFile::dimension(const std::string& name) const {

@@ -30,6 +30,8 @@ class NetcdfFile {
   explicit NetcdfFile(std::string_view bytes);
 
   std::size_t records() const { return records_; }
+  /// An attribute of the file that is text; empty if there is none of the name.
+  std::string text(const std::string& name) const;
   /// Length of a dimension; 0 if there is none of the name.
   std::size_t dimension(const std::string& name) const;
   /// Null if there is none of the name.
@@ -48,6 +50,7 @@ class NetcdfFile {
   std::string_view bytes_of(const Variable& variable, std::size_t record) const;
 
   std::string_view bytes_;
+  std::map<std::string, std::string> texts_;
   std::map<std::string, std::size_t> dimensions_;
   std::map<std::string, Variable> variables_;
   std::size_t records_ = 0;

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "bytes/format_error.hpp"
-#include "grids/joined_scalars.hpp"
 #include "formats/netcdf_file.hpp"
+#include "grids/joined_scalars.hpp"
 
 namespace tensortopo::detail {
 namespace {
@@ -60,6 +60,30 @@ std::size_t place_in_element(std::uint8_t vtk_type, std::size_t i) {
   return i;
 }
 
+/// Joins scalars that VTK's writer has made of an array of six components: it names them XX, XY,
+/// XZ, YY, YZ, ZZ, whatever they are, so that the array has no known order.
+void join_six_of_vtk(std::vector<ArraySource>& arrays) {
+  constexpr std::array<std::string_view, 6> ends{"XX", "XY", "XZ", "YY", "YZ", "ZZ"};
+  std::vector<ArraySource> kept;
+  for (std::size_t i = 0; i < arrays.size();) {
+    const std::string& first = arrays[i].name;
+    const std::string prefix =
+        first.substr(0, first.size() - std::min<std::size_t>(2, first.size()));
+    std::size_t n = 0;
+    while (n < 6 && i + n < arrays.size() && arrays[i + n].name == prefix + std::string(ends[n]))
+      ++n;
+    if (n == 6) {
+      kept.push_back(joined(prefix, {arrays.data() + i, n}));
+      kept.back().has_no_usual_order = true;
+    } else {
+      n = 1;
+      kept.push_back(arrays[i]);
+    }
+    i += n;
+  }
+  arrays = std::move(kept);
+}
+
 class ExodusReader {
  public:
   ExodusReader(const FieldSource& source, std::shared_ptr<const NetcdfFile> data)
@@ -82,8 +106,11 @@ class ExodusReader {
       list_at_nodes(step);
       list_of_elements(step);
     }
-    add_joined_scalars(grid_.point_data);
-    add_joined_scalars(grid_.cell_data);
+    for (auto* arrays : {&grid_.point_data, &grid_.cell_data}) {
+      if (data_->text("title").starts_with("Created by vtkExodusIIWriter"))
+        join_six_of_vtk(*arrays);
+      add_joined_scalars(*arrays);
+    }
     grid_.cell_data.push_back({"ObjectId", 1, {}, [ids = ids_] { return ids; }});
     return std::move(grid_);
   }
@@ -102,8 +129,8 @@ class ExodusReader {
                        all.begin() + static_cast<std::ptrdiff_t>((a + 1) * nodes_));
     } else {
       for (std::size_t a = 0; a < 3; ++a)
-        axes[a] = data_->values<double>(
-            data_->variable(std::string("coord") + "xyz"[a], {nodes_}));
+        axes[a] =
+            data_->values<double>(data_->variable(std::string("coord") + "xyz" [a], { nodes_ }));
     }
     for (std::size_t v = 0; v < nodes_; ++v)
       for (const auto& axis : axes) grid_.coordinates.push_back(axis[v]);

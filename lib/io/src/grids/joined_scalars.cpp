@@ -30,6 +30,22 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& spelled) {
 
 }  // namespace
 
+ArraySource joined(std::string name, std::span<const ArraySource> parts) {
+  std::vector<std::function<std::vector<double>()>> columns;
+  for (const ArraySource& part : parts) columns.push_back(part.values);
+  ArraySource result{std::move(name), columns.size(), {}, {}};
+  result.values = [columns] {
+    std::vector<double> all;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const std::vector<double> column = columns[c]();
+      all.resize(column.size() * columns.size());
+      for (std::size_t i = 0; i < column.size(); ++i) all[i * columns.size() + c] = column[i];
+    }
+    return all;
+  };
+  return result;
+}
+
 void add_joined_scalars(std::vector<ArraySource>& arrays) {
   std::map<std::string, std::vector<const ArraySource*>> groups;
   for (const ArraySource& array : arrays) {
@@ -37,34 +53,27 @@ void add_joined_scalars(std::vector<ArraySource>& arrays) {
     if (array.components == 1 && n > 2 && is_axis(array.name[n - 1]) && is_axis(array.name[n - 2]))
       groups[array.name.substr(0, n - 2)].push_back(&array);
   }
-  std::vector<ArraySource> joined;
+  std::vector<ArraySource> tensors;
   for (const auto& [prefix, members] : groups) {
     std::vector<std::string> names;
     for (const ArraySource* member : members) names.push_back(member->name);
     const std::vector<std::string> spelled = spelled_components(names);
-    const std::vector<std::size_t> places = spelled.empty() ? std::vector<std::size_t>{}
-                                                            : places_of(spelled);
+    const std::vector<std::size_t> places =
+        spelled.empty() ? std::vector<std::size_t>{} : places_of(spelled);
     if (places.empty()) continue;
-    ArraySource tensor{prefix, places.size(), {}, {}};
+    std::vector<ArraySource> parts;
+    std::vector<std::string> in_order;
+    for (const std::size_t place : places) {
+      in_order.push_back(names[place]);
+      parts.push_back(*members[place]);
+    }
+    ArraySource tensor = joined(prefix, parts);
+    tensor.component_names = in_order;
     while (tensor.name.size() > 1 && (tensor.name.back() == '_' || tensor.name.back() == '-'))
       tensor.name.pop_back();
-    std::vector<std::function<std::vector<double>()>> parts;
-    for (const std::size_t place : places) {
-      tensor.component_names.push_back(names[place]);
-      parts.push_back(members[place]->values);
-    }
-    tensor.values = [parts] {
-      std::vector<double> all;
-      for (std::size_t c = 0; c < parts.size(); ++c) {
-        const std::vector<double> part = parts[c]();
-        all.resize(part.size() * parts.size());
-        for (std::size_t i = 0; i < part.size(); ++i) all[i * parts.size() + c] = part[i];
-      }
-      return all;
-    };
-    joined.push_back(std::move(tensor));
+    tensors.push_back(std::move(tensor));
   }
-  for (ArraySource& tensor : joined) arrays.push_back(std::move(tensor));
+  for (ArraySource& tensor : tensors) arrays.push_back(std::move(tensor));
 }
 
 }  // namespace tensortopo::detail

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/io/read_surface_file.hpp"
 
-#include <map>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -10,7 +9,7 @@
 #include "bytes/format_error.hpp"
 #include "bytes/input_file.hpp"
 #include "surfaces/read_formats.hpp"
-#include "tensortopo/io/lower_extension.hpp"
+#include "surfaces/surface_format.hpp"
 
 namespace tensortopo {
 namespace {
@@ -24,18 +23,12 @@ const SurfaceArray* find(const std::vector<SurfaceArray>& arrays, const std::str
 }  // namespace
 
 SurfaceFile detail::read_surface_of(const std::shared_ptr<const InputFile>& file) {
-  using Reader = SurfaceFile (*)(std::string_view);
-  static const std::map<std::string, Reader> readers{{".obj", detail::read_obj},
-                                                     {".off", detail::read_off},
-                                                     {".ply", detail::read_ply},
-                                                     {".stl", detail::read_stl},
-                                                     {".vtp", nullptr}};
-  const auto reader = readers.find(lower_extension(file->path));
-  if (reader == readers.end())
+  const SurfaceFormatEntry* const entry = surface_entry_of(file->path);
+  if (entry == nullptr)
     throw IoError(IoError::Kind::invalid, file->path,
-                  "the name must end in .vtp, .ply, .obj, .off or .stl");
+                  "the name must end in " + surface_extensions());
   return naming_file(file->path, "", [&] {
-    return reader->second != nullptr ? reader->second(file->bytes) : read_vtp(file);
+    return entry->read != nullptr ? entry->read(file->bytes) : read_vtp(file);
   });
 }
 

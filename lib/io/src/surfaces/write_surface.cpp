@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 #include "output/atomic_file.hpp"
-#include "surfaces/surface_formats.hpp"
+#include "surfaces/surface_format.hpp"
+#include "surfaces/write_formats.hpp"
 #include "tensortopo/io/io_error.hpp"
-#include "tensortopo/io/lower_extension.hpp"
 
 namespace tensortopo {
 namespace {
@@ -73,36 +72,24 @@ WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
 
 WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
                           const std::filesystem::path& file, const OutputKinds& kinds,
-                          const std::vector<FileNote>& notes,
-                          const std::vector<CellArray>& more) {
-  using Format = std::string (*)(const SurfaceMesh&, const CurveMesh&);
-  static const std::map<std::string, Format> formats{
-      {".obj", detail::to_obj},
-      {".off", [](const SurfaceMesh& s, const CurveMesh&) { return detail::to_off(s); }},
-      {".ply", detail::to_ply},
-      {".stl", [](const SurfaceMesh& s, const CurveMesh&) { return detail::to_stl(s); }},
-      {".vtp", nullptr}};
-  const std::string extension = lower_extension(file);
-  const auto format = formats.find(extension);
-  if (format == formats.end()) {
-    std::string known;
-    for (const auto& [name, unused] : formats) known += (known.empty() ? "" : ", ") + name;
-    throw IoError(IoError::Kind::unwritable, file,
-                  "has the unknown extension \"" + extension + "\"; known are " + known);
-  }
+                          const std::vector<FileNote>& notes, const std::vector<CellArray>& more) {
+  const detail::SurfaceFormatEntry* const entry = detail::surface_entry_of(file);
+  if (entry == nullptr)
+    throw IoError(IoError::Kind::unwritable, file, "the name must end in " + surface_extensions());
   check(surface, mesh);
   check(curves, surface.points.size(), mesh);
   for (const CellArray& array : more)
     require(array.values.size() == surface.triangles.size(),
             "an array is not one for each triangle");
-  if (!curves.lines.empty() && (extension == ".off" || extension == ".stl"))
-    throw IoError(IoError::Kind::unwritable, file, "cannot hold curves: use .vtp, .ply or .obj");
+  if (!curves.lines.empty() && !entry->format.holds_curves)
+    throw IoError(IoError::Kind::unwritable, file,
+                  "cannot hold curves: use " + surface_extensions(true));
 
   WriteReport report;
   std::string bytes;
   try {
-    bytes = format->second != nullptr
-                ? format->second(surface, curves)
+    bytes = entry->write != nullptr
+                ? entry->write(surface, curves)
                 : detail::to_vtp(surface, curves, mesh, kinds, notes, more, report.arrays);
   } catch (const std::range_error& error) {
     throw IoError(IoError::Kind::unwritable, file,

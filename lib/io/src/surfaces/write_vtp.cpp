@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "surfaces/surface_formats.hpp"
+#include "surfaces/write_formats.hpp"
 #include "vtk/xml_output.hpp"
 
 namespace tensortopo::detail {

@@ -16,16 +16,18 @@ namespace tensortopo {
 /// Contract  (1) Each tetrahedron of the whole mesh is owned by one piece. (2) A piece has every
 ///           tetrahedron of the whole mesh that shares a vertex with one that it owns. (3) Points,
 ///           tensors and ids are the same, bit for bit, wherever a vertex or tetrahedron is
-///           repeated. Numbers within the piece, the order of its tetrahedra and of their corners
-///           do not matter.
+///           repeated. (4) Each piece knows how many tetrahedra the whole mesh has. Numbers
+///           within the piece, the order of its tetrahedra and of their corners do not matter.
 struct MeshPiece {
   TetMesh mesh;                          ///< valid; `cell_ids` are those of the whole mesh
   std::vector<std::int64_t> vertex_ids;  ///< of each point, in the whole mesh; at least 0
   std::vector<char> is_owned;            ///< of each tetrahedron
+  std::int64_t whole_tets = 0;           ///< tetrahedra of the whole mesh
 };
 
-/// @throws std::invalid_argument if lists differ in length, or if ids are negative or repeat within
-///         the piece; the message names the id
+/// @throws std::invalid_argument if lists differ in length, if ids are negative or repeat within
+///         the piece, or if the whole mesh has fewer tetrahedra than the piece; the message names
+///         the id or the numbers
 void require_sound(const MeshPiece& piece);
 
 /// A piece of a mesh, with ids that are the mesh's own numbers (not its `cell_ids`).

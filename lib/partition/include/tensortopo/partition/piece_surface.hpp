@@ -37,7 +37,10 @@ struct PieceSurface {
   std::vector<UnresolvedOwnedCell> unresolved;  ///< those without a proof
   /// Ids of owned tetrahedra as `Extraction::not_embedded` has them, ascending.
   std::vector<std::int64_t> not_embedded;
-  std::size_t owned = 0;                        ///< tetrahedra that the piece owns
+  /// The ids of all tetrahedra that the piece owns, as runs from a first to a last id: ascending,
+  /// and apart from each other.
+  std::vector<std::array<std::int64_t, 2>> owned_ids;
+  std::int64_t whole_tets = 0;  ///< tetrahedra of the whole mesh
 };
 
 /// Extracts the mode surface in the tetrahedra that a piece owns.
@@ -65,7 +68,8 @@ struct MergedSurface {
   std::vector<std::int64_t> not_embedded;  ///< as those of the pieces, ascending
 };
 
-/// Pieces that do not agree where they meet: one is missing, or they need more layers of ghosts.
+/// Pieces that do not agree where they meet: they need more layers of ghosts, or were extracted
+/// with different options.
 class PiecesDiffer : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -75,10 +79,12 @@ class PiecesDiffer : public std::invalid_argument {
 ///
 /// Law       The result is the surface that the whole mesh gives, bit for bit and in the same
 ///           order.
-/// @throws std::invalid_argument with the place, if the pieces are not those of one mesh: if a
-///         vertex has two places or tensors, or a tetrahedron two owners
-/// @throws PiecesDiffer with the place, if vertices with one key differ, or if a triangle's side
-/// on
+/// Proved    Every tetrahedron of the whole mesh is owned by exactly one of the pieces: the ids
+/// that
+///           they own are distinct, and as many as the whole mesh has tetrahedra.
+/// @throws std::invalid_argument if a piece is missing; with the place, if the pieces are not those
+///         of one mesh: if a vertex has two places or tensors, or a tetrahedron two owners
+/// @throws PiecesDiffer with the place, if vertices with one key differ, or if a triangle's side on
 ///         the seam of a piece has no partner in another piece
 MergedSurface merge_pieces(std::span<const PieceSurface> pieces);
 

@@ -14,8 +14,9 @@ namespace tensortopo {
 /// A point at which components of level sets of the mode appear, vanish, join or part: a local
 /// extremum, or a point at which components of {mode >= m} or of {mode <= m} meet.
 struct ContourNode {
-  ModeRange mode;
-  std::optional<std::size_t> maximum, minimum;  ///< in the merge tree of the mode, or its opposite
+  ModeRange mode;  ///< encloses the point's
+  /// In the merge tree of the mode, or its opposite.
+  std::optional<std::size_t> maximum, minimum;
   std::optional<std::size_t> point;  ///< critical point; none for curves and degenerate vertices
   TetMesh::Index tet = -1;           ///< one that it is in
   Vector3<double> place{};           ///< about where

@@ -14,21 +14,22 @@ namespace tensortopo {
 
 /// A component of what the neutral surface leaves of the field: all modes in it have one sign.
 struct ModeRegion {
-  int sign = 1;
+  int sign = 1;                     ///< of the modes: 1 or -1
   std::vector<std::size_t> nodes;   ///< of the contour tree
   std::vector<std::size_t> curves;  ///< components of the degenerate curves of mode 1 (or -1)
 };
 
 /// A component of the neutral surface, and the regions on its sides.
 struct RegionBorder {
-  std::size_t positive = 0, negative = 0;  ///< regions
+  /// Places in `ModeRegions::regions`.
+  std::size_t positive = 0, negative = 0;
 };
 
 /// Degenerate curves, the regions that hold them, and which of these are neighbours: the
 /// topological graph of S.-H. Hung, Y. Zhang and E. Zhang (Global topology of 3D symmetric tensor
 /// fields, 2023).
 struct ModeRegions {
-  std::vector<ModeRegion> regions;
+  std::vector<ModeRegion> regions;    ///< in the order of their first nodes
   std::vector<RegionBorder> borders;  ///< one for each component of the neutral surface
   bool is_complete = true;            ///< the tree is, and no node may have mode 0
 };

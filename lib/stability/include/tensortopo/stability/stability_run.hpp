@@ -15,10 +15,11 @@ namespace tensortopo {
 
 /// What is stable of one level.
 struct StabilitySummary {
-  std::size_t stable_tets = 0, unstable_tets = 0;  ///< of all tetrahedra of the mesh
-  std::size_t crossed_stable_tets = 0;             ///< of those that hold triangles
-  std::map<std::string, std::size_t> reasons;      ///< unstable tetrahedra by the reason's name
-  std::vector<SurfaceMesh::Index> components;      ///< stable ones, by smallest vertex, ascending
+  /// Of all tetrahedra of the mesh.
+  std::size_t stable_tets = 0, unstable_tets = 0;
+  std::size_t crossed_stable_tets = 0;         ///< of those that hold triangles
+  std::map<std::string, std::size_t> reasons;  ///< unstable tetrahedra by the reason's name
+  std::vector<SurfaceMesh::Index> components;  ///< stable ones, by smallest vertex, ascending
 };
 
 /// Components that are in every field whose deviators differ by at most a radius at each vertex:
