@@ -25,10 +25,10 @@ void begin(const SurfaceInput<Scalar>& input, const VertexSides& sides, const Te
     auto& mesh = meshes.cells[t];
     mesh.unresolved = proofs[t].unresolved;
     if (!proofs[t].topology) return;
-    if (proofs[t].is_cone) mesh.mesher = Mesher::cone;
-    if (proofs[t].topology->tubes.empty()) return;
+    // Nearly all tetrahedra begin with small polygons, as a `CellMesh` does.
+    if (!proofs[t].is_cone && proofs[t].topology->tubes.empty()) return;
     const CellSurroundings<Scalar> around{cells, meshes.boundary, meshes.vertices, t};
-    CellMesher<Scalar>(input, sides, around, proofs[t], states[t], mesh).begin_with_tubes();
+    CellMesher<Scalar>(input, sides, around, proofs[t], states[t], mesh).begin();
   });
 }
 
