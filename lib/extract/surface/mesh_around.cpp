@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "extract/run/assert.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
 
@@ -166,9 +167,13 @@ void merge(const SurfaceInput<Scalar>& input, const VertexSides& sides, const Te
       old_of_part, meshes, [&](std::size_t e) { return part.edges[e]; },
       [&](std::size_t f) { return part.faces[f]; });
   parallel_stage(input.options, "tetrahedra", part.tets.size(), 1024, [&](std::size_t t) {
+    const auto& ids = part.tets[t] < 0 ? numbers : numbers_of_part;
     for (auto& triangle : meshes.cells[t].patch.triangles)
-      for (Index& corner : triangle)
-        if (corner >= 0) corner = (part.tets[t] < 0 ? numbers : numbers_of_part)[as_size(corner)];
+      for (Index& corner : triangle) {
+        if (corner < 0) continue;
+        corner = ids[as_size(corner)];
+        TENSORTOPO_ASSERT(corner >= 0, "vertices of a patch stay where their edge or face is kept");
+      }
   });
 }
 
