@@ -311,7 +311,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       using Use = PreparedField<double>::Use;
       if (!prepared)
         prepared.emplace(read.mesh, surfaces_left > 1 ? Use::several_modes : Use::one_mode);
-      extraction = --surfaces_left > 0
+      extraction = --surfaces_left > 0 || certifying
                        ? extract_mode_surface(*prepared, modes[i], options)
                        : extract_mode_surface(std::move(*prepared), modes[i], options);
     }
@@ -337,7 +337,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     if (certifying) {
       overall("certificate", 0);
       const Clock certify_clock;
-      if (!level) level = certify(read.mesh, modes[i], extraction);
+      if (!level)
+        level = prepared ? certify(*prepared, modes[i], extraction)
+                         : certify(read.mesh, modes[i], extraction);
       seconds_certify += certify_clock.seconds();
     }
     if (level) {

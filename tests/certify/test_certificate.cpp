@@ -41,6 +41,18 @@ TEST(Certificate, SaysTheSameInJsonAndCbor) {
   EXPECT_GT(json.at("levels").at(0).at("tets").size(), 0u);
 }
 
+TEST(Certificate, IsTheSameFromTheFieldOfTheExtraction) {
+  const TetMesh mesh = mesh_with_ids();
+  const PreparedField<double> field(mesh);
+  const ModeValue mode = ModeValue::parse("1/2");
+  ExtractOptions options;
+  options.keep_topology = true;
+  Extraction extraction = extract_mode_surface(field, mode, options);
+  const auto bytes = bytes_of(mesh, {certify(field, mode, extraction)}, CertificateEncoding::json);
+  EXPECT_EQ(bytes, bytes_of(mesh, {certified(mesh, "1/2").level}, CertificateEncoding::json));
+  EXPECT_FALSE(nlohmann::json::parse(bytes).at("levels").at(0).at("tets").empty());
+}
+
 TEST(Certificate, NumbersTheVerticesOfAllLevelsThroughAndCallsTetrahedraByTheirIds) {
   const TetMesh mesh = mesh_with_ids();
   const std::vector<CertifiedLevel> levels{certified(mesh, "1/2").level,

@@ -7,10 +7,10 @@
 #include "claims.hpp"
 #include "crossing_brackets.hpp"
 #include "distance_proof.hpp"
-#include "for_each.hpp"
-#include "isotopic_tets.hpp"
 #include "extract/level/level.hpp"
 #include "extract/surface/renumber_extraction.hpp"
+#include "for_each.hpp"
+#include "isotopic_tets.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
@@ -30,8 +30,8 @@ Brackets brackets_of(const LevelTopology& topology, const ScaledField<double>& f
   return brackets;
 }
 
-/// The claims in the mesh's own numbers. Brackets of an edge that is reversed are mirrored, which is
-/// exact.
+/// The claims in the mesh's own numbers. Brackets of an edge that is reversed are mirrored, which
+/// is exact.
 void renumber(CertifiedLevel& claims, Extraction& extraction, std::span<const Index> vertices,
               std::span<const Index> tets) {
   std::swap(claims.topology, extraction.topology);
@@ -56,11 +56,11 @@ void renumber(CertifiedLevel& claims, Extraction& extraction, std::span<const In
   if (claims.not_isotopic) move(*claims.not_isotopic);
 }
 
-/// @param extraction  in the numbers of this mesh
-CertifiedLevel certify_in_order(const TetMesh& mesh, const ModeValue& mode,
+/// @param extraction  in the numbers of the field's mesh
+CertifiedLevel certify_in_order(const ScaledField<double>& field, const ModeValue& mode,
                                 Extraction& extraction) {
+  const TetMesh& mesh = *field.mesh;
   const SurfaceMesh& surface = extraction.surface;
-  const ScaledField<double> field(mesh);
   const auto level = make_level<double>(mode);
   CertifiedLevel result;
   result.value = mode;
@@ -84,12 +84,19 @@ CertifiedLevel certify_in_order(const TetMesh& mesh, const ModeValue& mode,
 
 }  // namespace
 
-CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction) {
-  const CanonicalMesh canonical = canonical_mesh(mesh);
-  renumber(extraction, inverse_permutation(canonical.vertices), inverse_permutation(canonical.tets));
-  CertifiedLevel result = certify_in_order(canonical.mesh, mode, extraction);
+CertifiedLevel certify(const PreparedField<double>& field, const ModeValue& mode,
+                       Extraction& extraction) {
+  const CanonicalMesh& canonical = *field.canonical;
+  renumber(extraction, inverse_permutation(canonical.vertices),
+           inverse_permutation(canonical.tets));
+  CertifiedLevel result = certify_in_order(field.field, mode, extraction);
   renumber(result, extraction, canonical.vertices, canonical.tets);
   return result;
+}
+
+CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction) {
+  return certify(PreparedField<double>(mesh, PreparedField<double>::Use::one_mode), mode,
+                 extraction);
 }
 
 }  // namespace tensortopo

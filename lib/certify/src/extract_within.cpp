@@ -41,12 +41,13 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
   ExtractOptions current = options;
   current.keep_topology = true;
   if (current.density.empty()) current.density.assign(mesh.tets.size(), 1);
+  const PreparedField<double> field(mesh);
   ExtractionWithin result;
   std::vector<double> best(mesh.tets.size(), std::numeric_limits<double>::infinity());
   std::vector<int> without_effect(mesh.tets.size(), 0);
   for (bool is_denser = true; is_denser;) {
-    result.extraction = extract_mode_surface<double>(mesh, mode, current);
-    result.level = certify(mesh, mode, result.extraction);
+    result.extraction = extract_mode_surface(field, mode, current);
+    result.level = certify(field, mode, result.extraction);
     ++result.rounds;
     const auto bounds = distance_bounds(mesh, result.extraction.surface, result.level);
     std::vector<int> triangles(mesh.tets.size(), 0);

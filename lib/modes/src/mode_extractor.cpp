@@ -118,6 +118,7 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
     options.keep_samples = request.all_samples;
     options.keep_topology = request.certify;
     options.progress = progress;
+    std::shared_ptr<const Prepared> field;
     Extraction extraction;
     std::optional<CertifiedLevel> level;
     ModePart part;
@@ -128,7 +129,8 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
       level = std::move(within.level);
       part.tets_farther = within.farther.size();
     } else {
-      extraction = extract_mode_surface(*shared_->prepare(modes.size()), mode, options);
+      field = shared_->prepare(modes.size());
+      extraction = extract_mode_surface(*field, mode, options);
       if (request.improve) {
         improve_triangles(mesh, mode, extraction.surface);
         extraction.not_embedded = tets_not_embedded(mesh, extraction.surface);
@@ -145,7 +147,7 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
     if (stability) part.stability = stability->add(mode, options, extraction);
     if (request.certify && !level) {
       tell(progress, "certificate");
-      level = certify(mesh, mode, extraction);
+      level = certify(*field, mode, extraction);
     }
     if (level) {
       if (stability) level->stability = stability->claim(*part.stability);

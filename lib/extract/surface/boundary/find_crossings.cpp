@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "extract/level/simd/proof_block.hpp"
+#include "extract/run/assert.hpp"
 #include "extract/run/count_predicate.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
@@ -45,6 +46,22 @@ Crossings<Scalar> crossings_of(const SurfaceInput<Scalar>& input, const VertexSi
   return crossings;
 }
 
+/// Whether crossings are in order along the edge, rise and fall in turn, and lead from the side of
+/// its first vertex to that of its second.
+template <class Scalar>
+[[maybe_unused]] bool are_crossings_sound(const VertexSides& sides,
+                                          const std::array<TetMesh::Index, 2>& edge,
+                                          const std::vector<EdgeCrossing<Scalar>>& crossings) {
+  if (crossings.empty()) return true;
+  bool above = sides.above[as_size(edge[0])] != 0;
+  for (std::size_t k = 0; k < crossings.size(); ++k) {
+    if (crossings[k].rising == above) return false;
+    if (k > 0 && crossings[k].weight < crossings[k - 1].weight) return false;
+    above = !above;
+  }
+  return above == (sides.above[as_size(edge[1])] != 0);
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -75,6 +92,8 @@ MeshCrossings<Scalar> find_crossings(const SurfaceInput<Scalar>& input, const Ve
       const auto crossing = single.of(e - begin);
       if (!crossing) {
         found[e] = crossings_of(input, sides, cells.edges[e], result.moved[e]);
+        TENSORTOPO_ASSERT(!found[e] || are_crossings_sound(sides, cells.edges[e], *found[e]),
+                          "crossings of an edge are in order and change sides");
         continue;
       }
       count_predicate(Tier::fast);

@@ -36,6 +36,30 @@ class Rows {
     begin_.push_back(values_.size());
   }
 
+  /// @param here, there  lists are moved out of both
+  /// @param from_there   of each list the one of `there` to take; -1: the list of the same place
+  ///                     `here`
+  Rows(Rows&& here, Rows&& there, std::span<const std::int32_t> from_there) {
+    const auto source = [&](std::size_t i) {
+      return from_there[i] < 0
+                 ? std::pair<Rows*, std::size_t>{&here, i}
+                 : std::pair<Rows*, std::size_t>{&there, static_cast<std::size_t>(from_there[i])};
+    };
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < from_there.size(); ++i) {
+      const auto [rows, k] = source(i);
+      begin_.push_back(count);
+      known_.push_back(rows->known_[k]);
+      count += (*rows)[k].size();
+    }
+    begin_.push_back(count);
+    values_.reserve(count);
+    for (std::size_t i = 0; i < from_there.size(); ++i) {
+      const auto [rows, k] = source(i);
+      for (Value& value : (*rows)[k]) values_.push_back(std::move(value));
+    }
+  }
+
   std::size_t size() const { return known_.size(); }
   bool is_known(std::size_t i) const { return known_[i] != 0; }
   std::span<const Value> operator[](std::size_t i) const {

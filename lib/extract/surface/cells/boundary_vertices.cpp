@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/surface/cells/boundary_vertices.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 #include "extract/level/position.hpp"
 #include "extract/run/extractor_scalars.hpp"
@@ -80,14 +82,19 @@ void number_zero_vertices(const SurfaceInput<Scalar>& input, const TetComplex& c
 template <class Scalar>
 BoundaryVertices number_boundary(const SurfaceInput<Scalar>& input, const VertexSides& sides,
                                  const TetComplex& cells, const LevelBoundary<Scalar>& boundary,
-                                 std::span<const CellProof<Scalar>> proofs) {
+                                 std::span<const CellProof<Scalar>> proofs,
+                                 std::vector<int> round_of_face) {
   BoundaryVertices vertices;
   reserve(boundary, vertices);
   number_crossings(input, sides, cells, boundary, vertices);
   number_zero_vertices(input, cells, proofs, vertices);
   std::vector<std::size_t> faces(cells.faces.size());
   std::iota(faces.begin(), faces.end(), std::size_t{0});
+  std::stable_sort(faces.begin(), faces.end(), [&](std::size_t f, std::size_t g) {
+    return round_of_face[f] < round_of_face[g];
+  });
   vertices.of_face.resize(cells.faces.size());
+  vertices.round_of_face = std::move(round_of_face);
   number_samples<Scalar>(input, cells, boundary, faces, vertices);
   return vertices;
 }
@@ -179,7 +186,8 @@ std::size_t CellSurroundings<Scalar>::small_loop(const TetWithCurves<Scalar>& te
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                       \
   template BoundaryVertices number_boundary(const SurfaceInput<Scalar>&, const VertexSides&, \
                                             const TetComplex&, const LevelBoundary<Scalar>&, \
-                                            std::span<const CellProof<Scalar>>);             \
+                                            std::span<const CellProof<Scalar>>,              \
+                                            std::vector<int>);                               \
   template void number_samples(const SurfaceInput<Scalar>&, const TetComplex&,               \
                                const LevelBoundary<Scalar>&, std::span<const std::size_t>,   \
                                BoundaryVertices&);                                           \

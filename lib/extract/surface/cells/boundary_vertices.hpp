@@ -19,6 +19,8 @@ struct BoundaryVertices {
   std::vector<Vector3<double>> position, medium, dominant;
   std::vector<Index> of_zero;  ///< of each vertex of the mesh: its vertex if it is isotropic
   std::vector<Index> of_face;  ///< the first vertex of each face; anew when its samples change
+  /// Of each face the round of meshing that changed its samples last; 0: they are as traced.
+  std::vector<int> round_of_face;
 
   BoundaryVertex vertex(Index id, unsigned faces) const {
     const auto v = as_size(id);
@@ -26,12 +28,14 @@ struct BoundaryVertices {
   }
 };
 
+/// @param round_of_face  see `BoundaryVertices`; faces are numbered in the order of their rounds
 template <class Scalar>
 BoundaryVertices number_boundary(const SurfaceInput<Scalar>& input, const VertexSides& sides,
                                  const TetComplex& cells, const LevelBoundary<Scalar>& boundary,
-                                 std::span<const CellProof<Scalar>> proofs);
+                                 std::span<const CellProof<Scalar>> proofs,
+                                 std::vector<int> round_of_face);
 
-/// Numbers the samples of the faces that changed, after all numbers given so far.
+/// Numbers the samples of the faces that a round changed, after all numbers given so far.
 template <class Scalar>
 void number_samples(const SurfaceInput<Scalar>& input, const TetComplex& cells,
                     const LevelBoundary<Scalar>& boundary, std::span<const std::size_t> faces,

@@ -27,8 +27,6 @@ namespace tensortopo {
 
 namespace {
 
-constexpr int kAttemptsOnManifold = 3;
-
 /// More samples than this are a high price for meshing on the manifold.
 constexpr std::size_t kManySamples = 16;
 
@@ -67,97 +65,171 @@ CellMesher<Scalar>::CellMesher(const SurfaceInput<Scalar>& input, const VertexSi
       mesh_(mesh),
       tet_(tet_with_curves(input, sides, around.cells, around.boundary, around.t)) {}
 
+/// Small polygons, then charts with more samples at each attempt, then the subdivision of the
+/// proof, this with fans for discs, the boundary loops alone.
 template <class Scalar>
-void CellMesher<Scalar>::begin_with_tubes() {
-  state_.manifold = tet_manifold(tet_, level());
-  if (state_.manifold) mesh_.mesher = Mesher::tubes;
+auto CellMesher<Scalar>::ways() -> std::span<const Way> {
+  using Cell = CellMesher;
+  static constexpr std::array<Way, 16> kWays{{
+      {Mesher::cone, &Cell::is_cone},
+      {Mesher::tubes, &Cell::is_all_tubes},
+      {Mesher::small_disc, &Cell::is_not_all_tubes},
+      {Mesher::graph, &Cell::wants_graph},
+      {Mesher::graph, &Cell::wants_graph_before_many_samples},
+      {Mesher::manifold, &Cell::wants_chart},
+      {Mesher::graph, &Cell::wants_graph_before_many_samples},
+      {Mesher::manifold, &Cell::wants_chart},
+      {Mesher::graph, &Cell::wants_graph_after_chart},
+      {Mesher::manifold, &Cell::wants_denser_chart, 2},
+      {Mesher::dominant, &Cell::has_chart},
+      {Mesher::graph, &Cell::wants_graph_after_chart},
+      {Mesher::dominant, &Cell::wants_denser_loops},
+      {Mesher::subdivision, &Cell::wants_subdivision},
+      {Mesher::fan, &Cell::wants_fan},
+      {Mesher::loops, &Cell::wants_loops},
+  }};
+  return kWays;
+}
+
+template <class Scalar>
+void CellMesher<Scalar>::choose_from(std::size_t way) {
+  for (; way < ways().size(); ++way) {
+    if (!(this->*ways()[way].applies)()) continue;
+    state_.way = way;
+    mesh_.mesher = ways()[way].mesher;
+    return;
+  }
+  mesh_.unresolved = state_.why_not;
+}
+
+template <class Scalar>
+void CellMesher<Scalar>::begin() {
+  if (!proof_.topology->tubes.empty() && !state_.manifold)
+    state_.manifold = tet_manifold(tet_, level());
+  state_.tried_as_graph = false;
+  state_.requests.clear();
+  choose_from(0);
+}
+
+template <class Scalar>
+void CellMesher<Scalar>::choose_next() {
+  if (make_finer()) return;
+  // `mend` may have gone on to another chart.
+  while (ways()[state_.way].mesher != mesh_.mesher) ++state_.way;
+  choose_from(state_.way + 1);
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::is_cone() {
+  return proof_.is_cone;
+}
+
+/// Rings around the arcs of the degenerate curve.
+template <class Scalar>
+bool CellMesher<Scalar>::is_all_tubes() {
+  return state_.manifold && !proof_.topology->tubes.empty();
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::is_not_all_tubes() {
+  return !is_all_tubes();
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::wants_graph() {
+  return mesh_.mesher == Mesher::small_disc && input_.options.meshing == MeshingMethod::graph &&
+         proof_.topology->direction;
 }
 
 /// Where the field nearly has one mode throughout (a twisted shaft's neutral surface), the
 /// eigenvectors of a sheet are next to a curve, and no number of samples spreads it. So before
 /// either chart asks for many more samples the sheets are tried as graphs, once.
 template <class Scalar>
-bool CellMesher<Scalar>::try_as_graph() {
-  if (!proof_.topology->direction || state_.before_graph) return false;
-  state_.before_graph = std::exchange(mesh_.mesher, Mesher::graph);
-  return true;
+bool CellMesher<Scalar>::wants_graph_before_many_samples() {
+  if (is_all_tubes() || !proof_.topology->direction || state_.tried_as_graph) return false;
+  if (!ask_for_chart(false) || state_.requests.size() <= kManySamples) return false;
+  state_.requests.clear();
+  return state_.tried_as_graph = true;
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::wants_graph_after_chart() {
+  const bool is_after = mesh_.mesher == Mesher::manifold || mesh_.mesher == Mesher::dominant;
+  if (!is_after || !proof_.topology->direction || state_.tried_as_graph) return false;
+  return state_.tried_as_graph = true;
 }
 
 /// The samples that the manifold's chart needs for another attempt.
+/// @param denser  a sample in the middle of each step along the boundary loops as well
 /// @return false if it cannot show the boundary loops
 template <class Scalar>
-bool CellMesher<Scalar>::ask_for_manifold() {
+bool CellMesher<Scalar>::ask_for_chart(bool denser) {
+  if (shows_loops_ && !(denser && *shows_loops_)) return *shows_loops_;
+  shows_loops_ = false;
+  if (!state_.manifold) state_.manifold = tet_manifold(tet_, level());
+  if (!state_.manifold) return false;
   const auto& topology = *proof_.topology;
   auto vertices = around_.arc_vertices(tet_);
   state_.requests.clear();
   if (runs_along_singularity(*state_.manifold, topology, vertices)) return false;
-  if (state_.attempts++ > 1) state_.requests = denser_loops(tet_, topology, vertices, level());
+  if (denser) state_.requests = denser_loops(tet_, topology, vertices, level());
   const auto crossings = boundary_crossings(*state_.manifold, tet_, topology, vertices, level());
   state_.requests.insert(state_.requests.end(), crossings.begin(), crossings.end());
   const auto between =
       separating_samples<Scalar>(*state_.manifold, tet_, topology, vertices, crossings, level());
   state_.requests.insert(state_.requests.end(), between.begin(), between.end());
-  if (state_.requests.size() > kManySamples && try_as_graph()) {
-    --state_.attempts;
-    state_.requests.clear();
-  }
+  shows_loops_ = true;
   return true;
 }
 
-/// The order: the manifold's chart, with more samples at each attempt, the chart of the dominant
-/// eigenvector, the subdivision of the proof, this with fans for discs, the boundary loops alone.
 template <class Scalar>
-void CellMesher<Scalar>::choose_next() {
-  if (make_finer()) return;
-  auto& mesher = mesh_.mesher;
-  if (mesher == Mesher::small_disc) {
-    state_.manifold = tet_manifold(tet_, level());
-    mesher = Mesher::manifold;
+bool CellMesher<Scalar>::wants_chart() {
+  return !is_all_tubes() && ask_for_chart(false);
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::wants_denser_chart() {
+  return !is_all_tubes() && ask_for_chart(true);
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::has_chart() {
+  return state_.manifold != nullptr;
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::wants_denser_loops() {
+  if (!has_chart()) return false;
+  auto vertices = around_.arc_vertices(tet_);
+  state_.requests = denser_loops(tet_, *proof_.topology, vertices, level());
+  return true;
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::wants_subdivision() {
+  auto& topology = *proof_.topology;
+  if (!add_subdivision(tet_, level(), topology, budget_of_subdivision(level()))) {
+    state_.why_not = reason_of_failure(input_, around_.cells, around_.t);
+    return false;
   }
-  if (mesher == Mesher::tubes) {
-    mesher = Mesher::dominant;
-    return;
-  }
-  const bool asks_for_many = (mesher == Mesher::manifold && state_.attempts == 2) ||
-                             (mesher == Mesher::dominant && state_.attempts <= kAttemptsOnManifold);
-  if (asks_for_many && try_as_graph()) return;
-  if (mesher == Mesher::graph) mesher = *state_.before_graph;
-  if (mesher == Mesher::manifold && state_.manifold) {
-    if (state_.attempts >= kAttemptsOnManifold || !ask_for_manifold()) mesher = Mesher::dominant;
-    return;
-  }
-  if (mesher == Mesher::dominant && state_.attempts <= kAttemptsOnManifold) {
-    state_.attempts = kAttemptsOnManifold + 1;
-    auto vertices = around_.arc_vertices(tet_);
-    state_.requests = denser_loops(tet_, *proof_.topology, vertices, level());
-    return;
-  }
-  switch (mesher) {
-    case Mesher::loops:
-      mesh_.unresolved = state_.last_resort;
-      return;
-    case Mesher::fan:
-      mesher = Mesher::loops;
-      state_.last_resort = UnresolvedReason::inconsistent_samples;
-      // Around a vertex on the level another level comes first, see `keep_off_pinched`.
-      for (const auto v : input_.vertices_of(around_.cells, around_.t))
-        if (sides_.on_level[as_size(v)] == OnLevel::meshed_through)
-          mesh_.unresolved = state_.last_resort;
-      return;
-    case Mesher::subdivision:
-      mesher = Mesher::fan;
-      return;
-    default:
-      break;
-  }
-  if (!add_subdivision(tet_, level(), *proof_.topology, budget_of_subdivision(level()))) {
-    mesher = Mesher::loops;
-    state_.last_resort = reason_of_failure(input_, around_.cells, around_.t);
-    return;
-  }
-  mesher = Mesher::subdivision;
-  state_.requests = subdivision_requests(tet_, level(), *proof_.topology);
-  release_large_subdivision(*proof_.topology);
+  state_.why_not = UnresolvedReason::inconsistent_samples;
+  state_.requests = subdivision_requests(tet_, level(), topology);
+  release_large_subdivision(topology);
+  return true;
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::wants_fan() {
+  return mesh_.mesher == Mesher::subdivision;
+}
+
+/// Around a vertex on the level another level comes first, see `keep_off_pinched`.
+template <class Scalar>
+bool CellMesher<Scalar>::wants_loops() {
+  if (mesh_.mesher != Mesher::fan) return true;
+  for (const auto v : input_.vertices_of(around_.cells, around_.t))
+    if (sides_.on_level[as_size(v)] == OnLevel::meshed_through) return false;
+  return true;
 }
 
 template <class Scalar>
@@ -225,16 +297,8 @@ bool CellMesher<Scalar>::mesh_topology(int defect_rounds) {
     mesh_cone();
     return true;
   }
-  if (mesher == Mesher::graph && (state_.before_graph || defect_rounds > 0))
-    return mesh_graph(defect_rounds);
-  if (mesher == Mesher::small_disc || mesher == Mesher::graph) {
-    mesher = Mesher::small_disc;
-    if (mesh_small_discs()) return true;
-    mesh_.patch = {};
-    if (input_.options.meshing != MeshingMethod::graph || !mesh_graph(0)) return false;
-    mesher = Mesher::graph;
-    return true;
-  }
+  if (mesher == Mesher::graph) return mesh_graph(defect_rounds);
+  if (mesher == Mesher::small_disc) return mesh_small_discs();
   const auto vertices = around_.arc_vertices(tet_);
   Sampling sampling = input_.sampling_in(around_.cells, around_.t);
   switch (mesher) {
@@ -242,7 +306,7 @@ bool CellMesher<Scalar>::mesh_topology(int defect_rounds) {
       return mesh_tubes<Scalar>(*state_.manifold, tet_, topology, vertices, level(), sampling,
                                 mesh_.patch);
     case Mesher::manifold:
-      if (state_.attempts > 2) sampling.resolution *= 2;
+      sampling.resolution *= ways()[state_.way].density;
       return mesh_on_manifold<Scalar>(*state_.manifold, tet_, topology, state_.requests, vertices,
                                       level(), sampling, defect_rounds, mesh_.patch);
     case Mesher::dominant:

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "extract/patch/charts/manifold_crossings.hpp"
@@ -14,12 +16,11 @@ namespace tensortopo {
 /// How far the meshing of one tetrahedron is.
 template <class Scalar>
 struct MeshingState {
-  int attempts = 0;  ///< in charts
-  /// Whose turn it was when the sheets were tried as graphs, if they were for want of another way.
-  std::optional<Mesher> before_graph;
+  std::size_t way = 0;                          ///< of `CellMesher::ways`, the one that is tried
+  bool tried_as_graph = false;                  ///< for want of another way
   std::unique_ptr<TetManifold> manifold;        ///< if meshed there
   std::vector<SampleRequest<Scalar>> requests;  ///< samples that the mesher wants on the faces
-  UnresolvedReason last_resort{};               ///< why boundary loops are the last resort
+  UnresolvedReason why_not{};                   ///< why the last way that failed has no patch
   bool must_be_embedded = true;                 ///< `PatchDefects` are not accepted
   bool was_meshed = false;                      ///< with the proved topology, but with defects
   std::size_t tried = 0;                        ///< triangles of patches with defects
@@ -37,14 +38,28 @@ class CellMesher {
              const CellSurroundings<Scalar>& around, CellProof<Scalar>& proof,
              MeshingState<Scalar>& state, CellMesh<Scalar>& mesh);
 
-  /// Begins with rings around the arcs of the degenerate curve, where all sheets are tubes.
-  void begin_with_tubes();
+  /// Chooses the first way.
+  void begin();
   /// Tries the mesher whose turn it is; whether the patch has the proved topology and no defects.
   bool try_mesher();
   /// After a failure: chooses the next one, and what samples it needs; or gives up.
   void choose_next();
 
  private:
+  /// A way to mesh a tetrahedron.
+  struct Way {
+    Mesher mesher;
+    /// Whether it applies to these sheets after what has failed. Asks for the samples that it
+    /// needs.
+    bool (CellMesher::*applies)();
+    double density = 1;  ///< of samples inside, compared with what the options ask for
+  };
+  /// The ways in the order in which they are tried. The first that applies is tried, and its patch
+  /// taken if it has the proved topology and no defects.
+  static std::span<const Way> ways();
+  /// Goes on from a way to the first one that applies, or gives up.
+  void choose_from(std::size_t way);
+
   bool is_in_chart() const {
     return mesh_.mesher == Mesher::graph || mesh_.mesher == Mesher::manifold ||
            mesh_.mesher == Mesher::dominant;
@@ -61,8 +76,23 @@ class CellMesher {
   void mesh_cone();
   bool mesh_sheet(const SheetTopology& sheet, const FaceArcVertices& vertices);
   bool mesh_sheets(const FaceArcVertices& vertices);
-  bool try_as_graph();
-  bool ask_for_manifold();
+  bool ask_for_chart(bool denser);
+
+  // See `Way::applies`.
+  bool is_cone();
+  bool is_all_tubes();
+  bool is_not_all_tubes();
+  bool wants_graph();
+  bool wants_graph_before_many_samples();
+  bool wants_graph_after_chart();
+  bool wants_chart();
+  bool wants_denser_chart();
+  bool has_chart();
+  bool wants_denser_loops();
+  bool wants_subdivision();
+  bool wants_fan();
+  bool wants_loops();
+
   const Level<Scalar>& level() const {
     return proof_.level != nullptr ? *proof_.level : input_.level;
   }
@@ -73,6 +103,7 @@ class CellMesher {
   CellProof<Scalar>& proof_;
   MeshingState<Scalar>& state_;
   CellMesh<Scalar>& mesh_;
+  std::optional<bool> shows_loops_;  ///< what `ask_for_chart` said
   TetWithCurves<Scalar> tet_;
 };
 

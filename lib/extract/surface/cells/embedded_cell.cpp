@@ -57,10 +57,7 @@ bool CellMesher<Scalar>::make_finer() {
   }
   state_.must_be_embedded = false;
   if (mesh_.has_defects) return true;
-  state_.attempts = 0;
-  state_.before_graph.reset();
-  state_.requests.clear();
-  mesher = state_.manifold && !topology.tubes.empty() ? Mesher::tubes : Mesher::small_disc;
+  begin();
   return true;
 }
 

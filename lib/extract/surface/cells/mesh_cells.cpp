@@ -27,10 +27,10 @@ void begin(const SurfaceInput<Scalar>& input, const VertexSides& sides, const Te
     if (!proofs[t].topology) return;
     for (const auto v : input.vertices_of(cells, t))
       if (sides.as_meshed[as_size(v)]) states[t].must_be_embedded = false;
-    if (proofs[t].is_cone) mesh.mesher = Mesher::cone;
-    if (proofs[t].topology->tubes.empty()) return;
+    // Nearly all tetrahedra begin with small polygons, as a `CellMesh` does.
+    if (!proofs[t].is_cone && proofs[t].topology->tubes.empty()) return;
     const CellSurroundings<Scalar> around{cells, meshes.boundary, meshes.vertices, t};
-    CellMesher<Scalar>(input, sides, around, proofs[t], states[t], mesh).begin_with_tubes();
+    CellMesher<Scalar>(input, sides, around, proofs[t], states[t], mesh).begin();
   });
 }
 
@@ -52,7 +52,8 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
                               const TetComplex& cells, LevelBoundary<Scalar> boundary,
                               std::vector<CellProof<Scalar>>& proofs) {
   CellMeshes<Scalar> meshes{std::vector<CellMesh<Scalar>>(proofs.size()), std::move(boundary), {}};
-  meshes.vertices = number_boundary<Scalar>(input, sides, cells, meshes.boundary, proofs);
+  meshes.vertices = number_boundary<Scalar>(input, sides, cells, meshes.boundary, proofs,
+                                            std::vector<int>(cells.faces.size(), 0));
   std::vector<MeshingState<Scalar>> states(proofs.size());
   begin(input, sides, cells, proofs, states, meshes);
 
@@ -66,7 +67,7 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
   std::vector<std::size_t> meshing;
   for (std::size_t t = 0; t < proofs.size(); ++t)
     if (is_open(t)) meshing.push_back(t);
-  while (!meshing.empty()) {
+  for (int round = 1; !meshing.empty(); ++round) {
     std::vector<char> done(meshing.size(), 0);
     parallel_stage(input.options, "tetrahedra", meshing.size(), 16, [&](std::size_t i) {
       done[i] = mesher_of(meshing[i]).try_mesher();
@@ -81,6 +82,7 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
     parallel_stage(input.options, "tetrahedra", failed.size(), 16,
                    [&](std::size_t i) { mesher_of(failed[i]).choose_next(); });
     const auto changed = add_requested_samples<Scalar>(input, sides, cells, failed, states, meshes);
+    for (const auto f : changed) meshes.vertices.round_of_face[f] = round;
     number_samples<Scalar>(input, cells, meshes.boundary, changed, meshes.vertices);
     meshing.clear();
     for (const auto t : failed)

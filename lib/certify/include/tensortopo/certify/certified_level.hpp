@@ -85,6 +85,10 @@ struct CertifiedLevel {
 ///                    out
 CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction);
 
+/// The same with the field that the extraction was made from, in place of one made anew.
+CertifiedLevel certify(const PreparedField<double>& field, const ModeValue& mode,
+                       Extraction& extraction);
+
 /// The claims that the extraction of an invariant's surface supports: its triangles' topology in
 /// each tetrahedron is proved, so they are read off these. Undecided besides the tetrahedra with a
 /// zero tensor are those in which the level has a critical point, exactly
