@@ -25,9 +25,9 @@ template <class Scalar>
 std::vector<char> keep_as_meshed(const SurfaceInput<Scalar>& input, const TetComplex& cells,
                                  const CellMeshes<Scalar>& meshes, VertexSides& sides);
 
-/// `mesh_level` after `keep_off_pinched` or `keep_as_meshed`, of those tetrahedra only that it changes: those at the
-/// vertices, and those that share samples of a face with them. The result is the one of all
-/// tetrahedra done again.
+/// `mesh_level` after `keep_off_pinched` or `keep_as_meshed`, of those tetrahedra only that it
+/// changes: those at the vertices, and those that share samples of a face with them. The result is
+/// the one of all tetrahedra done again.
 ///
 /// A tetrahedron depends on another only by samples that either asks for on their face, and by the
 /// density of sampling, which a face has from the denser one. So tetrahedra go together where a
