@@ -209,6 +209,7 @@ TEST(Bench, AReportHasARowForEachFieldAndModeAndSaysWhatItIsOf) {
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string text = contents(page);
   for (const char* part : {"# Measurements", "| machine | ", "| commit | ", "| date | 20",
+                           "| `tests/run --all` passed last | ",
                            "| load at the start | ", "| g | 1 | ±1/10 | ", "| g | 1 | 0 | ",
                            "## Certificates", "## Degenerate curves", "## Next to modes 1 and -1"})
     EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;

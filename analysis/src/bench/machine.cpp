@@ -69,6 +69,14 @@ std::string commit_text() {
   return text;
 }
 
+std::string tested_text() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  std::ifstream file(program.parent_path().parent_path() / "all-passed");
+  std::string line;
+  return !error && std::getline(file, line) ? line : "unknown";
+}
+
 std::string date_text() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
 
 }  // namespace tensortopo

@@ -65,6 +65,7 @@ class Page {
         "| | |\n| --- | --- |\n");
     add("| machine | {} |\n| load at the start | {} |\n| commit | {} |\n| date | {} |\n",
         machine_text(), load_text(), commit_text(), date_text());
+    add("| `tests/run --all` passed last | {} |\n", tested_text());
     add("| repetitions | {}, interleaved; medians are reported |\n\n", command_.repeat);
     add("The load is the number of processes that want to run. Where it is larger than the number of "
         "threads, others took part of the time: seconds are too long, and ratios of short to long "
