@@ -28,7 +28,7 @@ def pieces_of(field, owner, mode):
 
 def test_what_is_not_embedded_is_kept(tetrahedron):
     field = tt.Field(*tetrahedron)
-    made = tt.extract_piece(field, "1/2", [True], np.arange(4))
+    made = tt.extract_piece(field, "1/2", [True], np.arange(4), 1)
     marked = tt.PieceSurface({**made.arrays, "not_embedded": [int(field.cell_ids[0])]})
     assert marked.not_embedded == tt.merge_pieces([marked]).not_embedded == [int(field.cell_ids[0])]
 
