@@ -60,7 +60,9 @@ std::string text_of(const LevelReport& level, bool of_curves) {
     text += "  " + std::to_string(level.stable_components.size()) + " of the components " +
             "are in every field whose deviators differ by at most " + bound +
             (level.radius_of_deviator ? " of themselves" : "") + " at the vertices" +
-            (level.radius_array.empty() ? "" : ", at each by at most what '" + level.radius_array + "' says") +
+            (level.radius_array.empty()
+                 ? ""
+                 : ", at each by at most what '" + level.radius_array + "' says") +
             "\n";
   }
   if (level.residual) {
