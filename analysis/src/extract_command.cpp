@@ -233,7 +233,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (command.improve && (command.other || command.max_error > 0)) {
     throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
   }
-  const auto uncertainty = requested_uncertainty(command, modes);
+  auto uncertainty = requested_uncertainty(command, modes);
   PersistenceFilter filter(command);
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
@@ -260,6 +260,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   OtherMethod other(command);
   OverallProgress overall(progress, modes.size());
   std::optional<StabilityRun> stability;
+  if (uncertainty) read_radii(command, read, *uncertainty);
   if (uncertainty) stability.emplace(read.mesh, *uncertainty);
   const auto more = [&] { return stability ? stability->arrays() : std::vector<CellArray>{}; };
   // What the modes have in common.

@@ -5,10 +5,21 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/hash/number_hash.hpp"
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/read_point_numbers.hpp"
 
 namespace tensortopo {
+namespace {
+
+constexpr std::string_view kArray = "array:";
+
+}  // namespace
 
 std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command,
                                                  std::span<const ModeValue> modes) {
@@ -21,11 +32,30 @@ std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command,
     throw UsageError(
         "--uncertainty: of mode surfaces only, not of degenerate curves (--mode 1 or "
         "-1)");
+  if (const std::string_view text = command.uncertainty; text.starts_with(kArray)) {
+    Uncertainty result;
+    result.kind = Uncertainty::Kind::per_vertex;
+    result.array = text.substr(kArray.size());
+    if (result.array.empty()) throw UsageError("--uncertainty: array: names no array");
+    return result;
+  }
   try {
     return parse_uncertainty(command.uncertainty);
   } catch (const std::invalid_argument& problem) {
-    throw UsageError(std::string("--uncertainty: ") + problem.what());
+    throw UsageError(std::string("--uncertainty: ") + problem.what() +
+                     ", nor array: with the name of an array of radii");
   }
+}
+
+void read_radii(const ExtractCommand& command, const ReadResult& read, Uncertainty& uncertainty) {
+  if (uncertainty.array.empty()) return;
+  uncertainty.radii = read_point_numbers(command.input, uncertainty.array, command.read, read);
+  for (std::size_t v = 0; v < uncertainty.radii.size(); ++v)
+    if (uncertainty.radii[v] < 0)
+      throw IoError(IoError::Kind::invalid, command.input,
+                    "array `" + uncertainty.array + "`: a radius is negative (point " +
+                        std::to_string(v) + ")");
+  uncertainty.radii_sha256 = numbers_sha256(uncertainty.radii);
 }
 
 StabilityReport report_stability(StabilityRun& run, const std::string& radius,

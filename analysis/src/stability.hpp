@@ -6,6 +6,7 @@
 #include <span>
 
 #include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/stability/stability_run.hpp"
 
 namespace tensortopo {
@@ -14,6 +15,9 @@ namespace tensortopo {
 /// cannot be read, or if some of the modes, or the method, have no proofs that it could apply to.
 std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command,
                                                  std::span<const ModeValue> modes);
+
+/// Reads the radii, if the command names an array of them. Throws IoError, also if one is negative.
+void read_radii(const ExtractCommand& command, const ReadResult& read, Uncertainty& uncertainty);
 
 /// The stability of the next level's surface, in its report.
 /// @param radius   as it was asked for

@@ -67,6 +67,27 @@ TEST(RenderModes, DrawsCurvesBesideATexture) {
   EXPECT_EQ(nlohmann::json::parse(run.out)["modes"], nlohmann::json({0.75, 1}));
 }
 
+// Of the same triangles: all stable, some, none.
+TEST(RenderModes, TrianglesThatAreNotStableAreFaded) {
+  const Folder folder;
+  const std::string mesh = field("s4_slab");
+  const auto picture = [&](const std::string& radius) {
+    std::vector<std::string> words{"extract", mesh,      "-o", folder / "s.vtp", "--mode",
+                                   "1/2",     "--quiet"};
+    if (!radius.empty()) words.insert(words.end(), {"--uncertainty", radius});
+    const Outcome extract = run_program(words);
+    EXPECT_EQ(extract.status, 0) << extract.err;
+    const Outcome run = run_program({"render", folder / "s.vtp", "--mesh", mesh, "--size",
+                                     "150x100", "-o", folder / "picture.png", "--json"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return contents(folder / "picture.png");
+  };
+  const std::string plain = picture(""), some = picture("1%"), none = picture("200%");
+  EXPECT_NE(plain, some);
+  EXPECT_NE(some, none);
+  EXPECT_NE(plain, none);
+}
+
 // A program of this name that only keeps what it reads.
 class FakeFfmpeg {
  public:

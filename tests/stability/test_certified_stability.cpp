@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certificate_check/check_certificate.hpp"
+#include "slab_with_radii.hpp"
 #include "support/compared.hpp"
 #include "support/folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
@@ -23,9 +24,10 @@ struct Certified {
   Json claims;
 };
 
-Certified certified(const Folder& folder, const std::string& uncertainty) {
+Certified certified(const Folder& folder, const std::string& uncertainty,
+                    const std::string& input = slab_file().string()) {
   Certified result;
-  result.input = std::string(TENSORTOPO_EXAMPLE_DATA) + "/s4_slab_small_C3D8I.vtu";
+  result.input = input;
   result.surface = folder / "surface.vtp";
   result.certificate = folder / "certificate.json";
   ExtractCommand command;
@@ -57,6 +59,47 @@ TEST(CertifiedStability, OfAnHonestExtractionIsDerivedByTheChecker) {
               c.report.surfaces.at(0).stability->summary.components.size());
     for (std::size_t i = 0; i < level.stable_components.size(); ++i) ++compared;
   }
+}
+
+TEST(CertifiedStability, OfRadiiInAnArrayIsDerivedFromTheSameArray) {
+  const Folder folder;
+  const std::vector<double> radii = slab_radii();
+  Certified c = certified(folder, "array:error", write_slab(folder / "slab.vtk", radii));
+  certificate::Report report = check(c);
+  EXPECT_EQ(report.status(), "certified");
+  EXPECT_EQ(report.levels.at(0).radius_array, "error");
+  Compared compared("stable components");
+  for (std::size_t i = 0; i < report.levels.at(0).stable_components.size(); ++i) ++compared;
+  Json& stability = c.claims.at("levels").at(0).at("stability");
+  const Json honest = stability;
+  const auto verdict = [&] {
+    std::ofstream(c.certificate) << c.claims;
+    try {
+      return check(c).status();
+    } catch (const certificate::Malformed&) {
+      return std::string("malformed");
+    }
+  };
+  stability["array"] = "S";
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest, stability["radius"] = "0x1p-3";
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest, stability["of"] = "tensor";
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest, stability.erase("sha256");
+  EXPECT_EQ(verdict(), "malformed");
+  stability = honest, stability["sha256"] = std::string(64, '0');
+  EXPECT_EQ(verdict(), "refuted");
+  stability = honest;
+  std::vector<double> other = radii;
+  other[3] = other[3] / 2;
+  write_slab(c.input, other);
+  EXPECT_EQ(verdict(), "refuted");
+  other[3] = -1;
+  write_slab(c.input, other);
+  EXPECT_EQ(verdict(), "malformed");
+  write_slab(c.input, radii);
+  EXPECT_EQ(verdict(), "certified");
 }
 
 TEST(CertifiedStability, WhatIsAlteredIsNotCertified) {

@@ -2,21 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numeric>
 
+#include "slab_with_radii.hpp"
 #include "support/compared.hpp"
 #include "support/folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/read_surface_file.hpp"
+#include "tensortopo/stability/level_stability.hpp"
 
 namespace tensortopo::test {
 namespace {
 
 ExtractCommand slab(const Folder& folder, const std::string& uncertainty) {
   ExtractCommand command;
-  command.input = std::filesystem::path(TENSORTOPO_EXAMPLE_DATA) / "s4_slab_small_C3D8I.vtu";
+  command.input = slab_file();
   command.output = folder / "surface.vtp";
   command.modes = {ModeValue::parse("1/2"), ModeValue::parse("0")};
   command.uncertainty = uncertainty;
@@ -61,6 +66,47 @@ TEST(Uncertainty, IsInTheReportAndInTheFile) {
       compared.count(s.crossed_stable_tets > 0 && s.unstable_tets > 0);
     }
   }
+}
+
+TEST(Uncertainty, OfAnArrayIsThatOfTheRadiiAtTheVertices) {
+  const Folder folder;
+  const std::vector<double> radii = slab_radii();
+  ExtractCommand command = slab(folder, "array:error");
+  command.input = write_slab(folder / "slab.vtk", radii);
+  const ExtractReport report = run_extract(command);
+  const TetMesh mesh = read_mesh(command.input).mesh;
+  const UncertainField field(mesh, radii);
+  Compared compared("levels with parts that are stable and others", 2);
+  for (std::size_t i = 0; i < report.surfaces.size(); ++i) {
+    const LevelStability level = level_stability(field, command.modes[i]);
+    const auto stable = static_cast<std::size_t>(
+        std::count(level.tets.begin(), level.tets.end(), Stability::stable));
+    EXPECT_EQ(report.surfaces[i].stability->summary.stable_tets, stable);
+    compared.count(stable > 0 && stable < mesh.tets.size());
+  }
+}
+
+TEST(Uncertainty, OfAnArrayThatHasNoRadiiIsRefused) {
+  const Folder folder;
+  const std::vector<double> radii = slab_radii();
+  ExtractCommand command = slab(folder, "array:error");
+  const auto refused = [&](const std::string& name, const std::vector<double>& given) {
+    command.uncertainty = "array:" + name;
+    command.input = write_slab(folder / "slab.vtk", given);
+    EXPECT_THROW(run_extract(command), IoError) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder / "surface.vtp")) << name;
+  };
+  refused("other", radii);
+  refused("S", radii);  // the tensors
+  std::vector<double> wrong = radii;
+  wrong.pop_back();
+  refused("error", wrong);
+  for (const double value : {-1e-300, std::nan(""), HUGE_VAL}) {
+    wrong = radii, wrong[5] = value;
+    refused("error", wrong);
+  }
+  command.uncertainty = "array:";
+  EXPECT_THROW(run_extract(command), UsageError);
 }
 
 TEST(Uncertainty, ThatIsNoneOfItsFormsIsBadUsage) {

@@ -101,6 +101,11 @@ Json distance_json(const DistanceClaim& claim, const TetMesh& mesh) {
 Json stability_json(const StabilityClaim& claim, std::size_t first_vertex) {
   Json components = Json::array();
   for (const auto v : claim.components) components.push_back(first_vertex + as_size(v));
+  if (!claim.array.empty())
+    return {{"array", claim.array},
+            {"sha256", claim.radii_sha256},
+            {"of", "array"},
+            {"components", std::move(components)}};
   return {{"radius", exact(claim.radius)},
           {"of", claim.of_deviator ? "deviator" : "tensor"},
           {"components", std::move(components)}};

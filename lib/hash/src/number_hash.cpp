@@ -56,6 +56,12 @@ void add_array(std::vector<ArrayHash>& list, const char* of, const char* name,
 
 }  // namespace
 
+std::string numbers_sha256(std::span<const double> numbers) {
+  NumberHash hash;
+  for (const double x : numbers) hash.add(x);
+  return hash.hex();
+}
+
 std::string field_sha256(const TetMesh& mesh) {
   NumberHash hash;
   hash.add_count(mesh.points.size());

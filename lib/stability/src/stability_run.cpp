@@ -31,6 +31,8 @@ std::vector<SurfaceMesh::Index> smallest_vertices(const SurfaceMesh& surface,
 StabilityRun::StabilityRun(const TetMesh& mesh, const Uncertainty& uncertainty)
     : kind_(uncertainty.kind),
       value_(uncertainty.value),
+      array_(uncertainty.array),
+      radii_sha256_(uncertainty.radii_sha256),
       field_(mesh, vertex_radii(mesh, uncertainty)),
       arrays_{{"instability", {}}, {"stable", {}}} {}
 
@@ -61,8 +63,9 @@ StabilitySummary StabilityRun::add(const ModeValue& mode, const ExtractOptions& 
 }
 
 std::optional<StabilityClaim> StabilityRun::claim(const StabilitySummary& summary) const {
-  if (kind_ == Uncertainty::Kind::per_vertex) return std::nullopt;
-  return StabilityClaim{kind_ == Uncertainty::Kind::relative, value_, summary.components};
+  if (kind_ == Uncertainty::Kind::per_vertex && array_.empty()) return std::nullopt;
+  return StabilityClaim{kind_ == Uncertainty::Kind::relative, value_, summary.components, array_,
+                        radii_sha256_};
 }
 
 }  // namespace tensortopo

@@ -68,8 +68,9 @@ void compare_embedding(const LevelCase& c, bool claimed, Ledger& ledger) {
   }
 }
 
-void check_level(const Json& claims, const Level& level, const Input& input, const Field& field,
-                 const Triangles& surface, Ledger& ledger, const Progress& progress) {
+void check_level(const Json& claims, const Level& level, const std::string& input_file,
+                 const Input& input, const Field& field, const Triangles& surface,
+                 Ledger& ledger, const Progress& progress) {
   ledger.begin_level(claims.contains("mode") ? "mode " + claims["mode"].get<std::string>()
                                              : claims["invariant"].get<std::string>() + ' ' +
                                                    claims["value"].get<std::string>());
@@ -117,7 +118,8 @@ void check_level(const Json& claims, const Level& level, const Input& input, con
   ledger.begin("isotopic");
   if (claims.contains("isotopic")) compare_isotopy(c, is_sound ? &*placed : nullptr, ledger);
   ledger.begin("stability");
-  if (claims.contains("stability")) compare_stability(c, is_sound ? &*placed : nullptr, ledger);
+  if (claims.contains("stability"))
+    compare_stability(c, input_file, is_sound ? &*placed : nullptr, ledger);
   ledger.count(level.decided_by_balls(), level.decided_exactly());
 }
 
@@ -184,7 +186,8 @@ class Checking {
       const Level level = level_of(claims);
       if (!field || !(field->multiples() == level.multiples()))
         field.emplace(input_, level.multiples());
-      check_level(claims, level, input_, *field, surface, ledger_, progress_);
+      check_level(claims, level, report_.subject.input, input_, *field, surface, ledger_,
+                  progress_);
     }
     return report_;
   }

@@ -59,7 +59,11 @@ std::string text_of(const LevelReport& level, bool of_curves) {
     std::snprintf(bound, sizeof(bound), "%.6g", level.radius);
     text += "  " + std::to_string(level.stable_components.size()) + " of the components " +
             "are in every field whose deviators differ by at most " + bound +
-            (level.radius_of_deviator ? " of themselves" : "") + " at the vertices\n";
+            (level.radius_of_deviator ? " of themselves" : "") + " at the vertices" +
+            (level.radius_array.empty()
+                 ? ""
+                 : ", at each by at most what '" + level.radius_array + "' says") +
+            "\n";
   }
   if (level.residual) {
     std::snprintf(bound, sizeof(bound), "%.3g", *level.residual);
@@ -185,7 +189,9 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   json["stability"] = nullptr;
   if (level.claims_stability)
     json["stability"] = {{"radius", level.radius},
-                         {"of", level.radius_of_deviator ? "deviator" : "tensor"},
+                         {"of", !level.radius_array.empty()  ? "array"
+                                : level.radius_of_deviator ? "deviator"
+                                                           : "tensor"},
                          {"stable_components", level.stable_components.size()}};
   json["distance"] = nullptr;
   if (!level.bound.empty())

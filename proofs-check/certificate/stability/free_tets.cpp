@@ -53,10 +53,10 @@ Widened widened(const Field& field, std::uint32_t vertex, const Radius& radius) 
   Widened result;
   for (std::size_t k = 0; k < 6; ++k) result.centre[k] = ball[k];
   if (radius.of_deviator) {
-    result.radius = radius.value * largest_norm(result.centre) * Ball::kSlack;
+    result.radius = radius.at(vertex) * largest_norm(result.centre) * Ball::kSlack;
   } else {
     const long exponent = -field.scale(vertex);
-    result.radius = std::ldexp(3 * radius.value * Ball::kSlack,
+    result.radius = std::ldexp(3 * radius.at(vertex) * Ball::kSlack,
                                static_cast<int>(exponent > 5000    ? 5000
                                                 : exponent < -5000 ? -5000
                                                                    : exponent)) +

@@ -3,7 +3,9 @@
 // Tetrahedra in which the level is the same for all members.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "field.hpp"
 #include "free_simplex.hpp"
@@ -14,6 +16,10 @@ namespace certificate {
 struct Radius {
   bool of_deviator = false;  ///< a share of the vertex' own deviator, else in units of the tensor
   double value = 0;          ///< finite, not negative
+  /// In units of the tensor, one for each point, in place of `value`; or none.
+  std::vector<double> each = {};
+
+  double at(std::uint32_t vertex) const { return each.empty() ? value : each[vertex]; }
 };
 
 /// What is derived of some tetrahedra.

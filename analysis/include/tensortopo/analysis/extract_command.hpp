@@ -40,7 +40,7 @@ struct ExtractCommand {
   bool improve = false;  ///< surfaces by `improve_triangles`
   int pieces = 1;        ///< surfaces by `extract_in_pieces`, if more
   Provenance provenance;
-  std::string uncertainty;  ///< of the field, as `parse_uncertainty` takes it; empty for none
+  std::string uncertainty;  ///< of the field, as `parse_uncertainty` takes it, or array:NAME; empty for none
   /// Leave out components of less persistence, in radians of the signed Lode angle; 0 for none.
   double min_persistence = 0;
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone

@@ -12,6 +12,7 @@
 #include <vtkPoints.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -46,18 +47,54 @@ void add_arrays(const std::vector<SurfaceArray>& arrays, std::size_t tuples,
   }
 }
 
-// The cells whose first point has the number.
-vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, vtkDataArray* numbers, double number) {
+/// The cells that are asked for, by their place in the list and their first point.
+template <class Wanted>
+vtkSmartPointer<vtkCellArray> select(vtkCellArray* cells, const Wanted& wanted) {
   const auto selected = vtkSmartPointer<vtkCellArray>::New();
   vtkIdType size = 0;
   const vtkIdType* points = nullptr;
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
     cells->GetCellAtId(i, size, points);
-    if (size > 0 && numbers->GetComponent(points[0], 0) == number) {
+    if (size > 0 && wanted(i, points[0])) {
       selected->InsertNextCell(size, points);
     }
   }
   return selected;
+}
+
+vtkSmartPointer<vtkPolyData> part_of(vtkPolyData* all, vtkCellArray* triangles,
+                                     vtkCellArray* lines) {
+  const auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(all->GetPoints());
+  part->GetPointData()->ShallowCopy(all->GetPointData());
+  part->SetPolys(triangles);
+  part->SetLines(lines);
+  vtkNew<vtkCleanPolyData> used;  // drops the points of the others
+  used->PointMergingOff();
+  used->SetInputData(part);
+  used->Update();
+  return used->GetOutput();
+}
+
+/// Of cells that have a point that is asked for: triangles that are stable, or of which no array
+/// says so, with lines; then, marked, the other triangles.
+std::vector<std::pair<vtkSmartPointer<vtkPolyData>, bool>> stable_and_other(
+    vtkPolyData* all, const std::function<bool(vtkIdType)>& has_point) {
+  vtkDataArray* const stable = all->GetCellData()->GetArray("stable");
+  const vtkIdType before = all->GetNumberOfVerts() + all->GetNumberOfLines();
+  std::vector<std::pair<vtkSmartPointer<vtkPolyData>, bool>> parts;
+  for (const bool is_unstable : {false, true}) {
+    const auto triangles = select(all->GetPolys(), [&](vtkIdType i, vtkIdType point) {
+      const bool faded = stable != nullptr && stable->GetComponent(before + i, 0) == 0;
+      return has_point(point) && faded == is_unstable;
+    });
+    const auto lines = select(all->GetLines(), [&](vtkIdType, vtkIdType point) {
+      return !is_unstable && has_point(point);
+    });
+    if (triangles->GetNumberOfCells() + lines->GetNumberOfCells() > 0)
+      parts.emplace_back(part_of(all, triangles, lines), is_unstable);
+  }
+  return parts;
 }
 
 }  // namespace
@@ -99,17 +136,14 @@ std::vector<Sheet> sheets_of(vtkPolyData* all) {
       values.insert(numbers->GetComponent(i, 0));
     std::vector<Sheet> sheets;
     for (const double value : values) {
-      const auto part = vtkSmartPointer<vtkPolyData>::New();
-      part->SetPoints(all->GetPoints());
-      part->GetPointData()->ShallowCopy(data);
-      part->SetPolys(select(all->GetPolys(), numbers, value));
-      part->SetLines(select(all->GetLines(), numbers, value));
-      vtkNew<vtkCleanPolyData> used;  // drops the points of the others
-      used->PointMergingOff();
-      used->SetInputData(part);
-      used->Update();
-      sheets.push_back({std::nullopt, used->GetOutput()});
-      sheets.back().*member = value;
+      const auto has_value = [&](vtkIdType point) {
+        return numbers->GetComponent(point, 0) == value;
+      };
+      for (const auto& [part, is_unstable] : stable_and_other(all, has_value)) {
+        sheets.push_back({std::nullopt, part});
+        sheets.back().*member = value;
+        sheets.back().is_unstable = is_unstable;
+      }
     }
     return sheets;
   }

@@ -76,6 +76,9 @@ inline Look look_of_value(double value, const std::vector<std::optional<double>>
   return nested(kPlum, larger, count);
 }
 
+/// Of what is not proved to be in every field within the noise.
+inline Look faded(const Look& look) { return {mix(look.colour, kWhite, 0.5), 0.3 * look.opacity}; }
+
 /// Ridges red, valleys blue.
 inline Look look_of_ridges(double kind) { return {kind > 0 ? kCrimson : kNavy, 1}; }
 

@@ -58,8 +58,11 @@ Drawn draw(std::vector<Sheet> sheets, vtkPolyData* domain, const View& view) {
   const double line = std::max(1.0, 0.0016 * view.height) * kOversampling;
   std::vector<std::optional<double>> modes, values;
   for (const Sheet& sheet : sheets) {
-    modes.push_back(sheet.mode);
-    values.push_back(sheet.value);
+    const auto add = [](auto& list, const auto& one) {
+      if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(one);
+    };
+    add(modes, sheet.mode);
+    add(values, sheet.value);
   }
   std::vector<LegendEntry> legend;
 
@@ -70,9 +73,10 @@ Drawn draw(std::vector<Sheet> sheets, vtkPolyData* domain, const View& view) {
       size = std::max(size, diagonal(sheet.shape->GetBounds()));
   const double cell = kGrain * size / view.height / view.zoom;
   for (const Sheet& sheet : sheets) {
-    const Look look = sheet.value        ? look_of_value(*sheet.value, values)
-                      : sheet.ridge_kind ? look_of_ridges(*sheet.ridge_kind)
-                                         : look_of(sheet.mode, modes);
+    Look look = sheet.value        ? look_of_value(*sheet.value, values)
+                : sheet.ridge_kind ? look_of_ridges(*sheet.ridge_kind)
+                                   : look_of(sheet.mode, modes);
+    if (sheet.is_unstable) look = faded(look);
     if (sheet.shape->GetNumberOfPolys() > 0) {
       add_triangles(*renderer, sheet.shape, look, 0.7 * line, cell);
     }
@@ -80,7 +84,8 @@ Drawn draw(std::vector<Sheet> sheets, vtkPolyData* domain, const View& view) {
       const double radius = (sheet.ridge_kind ? kRidgeTube : kTube) * size / view.zoom;
       add_curves(*renderer, sheet.shape, look, radius);
     }
-    if (const std::string name = name_of(sheet); !name.empty()) legend.push_back({look, name});
+    if (const std::string name = name_of(sheet); !name.empty())
+      legend.push_back({look, sheet.is_unstable ? name + ", not stable" : name});
   }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);

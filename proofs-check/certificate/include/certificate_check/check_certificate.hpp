@@ -68,7 +68,8 @@ struct LevelReport {
   std::map<std::string, std::vector<std::uint64_t>> not_isotopic;
   double moved = 0;  ///< at most so far rounding has moved the vertices of those shown
   bool claims_stability = false;  ///< that components are in all fields within a radius
-  double radius = 0;
+  double radius = 0;  ///< the largest, of an array
+  std::string radius_array = {};  ///< the input's array that has one for each point, or empty
   bool radius_of_deviator = false;  ///< a share of each vertex' deviator, else in the tensor's units
   std::vector<std::uint64_t> stable_components;  ///< certified, by their smallest vertices
 

@@ -42,7 +42,8 @@ Json make_shape() {
                             "first_vertex": "natural"}],
       "embedded or none": "boolean",
       "isotopic or none": {"except": ["*1", "natural"]},
-      "stability or none": {"radius": "text", "of": "text", "components": ["*1", "natural"]},
+      "stability or none": {"of": "text", "components": ["*1", "natural"], "radius or none": "text",
+                            "array or none": "text", "sha256 or none": "text"},
       "distance or null": {"reach": ["*0", "integer"], "bound": "text",
                            "coarse": ["*1", "natural"], "coarse_bound": "text"}}]})");
   Json level = result["levels"][1];
@@ -251,8 +252,13 @@ double length_of(const Json& value) {
 
 Radius radius_of(const Json& stability) {
   const std::string& of = text_of(stability["of"]);
-  if (of != "tensor" && of != "deviator")
-    throw Malformed("", "a radius of neither 'tensor' nor 'deviator'");
+  if (of != "tensor" && of != "deviator" && of != "array")
+    throw Malformed("", "a radius of neither 'tensor' nor 'deviator' nor 'array'");
+  const bool of_array = of == "array";
+  if (stability.contains("radius") == of_array || stability.contains("array") != of_array ||
+      stability.contains("sha256") != of_array)
+    throw Malformed("", "radii of '" + of + "' with keys that do not belong to these");
+  if (of_array) return {};
   return {of == "deviator", length_of(stability["radius"])};
 }
 

@@ -38,7 +38,8 @@ Invariant invariant_of(const Json& name);
 /// In lowest terms, positive, below 1 for an anisotropy.
 mpq_class value_of(const Json& value, Invariant invariant);
 double length_of(const Json& value);       ///< not negative, hexadecimal
-Radius radius_of(const Json& stability);   ///< of its keys `radius` and `of`
+/// Of the keys `radius` and `of`. Radii of an array are left to `read_radii`.
+Radius radius_of(const Json& stability);
 std::string reason_of(const Json& value);  ///< one of FORMAT.md's for surfaces
 std::string curve_reason_of(const Json& value);  ///< one of those for curves
 /// The ends of a crossing's interval [i / 2^k, (i + 1) / 2^k], in [0, 1].

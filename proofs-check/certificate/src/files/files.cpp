@@ -115,6 +115,8 @@ std::string Polylines::sha256() const {
 
 std::string Array::sha256() const { return Digest().add(numbers).hex(); }
 
+std::string Radii::sha256() const { return Digest().add(numbers).hex(); }
+
 namespace {
 
 Grid read_xml_grid(const std::string& name, const std::string& tensor, std::size_t components) {
@@ -143,7 +145,28 @@ bool is_flat(std::uint64_t type) {
          std::find(kOthers.begin(), kOthers.end(), type) != kOthers.end();
 }
 
+/// The grid of a file, with an array of its points.
+Grid read_grid(const Named& file, const std::string& array, std::size_t components) {
+  const std::string& name = file.name;
+  if (!has_extension(name, ".vtk") && !has_extension(name, ".vtu"))
+    file.fail("neither a .vtu nor a .vtk, which certificates are about; tensortopo convert makes one");
+  return has_extension(name, ".vtk") ? read_legacy_grid(name, array, components)
+                                     : read_xml_grid(name, array, components);
+}
+
 }  // namespace
+
+Radii read_radii(const std::string& name, const std::string& array, std::size_t points) {
+  const Named file{name};
+  if (array.empty()) throw Malformed("", "radii of an array without name");
+  Radii result{read_grid(file, array, 1).tensors};
+  if (result.numbers.size() != points)
+    file.fail("the array '" + array + "' has not one number for each point");
+  for (const double radius : result.numbers)
+    if (!(radius >= 0 && radius <= 0x1p1000))
+      file.fail("the array '" + array + "' has a number that is no radius");
+  return result;
+}
 
 std::string listing_of(const std::string& order) {
   if (order == "full") return "XX XY XZ YX YY YZ ZX ZY ZZ";
@@ -164,10 +187,7 @@ InputFile read_input(const std::string& name, const std::string& tensor,
   if (order == kOrders.end())  // the certificate's fault, not this file's
     throw Malformed("", "/input/components: unknown order of components");
   const std::size_t width = components == "full" ? 9 : 6;
-  if (!has_extension(name, ".vtk") && !has_extension(name, ".vtu"))
-    file.fail("neither a .vtu nor a .vtk, which certificates are about; tensortopo convert makes one");
-  const Grid grid = has_extension(name, ".vtk") ? read_legacy_grid(name, tensor, width)
-                                                : read_xml_grid(name, tensor, width);
+  const Grid grid = read_grid(file, tensor, width);
   InputFile input;
   for (const std::string& part : grid.names)
     if (!part.empty()) input.names += (input.names.empty() ? "" : " ") + part;

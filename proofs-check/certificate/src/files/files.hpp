@@ -57,7 +57,18 @@ std::string listing_of(const std::string& order);
 /// components that spell another order are refused. Throws Malformed.
 InputFile read_input(const std::string& file, const std::string& tensor,
                  const std::string& components);
-/// The same of a .vtp with triangles only, or polylines only, a cell array `tet`, and any others.
+
+/// Radii at the points of an input, none negative or above 2^1000.
+struct Radii {
+  std::vector<double> numbers;
+
+  std::string sha256() const;
+};
+
+/// Reads an array of the input's points with one component. Throws Malformed.
+Radii read_radii(const std::string& file, const std::string& array, std::size_t points);
+
+/// Reads a .vtp with triangles only, or polylines only, a cell array `tet`, and any others.
 Triangles read_triangles(const std::string& file);
 Polylines read_polylines(const std::string& file);
 

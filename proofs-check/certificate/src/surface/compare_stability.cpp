@@ -41,12 +41,23 @@ std::map<Number, std::vector<std::size_t>> tets_by_component(const LevelCase& c,
 
 }  // namespace
 
-void compare_stability(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger) {
+void compare_stability(const LevelCase& c, const std::string& input_file,
+                       const PlacedSurface* placed, Ledger& ledger) {
   const Json& claims = c.claims["stability"];
-  const Radius radius = radius_of(claims);
+  Radius radius = radius_of(claims);
   LevelReport& report = ledger.of_level();
   report.radius = radius.value, report.radius_of_deviator = radius.of_deviator;
   report.claims_stability = true;
+  if (claims.contains("array")) {
+    report.radius_array = claims["array"].get<std::string>();
+    const Radii radii = read_radii(input_file, report.radius_array, c.input.points.size());
+    if (radii.sha256() != claims["sha256"].get<std::string>())
+      return ledger.refute("stability", "sha256 of radii " + claims["sha256"].dump(),
+                           radii.sha256());
+    radius.each = radii.numbers;
+    if (!radius.each.empty())
+      report.radius = *std::max_element(radius.each.begin(), radius.each.end());
+  }
   if (!c.claims.contains("mode"))
     return ledger.refute("stability", "of a level of another invariant", "claimed of modes only");
   const auto name = [](const Json& vertex) { return "stable component " + vertex.dump(); };

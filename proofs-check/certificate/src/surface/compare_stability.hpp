@@ -12,6 +12,8 @@ namespace certificate {
 /// component, if one is left out, or if a vertex has members on both sides of the level.
 ///
 /// @param placed  null if the triangles or other things are not as claimed: then nothing is decided
-void compare_stability(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger);
+/// @param input_file  where radii are read, if the claims are about an array's
+void compare_stability(const LevelCase& c, const std::string& input_file,
+                       const PlacedSurface* placed, Ledger& ledger);
 
 }  // namespace certificate

@@ -27,6 +27,9 @@ std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh);
 /// the number of its vertices and these, and of each the id of the tetrahedron that holds it.
 std::string curves_sha256(const CurveMesh& curves, const TetMesh& mesh);
 
+/// The same of numbers alone, as doubles.
+std::string numbers_sha256(std::span<const double> numbers);
+
 /// An array that `write_surface` puts beside the geometry, with the SHA-256 of its numbers.
 struct ArrayHash {
   std::string of;              ///< "points", "triangles" or "lines"

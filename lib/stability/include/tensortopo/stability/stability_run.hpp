@@ -28,6 +28,9 @@ struct StabilityClaim {
   bool of_deviator = false;  ///< the radius is a share of each vertex' deviator, else absolute
   double radius = 0;         ///< in the Frobenius norm
   std::vector<SurfaceMesh::Index> components;  ///< as in `StabilitySummary`
+  /// In place of `radius`, the input's array that has one for each vertex, and the SHA-256 of these
+  /// (`numbers_sha256`); else empty.
+  std::string array = {}, radii_sha256 = {};
 };
 
 /// What is stable of the surfaces of several levels of one mesh, for reports and files.
@@ -46,12 +49,13 @@ class StabilityRun {
   /// `stable`, 1 where that is 0, else 0.
   const std::vector<CellArray>& arrays() const { return arrays_; }
 
-  /// Nothing if each vertex has a radius of its own: a certificate has no place for these.
+  /// Nothing if each vertex has a radius of its own, from no array of the input.
   std::optional<StabilityClaim> claim(const StabilitySummary& summary) const;
 
  private:
   Uncertainty::Kind kind_;
   double value_;
+  std::string array_, radii_sha256_;
   UncertainField field_;
   std::vector<CellArray> arrays_;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Uncertainty {
   Kind kind = Kind::absolute;  ///< how the radii are given
   double value = 0;            ///< absolute: in units of the tensor; relative: 0.01 for one percent
   std::vector<double> radii;   ///< per vertex
+  /// Of radii per vertex: the input's array that has them, empty if none does; and their SHA-256
+  /// (`numbers_sha256`).
+  std::string array = {}, radii_sha256 = {};
 };
 
 /// Reads "0.5" (in units of the tensor) or "1%" (of each vertex' deviator). Throws
