@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,5 +18,8 @@ struct FuzzedReader {
 };
 
 const std::vector<FuzzedReader>& fuzzed_readers();
+
+/// Its name, for GoogleTest.
+inline void PrintTo(const FuzzedReader& reader, std::ostream* stream) { *stream << reader.name; }
 
 }  // namespace tensortopo::test

@@ -3,7 +3,6 @@
 #include "curve_exhibit.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "support/random_fields.hpp"
 #include "tensortopo/certify/certificate.hpp"
@@ -137,30 +136,6 @@ const std::vector<CurveExhibit>& honest_curves() {
     return result;
   }();
   return all;
-}
-
-bool may_be_true_of_curves(const Json& honest, const Json& altered) {
-  Json b = altered;
-  for (std::size_t l = 0; l < honest["levels"].size(); ++l) {
-    const Json& faces = honest["levels"][l]["faces"];
-    Json& others = b["levels"][l]["faces"];
-    if (faces.size() != others.size()) return false;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (faces[f].size() != others[f].size()) return false;
-      for (std::size_t n = 3; n < faces[f].size(); ++n) {
-        const Json &box = faces[f][n], &other = others[f][n];
-        const auto middle = [](const Json& x, std::size_t k) {
-          return std::ldexp(x[k].get<double>(), -x[3].get<int>());
-        };
-        const double reach =
-            std::ldexp(1.0, -box[3].get<int>()) + std::ldexp(1.0, -other[3].get<int>());
-        if (box[0] == other[0] && std::abs(middle(box, 1) - middle(other, 1)) <= reach &&
-            std::abs(middle(box, 2) - middle(other, 2)) <= reach)
-          others[f][n] = box;
-      }
-    }
-  }
-  return honest == b;
 }
 
 }  // namespace tensortopo::test

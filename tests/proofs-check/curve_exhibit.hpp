@@ -28,7 +28,4 @@ CurveExhibit curve_exhibit(TetMesh mesh, const std::vector<Degeneracy>& kinds);
 /// both kinds in one file.
 const std::vector<CurveExhibit>& honest_curves();
 
-/// Do the two certificates say the same, but for boxes that may hold the same points?
-bool may_be_true_of_curves(const nlohmann::json& honest, const nlohmann::json& altered);
-
 }  // namespace tensortopo::test

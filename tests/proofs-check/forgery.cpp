@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "forgery.hpp"
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -277,57 +276,6 @@ std::string Court::verdict(const std::string& field, const std::string& surface,
     report_ = error.what();
     return "malformed";
   }
-}
-
-namespace {
-
-/// Has one of the intervals [i, k, v] all of the other? (Then both hold the same crossing, if the
-/// wider one holds no more.)
-bool are_nested(const Json& a, const Json& b) {
-  const auto ends = [](const Json& x) {
-    const mpz_class i(x[0].is_string() ? x[0].get<std::string>() : x[0].dump());
-    const mpz_class one = mpz_class(1) << x[1].get<unsigned>();
-    return std::array{mpq_class(i, one), mpq_class(i + 1, one)};
-  };
-  if (a.size() != b.size() || !std::equal(a.begin() + 2, a.end(), b.begin() + 2)) return false;
-  const auto p = ends(a), q = ends(b);
-  return (p[0] <= q[0] && q[1] <= p[1]) || (q[0] <= p[0] && p[1] <= q[1]);
-}
-
-bool is_crossing(const Json& x) { return x.is_array() && x.size() >= 3; }
-
-}  // namespace
-
-namespace {
-
-/// Does the second level say no more about isotopy than the first?
-bool excepts_more(const Json& honest, const Json& altered) {
-  if (!honest.contains("isotopic") || !altered.contains("isotopic"))
-    return honest.contains("isotopic");
-  const Json &a = honest["isotopic"]["except"], &b = altered["isotopic"]["except"];
-  return std::includes(b.begin(), b.end(), a.begin(), a.end());
-}
-
-}  // namespace
-
-bool may_be_true(const Json& honest, const Json& altered) {
-  Json a = honest, b = altered;
-  for (std::size_t l = 0; l < a["levels"].size(); ++l) {
-    a["levels"][l].erase("distance"), b["levels"][l].erase("distance");
-    if (excepts_more(a["levels"][l], b["levels"][l]))
-      a["levels"][l].erase("isotopic"), b["levels"][l].erase("isotopic");
-    if (a["levels"][l]["edges"].empty())
-      a["levels"][l].erase("value"), b["levels"][l].erase("value");
-    Json &edges = a["levels"][l]["edges"], &others = b["levels"][l]["edges"];
-    if (edges.size() != others.size()) return false;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (edges[e].size() != others[e].size()) return false;
-      for (std::size_t k = 2; k < edges[e].size(); ++k)
-        if (is_crossing(others[e][k]) && are_nested(edges[e][k], others[e][k]))
-          others[e][k] = edges[e][k];
-    }
-  }
-  return a == b;
 }
 
 }  // namespace tensortopo::test

@@ -87,10 +87,4 @@ class Court {
   std::string field_, surface_, certificate_, report_;
 };
 
-/// Do the two certificates say the same, or the second one less, or the same otherwise? A
-/// distance may be claimed with other reaches, a larger bound or more coarse tetrahedra, or not at
-/// all; isotopy of fewer tetrahedra; a crossing by a wider or narrower interval; and a surface without crossings may be that of
-/// another value: such claims may be true as well.
-bool may_be_true(const nlohmann::json& honest, const nlohmann::json& altered);
-
 }  // namespace tensortopo::test

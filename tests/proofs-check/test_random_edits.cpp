@@ -3,10 +3,12 @@
 // Any numbers and any bytes of the three files, altered at random.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <random>
 
+#include "certificate_edits.hpp"
 #include "curve_exhibit.hpp"
 #include "forgery.hpp"
 
@@ -16,50 +18,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::uint64_t kSeed = 20241121;
-
-void find_values(const Json& value, const Json::json_pointer& at,
-                 std::vector<Json::json_pointer>& found) {
-  if (!at.empty()) found.push_back(at);
-  if (value.is_array())
-    for (std::size_t i = 0; i < value.size(); ++i) find_values(value[i], at / i, found);
-  if (value.is_object())
-    for (const auto& [key, item] : value.items()) find_values(item, at / key, found);
-}
-
-/// One change of the document; which one is up to chance.
-void edit(Json& document, const std::vector<Json::json_pointer>& places, std::mt19937_64& random) {
-  const Json::json_pointer& place = places[random() % places.size()];
-  if (!document.contains(place)) return;  // an edit before took it away
-  Json& value = document[place];
-  const Json::json_pointer& other = places[random() % places.size()];
-  switch (random() % 6) {
-    case 0:
-      if (document.contains(other)) value = Json(document[other]);
-      return;
-    case 1:
-      if (value.is_array() && !value.empty()) value.erase(random() % value.size());
-      return;
-    case 2:
-      if (value.is_array() && !value.empty())
-        value.push_back(Json(value[random() % value.size()]));
-      return;
-    case 3:
-      if (value.is_array() && value.size() > 1)
-        std::swap(value[random() % value.size()], value[random() % value.size()]);
-      return;
-    default:
-      if (value.is_boolean()) {
-        value = !value.get<bool>();
-      } else if (value.is_number_integer()) {
-        constexpr std::array<std::int64_t, 8> steps{-100, -2, -1, 1, 2, 3, 1000, 1LL << 40};
-        value = static_cast<std::int64_t>(static_cast<std::uint64_t>(value.get<std::int64_t>()) +
-                                          static_cast<std::uint64_t>(steps[random() % 8]));
-      } else if (value.is_string() && !value.get_ref<std::string&>().empty()) {
-        std::string& text = value.get_ref<std::string&>();
-        text[random() % text.size()] = "0123456789abcdef-/xp+."[random() % 22];
-      }
-  }
-}
 
 /// Where two texts differ in numbers, as doubles; elsewhere they may differ in names or comments.
 bool differ_in_numbers(const std::string& a, const std::string& b) {
@@ -90,8 +48,7 @@ void expect_edits_noticed(const Exhibits& exhibits, const MayBeTrue& may_be_true
   Court court("edits");
   std::size_t tried = 0, equivalent = 0;
   for (const auto& honest : exhibits) {
-    std::vector<Json::json_pointer> places;
-    find_values(honest.certificate, Json::json_pointer(), places);
+    std::vector<Json::json_pointer> places = places_in(honest.certificate);
     // Reaches are many, and may be others.
     std::erase_if(places, [&](const auto& at) {
       return at.to_string().find("/reach/") != std::string::npos && random() % 16 != 0;
@@ -101,7 +58,7 @@ void expect_edits_noticed(const Exhibits& exhibits, const MayBeTrue& may_be_true
     for (std::size_t n = 0; n < share; ++n, ++tried) {
       Json altered = honest.certificate;
       while (altered == honest.certificate)
-        for (std::size_t k = random() % 4 == 0 ? 3 : 1; k > 0; --k) edit(altered, places, random);
+        for (std::size_t k = random() % 4 == 0 ? 3 : 1; k > 0; --k) edit_document(altered, places, random);
       const std::string text = altered.dump(-1, ' ', false, Json::error_handler_t::replace);
       if (court.verdict(field, output, text) != "certified") continue;
       ++equivalent;

@@ -13,8 +13,7 @@ namespace tensortopo {
 struct FieldFormat {
   std::string_view extension;  ///< in lower case, with its dot; may be of two parts (`.nii.gz`)
   std::string_view name;       ///< for people
-  /// The target in tests/fuzz; empty of an index of files of other formats.
-  std::string_view fuzzed_as = {};
+  std::string_view fuzzed_as;  ///< the target in tests/fuzz
   bool is_checked = false;  ///< the checker of certificates reads it, too
   bool has_steps = false;   ///< may hold several states of a field, see `ReadOptions::step`
   bool takes_mask = false;  ///< see `ReadOptions::mask`
