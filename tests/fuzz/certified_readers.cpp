@@ -46,9 +46,8 @@ void check_claims(const std::string& name, std::string_view bytes,
 std::vector<FuzzedReader> certified_readers() {
   return {{"certified_surface",
            [](std::string_view bytes) { check_claims("surface", bytes, may_be_true); }},
-          {"certified_curves", [](std::string_view bytes) {
-             check_claims("curves", bytes, may_be_true_of_curves);
-           }}};
+          {"certified_curves",
+           [](std::string_view bytes) { check_claims("curves", bytes, may_be_true_of_curves); }}};
 }
 
 }  // namespace tensortopo::test

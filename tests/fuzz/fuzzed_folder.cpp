@@ -12,10 +12,10 @@ namespace tensortopo::test {
 
 FuzzedFolder::FuzzedFolder() {
   const std::filesystem::path memory = "/dev/shm";
-  std::string name = ((std::filesystem::exists(memory) ? memory
-                                                       : std::filesystem::temp_directory_path()) /
-                      "tensortopo-fuzz-XXXXXX")
-                         .string();
+  std::string name =
+      ((std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path()) /
+       "tensortopo-fuzz-XXXXXX")
+          .string();
   if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
   path_ = name;
 }

@@ -14,14 +14,28 @@
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
+namespace {
+
+using Json = nlohmann::json;
+constexpr bool is_cbor = std::string_view(TENSORTOPO_READER).ends_with("cbor");
+
+/// Discarded if it is none.
+Json document_of(const std::uint8_t* data, std::size_t size) {
+  try {
+    return is_cbor ? Json::from_cbor(data, data + size, true, false)
+                   : Json::parse(data, data + size, nullptr, false);
+  } catch (const Json::exception&) {  // of sizes that no memory holds
+    return Json(Json::value_t::discarded);
+  }
+}
+
+}  // namespace
+
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {
-  using Json = nlohmann::json;
-  constexpr bool is_cbor = std::string_view(TENSORTOPO_READER).ends_with("cbor");
   std::mt19937_64 random(seed);
   if (random() % 8 == 0) return LLVMFuzzerMutate(data, size, most);
-  Json document = is_cbor ? Json::from_cbor(data, data + size, true, false)
-                          : Json::parse(data, data + size, nullptr, false);
+  Json document = document_of(data, size);
   const auto places = tensortopo::test::places_in(document);
   if (document.is_discarded() || places.empty()) return LLVMFuzzerMutate(data, size, most);
   for (std::size_t k = random() % 4 == 0 ? 3 : 1; k > 0; --k)

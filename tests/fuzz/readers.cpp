@@ -9,6 +9,7 @@
 #include "certified_readers.hpp"
 #include "checker_readers.hpp"
 #include "fields/read_mesh_of.hpp"
+#include "formats/field_format.hpp"
 #include "generate/truth.hpp"
 #include "surfaces/read_formats.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -21,9 +22,9 @@ void require(bool holds, const char* law) {
   if (!holds) throw std::logic_error(law);
 }
 
-/// Whether it names other files, which errors may be about.
+/// Whether other files are read with it (pieces, parts, a mask), which errors may be about.
 bool is_index(const std::filesystem::path& file) {
-  return file.extension() == ".pvtu" || file.extension() == ".pvd";
+  return file.extension() == ".pvtu" || file.extension() == ".pvd" || file.extension() == ".nii";
 }
 
 /// The error must be one line of printable characters that names the file.
@@ -78,17 +79,56 @@ void read_surface(const char* name, std::string_view bytes) {
 /// Of the files that name others; a folder with some that can be named.
 const std::string kParts = TENSORTOPO_FUZZ_DATA "/parts/";
 
-void read_field(const std::string& name, std::string_view bytes) {
+/// Options that go with the bytes, so that an input tries the same ones again.
+ReadOptions options_for(const std::string& name, std::string_view bytes) {
+  unsigned choice = 0;
+  for (const char c : bytes) choice = 31 * choice + static_cast<unsigned char>(c);
+  choice ^= choice >> 16;
+  const auto draw = [&choice](unsigned below) {
+    const unsigned drawn = choice % below;
+    choice /= below;
+    return drawn;
+  };
+  ReadOptions options;
+  options.tetrahedralize = true;
+  options.for_certificate = draw(16) == 0;
+  options.cell_to_point = draw(2) == 0;
+  options.merge_points = draw(2) == 0;
+  options.symmetrize = draw(2) == 0;
+  if (draw(2) == 0) options.tensor = "stress";
+  if (draw(2) == 0) options.mean = draw(2) == 0 ? MeanWeights::plain : MeanWeights::volume;
+  if (draw(2) == 0) options.quadratic = QuadraticCells::corners;
+  if (draw(2) == 0) options.materials = draw(2) == 0 ? "none" : "ObjectId";
+  if (draw(2) == 0) options.cell_values = draw(2) == 0 ? CellValues::nodes : CellValues::points;
+  if (draw(4) == 0) options.step = draw(3);
+  if (name.ends_with(".nii")) {
+    options.components = component_order("vtk");
+    if (draw(2) == 0) options.mask = kParts + "mask.nii";
+  }
+  return options;
+}
+
+void read_field(const std::string& name, std::string_view bytes, const ReadOptions& options) {
   one_line_or_result(name, [&] {
-    ReadOptions options;
-    options.cell_to_point = options.tetrahedralize = true;
     const ReadResult read = detail::read_mesh_of(file_of(name, bytes), options);
     require(validate(read.mesh).empty(), "the mesh has defects");
     require(read.mesh.cell_ids.size() == read.mesh.tets.size(), "cell ids");
     for (const auto& t : read.mesh.tensors)
       for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
         require(std::isfinite(x), "a tensor is not finite");
+    for (const std::string& note : read.report.all_notes())
+      for (const char c : note)
+        require(static_cast<unsigned char>(c) >= ' ' && c != 127, "a note is not one line");
   });
+}
+
+void read_field(const std::string& name, std::string_view bytes) {
+  ReadOptions options;
+  options.cell_to_point = options.tetrahedralize = true;
+  read_field(name, bytes, options);
+  read_field(name, bytes, options_for(name, bytes));
+  if (const auto steps = detail::format_of(name).steps; steps != nullptr)
+    one_line_or_result(name, [&] { steps(file_of(name, bytes)); });
 }
 
 }  // namespace
@@ -109,8 +149,7 @@ const std::vector<FuzzedReader>& fuzzed_readers() {
         {"nii", [](std::string_view bytes) { read_field("f.nii", bytes); }},
         {"pvtu", [](std::string_view bytes) { read_field(kParts + "f.pvtu", bytes); }},
         {"pvd", [](std::string_view bytes) { read_field(kParts + "f.pvd", bytes); }},
-        {"truth",
-         [](std::string_view bytes) {
+        {"truth", [](std::string_view bytes) {
            one_line_or_result("f.json", [&] { parse_truth(std::string(bytes), "f.json"); });
          }}};
     for (const FuzzedReader& reader : checker_readers()) list.push_back(reader);

@@ -70,8 +70,7 @@ void edit_document(Json& document, const std::vector<Json::json_pointer>& places
       if (value.is_array() && !value.empty()) value.erase(random() % value.size());
       return;
     case 2:
-      if (value.is_array() && !value.empty())
-        value.push_back(Json(value[random() % value.size()]));
+      if (value.is_array() && !value.empty()) value.push_back(Json(value[random() % value.size()]));
       return;
     case 3:
       if (value.is_array() && value.size() > 1)

@@ -38,6 +38,8 @@ constexpr std::array kCases{
     Case{"bad_texts", "base.vtk", "base.vtk", "bad_key.cbor", "malformed", "no UTF-8"},
     Case{"bad_texts", "base.vtk", "base.vtk", "bad_utf8.cbor", "malformed", "no UTF-8"},
     Case{"bad_texts", "base.vtk", "base.vtk", "rc70.cbor", "malformed", "no UTF-8"},
+    Case{"bad_texts", "base.vtk", "base.vtk", "control_characters.json", "malformed",
+         "a text with control characters"},
 };
 
 TEST(ForgedFiles, AreAnsweredAsTheyMustBe) {

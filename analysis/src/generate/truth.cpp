@@ -3,8 +3,10 @@
 #include "generate/truth.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/read_text.hpp"
@@ -57,29 +59,43 @@ Json json_of(const LevelTruth& level) {
   return json;
 }
 
+/// An integer that T holds: the library would round or wrap any number.
+template <class T>
+T whole(const Json& json) {
+  if (json.is_number_unsigned() && std::in_range<T>(json.get<std::uint64_t>()))
+    return static_cast<T>(json.get<std::uint64_t>());
+  if (json.is_number_integer() && !json.is_number_unsigned() &&
+      std::in_range<T>(json.get<std::int64_t>()))
+    return static_cast<T>(json.get<std::int64_t>());
+  throw std::invalid_argument("a value is no integer, or too large");
+}
+
 LevelTruth level_of(const Json& json) {
   LevelTruth level;
   level.mode = ModeValue::parse(json.at("mode").get<std::string>());
   for (const auto& c : json.at("components"))
-    level.components.push_back({c.at("euler_characteristic").get<std::int64_t>(),
-                                c.at("boundary_loops").get<std::size_t>(),
+    level.components.push_back({whole<std::int64_t>(c.at("euler_characteristic")),
+                                whole<std::size_t>(c.at("boundary_loops")),
                                 c.at("orientable").get<bool>(),
-                                c.value("member", -1)});
+                                c.contains("member") ? whole<int>(c.at("member")) : -1});
   std::sort(level.components.begin(), level.components.end());
   level.detailed = json.contains("edges");
   if (level.detailed) {
     using Index = TetMesh::Index;
     for (const auto& e : json.at("edges"))
-      level.edges.push_back({{e.at(0).get<Index>(), e.at(1).get<Index>()}, e.at(2).get<int>()});
+      level.edges.push_back({{whole<Index>(e.at(0)), whole<Index>(e.at(1))}, whole<int>(e.at(2))});
     for (const auto& f : json.at("faces"))
-      level.faces.push_back({{f.at(0).get<Index>(), f.at(1).get<Index>(), f.at(2).get<Index>()},
-                             f.at(3).get<int>(),
-                             f.at(4).get<int>()});
-    for (const auto& t : json.at("tetrahedra"))
-      level.tets.push_back({t.at(0).get<Index>(), t.at(1).get<std::vector<std::array<int, 2>>>()});
+      level.faces.push_back({{whole<Index>(f.at(0)), whole<Index>(f.at(1)), whole<Index>(f.at(2))},
+                             whole<int>(f.at(3)),
+                             whole<int>(f.at(4))});
+    for (const auto& t : json.at("tetrahedra")) {
+      level.tets.push_back({whole<Index>(t.at(0)), {}});
+      for (const auto& sheet : t.at(1))
+        level.tets.back().sheets.push_back({whole<int>(sheet.at(0)), whole<int>(sheet.at(1))});
+    }
   }
   for (const auto& cell : json.at("undecided"))
-    level.undecided.push_back({cell.at(0).get<TetMesh::Index>(), cell.at(1).get<std::string>()});
+    level.undecided.push_back({whole<TetMesh::Index>(cell.at(0)), cell.at(1).get<std::string>()});
   return level;
 }
 
@@ -151,12 +167,12 @@ FieldTruth parse_truth(const std::string& text, const std::filesystem::path& fil
     truth.kind = json.at("kind").get<std::string>();
     truth.note = json.at("note").get<std::string>();
     truth.notes = json.value("notes", std::vector<std::string>{});
-    truth.seed = json.at("seed").get<std::uint64_t>();
-    truth.member = json.at("member").get<int>();
-    truth.members = json.at("members").get<int>();
+    truth.seed = whole<std::uint64_t>(json.at("seed"));
+    truth.member = whole<int>(json.at("member"));
+    truth.members = whole<int>(json.at("members"));
     truth.field_sha256 = json.at("field").at("sha256").get<std::string>();
-    truth.points = json.at("field").at("points").get<std::size_t>();
-    truth.tetrahedra = json.at("field").at("tetrahedra").get<std::size_t>();
+    truth.points = whole<std::size_t>(json.at("field").at("points"));
+    truth.tetrahedra = whole<std::size_t>(json.at("field").at("tetrahedra"));
     for (const auto& level : json.at("levels")) truth.levels.push_back(level_of(level));
     return truth;
   } catch (const nlohmann::json::parse_error& problem) {

@@ -4,13 +4,14 @@
 
 #include <utility>
 
+#include "bytes/printable.hpp"
+
 namespace tensortopo {
 namespace {
 
 /// Names in files are anything: keep a message to one printable line of bearable length.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+std::string one_line(std::string text) {
+  text = detail::printable(std::move(text));
   constexpr std::size_t longest = 2000;
   if (text.size() > longest) text = text.substr(0, longest) + "...";
   return text;
@@ -19,7 +20,7 @@ std::string printable(std::string text) {
 }  // namespace
 
 IoError::IoError(Kind kind, std::filesystem::path file, const std::string& problem)
-    : std::runtime_error(printable(file.string() + ": " + problem)),
+    : std::runtime_error(one_line(file.string() + ": " + problem)),
       kind_(kind),
       file_(std::move(file)) {}
 

@@ -85,6 +85,17 @@ std::string text_of(const LevelReport& level, bool of_curves) {
 
 }  // namespace
 
+std::string printable(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte < 0x20 || byte == 0x7f) text[i] = '?';
+    const bool is_c1 = byte == 0xc2 && i + 1 < text.size() &&
+                       static_cast<unsigned char>(text[i + 1]) < 0xa0;
+    if (is_c1) text.replace(i, 2, "?");
+  }
+  return text;
+}
+
 std::size_t LevelReport::left_out_count() const {
   std::size_t count = 0;
   for (const auto& [reason, tets] : left_out) count += tets.size();
@@ -142,9 +153,11 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
     text += '\n';
   }
   for (const Finding& f : report.refutations)
-    text += "refuted: " + f.entity + ": claimed " + f.claimed + "; derived " + f.derived +
-            (f.witness.empty() ? "" : "; witness: " + f.witness) + '\n';
-  for (const Finding& f : report.open) text += "undecided: " + f.entity + ": " + f.claimed + '\n';
+    text += printable("refuted: " + f.entity + ": claimed " + f.claimed + "; derived " + f.derived +
+                      (f.witness.empty() ? "" : "; witness: " + f.witness)) +
+            '\n';
+  for (const Finding& f : report.open)
+    text += printable("undecided: " + f.entity + ": " + f.claimed) + '\n';
   for (const Verdicts& kind : report.kinds)
     if (kind.certified + kind.refuted + kind.undecided > 0)
       text += "  " + kind.kind + ": " + counts(kind);

@@ -13,6 +13,7 @@
 
 #include "bytes/format_error.hpp"
 #include "bytes/input_file.hpp"
+#include "bytes/printable.hpp"
 #include "fields/assemble_cells.hpp"
 #include "fields/cell_means.hpp"
 #include "fields/merge_points.hpp"
@@ -210,6 +211,7 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
     report.notes.push_back(
         "points of torn faces are doubled; --merge-points makes one of those with equal tensors, "
         "with --mean of all in one place");
+  for (std::string& note : report.notes) note = printable(std::move(note));
   return result;
 }
 
@@ -245,7 +247,7 @@ std::vector<std::string> ReadReport::all_notes() const {
                         (components.order == ComponentOrder::vtk &&
                          components.source == ComponentSource::named);
   if (!is_plain)
-    all.insert(all.begin(), "components of `" + tensor_name + "`: " + components.text());
+    all.insert(all.begin(), detail::printable("components of `" + tensor_name + "`: " + components.text()));
   return all;
 }
 

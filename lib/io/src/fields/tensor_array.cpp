@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "bytes/printable.hpp"
 #include "grids/component_names.hpp"
 #include "fields/solid_cells.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -226,13 +227,7 @@ bool is_asymmetric(const double* v) {
   return differ(1, 3) || differ(2, 6) || differ(5, 7);
 }
 
-}  // namespace
-
-TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& options) {
-  for (RawGrid& each : grids) join_named(each, options.tensor);
-  const auto with_points =
-      std::find_if(grids.begin(), grids.end(), [](const RawGrid& g) { return g.points() > 0; });
-  const RawGrid& grid = with_points != grids.end() ? *with_points : grids.front();
+TensorChoice choose_in(const RawGrid& grid, const ReadOptions& options) {
   if (options.cell_values != CellValues::one && options.tensor.empty())
     throw IoError(IoError::Kind::inapplicable, grid.file,
                   "--cell-values: name the array with --tensor; " + inventory(grid));
@@ -248,6 +243,21 @@ TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& optio
                     options);
   }
   refuse(grid, "has no array of 6 or 9 components; " + inventory(grid));
+}
+
+}  // namespace
+
+TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& options) {
+  for (RawGrid& each : grids) join_named(each, options.tensor);
+  const auto with_points =
+      std::find_if(grids.begin(), grids.end(), [](const RawGrid& g) { return g.points() > 0; });
+  const RawGrid& grid = with_points != grids.end() ? *with_points : grids.front();
+  TensorChoice choice = choose_in(grid, options);
+  // Summaries and certificates name it.
+  if (printable(choice.name) != choice.name)
+    refuse(grid, "the name of the array `" + choice.name +
+                     "` has control characters; rename the array");
+  return choice;
 }
 
 std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const TensorChoice& choice,

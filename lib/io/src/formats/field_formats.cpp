@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "bytes/printable.hpp"
 #include "formats/field_format.hpp"
 #include "formats/read_exodus.hpp"
 #include "formats/read_frd.hpp"
@@ -130,7 +131,9 @@ std::vector<std::string> field_steps(const std::filesystem::path& file) {
   if (entry.steps == nullptr)
     throw IoError(IoError::Kind::inapplicable, file,
                   fmt::format("a {} has no steps", entry.format.extension));
-  return entry.steps(detail::load(file));
+  std::vector<std::string> texts = entry.steps(detail::load(file));
+  for (std::string& text : texts) text = detail::printable(std::move(text));
+  return texts;
 }
 
 const std::string& field_extensions() {

@@ -14,11 +14,15 @@
 
 namespace certificate {
 
-/// A file that cannot be read as what it should be; what() is "FILE: what is wrong".
+/// The text with `?` for each control character (up to U+001F, U+007F to U+009F): names in files
+/// are anything, and a terminal obeys them.
+std::string printable(std::string text);
+
+/// A file that cannot be read as what it should be; what() is "FILE: what is wrong", in one line.
 class Malformed : public std::runtime_error {
  public:
   Malformed(const std::string& file, const std::string& problem)
-      : std::runtime_error(file + ": " + problem), file_(file), problem_(problem) {}
+      : std::runtime_error(printable(file + ": " + problem)), file_(file), problem_(problem) {}
 
   const std::string& file() const { return file_; }
   const std::string& problem() const { return problem_; }

@@ -70,6 +70,7 @@ class Reader {
   std::string checked(std::string text) {
     spend(32 + text.size());
     if (!is_utf8(text)) fail("a text that is no UTF-8");
+    if (printable(text) != text) fail("a text with control characters");
     return text;
   }
 

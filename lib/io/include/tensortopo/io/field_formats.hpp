@@ -14,12 +14,13 @@ struct FieldFormat {
   std::string_view extension;  ///< in lower case, with its dot; may be of two parts (`.nii.gz`)
   std::string_view name;       ///< for people
   std::string_view fuzzed_as;  ///< the target in tests/fuzz
-  bool is_checked = false;  ///< the checker of certificates reads it, too
-  bool has_steps = false;   ///< may hold several states of a field, see `ReadOptions::step`
-  bool takes_mask = false;  ///< see `ReadOptions::mask`
+  bool is_checked = false;     ///< the checker of certificates reads it, too
+  bool has_steps = false;      ///< may hold several states of a field, see `ReadOptions::step`
+  bool takes_mask = false;     ///< see `ReadOptions::mask`
 };
 
-/// All formats of fields: the one table that readers, messages, help texts and tests take them from.
+/// All formats of fields: the one table that readers, messages, help texts and tests take them
+/// from.
 const std::vector<FieldFormat>& field_formats();
 
 /// The format of a file by its name; null if there is none.
