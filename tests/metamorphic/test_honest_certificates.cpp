@@ -71,6 +71,13 @@ TEST(HonestCertificatesOnceRefuted, AreCertified) {
   }
 }
 
+/// An edge that the level nearly touches: the vertex is as far from the crossing as 1e-8.
+TEST(HonestCertificatesOnceRefuted, OfALevelThatNearlyTouchesAnEdgeAreNot) {
+  HonestCourt court("touching");
+  const HonestVerdict verdict = court.judge(field_case(Family::nearly_special, 48));
+  EXPECT_TRUE(verdict.status == "certified" || verdict.status == "undecided") << verdict.report;
+}
+
 INSTANTIATE_TEST_SUITE_P(Families, HonestCertificates, testing::ValuesIn(all_families()),
                          [](const auto& family) { return name_of(family.param); });
 

@@ -20,14 +20,18 @@ struct NearCrossing {
 
 /// Dyadic intervals around the crossings of an edge, in order, which share no more than ends and
 /// have different sides of the level at theirs. As many as the edge has crossings, so each holds
-/// one.
+/// one; and each holds the coordinate that is given, up to `kRounding`. Where the level nearly
+/// touches the edge, that may be far from the crossing: then the interval is coarse.
 /// @param is_above  of a coordinate with few enough bits that 1 - t is exact: exactly
-/// @return nothing if two crossings are too close to be parted by doubles
+/// @return nothing if two crossings are too close to be parted by doubles, or no interval holds both
+///         a crossing and its coordinate
 template <class IsAbove>
 std::optional<std::vector<DyadicBracket>> find_brackets(const std::vector<NearCrossing>& crossings,
                                                         const IsAbove& is_above) {
-  // Coarse brackets are short to write and quick to check, fine ones part close crossings.
-  constexpr std::array kDepths{16, 24, 32, 40, 50};
+  // Brackets of few bits are short to write and quick to check, fine ones part close crossings.
+  constexpr std::array kDepths{16, 24, 32, 40, 50, 12, 8, 4, 2, 0};
+  // A coordinate is a quotient of doubles, each a few units in the last place off.
+  constexpr double kRounding = 0x1p-50;
   std::vector<DyadicBracket> brackets;
   double free_from = 0;  // end of the last bracket
   for (std::size_t k = 0; k < crossings.size(); ++k) {
@@ -44,8 +48,10 @@ std::optional<std::vector<DyadicBracket>> find_brackets(const std::vector<NearCr
     const auto find = [&]() -> std::optional<DyadicBracket> {
       for (const int depth : kDepths) {
         const double place = std::min(std::floor(std::ldexp(t, depth)), std::ldexp(1.0, depth) - 1);
+        const double low = std::ldexp(place, -depth), high = std::ldexp(place + 1, -depth);
         for (const double shift : {0.0, -1.0, 1.0})
-          if (holds(place + shift, depth))
+          if ((shift >= 0 || t - low <= kRounding) && (shift <= 0 || high - t <= kRounding) &&
+              holds(place + shift, depth))
             return DyadicBracket{static_cast<std::uint64_t>(place + shift), depth};
       }
       return std::nullopt;
