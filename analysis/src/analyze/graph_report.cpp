@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyze/graph_command.hpp"
+#include "topology_json.hpp"
 
 namespace tensortopo {
 namespace {
@@ -21,12 +22,7 @@ const char* kind_of(const ContourNode& node) {
 std::string to_json(const GraphReport& report) {
   using Object = nlohmann::ordered_json;
   Object json;
-  json["input"] = {{"path", report.input.string()},
-                   {"sha256", report.sha256},
-                   {"vertices", report.vertices},
-                   {"tetrahedra", report.tetrahedra},
-                   {"components", name_of(report.components.order)}};
-  if (!report.notes.empty()) json["input"]["notes"] = report.notes;
+  json["input"] = analyzed_mesh_json(report);
   json["complete"] = report.tree.is_complete;
   json["loops_in_mesh"] = report.tree.has_loops;
   json["nodes"] = Object::array();

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyze/persistence_command.hpp"
+#include "topology_json.hpp"
 
 namespace tensortopo {
 namespace {
@@ -63,12 +64,7 @@ Json json_of(const ModePersistence& persistence, const CurvePersistence& curve) 
 std::string to_json(const PersistenceReport& report) {
   const ModePersistence& found = report.persistence;
   Json json;
-  json["input"] = {{"path", report.input.string()},
-                   {"sha256", report.sha256},
-                   {"vertices", report.vertices},
-                   {"tetrahedra", report.tetrahedra},
-                   {"components", name_of(report.components.order)}};
-  if (!report.notes.empty()) json["input"]["notes"] = report.notes;
+  json["input"] = analyzed_mesh_json(report);
   json["complete"] = report.is_complete();
   json["pairs"] = Json::array();
   for (const PersistencePair& pair : found.pairs) json["pairs"].push_back(json_of(report, pair));

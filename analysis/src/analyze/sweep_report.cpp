@@ -11,6 +11,7 @@
 
 #include "analyze/sweep_command.hpp"
 #include "short_text.hpp"
+#include "topology_json.hpp"
 
 namespace tensortopo {
 namespace {
@@ -99,12 +100,7 @@ std::map<std::string, std::size_t> count_changes(const Sweep& sweep) {
 std::string to_json(const SweepReport& report) {
   const Sweep& sweep = report.sweep;
   Json json;
-  json["input"] = {{"path", report.input.string()},
-                   {"sha256", report.sha256},
-                   {"vertices", report.vertices},
-                   {"tetrahedra", report.tetrahedra},
-                   {"components", name_of(report.components.order)}};
-  if (!report.notes.empty()) json["input"]["notes"] = report.notes;
+  json["input"] = analyzed_mesh_json(report);
   json["from"] = report.options.from.text();
   json["to"] = report.options.to.text();
   json["complete"] = report.is_complete();

@@ -31,12 +31,6 @@ std::size_t peak_memory_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-std::vector<double> approximations(const std::vector<ModeValue>& modes) {
-  std::vector<double> values;
-  for (const ModeValue& mode : modes) values.push_back(mode.approx());
-  return values;
-}
-
 std::string resolution_text(double resolution) {
   return fmt::format("resolution {:g}", resolution);
 }
@@ -58,9 +52,8 @@ class Bench {
     vtk_ = std::make_unique<VtkContours>(mesh_, static_cast<int>(report_.threads));
     vtk_->contour_grid(values_);
     vtk_->contour_3d_linear_grid(values_);
-    add("extract", [this] {
-      return triangles_of(our_surfaces(mesh_, modes_, resolution_, &stages_));
-    });
+    add("extract",
+        [this] { return triangles_of(our_surfaces(mesh_, modes_, resolution_, &stages_)); });
     add("vtk_contour", [this] { return vtk_->contour_grid(values_); });
     add("vtk_contour_3d_linear_grid", [this] { return vtk_->contour_3d_linear_grid(values_); });
     compare("extract", "vtk_contour", "");
@@ -73,8 +66,7 @@ class Bench {
     add_hybrid();
     add_vtk_subdivided();
     time();
-    if (command_.curves)
-      report_.curves = error_curves(mesh_, modes_, command_.repeat, progress_);
+    if (command_.curves) report_.curves = error_curves(mesh_, modes_, command_.repeat, progress_);
     return std::move(report_);
   }
 
@@ -181,9 +173,8 @@ class Bench {
                                    "at resolution {:g}",
                                    error, chosen.text, ours, kResolutions.back()));
     const std::string our_name = "extract_for_" + name;
-    add(our_name, [this, modes, r = *resolution] {
-      return triangles_of(our_surfaces(mesh_, modes, r));
-    });
+    add(our_name,
+        [this, modes, r = *resolution] { return triangles_of(our_surfaces(mesh_, modes, r)); });
     pairs_.push_back({ratio, name, our_name,
                       fmt::format("its error {:.3g} at {}, ours {:.3g} at resolution {:g}", error,
                                   chosen.text, ours, *resolution)});
@@ -221,19 +212,18 @@ class Bench {
     int times = 0;
     for (subdivided_ = mesh_;; subdivided_ = subdivide(subdivided_), ++times) {
       tell(0.8);
-      error = judge_->distance(baseline_surfaces(Baseline::marching, subdivided_, modes_),
-                               subdivided_)
-                  .root_mean_square();
+      error =
+          judge_->distance(baseline_surfaces(Baseline::marching, subdivided_, modes_), subdivided_)
+              .root_mean_square();
       if (error <= our_error_ || 8 * subdivided_.tets.size() > kLargestSubdivided) break;
     }
     const std::string reached =
         fmt::format("{} tetrahedra after {} subdivisions: its error {:.3g}, ours {:.3g}",
                     subdivided_.tets.size(), times, error, our_error_);
-    report_.errors.push_back(judge_->errors(
-        "vtk_subdivided", fmt::format("{} subdivisions", times),
-        baseline_surfaces(Baseline::marching, subdivided_, modes_), subdivided_));
-    vtk_subdivided_ =
-        std::make_unique<VtkContours>(subdivided_, static_cast<int>(report_.threads));
+    report_.errors.push_back(
+        judge_->errors("vtk_subdivided", fmt::format("{} subdivisions", times),
+                       baseline_surfaces(Baseline::marching, subdivided_, modes_), subdivided_));
+    vtk_subdivided_ = std::make_unique<VtkContours>(subdivided_, static_cast<int>(report_.threads));
     add("vtk_subdivided", [this] { return vtk_subdivided_->contour_3d_linear_grid(values_); });
     add("vtk_subdivided_whole", [this, times] {
       TetMesh fine = mesh_;
@@ -243,8 +233,8 @@ class Bench {
     if (error <= our_error_)
       pairs_.push_back({ratio, "vtk_subdivided", "extract", reached});
     else
-      leave_out(ratio, fmt::format("not reached within {} tetrahedra; {}", kLargestSubdivided,
-                                   reached));
+      leave_out(ratio,
+                fmt::format("not reached within {} tetrahedra; {}", kLargestSubdivided, reached));
   }
 
   void time() {
@@ -288,8 +278,8 @@ class Bench {
 }  // namespace
 
 const std::vector<std::string>& BenchCommand::comparisons() {
-  static const std::vector<std::string> names{"certified", "graph", "a_patches", "hybrid",
-                                              "vtk_subdivided", "errors"};
+  static const std::vector<std::string> names{"certified", "graph",          "a_patches",
+                                              "hybrid",    "vtk_subdivided", "errors"};
   return names;
 }
 

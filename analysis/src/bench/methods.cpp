@@ -26,6 +26,12 @@ std::vector<ModeValue> with_opposites(std::span<const ModeValue> modes) {
   return all;
 }
 
+std::vector<double> approximations(std::span<const ModeValue> modes) {
+  std::vector<double> values;
+  for (const ModeValue& mode : modes) values.push_back(mode.approx());
+  return values;
+}
+
 std::vector<SurfaceMesh> our_surfaces(const TetMesh& mesh, std::span<const ModeValue> modes,
                                       double resolution, std::map<std::string, double>* stages,
                                       MeshingMethod drawing) {

@@ -19,6 +19,9 @@ namespace tensortopo {
 /// Each mode and its opposite, each once, in order.
 std::vector<ModeValue> with_opposites(std::span<const ModeValue> modes);
 
+/// The modes in doubles, which contour filters take.
+std::vector<double> approximations(std::span<const ModeValue> modes);
+
 /// Our surfaces, at a resolution; what the modes have in common is computed once.
 /// @param stages  if given: the seconds of edges, faces, tets, stitch
 std::vector<SurfaceMesh> our_surfaces(const TetMesh& mesh, std::span<const ModeValue> modes,

@@ -21,12 +21,6 @@ namespace {
 
 const double kResolution = Sampling().resolution;
 
-std::vector<double> approximations(const std::vector<ModeValue>& modes) {
-  std::vector<double> values;
-  for (const ModeValue& mode : modes) values.push_back(mode.approx());
-  return values;
-}
-
 /// One for each point, VTK's after ours if it takes part.
 void add_times(const std::vector<Contender>& contenders, bool with_vtk, int repeat,
                std::vector<ScalingPoint>& points, const Progress& progress) {
@@ -44,12 +38,9 @@ void add_times(const std::vector<Contender>& contenders, bool with_vtk, int repe
 
 std::vector<Contender> ours_and_vtk(const TetMesh& mesh, const std::vector<ModeValue>& modes,
                                     VtkContours& vtk) {
-  return {{"extract", [&mesh, modes] {
-             return triangles_of(our_surfaces(mesh, modes, kResolution));
-           }},
-          {"vtk_contour", [&vtk, values = approximations(modes)] {
-             return vtk.contour_grid(values);
-           }}};
+  return {
+      {"extract", [&mesh, modes] { return triangles_of(our_surfaces(mesh, modes, kResolution)); }},
+      {"vtk_contour", [&vtk, values = approximations(modes)] { return vtk.contour_grid(values); }}};
 }
 
 void over_sizes(const ScalingCommand& command, ScalingReport& report, const Progress& progress) {
@@ -120,8 +111,7 @@ ScalingReport run_scaling(const ScalingCommand& command, const Progress& progres
   const bool over_size = command.over == ScalingOver::size;
   if (command.modes.empty() && (over_size || command.over == ScalingOver::threads))
     throw UsageError("no mode given (--mode)");
-  if (over_size && command.largest < 10'000)
-    throw UsageError("--largest: must be at least 10000");
+  if (over_size && command.largest < 10'000) throw UsageError("--largest: must be at least 10000");
   if (!over_size && command.input.empty()) throw UsageError("--input is required");
   ScalingReport report;
   report.over = command.over;
@@ -145,8 +135,7 @@ ScalingReport run_scaling(const ScalingCommand& command, const Progress& progres
   const bool is_amount = command.over != ScalingOver::mode;
   report.exponent = is_amount ? power_law_exponent(x, ours) : std::nan("");
   report.vtk_exponent = over_size ? power_law_exponent(x, vtk) : std::nan("");
-  report.serial_share =
-      command.over == ScalingOver::threads ? serial_share(x, ours) : std::nan("");
+  report.serial_share = command.over == ScalingOver::threads ? serial_share(x, ours) : std::nan("");
   return report;
 }
 

@@ -3,6 +3,9 @@
 // Invariants of a linear tensor field on a simplex, as polynomials in its weights.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "ball.hpp"
 #include "polynomial.hpp"
 
@@ -13,6 +16,19 @@ namespace certificate {
 /// factor: on a simplex whose corners are multiplied each by its own, a form has the same signs.
 template <class N>
 using Tensor = std::array<N, 8>;
+
+/// Divides by a power of 2 so that the largest entry is from 1/2 to 1: subdivisions rely on tensors
+/// of similar size.
+/// @return the exponent
+inline int scale_to_one(Tensor<Ball>& m) {
+  double size = 0;
+  for (const Ball& x : m) size = std::max(size, std::abs(x.value));
+  int exponent = 0;
+  if (size > 0 && size < HUGE_VAL) std::frexp(size, &exponent);
+  const Ball factor(std::ldexp(1.0, -exponent), 0);
+  for (Ball& x : m) x = x * factor;
+  return exponent;
+}
 
 /// tr(M K).
 template <class N>

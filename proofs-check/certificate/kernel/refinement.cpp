@@ -218,13 +218,7 @@ Refinement::Id Refinement::add_point(const Place& place) {
     m.support |= p.support;
     all += place.shares[i];
   }
-  double size = 0;
-  for (const Ball& x : m.ball) size = std::max(size, std::abs(x.value));
-  int scale = 0;
-  if (size > 0 && size < HUGE_VAL) std::frexp(size, &scale);
-  const Ball factor(std::ldexp(1.0, -scale), 0);
-  for (Ball& x : m.ball) x = x * factor;
-  m.shift = shift + scale;
+  m.shift = shift + scale_to_one(m.ball);
   const Id id = static_cast<Id>(points_.size());
   points_.push_back(std::move(m));
   Point& stored = points_.back();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include "analyze/graph_command.hpp"
 #include "analyze/persistence_command.hpp"
@@ -27,6 +28,26 @@ struct AnalyzeOptions {
   const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
+/// Runs an analysis with progress, and prints its notes and its report.
+/// @param run  from the progress callback to the report
+/// @param notes_of  of a report: the file, and what its reader noted
+template <class Run, class NotesOf>
+auto report_of(const CommonOptions& common, const char* schema, const Run& run,
+               const NotesOf& notes_of) {
+  ProgressBar bar(!common.quiet);
+  auto report = run(bar.callback());
+  bar.erase();
+  const auto& [file, notes] = notes_of(report);
+  say_notes(file, notes, common.quiet);
+  print_report(
+      common, schema, [&] { return to_json(report); }, [&] { return to_text(report); }, true);
+  return report;
+}
+
+constexpr auto kNotesOfInput = [](const auto& report) {
+  return std::tie(report.input, report.notes);
+};
+
 ExitStatus sweep(const AnalyzeOptions& options, const CommonOptions& common) {
   SweepCommand command;
   command.input = options.input;
@@ -35,13 +56,9 @@ ExitStatus sweep(const AnalyzeOptions& options, const CommonOptions& common) {
   command.sweep.most_levels = options.most_levels;
   command.check_modes = options.check_modes;
   parse_sweep(options.sweep, command.sweep);
-  ProgressBar bar(!common.quiet);
-  const SweepReport report = run_sweep(command, bar.callback());
-  bar.erase();
-  say_notes(report.input, report.notes, common.quiet);
-  print_report(
-      common, "analyze-sweep", [&] { return to_json(report); }, [&] { return to_text(report); },
-      true);
+  const SweepReport report = report_of(
+      common, "analyze-sweep",
+      [&](const Progress& progress) { return run_sweep(command, progress); }, kNotesOfInput);
   return report.check && report.is_contradicted() ? ExitStatus::undecided : ExitStatus::done;
 }
 
@@ -51,13 +68,9 @@ ExitStatus persistence(const AnalyzeOptions& options, const CommonOptions& commo
   command.read = options.read;
   command.output = options.output;
   command.picture = options.chart;
-  ProgressBar bar(!common.quiet);
-  const PersistenceReport report = run_persistence(command, bar.callback());
-  bar.erase();
-  say_notes(report.input, report.notes, common.quiet);
-  print_report(
-      common, "analyze-persistence", [&] { return to_json(report); },
-      [&] { return to_text(report); }, true);
+  report_of(
+      common, "analyze-persistence",
+      [&](const Progress& progress) { return run_persistence(command, progress); }, kNotesOfInput);
   return ExitStatus::done;
 }
 
@@ -66,13 +79,9 @@ ExitStatus graph(const AnalyzeOptions& options, const CommonOptions& common) {
   command.input = options.input;
   command.read = options.read;
   command.output = options.output;
-  ProgressBar bar(!common.quiet);
-  const GraphReport report = run_graph(command, bar.callback());
-  bar.erase();
-  say_notes(report.input, report.notes, common.quiet);
-  print_report(
-      common, "analyze-graph", [&] { return to_json(report); }, [&] { return to_text(report); },
-      true);
+  report_of(
+      common, "analyze-graph",
+      [&](const Progress& progress) { return run_graph(command, progress); }, kNotesOfInput);
   return ExitStatus::done;
 }
 
@@ -87,13 +96,10 @@ ExitStatus surface(const AnalyzeOptions& options, const CommonOptions& common) {
   command.smooth = options.smooth;
   command.recover = options.recover;
   command.read = options.read;
-  ProgressBar bar(!common.quiet);
-  const SurfaceAnalysis analysis = run_surface_analysis(command, bar.callback());
-  bar.erase();
-  say_notes(command.mesh, analysis.mesh_notes, common.quiet);
-  print_report(
-      common, "analyze-surface", [&] { return to_json(analysis); },
-      [&] { return to_text(analysis); }, true);
+  report_of(
+      common, "analyze-surface",
+      [&](const Progress& progress) { return run_surface_analysis(command, progress); },
+      [&](const SurfaceAnalysis& analysis) { return std::tie(command.mesh, analysis.mesh_notes); });
   return ExitStatus::done;
 }
 

@@ -31,8 +31,7 @@ double reach_length(std::int64_t n) {
 MovedVertices::MovedVertices(const LevelCase& c, const PlacedSurface& placed,
                              const std::vector<std::int64_t>& reach)
     : c_(c), placed_(placed), points_(2 * placed.carriers.size()) {
-  parallel_for(placed.carriers.size(),
-               [&](std::size_t v) { move(v, reach_length(reach[v])); });
+  parallel_for(placed.carriers.size(), [&](std::size_t v) { move(v, reach_length(reach[v])); });
 }
 
 /// The largest scale of the corners' balls.
@@ -59,8 +58,8 @@ void MovedVertices::move(std::size_t vertex, double reach) {
   const auto solver = gram.partialPivLu();
   // The nearest point of the carrier's plane, corrected once for rounding.
   const Eigen::Vector3d rest =
-      Eigen::Map<const Eigen::Vector3d>(
-          c_.surface.points[c_.vertices.first + vertex].data()) - point(0);
+      Eigen::Map<const Eigen::Vector3d>(c_.surface.points[c_.vertices.first + vertex].data()) -
+      point(0);
   Small weights = solver.solve(edges.transpose() * rest);
   weights += solver.solve(edges.transpose() * (rest - edges * weights));
   // The gradient of what the level is of, and its length.
@@ -123,12 +122,7 @@ void MovedVertices::enclose(const Carrier& carrier, Point& point) const {
     const Tensor<Ball>& t = *c_.field.corner(v, false).ball;
     for (std::size_t k = 0; k < t.size(); ++k) point.ball[k] += weight * t[k];
   }
-  // Of a similar size as all other balls, which subdivisions rely on: the sum may be small.
-  double size = 0;
-  for (const Ball& x : point.ball) size = std::max(size, std::abs(x.value));
-  int down = 0;
-  if (size > 0) std::frexp(size, &down);
-  for (Ball& x : point.ball) x = x * Ball(std::ldexp(1.0, -down), 0);
+  const int down = scale_to_one(point.ball);
   // exact() is in the unit, the ball in 2^(scale + down)
   point.shift = scale + down - unit_of(carrier, point);
 }
