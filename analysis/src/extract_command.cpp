@@ -233,7 +233,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (command.improve && (command.other || command.max_error > 0)) {
     throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
   }
-  auto uncertainty = requested_uncertainty(command, modes);
+  auto uncertainty = requested_uncertainty(command);
   PersistenceFilter filter(command);
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
@@ -287,10 +287,16 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       const auto filtered = filter.apply(read.mesh, modes[i], extraction.curves);
       report.curves.push_back(curve_report(modes[i], extraction));
       report.curves.back().filter = filtered;
+      if (stability)
+        report.curves.back().stability =
+            report_stability(*stability, command.uncertainty, kind, options, extraction);
       if (certifying) {
         overall("certificate", 0);
         const Clock certify_clock;
         certified_curves.push_back(certify(read.mesh, kind, extraction));
+        if (stability)
+          certified_curves.back().stability =
+              stability->claim(report.curves.back().stability->summary);
         seconds_certify += certify_clock.seconds();
       }
       append_curves(curves, std::move(extraction.curves));
@@ -376,8 +382,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   OutputKinds kinds;
   for (const ModeValue& mode : modes)
     (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
+  auto notes = file_notes(report, texts_of(modes));
+  if (stability) notes.push_back({"instability_names", stability_names()});
   report.bytes = write_surface(surface, curves, read.mesh, command.output, kinds,
-                               file_notes(report, texts_of(modes)), more())
+                               notes, more())
                      .bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
@@ -386,7 +394,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     report.certificate =
         certified_curves.empty()
             ? write_certificate(command.certificate, read, surface, more(), certified)
-            : write_certificate(command.certificate, read, curves, certified_curves);
+            : write_certificate(command.certificate, read, curves, more(), certified_curves);
     report.certificate->seconds = seconds_certify + certify_clock.seconds();
     for (const SurfaceReport& s : report.surfaces) {
       report.certificate->tubes += s.statistics.sheets_tubes;

@@ -25,6 +25,8 @@ Json stability_json(const StabilityReport& stability) {
           {"stable_tets", s.stable_tets},
           {"unstable_tets", s.unstable_tets},
           {"crossed_stable_tets", s.crossed_stable_tets},
+          {"crossings", s.crossings},
+          {"stable_crossings", s.stable_crossings},
           {"reasons", counts(s.reasons)},
           {"stable_components", s.components.size()},
           {"seconds", stability.seconds}};
@@ -70,6 +72,7 @@ Json curve_json(const CurveReport& curve) {
           {"faces_counted", s.faces},
           {"faces_counted_with_more_digits", s.faces_exact},
           {"unresolved", counts(curve.unresolved)}};
+  if (curve.stability) json["stability"] = stability_json(*curve.stability);
   if (curve.filter) json["filter"] = filter_json(*curve.filter);
   return json;
 }

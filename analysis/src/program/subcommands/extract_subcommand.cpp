@@ -224,7 +224,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_option("--uncertainty", command.uncertainty,
                  "Say what is the same for all fields whose deviators differ by at most E: in units of "
                  "the tensor (Frobenius norm), or E% of each vertex' deviator, or "
-                 "array:NAME, an array of the points of FIELD with a radius for each")
+                 "array:NAME, an array of the points of FIELD with a radius for each; of surfaces and "
+                 "of degenerate curves")
       ->type_name("E");
   app.add_option("--min-persistence", command.min_persistence,
                  "Leave out whole components that matter less: surfaces beside which the mode does "
