@@ -19,7 +19,8 @@ std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command);
 /// Reads the radii, if the command names an array of them. Throws IoError, also if one is negative.
 void read_radii(const ExtractCommand& command, const ReadResult& read, Uncertainty& uncertainty);
 
-/// The stability of the next level's surface, or of the next kind's degenerate curves, in its report.
+/// The stability of the next level's surface, or of the next kind's degenerate curves, for its
+/// report.
 /// @param radius  as it was asked for
 /// @param level   the mode, or the kind
 template <class Level, class Extracted>

@@ -97,8 +97,9 @@ int main(int argc, char** argv) {
   compare_command->add_option("FIRST", options.first)->required()->type_name("FILE.vtu");
   compare_command->add_option("SECOND", options.second)->required()->type_name("FILE.vtu");
   auto* difference_command = app.add_subcommand(
-      "difference", "Write the first field with an array `difference`: by how much the deviators of "
-                    "the second, on another mesh of the solid, differ at its points");
+      "difference",
+      "Write the first field with an array `difference`: by how much the deviators of the second, on "
+      "another mesh of the solid, differ at its points");
   difference_command->add_option("FIRST", options.first)->required()->type_name("FILE.vtu");
   difference_command->add_option("SECOND", options.second)->required()->type_name("FILE.vtu");
   difference_command->add_option("-o,--output", options.output, "Field to write")

@@ -47,7 +47,8 @@ TEST(MeshDifference, OfALinearFieldIsNoneAndOfASpherePartToo) {
     EXPECT_NEAR(d, 0, 1e-12);
   }
   fill(fine, 0.5, 0);  // of diag(1/2, 0, 0) the deviator has the norm sqrt(1/6)
-  for (const double d : deviator_differences(coarse, fine)) EXPECT_NEAR(d, std::sqrt(1.0 / 6), 1e-12);
+  for (const double d : deviator_differences(coarse, fine))
+    EXPECT_NEAR(d, std::sqrt(1.0 / 6), 1e-12);
   for (auto& p : coarse.points) p.x += 0.01;
   EXPECT_THROW(deviator_differences(coarse, fine), std::invalid_argument);
 }

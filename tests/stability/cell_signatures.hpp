@@ -18,8 +18,8 @@ namespace tensortopo::test {
 std::vector<std::optional<std::string>> cell_signatures(const TetMesh& mesh, const ModeValue& mu,
                                                         const Extraction& extraction);
 
-/// The same of degenerate curves: the faces that hold the ends of each arc in a tetrahedron. Nothing for
-/// tetrahedra that were left out, or settled in special position.
+/// The same of degenerate curves: the faces that hold the ends of each arc in a tetrahedron.
+/// Nothing for tetrahedra that were left out, or settled in special position.
 std::vector<std::optional<std::string>> curve_signatures(const TetMesh& mesh,
                                                          const CurveExtraction& extraction);
 

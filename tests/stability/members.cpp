@@ -81,8 +81,12 @@ Candidate judge_curves(const Corners& box, const Weights& x, unsigned corners, D
   const auto eigen = eigen_decomposition((kind == Degeneracy::planar ? -1.0 : 1.0) * box.at(x));
   const Vector3<double>&p = eigen.vectors[1], &q = eigen.vectors[2];
   const auto product = [](const Vector3<double>& a, const Vector3<double>& b) {
-    return Tensor{a.x * b.x, a.y * b.y, a.z * b.z, (a.x * b.y + a.y * b.x) / 2,
-                  (a.y * b.z + a.z * b.y) / 2, (a.x * b.z + a.z * b.x) / 2};
+    return Tensor{a.x * b.x,
+                  a.y * b.y,
+                  a.z * b.z,
+                  (a.x * b.y + a.y * b.x) / 2,
+                  (a.y * b.z + a.z * b.y) / 2,
+                  (a.x * b.z + a.z * b.x) / 2};
   };
   const double root = std::sqrt(0.5);
   const Tensor first = root * (product(p, p) - product(q, q)), second = (2 * root) * product(p, q);

@@ -28,8 +28,8 @@ std::vector<TetMesh> members_that_may_differ(const TetMesh& mesh, std::size_t te
                                              std::span<const double> radii, double mu,
                                              std::size_t places);
 /// The same for degenerate curves: places at which the field, or a member, is nearly degenerate and
-/// the changes needed for it not to be transverse there are smallest; each vertex tensor is moved along
-/// a tensor that is orthogonal to the degenerate ones there.
+/// the changes needed for it not to be transverse there are smallest; each vertex tensor is moved
+/// along a tensor that is orthogonal to the degenerate ones there.
 std::vector<TetMesh> members_that_may_differ(const TetMesh& mesh, std::size_t tet,
                                              std::span<const double> radii, Degeneracy kind,
                                              std::size_t places);

@@ -25,8 +25,7 @@ struct Certified {
 };
 
 Certified certified(const Folder& folder, const std::string& uncertainty,
-                    const std::string& input = slab_file().string(),
-                    const char* mode = "0") {
+                    const std::string& input = slab_file().string(), const char* mode = "0") {
   Certified result;
   result.input = input;
   result.surface = folder / "surface.vtp";
@@ -176,7 +175,8 @@ TEST(CertifiedStability, WhatIsAlteredOfDegenerateCurvesIsNotCertified) {
     std::ofstream(c.certificate) << c.claims;
     try {
       const certificate::Report report = check(c);
-      return report.refuted > 0 ? -1 : static_cast<int>(report.levels.at(0).stable_components.size());
+      return report.refuted > 0 ? -1
+                                : static_cast<int>(report.levels.at(0).stable_components.size());
     } catch (const certificate::Malformed&) {
       return -2;
     }

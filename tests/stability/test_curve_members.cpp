@@ -104,8 +104,8 @@ TEST(UnstableCurves, DifferInSomeMemberInHalfOfTheCases) {
   EXPECT_GE(2 * differ, static_cast<int>(compared.so_far()));
 }
 
-/// What is kept of a component in every member: its tetrahedra, with the arcs in each, and whether it is
-/// closed.
+/// What is kept of a component in every member: its tetrahedra, with the arcs in each, and whether
+/// it is closed.
 std::map<std::string, int> components_of(const CurveMesh& curves, const std::vector<char>& which) {
   std::map<CurveMesh::Index, std::multiset<TetMesh::Index>> tets;
   std::map<CurveMesh::Index, std::map<CurveMesh::Index, int>> ends;
@@ -154,7 +154,9 @@ TEST(StableCurves, AsComponentsAreInEveryMember) {
 
 TEST(CurveStability, OfADegenerateVertexOrEdgeIsNone) {
   // Degenerate at its first vertex; the others are far from it.
-  TetTensors tensors{{{2, -1, -1, 0, 0, 0}, {1, 0, -1, 0, 0, 0}, {1, 0, -1, 0.1, 0, 0},
+  TetTensors tensors{{{2, -1, -1, 0, 0, 0},
+                      {1, 0, -1, 0, 0, 0},
+                      {1, 0, -1, 0.1, 0, 0},
                       {1, 0.1, -1.1, 0, 0.1, 0}}};
   const auto first_reason = [&](double radius) {
     const TetMesh mesh = reference_tet_mesh(tensors);

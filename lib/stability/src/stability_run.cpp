@@ -99,8 +99,8 @@ StabilitySummary StabilityRun::add(Degeneracy kind, const ExtractOptions& option
   add_cells(curves.tet, level, arrays_[0].line_values, arrays_[1].line_values);
   StabilitySummary summary = summary_of(level, curves.tet);
   count_crossings(curves, Carrier::face, level.stable_faces, summary);
-  summary.components = smallest_vertices(curves.lines, curves.component,
-                                         stable_curves(*field_.mesh, curves, level));
+  summary.components =
+      smallest_vertices(curves.lines, curves.component, stable_curves(*field_.mesh, curves, level));
   return summary;
 }
 

@@ -109,15 +109,13 @@ LevelStability stable_cells(const UncertainField& field, const CellTests& tests,
                        [&](Index i) { return stable[as_size(i)] != 0; });
   };
   in_parallel(edges.size(), 256, [&](std::size_t e) {
-    edges[e] =
-        are_stable(cells.edges[e], vertices) &&
-        tests.edge(box(field, tensors, cells.edges[e]), kEdgeParts);
+    edges[e] = are_stable(cells.edges[e], vertices) &&
+               tests.edge(box(field, tensors, cells.edges[e]), kEdgeParts);
   });
   tell(0.4);
   in_parallel(faces.size(), 128, [&](std::size_t f) {
-    faces[f] =
-        are_stable(cells.face_edges[f], edges) &&
-        tests.face(box(field, tensors, cells.faces[f]), kFaceParts);
+    faces[f] = are_stable(cells.face_edges[f], edges) &&
+               tests.face(box(field, tensors, cells.faces[f]), kFaceParts);
   });
   tell(0.7);
   in_parallel(tets.size(), 32, [&](std::size_t k) {

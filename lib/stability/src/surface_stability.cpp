@@ -16,8 +16,9 @@ std::array<std::array<Index, 3>, 4> faces_of(std::array<Index, 4> v) {
   return {{{v[1], v[2], v[3]}, {v[0], v[2], v[3]}, {v[0], v[1], v[3]}, {v[0], v[1], v[2]}}};
 }
 
-/// By component, for the tetrahedron and the component of each of its cells: all tetrahedra are stable,
-/// and none has a face in common with one that was left out: there surface or curve may end.
+/// By component, for the tetrahedron and the component of each of its cells: all tetrahedra are
+/// stable, and none has a face in common with one that was left out: there surface or curve may
+/// end.
 std::vector<char> stable_components(const TetMesh& mesh, const std::vector<Index>& tets,
                                     const std::vector<Index>& components,
                                     const LevelStability& stability) {

@@ -18,8 +18,8 @@ template <std::size_t Vertices, std::size_t Corners>
 double cone_angle(const Part<Vertices, Corners>& part, const Traceless& unit) {
   double largest = 0;
   for (std::size_t a = 0; a < Corners; ++a) {
-    const double rounding = 0x1p3 * kRounding * part.bounds[a],
-                 radius = part.radii[a] + rounding, along = inner(unit, part.tensors[a]),
+    const double rounding = 0x1p3 * kRounding * part.bounds[a], radius = part.radii[a] + rounding,
+                 along = inner(unit, part.tensors[a]),
                  across = norm(part.tensors[a] - along * unit) + rounding,
                  sine = radius / (part.norms[a] - rounding);
     if (!(along > rounding) || !(sine < 1) || !(sine >= 0))
@@ -53,11 +53,9 @@ bool exceed_unit_disc(const std::array<Column, Count>& columns) {
         if (length == 0) continue;  // equal in all directions
         // The direction is off by a few roundings of the columns.
         const double error = 0x1p-48 * sizes / length;
-        const bool one_exceeds =
-            std::any_of(columns.begin(), columns.end(), [&](const Column& c) {
-              return std::abs(cross(side, c)) / length >
-                     1 + error * std::hypot(c.x, c.y) + kRounding;
-            });
+        const bool one_exceeds = std::any_of(columns.begin(), columns.end(), [&](const Column& c) {
+          return std::abs(cross(side, c)) / length > 1 + error * std::hypot(c.x, c.y) + kRounding;
+        });
         if (!one_exceeds) return false;
       }
   return true;
@@ -99,8 +97,8 @@ bool is_transverse(const BoxSimplex<Vertices>& simplex, const Part<Vertices, Cor
     const Vector3<double>& n = eigen.vectors[0];
     const double third = dot(n, n) / 3, scale = std::sqrt(1.5);
     const Traceless degenerate{scale * (n.x * n.x - third), scale * (n.y * n.y - third),
-                               scale * (n.z * n.z - third), scale * n.x * n.y, scale * n.y * n.z,
-                               scale * n.x * n.z};
+                               scale * (n.z * n.z - third), scale * n.x * n.y,
+                               scale * n.y * n.z,           scale * n.x * n.z};
     const double angle = cone_angle(part, degenerate);
     if (!(angle < 0.8)) return false;
     const double sine = 2 / std::sqrt(3.0) * std::sin(angle / 2);
@@ -110,9 +108,8 @@ bool is_transverse(const BoxSimplex<Vertices>& simplex, const Part<Vertices, Cor
   return false;
 }
 
-#define TENSORTOPO_INSTANTIATE(Vertices, Corners)                     \
-  template bool is_transverse(const BoxSimplex<Vertices>&, \
-                              const Part<Vertices, Corners>&);
+#define TENSORTOPO_INSTANTIATE(Vertices, Corners) \
+  template bool is_transverse(const BoxSimplex<Vertices>&, const Part<Vertices, Corners>&);
 TENSORTOPO_INSTANTIATE(2, 1)
 TENSORTOPO_INSTANTIATE(2, 2)
 TENSORTOPO_INSTANTIATE(3, 1)

@@ -222,8 +222,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->type_name("E")
       ->check(positive_number());
   app.add_option("--uncertainty", command.uncertainty,
-                 "Say what is the same for all fields whose deviators differ by at most E: in units of "
-                 "the tensor (Frobenius norm), or E% of each vertex' deviator, or "
+                 "Say what is the same for all fields whose deviators differ by at most E: in units "
+                 "of the tensor (Frobenius norm), or E% of each vertex' deviator, or "
                  "array:NAME, an array of the points of FIELD with a radius for each; of surfaces and "
                  "of degenerate curves")
       ->type_name("E");

@@ -44,8 +44,8 @@ std::string stability_names();
 /// What holds of one level, or of degenerate curves of one kind.
 struct LevelStability {
   std::vector<Stability> tets;  ///< one per tetrahedron of the mesh
-  /// Edges and faces, by their vertices in ascending order, that may be crossed and are proved to be
-  /// crossed alike by all members; ascending.
+  /// Edges and faces, by their vertices in ascending order, that may be crossed and are proved to
+  /// be crossed alike by all members; ascending.
   std::vector<std::array<TetMesh::Index, 2>> stable_edges;
   std::vector<std::array<TetMesh::Index, 3>> stable_faces;  ///< as `stable_edges`
 };
