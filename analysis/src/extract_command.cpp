@@ -288,11 +288,12 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       CurveReport& known = report.curves.emplace_back(curve_report(modes[i], extraction));
       known.filter = filtered;
       if (stability)
-        known.stability = report_stability(*stability, command.uncertainty, kind, options, extraction);
+        known.stability =
+            report_stability(*stability, command.uncertainty, kind, options, extraction);
       if (certifying) {
         overall("certificate", 0);
         const Clock certify_clock;
-        CertifiedCurves& claims = certified_curves.emplace_back(certify(read.mesh, kind, extraction));
+        auto& claims = certified_curves.emplace_back(certify(read.mesh, kind, extraction));
         if (stability) claims.stability = stability->claim(known.stability->summary);
         seconds_certify += certify_clock.seconds();
       }
