@@ -151,7 +151,7 @@ TEST(CertifiedStability, OfDegenerateCurvesIsDerivedByTheChecker) {
   Compared compared("stable components of curves");
   const Folder folder;
   for (const char* mode : {"1", "-1"})
-    for (const char* radius : {"0.0001%", "0.01%", "0.5"}) {
+    for (const char* radius : {"0.0001%", "0.1%", "0.5"}) {
       const Certified c = certified(folder, radius, slab_file().string(), mode);
       const certificate::Report report = check(c);
       EXPECT_EQ(report.refuted, 0u) << radius;
@@ -167,7 +167,7 @@ TEST(CertifiedStability, OfDegenerateCurvesIsDerivedByTheChecker) {
 
 TEST(CertifiedStability, WhatIsAlteredOfDegenerateCurvesIsNotCertified) {
   const Folder folder;
-  Certified c = certified(folder, "0.01%", slab_file().string(), "1");
+  Certified c = certified(folder, "0.1%", slab_file().string(), "1");
   Json& level = c.claims.at("levels").at(0);
   Json& stability = level.at("stability");
   const Json honest = stability;

@@ -12,6 +12,9 @@ namespace tensortopo::stability {
 
 namespace {
 
+/// Bounds are taken larger than need be, so that a checker with somewhat larger ones agrees.
+constexpr double kMargin = 1.0625;
+
 /// The half angle of a cone around a unit tensor that holds all members of a part; infinite if it
 /// is not convex.
 template <std::size_t Vertices, std::size_t Corners>
@@ -95,7 +98,7 @@ bool is_beside(const Part<Vertices, Corners>& part, const Frame& frame, double a
     if (!(length > 0)) return false;
     y.x /= length, y.y /= length;
     for (std::size_t a = 0; a < Corners; ++a)
-      if (!(y.x * places[a].x + y.y * places[a].y > least[a])) return false;
+      if (!(y.x * places[a].x + y.y * places[a].y > kMargin * least[a])) return false;
     return true;
   };
   if (separates(mean)) return true;
@@ -120,7 +123,7 @@ bool crosses(const BoxSimplex<Vertices>& simplex, const Frame& frame, double ang
                                    std::sqrt(2.0) * angle * across + angle * angle * size) +
                           simplex.radii[i] + 0x1p6 * kRounding;
     const Column part = frame.normal_part(t);
-    columns[i] = {part.x / change, part.y / change};
+    columns[i] = {part.x / (kMargin * change), part.y / (kMargin * change)};
   }
   return exceed_unit_disc(columns);
 }
@@ -136,7 +139,7 @@ bool is_transverse(const BoxSimplex<Vertices>& simplex, const Part<Vertices, Cor
   const Traceless unit = (1 / size) * centre;
   const double mode = std::sqrt(6.0) * inner(product(unit, unit), unit),
                lode_angle = std::acos(std::clamp(mode, -1.0, 1.0)) / 3;
-  if (cone_angle(part, unit) + kAngleError < lode_angle) return true;
+  if (kMargin * cone_angle(part, unit) + kAngleError < lode_angle) return true;
   const auto eigen = eigen_decomposition(unit);
   const Frame frame{eigen.vectors[1], eigen.vectors[2], eigen.vectors[0]};
   const Vector3<double>& n = frame.axis;

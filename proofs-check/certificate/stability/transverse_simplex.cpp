@@ -31,7 +31,7 @@ Vector guess_axis(const Matrix& matrix) {
                                {m[5].value, m[1].value + norm, m[3].value},
                                {m[4].value, m[3].value, m[2].value + norm}}};
   std::size_t column = 0;
-  for (int n = 0; n < 6; ++n) {
+  for (int n = 0; n < 8; ++n) {
     std::array<Vector, 3> square{};
     double trace = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -63,7 +63,7 @@ Ball form(const Matrix& m, const Vector& v, const Vector& w) {
          at(2) * (m[4] * to(0) + m[3] * to(1) + m[2] * to(2));
 }
 
-/// Is |<y, c>| > 1 + 2^-9 for every unit vector y and some of these columns c, exact doubles?
+/// Is |<y, c>| > 1 + 2^-20 for every unit vector y and some of these columns c, exact doubles?
 template <std::size_t V>
 bool reach_beyond_disc(const std::array<std::array<double, 2>, V>& columns) {
   for (std::size_t i = 0; i < V; ++i)
@@ -79,7 +79,7 @@ bool reach_beyond_disc(const std::array<std::array<double, 2>, V>& columns) {
         const double length = std::hypot(std::abs(x.value) + x.error, std::abs(y.value) + y.error);
         const bool found = std::any_of(columns.begin(), columns.end(), [&](const auto& c) {
           const Ball product = x * Ball(c[1], 0) - y * Ball(c[0], 0);
-          return std::abs(product.value) - product.error > length * (1 + 0x1p-9) * Ball::kSlack;
+          return std::abs(product.value) - product.error > length * (1 + 0x1p-20) * Ball::kSlack;
         });
         if (!found) return false;
       }
@@ -151,7 +151,7 @@ bool is_transverse(const std::array<Widened, V>& corners, const Frame& frame, do
                                      upper_modulus(form(m, frame.axis, frame.q)));
     // The frame and the quotients below are rounded.
     const double change = (std::min(angle * size, 1.4143 * angle * across + angle * angle * size) +
-                           corners[i].radius + 0x1p-38 * size + normal[0].error + normal[1].error) *
+                           corners[i].radius + 0x1p-30 * size + normal[0].error + normal[1].error) *
                           Ball::kSlack;
     if (!(change > 0)) return false;
     columns[i] = {normal[0].value / change, normal[1].value / change};
@@ -160,10 +160,21 @@ bool is_transverse(const std::array<Widened, V>& corners, const Frame& frame, do
 }
 
 template <std::size_t V, std::size_t C>
-bool part_is_transverse(const std::array<Widened, V>& corners,
-                        const std::array<Point<V>, C>& part) {
+bool part_is_transverse(const std::array<Widened, V>& corners, std::array<Point<V>, C> part) {
+  // Of about equal size: the cone that the corners span is the same.
+  for (Point<V>& point : part) {
+    if (!(point.norm > 0)) return false;
+    const Ball factor(1 / point.norm, 0);
+    point.matrix = factor * point.matrix;
+    point.radius = point.radius * factor.value * Ball::kSlack;
+    point.norm = largest_norm(point.matrix);
+  }
   Matrix centre;
   for (const auto& point : part) centre = centre + Ball(1.0 / C, 0) * point.matrix;
+  // A ball around corners of unit length spans the narrowest cone if its centre is so far out.
+  const double height = largest_norm(centre);
+  if (!(height > 0)) return false;
+  centre = Ball(1 / (height * height), 0) * centre;
   static const ModeBall one(1, 1);
   if (vertex_is_free(around(centre, part), one) == Answer::yes) return true;
   const Vector n = guess_axis(centre);
@@ -175,14 +186,24 @@ bool part_is_transverse(const std::array<Widened, V>& corners,
   if (!(s.value > 0)) return false;
   const Matrix degenerate = s * Matrix{entry(0, 0) - third, entry(1, 1) - third,
                                        entry(2, 2) - third, entry(1, 2), entry(0, 2), entry(0, 1)};
-  const double distance = around(degenerate, part).radius,
-               sine = distance / smallest_norm(degenerate) * Ball::kSlack;
+  // Members are c D + E, D this tensor: |E| and |E| / (c |D|) are at most the largest of those at corners.
+  const double length = smallest_norm(degenerate), square = inner(degenerate, degenerate).value;
+  double distance = 0, sine = 0;
+  for (const Point<V>& point : part) {
+    const double c = inner(point.matrix, degenerate).value / square,
+                 rest = (largest_norm(point.matrix + Ball(-c, 0) * degenerate) + point.radius) *
+                        Ball::kSlack;
+    if (!(c > 0)) return false;
+    distance = std::max(distance, rest);
+    sine = std::max(sine, rest / (c * length) * Ball::kSlack);
+  }
   if (!(sine < 0.75)) return false;  // of the angle a between the tensors
   // sin^2 of that between their axes is 2 (1 - cos a) / 3, and 1 - cos a = sin^2 a / (1 + cos a).
   const double cosine = std::sqrt(1 - sine * sine) / Ball::kSlack,
                between = std::sqrt(2.0 / 3 * sine * sine / (1 + cosine)) * Ball::kSlack * Ball::kSlack;
   if (!(between < 0.5)) return false;
-  const double angle = 1.048 * between;  // arcsin(1/2) = 0.5235...
+  // arcsin(1/2) = 0.5235..., and (arcsin(s) - s) / s^3 grows.
+  const double angle = (between + 0.189 * between * between * between) * Ball::kSlack;
   const Frame frame(n);
   return is_beside(part, frame, angle, distance) || (V > 2 && is_transverse(corners, frame, angle));
 }
