@@ -17,8 +17,8 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "component_filter.hpp"
 #include "overall_progress.hpp"
-#include "persistence_filter.hpp"
 #include "read_field.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
@@ -234,7 +234,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
   }
   auto uncertainty = requested_uncertainty(command, modes);
-  PersistenceFilter filter(command);
+  ComponentFilter filter(command, modes);
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {

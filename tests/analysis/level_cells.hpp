@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "analyze/level_extremality.hpp"
+#include "analyze/curvature/level_extremality.hpp"
 #include "support/random_fields.hpp"
 #include "support/witness_fields.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"

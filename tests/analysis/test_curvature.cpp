@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyze/surface_curvature.hpp"
+#include "analyze/curvature/surface_curvature.hpp"
 #include "level_cells.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/scalar/real.hpp"

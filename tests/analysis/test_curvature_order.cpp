@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "analyze/level_form.hpp"
-#include "analyze/recovered_derivatives.hpp"
+#include "analyze/curvature/level_form.hpp"
+#include "analyze/curvature/recovered_derivatives.hpp"
 #include "level_cells.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/families/elastic_stress.hpp"

@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "analyze/surface_quality.hpp"
+#include "analyze/surface/surface_quality.hpp"
 #include "run_program.hpp"
 #include "support/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"

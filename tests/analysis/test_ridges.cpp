@@ -8,8 +8,8 @@
 #include <map>
 #include <numbers>
 
-#include "analyze/ridges.hpp"
-#include "analyze/surface_curvature.hpp"
+#include "analyze/curvature/ridges.hpp"
+#include "analyze/curvature/surface_curvature.hpp"
 #include "level_cells.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/scalar/real.hpp"

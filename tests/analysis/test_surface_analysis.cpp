@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-#include "analyze/surface_quality.hpp"
+#include "analyze/surface/surface_quality.hpp"
 #include "run_program.hpp"
 
 namespace tensortopo::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analyze/sweep_check.hpp"
+#include "analyze/sweep/sweep_check.hpp"
 #include "run_program.hpp"
 
 namespace tensortopo::test {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyze/level_curvature.hpp"
+#include "analyze/curvature/level_curvature.hpp"
 #include "render/tet/tet_directions.hpp"
 #include "support/random_fields.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"

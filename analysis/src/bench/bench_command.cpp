@@ -121,7 +121,7 @@ class Bench {
     compare("certified", "vtk_contour", "");
   }
 
-  /// Ours, drawn as graphs where the level is one.
+  /// Ours, meshed as graphs where the level is one.
   std::vector<SurfaceMesh> graphs() const {
     return our_surfaces(mesh_, modes_, resolution_, nullptr, MeshingMethod::graph);
   }

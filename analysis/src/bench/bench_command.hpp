@@ -66,7 +66,7 @@ std::size_t threads_in_use();
 ///   vtk_contour_3d_linear_grid    vtkContour3DLinearGrid, the same, with shared vertices as ours
 /// and if asked for:
 ///   certified                     extraction with everything that a certificate claims
-///   graph                         extraction, drawn as graphs (`MeshingMethod::graph`)
+///   graph                         extraction, meshed as graphs (`MeshingMethod::graph`)
 ///   a_patches                     the baseline at its defaults, or coarser where our error does
 ///                                 not come down to its
 ///   extract_for_a_patches         ours at the lowest resolution of 1, 2, 4, 8, 16 at which our

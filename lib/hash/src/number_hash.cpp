@@ -21,6 +21,15 @@ class NumberHash {
  public:
   void add(double x) { append(std::bit_cast<std::uint64_t>(x)); }
   void add(const Vector3<double>& p) { add(p.x), add(p.y), add(p.z); }
+  /// Their number, then each.
+  void add_points(const std::vector<Vector3<double>>& points) {
+    add_count(points.size());
+    for (const auto& p : points) add(p);
+  }
+  /// The numbers that the file gives these tetrahedra.
+  void add_cells(const std::vector<TetMesh::Index>& tets, const TetMesh& mesh) {
+    for (const auto t : tets) add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
+  }
   void add_count(std::size_t n) { append(n); }
   void add_id(std::int64_t i) { append(static_cast<std::uint64_t>(i)); }
   std::string hex() {
@@ -64,8 +73,7 @@ std::string numbers_sha256(std::span<const double> numbers) {
 
 std::string field_sha256(const TetMesh& mesh) {
   NumberHash hash;
-  hash.add_count(mesh.points.size());
-  for (const auto& p : mesh.points) hash.add(p);
+  hash.add_points(mesh.points);
   for (const auto& t : mesh.tensors)
     for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}) hash.add(x);
   hash.add_count(mesh.tets.size());
@@ -78,25 +86,23 @@ std::string field_sha256(const TetMesh& mesh) {
 
 std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh) {
   NumberHash hash;
-  hash.add_count(surface.points.size());
-  for (const auto& p : surface.points) hash.add(p);
+  hash.add_points(surface.points);
   hash.add_count(surface.triangles.size());
   for (const auto& triangle : surface.triangles)
     for (const auto v : triangle) hash.add_id(v);
-  for (const auto t : surface.tet) hash.add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
+  hash.add_cells(surface.tet, mesh);
   return hash.hex();
 }
 
 std::string curves_sha256(const CurveMesh& curves, const TetMesh& mesh) {
   NumberHash hash;
-  hash.add_count(curves.points.size());
-  for (const auto& p : curves.points) hash.add(p);
+  hash.add_points(curves.points);
   hash.add_count(curves.lines.size());
   for (const auto& line : curves.lines) {
     hash.add_count(line.size());
     for (const auto v : line) hash.add_id(v);
   }
-  for (const auto t : curves.tet) hash.add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
+  hash.add_cells(curves.tet, mesh);
   return hash.hex();
 }
 

@@ -11,6 +11,7 @@
 
 #include "arrays.hpp"
 #include "mesh.hpp"
+#include "surface_arrays.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 #include "watched.hpp"
 
@@ -39,19 +40,6 @@ py::list list_of(const std::vector<UnresolvedOwnedCell>& cells) {
   for (const auto& cell : cells)
     list.append(py::make_tuple(cell.cell_id, std::string(name_of(cell.reason))));
   return list;
-}
-
-void put_surface(py::dict& out, SurfaceMesh&& s) {
-  out["points"] = array_of<double>(std::move(s.points));
-  out["triangles"] = array_of<Index>(std::move(s.triangles));
-  out["normals"] = array_of<double>(std::move(s.normal));
-  out["medium_eigenvectors"] = array_of<double>(std::move(s.medium_eigenvector));
-  out["dominant_eigenvectors"] = array_of<double>(std::move(s.dominant_eigenvector));
-  out["mode"] = array_of<double>(std::move(s.mode));
-  out["residual"] = array_of<double>(std::move(s.residual));
-  out["carrier"] = array_of<std::uint8_t>(std::move(s.carrier));
-  out["carrier_vertices"] = array_of<Index>(std::move(s.carrier_vertices));
-  out["tet"] = array_of<Index>(std::move(s.tet));
 }
 
 py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64_t>& vertex_ids,

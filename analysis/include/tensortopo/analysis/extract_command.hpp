@@ -43,6 +43,8 @@ struct ExtractCommand {
   std::string uncertainty;  ///< of the field, as `parse_uncertainty` takes it, or array:NAME; empty for none
   /// Leave out components of less persistence, in radians of the signed Lode angle; 0 for none.
   double min_persistence = 0;
+  double min_area = 0;    ///< leave out components of surfaces of less area; 0 for none
+  double min_length = 0;  ///< leave out components of curves of less length; 0 for none
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone
 };
 
