@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "run_program.hpp"
+#include "analysis/run_program.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>
