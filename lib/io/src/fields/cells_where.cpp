@@ -83,11 +83,11 @@ std::vector<Quantity> quantities(const RawGrid& grid, const TensorChoice* choice
         name, !choice->on_cells, [&tensors, value](std::size_t i) { return value(tensors[i]); },
         tensors.size());
   };
-  using Tensor = const SymmetricTensor<double>&;
   add_of_tensor("magnitude", norm);
   add_of_tensor("deviator_magnitude", deviator_norm);
-  add_of_tensor("anisotropy", [](Tensor t) { return deviator_norm(t) / norm(t); });
-  add_of_tensor("mode", [](Tensor t) {
+  add_of_tensor("anisotropy",
+                [](const SymmetricTensor<double>& t) { return deviator_norm(t) / norm(t); });
+  add_of_tensor("mode", [](const SymmetricTensor<double>& t) {
     return mode_if_defined(deviator(t)).value_or(std::numeric_limits<double>::quiet_NaN());
   });
   return list;
