@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "extract/curves/points/degenerate_forms.hpp"
 #include "extract/curves/points/exact_direction.hpp"
 
 namespace tensortopo {
