@@ -96,11 +96,12 @@ CertificateReport write_certificate(const std::filesystem::path& file, const Rea
 
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
                                     const CurveMesh& curves,
+                                    const std::vector<CellArray>& more,
                                     const std::vector<CertifiedCurves>& kinds) {
   CertificateSubject subject = subject_of(read);
   subject.cells = curves.lines.size();
   subject.output_sha256 = curves_sha256(curves, read.mesh);
-  return write_levels(file, std::move(subject), read, curves, array_hashes(curves), kinds);
+  return write_levels(file, std::move(subject), read, curves, array_hashes(curves, more), kinds);
 }
 
 }  // namespace tensortopo

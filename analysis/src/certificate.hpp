@@ -29,6 +29,7 @@ CertificateReport write_certificate(const std::filesystem::path& file, const Rea
 /// The same of degenerate curves.
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
                                     const CurveMesh& curves,
+                                    const std::vector<CellArray>& more,
                                     const std::vector<CertifiedCurves>& kinds);
 
 }  // namespace tensortopo

@@ -24,7 +24,6 @@
 #include "short_text.hpp"
 #include "spare_memory.hpp"
 #include "stability.hpp"
-#include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
 #include "tensortopo/certify/residual_bound.hpp"
@@ -33,6 +32,7 @@
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/surface_formats.hpp"
 #include "tensortopo/io/write_surface.hpp"
+#include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/partition/extract_in_pieces.hpp"
 
@@ -70,8 +70,9 @@ void require_proofs(const ExtractCommand& command, const std::vector<ModeValue>&
     throw UsageError("--pieces: a surface extracted in pieces has no certificate");
   if (std::any_of(modes.begin(), modes.end(), is_degenerate) &&
       !std::all_of(modes.begin(), modes.end(), is_degenerate))
-    throw UsageError("--certify: a certificate is of surfaces or of degenerate curves (--mode 1 or "
-                     "-1); extract them to files of their own");
+    throw UsageError(
+        "--certify: a certificate is of surfaces or of degenerate curves (--mode 1 or "
+        "-1); extract them to files of their own");
 }
 
 /// Throws UsageError for options that do nothing for degenerate curves.
@@ -216,8 +217,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   const std::vector<ModeValue> modes = modes_to_extract(command.modes, command.generalized);
   require_surface_extension(command.output, std::any_of(modes.begin(), modes.end(), is_degenerate));
   if (!(command.sampling.resolution > 0) || command.sampling.resolution > kLargestResolution) {
-    throw UsageError(fmt::format("--resolution: must be a positive number, at most {}",
-                                 kLargestResolution));
+    throw UsageError(
+        fmt::format("--resolution: must be a positive number, at most {}", kLargestResolution));
   }
   if (std::all_of(modes.begin(), modes.end(), is_degenerate)) require_no_surface_options(command);
   if (command.other && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
@@ -233,7 +234,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   if (command.improve && (command.other || command.max_error > 0)) {
     throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
   }
-  auto uncertainty = requested_uncertainty(command, modes);
+  auto uncertainty = requested_uncertainty(command);
   ComponentFilter filter(command, modes);
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
@@ -287,10 +288,16 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
       const auto filtered = filter.apply(read.mesh, modes[i], extraction.curves);
       report.curves.push_back(curve_report(modes[i], extraction));
       report.curves.back().filter = filtered;
+      if (stability)
+        report.curves.back().stability =
+            report_stability(*stability, command.uncertainty, kind, options, extraction);
       if (certifying) {
         overall("certificate", 0);
         const Clock certify_clock;
         certified_curves.push_back(certify(read.mesh, kind, extraction));
+        if (stability)
+          certified_curves.back().stability =
+              stability->claim(report.curves.back().stability->summary);
         seconds_certify += certify_clock.seconds();
       }
       append_curves(curves, std::move(extraction.curves));
@@ -345,9 +352,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     }
     if (level) {
       const DistanceClaim& distance = level->distance;
-      report.surfaces.back().distance_bound =
-          distance.coarse.empty() ? distance.bound
-                                  : std::max(distance.bound, distance.coarse_bound);
+      report.surfaces.back().distance_bound = distance.coarse.empty()
+                                                  ? distance.bound
+                                                  : std::max(distance.bound, distance.coarse_bound);
       report.surfaces.back().tets_farther = farther.size();
       report.surfaces.back().area_within = share_outside(extraction.surface, farther);
       if (!farther.empty())
@@ -355,8 +362,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
             read.mesh.cell_ids[static_cast<std::size_t>(farther.front())];
     }
     if (certifying) {
-      if (stability)
-        level->stability = stability->claim(report.surfaces.back().stability->summary);
+      if (stability) level->stability = stability->claim(report.surfaces.back().stability->summary);
       certified.push_back(std::move(*level));
     }
     append_surface(surface, std::move(extraction.surface));
@@ -376,9 +382,10 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   OutputKinds kinds;
   for (const ModeValue& mode : modes)
     (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
-  report.bytes = write_surface(surface, curves, read.mesh, command.output, kinds,
-                               file_notes(report, texts_of(modes)), more())
-                     .bytes;
+  auto notes = file_notes(report, texts_of(modes));
+  if (stability) notes.push_back({"instability_names", stability_names()});
+  report.bytes =
+      write_surface(surface, curves, read.mesh, command.output, kinds, notes, more()).bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
   if (certifying) {
@@ -386,7 +393,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     report.certificate =
         certified_curves.empty()
             ? write_certificate(command.certificate, read, surface, more(), certified)
-            : write_certificate(command.certificate, read, curves, certified_curves);
+            : write_certificate(command.certificate, read, curves, more(), certified_curves);
     report.certificate->seconds = seconds_certify + certify_clock.seconds();
     for (const SurfaceReport& s : report.surfaces) {
       report.certificate->tubes += s.statistics.sheets_tubes;

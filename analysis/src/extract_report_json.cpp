@@ -23,6 +23,7 @@ Json stability_json(const StabilityReport& stability) {
   const StabilitySummary& s = stability.summary;
   return {{"radius", stability.radius},       {"stable_tets", s.stable_tets},
           {"unstable_tets", s.unstable_tets}, {"crossed_stable_tets", s.crossed_stable_tets},
+          {"crossings", s.crossings},         {"stable_crossings", s.stable_crossings},
           {"reasons", counts(s.reasons)},     {"stable_components", s.components.size()},
           {"seconds", stability.seconds}};
 }
@@ -77,6 +78,7 @@ Json curve_json(const CurveReport& curve) {
             {"faces_counted", s.faces},
             {"faces_counted_with_more_digits", s.faces_exact},
             {"unresolved", counts(curve.unresolved)}};
+  if (curve.stability) json["stability"] = stability_json(*curve.stability);
   if (curve.filter) json["filter"] = filter_json(*curve.filter, "length");
   return json;
 }

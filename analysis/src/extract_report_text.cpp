@@ -23,18 +23,20 @@ std::string mode_beside(const ModeValue& mode) {
   return fmt::format("{:.12g}", value + (value + difference < 1 ? difference : -difference));
 }
 
-/// What of a surface is in all fields within the radii.
-std::string stability_line(const SurfaceReport& surface) {
-  const StabilitySummary& s = surface.stability->summary;
+/// What of a surface, or of curves, is in all fields within the radii.
+template <class Report>
+std::string stability_line(const Report& output) {
+  const StabilitySummary& s = output.stability->summary;
   std::string reasons;
   for (const auto& [reason, count] : s.reasons)
     reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", count, reason);
   return fmt::format(
-      "mode {}, uncertainty {}: {} of {} components stable, {} of {} crossed tetrahedra; {} of all "
-      "tetrahedra not{}{}{}\n",
-      short_text(surface.mode), surface.stability->radius, s.components.size(),
-      surface.invariants.components, s.crossed_stable_tets, surface.statistics.tets_crossed,
-      s.unstable_tets, reasons.empty() ? "" : " (", reasons, reasons.empty() ? "" : ")");
+      "mode {}, uncertainty {}: {} of {} components stable, {} of {} crossed tetrahedra, {} of {} "
+      "crossings; {} of all tetrahedra not{}{}{}\n",
+      short_text(output.mode), output.stability->radius, s.components.size(),
+      output.invariants.components, s.crossed_stable_tets, output.statistics.tets_crossed,
+      s.stable_crossings, s.crossings, s.unstable_tets, reasons.empty() ? "" : " (", reasons,
+      reasons.empty() ? "" : ")");
 }
 
 /// What a filter left out.
@@ -146,6 +148,8 @@ std::string to_text(const ExtractReport& report) {
     if (s.filter) text += filter_lines(s.mode, *s.filter);
   for (const CurveReport& c : report.curves)
     if (c.filter) text += filter_lines(c.mode, *c.filter);
+  for (const CurveReport& c : report.curves)
+    if (c.stability) text += stability_line(c);
   if (!report.curves.empty()) {
     fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13} {:>9} {:>8}\n", "curves", "vertices",
                    "parts", "closed", "length", "residual", "tets");

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stability.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,17 +19,12 @@ constexpr std::string_view kArray = "array:";
 
 }  // namespace
 
-std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command,
-                                                 std::span<const ModeValue> modes) {
+std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command) {
   if (command.uncertainty.empty()) return std::nullopt;
   if (command.other)
     throw UsageError(
         "--uncertainty: only surfaces of the methods `manifold` and `graph` come with "
         "proofs");
-  if (std::any_of(modes.begin(), modes.end(), is_degenerate))
-    throw UsageError(
-        "--uncertainty: of mode surfaces only, not of degenerate curves (--mode 1 or "
-        "-1)");
   if (const std::string_view text = command.uncertainty; text.starts_with(kArray)) {
     Uncertainty result;
     result.kind = Uncertainty::Kind::per_vertex;
@@ -56,18 +49,6 @@ void read_radii(const ExtractCommand& command, const ReadResult& read, Uncertain
                     "array `" + uncertainty.array + "`: a radius is negative (point " +
                         std::to_string(v) + ")");
   uncertainty.radii_sha256 = numbers_sha256(uncertainty.radii);
-}
-
-StabilityReport report_stability(StabilityRun& run, const std::string& radius,
-                                 const ModeValue& mode, const ExtractOptions& options,
-                                 const Extraction& extraction) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  StabilityReport report;
-  report.summary = run.add(mode, options, extraction);
-  report.radius = radius;
-  report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return report;
 }
 
 }  // namespace tensortopo

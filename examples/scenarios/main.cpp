@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
 
 #include "deck.hpp"
 #include "field_difference.hpp"
+#include "mesh_difference.hpp"
 #include "scenario.hpp"
 #include "solution.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -46,6 +48,14 @@ void write_field(const Options& options) {
 void compare(const Options& options) {
   fmt::print(
       "{}", to_text(compare_fields(read_mesh(options.first).mesh, read_mesh(options.second).mesh)));
+}
+
+void write_difference(const Options& options) {
+  const TetMesh mesh = read_mesh(options.first).mesh;
+  const auto radii = deviator_differences(mesh, read_mesh(options.second).mesh);
+  write_mesh(mesh, options.output, "stress", {{"difference", radii}});
+  fmt::print("{}: {} points, deviators differ by at most {:.6g}\n", options.output, radii.size(),
+             *std::max_element(radii.begin(), radii.end()));
 }
 
 void add_scenario(CLI::App& app, Options& options) {
@@ -86,11 +96,21 @@ int main(int argc, char** argv) {
       app.add_subcommand("compare", "Say how far two fields on one mesh are from each other");
   compare_command->add_option("FIRST", options.first)->required()->type_name("FILE.vtu");
   compare_command->add_option("SECOND", options.second)->required()->type_name("FILE.vtu");
+  auto* difference_command = app.add_subcommand(
+      "difference",
+      "Write the first field with an array `difference`: by how much the deviators of the second, on "
+      "another mesh of the solid, differ at its points");
+  difference_command->add_option("FIRST", options.first)->required()->type_name("FILE.vtu");
+  difference_command->add_option("SECOND", options.second)->required()->type_name("FILE.vtu");
+  difference_command->add_option("-o,--output", options.output, "Field to write")
+      ->required()
+      ->type_name("FILE.vtu");
   CLI11_PARSE(app, argc, argv);
   try {
     if (deck_command->parsed()) write_deck(options);
     if (field_command->parsed()) write_field(options);
     if (compare_command->parsed()) compare(options);
+    if (difference_command->parsed()) write_difference(options);
   } catch (const std::exception& error) {
     std::cerr << "tensortopo_scenario: " << error.what() << '\n';
     return 1;

@@ -99,4 +99,30 @@ std::vector<std::optional<std::string>> cell_signatures(const TetMesh& mesh, con
   return result;
 }
 
+std::vector<std::optional<std::string>> curve_signatures(const TetMesh& mesh,
+                                                         const CurveExtraction& extraction) {
+  const CurveMesh& curves = extraction.curves;
+  const auto face_of = [&](CurveMesh::Index v) {
+    std::string text;
+    for (const auto corner : curves.carrier_vertices[as_size(v)])
+      text += std::to_string(corner) + " ";
+    return text;
+  };
+  std::vector<std::vector<std::string>> arcs(mesh.tets.size());
+  for (std::size_t i = 0; i < curves.lines.size(); ++i) {
+    const auto& line = curves.lines[i];
+    const std::string from = face_of(line.front()), to = face_of(line.back());
+    arcs[as_size(curves.tet[i])].push_back(
+        line.front() == line.back() ? "closed" : std::min(from, to) + "- " + std::max(from, to));
+  }
+  std::vector<std::optional<std::string>> result(mesh.tets.size(), "");
+  for (std::size_t t = 0; t < arcs.size(); ++t) {
+    std::sort(arcs[t].begin(), arcs[t].end());
+    for (const std::string& arc : arcs[t]) *result[t] += arc + "; ";
+  }
+  for (const auto& cell : extraction.unresolved) result[as_size(cell.tet)].reset();
+  for (const auto& cell : extraction.special) result[as_size(cell.tet)].reset();
+  return result;
+}
+
 }  // namespace tensortopo::test

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 
 namespace tensortopo::test {
@@ -16,6 +17,11 @@ namespace tensortopo::test {
 /// isotropic vertices.
 std::vector<std::optional<std::string>> cell_signatures(const TetMesh& mesh, const ModeValue& mu,
                                                         const Extraction& extraction);
+
+/// The same of degenerate curves: the faces that hold the ends of each arc in a tetrahedron.
+/// Nothing for tetrahedra that were left out, or settled in special position.
+std::vector<std::optional<std::string>> curve_signatures(const TetMesh& mesh,
+                                                         const CurveExtraction& extraction);
 
 /// The extraction that `cell_signatures` needs.
 Extraction extract_with_topology(const TetMesh& mesh, const ModeValue& mu);

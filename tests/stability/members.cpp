@@ -3,8 +3,13 @@
 #include "members.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <numbers>
+
+#include "tensortopo/tensor/eigen_decomposition.hpp"
 
 namespace tensortopo::test {
 
@@ -40,24 +45,69 @@ struct Candidate {
   Tensor normal;
 };
 
-/// All places of a lattice in the simplex on some corners, then those around the best.
-std::vector<Candidate> likely_places(const std::array<Tensor, 4>& tensors,
-                                     const std::array<double, 4>& radii, unsigned corners,
-                                     double mu, std::size_t count) {
-  using Weights = std::array<double, 4>;
-  const auto candidate = [&](const Weights& x) {
+using Weights = std::array<double, 4>;
+
+/// Of a place in a simplex on some corners.
+using Judge = std::function<Candidate(const Weights&, unsigned corners)>;
+
+struct Corners {
+  std::array<Tensor, 4> tensors;
+  std::array<double, 4> radii;
+
+  Tensor at(const Weights& x) const {
     Tensor t{};
     for (std::size_t i = 0; i < 4; ++i) t = t + x[i] * tensors[i];
-    Tensor normal = gradient(t, mu);
-    const double size = norm(normal);
-    Candidate result{size > 0 ? 0.0 : 1e9, normal};
-    if (size > 0) result.normal = (1 / size) * normal;
+    return t;
+  }
+  /// Largest change along a unit tensor, as a share of the radius, until all are orthogonal to it.
+  double needed(const Tensor& normal, unsigned corners) const {
+    double largest = 0;
     for (std::size_t i = 0; i < 4; ++i)
       if (corners >> i & 1)
-        result.needed = std::max(result.needed,
-                                 std::abs(inner(result.normal, tensors[i])) / (radii[i] + 1e-300));
-    return result;
+        largest = std::max(largest, std::abs(inner(normal, tensors[i])) / (radii[i] + 1e-300));
+    return largest;
+  }
+};
+
+Candidate judge_level(const Corners& box, const Weights& x, unsigned corners, double mu) {
+  Tensor normal = gradient(box.at(x), mu);
+  const double size = norm(normal);
+  if (!(size > 0)) return {1e9, normal};
+  normal = (1 / size) * normal;
+  return {box.needed(normal, corners), normal};
+}
+
+Candidate judge_curves(const Corners& box, const Weights& x, unsigned corners, Degeneracy kind) {
+  const auto eigen = eigen_decomposition((kind == Degeneracy::planar ? -1.0 : 1.0) * box.at(x));
+  const Vector3<double>&p = eigen.vectors[1], &q = eigen.vectors[2];
+  const auto product = [](const Vector3<double>& a, const Vector3<double>& b) {
+    return Tensor{a.x * b.x,
+                  a.y * b.y,
+                  a.z * b.z,
+                  (a.x * b.y + a.y * b.x) / 2,
+                  (a.y * b.z + a.z * b.y) / 2,
+                  (a.x * b.z + a.z * b.x) / 2};
   };
+  const double root = std::sqrt(0.5);
+  const Tensor first = root * (product(p, p) - product(q, q)), second = (2 * root) * product(p, q);
+  double radius = 1e-300;
+  for (std::size_t i = 0; i < 4; ++i) radius += x[i] * box.radii[i];
+  const double away = root * (eigen.values[1] - eigen.values[2]) / radius;
+  if (std::popcount(corners) < 3) return {away, first};
+  Candidate best{1e9, first};
+  constexpr int kAngles = 24;
+  for (int k = 0; k < kAngles; ++k) {
+    const double angle = k * std::numbers::pi / kAngles;
+    const Tensor normal = std::cos(angle) * first + std::sin(angle) * second;
+    const double needed = std::max(away, box.needed(normal, corners));
+    if (needed < best.needed) best = {needed, normal};
+  }
+  return best;
+}
+
+/// All places of a lattice in the simplex on some corners, then those around the best.
+std::vector<Candidate> likely_places(const Judge& judge, unsigned corners, std::size_t count) {
+  const auto candidate = [&](const Weights& x) { return judge(x, corners); };
   std::vector<std::pair<Candidate, Weights>> all;
   constexpr int kSteps = 10;
   for (int i = 0; i <= kSteps; ++i)
@@ -110,31 +160,56 @@ TetMesh random_member(const TetMesh& mesh, std::span<const double> radii, Random
   return member;
 }
 
-std::vector<TetMesh> members_that_may_differ(const TetMesh& mesh, std::size_t tet,
-                                             std::span<const double> radii, double mu,
-                                             std::size_t places) {
-  std::array<Tensor, 4> tensors;
-  std::array<double, 4> own_radii;
+namespace {
+
+Corners corners_of(const TetMesh& mesh, std::size_t tet, std::span<const double> radii) {
+  Corners box;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto v = as_size(mesh.tets[tet][i]);
-    tensors[i] = without_trace(mesh.tensors[v]);
-    own_radii[i] = radii[v];
+    box.tensors[i] = without_trace(mesh.tensors[v]);
+    box.radii[i] = radii[v];
   }
+  return box;
+}
+
+std::vector<TetMesh> moved_along_normals(const TetMesh& mesh, std::size_t tet, const Corners& box,
+                                         const Judge& judge, std::size_t places) {
   std::vector<TetMesh> members;
   for (unsigned corners = 1; corners < 16; ++corners)
-    for (const Candidate& place : likely_places(tensors, own_radii, corners, mu, places))
+    for (const Candidate& place : likely_places(judge, corners, places))
       for (unsigned signs = 0; signs < 16; ++signs) {
         if ((signs & ~corners) != 0) continue;
         TetMesh member = mesh;
         for (std::size_t i = 0; i < 4; ++i) {
           if (!(corners >> i & 1)) continue;
           const auto v = as_size(mesh.tets[tet][i]);
-          const double by = (signs >> i & 1 ? kWithin : -kWithin) * own_radii[i];
+          const double by = (signs >> i & 1 ? kWithin : -kWithin) * box.radii[i];
           member.tensors[v] = member.tensors[v] + by * place.normal;
         }
         members.push_back(std::move(member));
       }
   return members;
+}
+
+}  // namespace
+
+std::vector<TetMesh> members_that_may_differ(const TetMesh& mesh, std::size_t tet,
+                                             std::span<const double> radii, double mu,
+                                             std::size_t places) {
+  const Corners box = corners_of(mesh, tet, radii);
+  return moved_along_normals(
+      mesh, tet, box,
+      [&](const Weights& x, unsigned corners) { return judge_level(box, x, corners, mu); }, places);
+}
+
+std::vector<TetMesh> members_that_may_differ(const TetMesh& mesh, std::size_t tet,
+                                             std::span<const double> radii, Degeneracy kind,
+                                             std::size_t places) {
+  const Corners box = corners_of(mesh, tet, radii);
+  return moved_along_normals(
+      mesh, tet, box,
+      [&](const Weights& x, unsigned corners) { return judge_curves(box, x, corners, kind); },
+      places);
 }
 
 }  // namespace tensortopo::test

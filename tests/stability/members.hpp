@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/random_fields.hpp"
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo::test {
@@ -25,6 +26,12 @@ TetMesh random_member(const TetMesh& mesh, std::span<const double> radii, Random
 /// @param places  how many such places of each simplex
 std::vector<TetMesh> members_that_may_differ(const TetMesh& mesh, std::size_t tet,
                                              std::span<const double> radii, double mu,
+                                             std::size_t places);
+/// The same for degenerate curves: places at which the field, or a member, is nearly degenerate and
+/// the changes needed for it not to be transverse there are smallest; each vertex tensor is moved
+/// along a tensor that is orthogonal to the degenerate ones there.
+std::vector<TetMesh> members_that_may_differ(const TetMesh& mesh, std::size_t tet,
+                                             std::span<const double> radii, Degeneracy kind,
                                              std::size_t places);
 
 }  // namespace tensortopo::test

@@ -27,7 +27,8 @@ inline std::vector<double> slab_radii() {
   return radii;
 }
 
-/// Writes the slab as legacy .vtk, with an array `error` of radii at its points, and returns the file.
+/// Writes the slab as legacy .vtk, with an array `error` of radii at its points, and returns the
+/// file.
 inline std::string write_slab(const std::filesystem::path& file, const std::vector<double>& radii) {
   const TetMesh mesh = read_mesh(slab_file()).mesh;
   std::ofstream out(file);

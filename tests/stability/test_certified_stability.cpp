@@ -25,7 +25,7 @@ struct Certified {
 };
 
 Certified certified(const Folder& folder, const std::string& uncertainty,
-                    const std::string& input = slab_file().string()) {
+                    const std::string& input = slab_file().string(), const char* mode = "0") {
   Certified result;
   result.input = input;
   result.surface = folder / "surface.vtp";
@@ -34,7 +34,7 @@ Certified certified(const Folder& folder, const std::string& uncertainty,
   command.input = result.input;
   command.output = result.surface;
   command.certificate = result.certificate;
-  command.modes = {ModeValue::parse("0")};
+  command.modes = {ModeValue::parse(mode)};
   command.uncertainty = uncertainty;
   result.report = run_extract(command);
   std::ifstream(result.certificate) >> result.claims;
@@ -145,6 +145,62 @@ TEST(CertifiedStability, WhatIsAlteredIsNotCertified) {
   EXPECT_EQ(verdict(), "malformed");
   stability = honest;
   EXPECT_EQ(verdict(), "certified");
+}
+
+TEST(CertifiedStability, OfDegenerateCurvesIsDerivedByTheChecker) {
+  Compared compared("stable components of curves");
+  const Folder folder;
+  for (const char* mode : {"1", "-1"})
+    for (const char* radius : {"0.0001%", "0.01%", "0.5"}) {
+      const Certified c = certified(folder, radius, slab_file().string(), mode);
+      const certificate::Report report = check(c);
+      EXPECT_EQ(report.refuted, 0u) << radius;
+      // Special positions are left undecided, stable components are not.
+      const certificate::LevelReport& level = report.levels.at(0);
+      EXPECT_TRUE(level.claims_stability);
+      EXPECT_EQ(level.stable_components.size(),
+                c.report.curves.at(0).stability->summary.components.size())
+          << radius << " mode " << mode;
+      for (std::size_t i = 0; i < level.stable_components.size(); ++i) ++compared;
+    }
+}
+
+TEST(CertifiedStability, WhatIsAlteredOfDegenerateCurvesIsNotCertified) {
+  const Folder folder;
+  Certified c = certified(folder, "0.01%", slab_file().string(), "1");
+  Json& level = c.claims.at("levels").at(0);
+  Json& stability = level.at("stability");
+  const Json honest = stability;
+  const auto certified_now = [&] {
+    std::ofstream(c.certificate) << c.claims;
+    try {
+      const certificate::Report report = check(c);
+      return report.refuted > 0 ? -1
+                                : static_cast<int>(report.levels.at(0).stable_components.size());
+    } catch (const certificate::Malformed&) {
+      return -2;
+    }
+  };
+  const int all = static_cast<int>(honest["components"].size());
+  ASSERT_GT(all, 0);
+  ASSERT_EQ(certified_now(), all);
+  Compared compared("components that are not stable");
+  for (const Json& curve : level["curves"]) {
+    const auto& list = honest["components"];
+    if (std::find(list.begin(), list.end(), curve["first_vertex"]) != list.end()) continue;
+    stability["components"] = Json::array({curve["first_vertex"]});
+    EXPECT_LE(certified_now(), 0) << curve;
+    ++compared;
+  }
+  stability = honest, stability["radius"] = "0x1p-1";
+  EXPECT_LT(certified_now(), all);
+  stability = honest;
+  stability["components"][0] = stability["components"][0].get<int>() + 1;
+  EXPECT_EQ(certified_now(), -1);
+  stability = honest, stability["of"] = "mode";
+  EXPECT_EQ(certified_now(), -2);
+  stability = honest, level["mode"] = "-1";
+  EXPECT_EQ(certified_now(), -1);
 }
 
 }  // namespace

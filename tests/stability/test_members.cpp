@@ -7,6 +7,7 @@
 
 #include "cell_signatures.hpp"
 #include "members.hpp"
+#include "random_tet.hpp"
 #include "support/compared.hpp"
 #include "support/generators.hpp"
 #include "tensortopo/stability/level_stability.hpp"
@@ -17,17 +18,6 @@ namespace {
 constexpr std::array<const char*, 7> kLevels{"0",    "1/10", "-3/10",  "1/2",
                                              "-3/4", "9/10", "-99/100"};
 constexpr std::array<double, 4> kShares{1e-4, 1e-3, 1e-2, 1e-1};
-
-/// Four tensors: independent, or an average and small differences, as in a mesh that resolves its
-/// field.
-TetMesh random_tet(Random& random) {
-  TetTensors tensors = random.tet_tensors();
-  if (random.integer(0, 1) == 0) {
-    const auto common = random.tensor();
-    for (auto& t : tensors) t = common + (0.3 * random.uniform()) * t;
-  }
-  return reference_tet_mesh(tensors);
-}
 
 struct Counts {
   int stable = 0, crossed = 0, unstable = 0;

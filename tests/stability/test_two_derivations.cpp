@@ -74,5 +74,32 @@ TEST(TwoDerivations, OfWhatIsStableAgree) {
   }
 }
 
+TEST(TwoDerivations, OfStableCurvesAgree) {
+  Compared compared("tetrahedra that the library calls stable", 50);
+  Compared crossed("of them that hold a curve", 5);
+  Compared refuted("tetrahedra with a vertex that is not", 2);
+  Random random(20261125);
+  const certificate::ForAll one_by_one = [](std::size_t count, const auto& f, const char*) {
+    for (std::size_t i = 0; i < count; ++i) f(i);
+  };
+  for (int trial = 0; trial < 300; ++trial) {
+    const Case c = random_case(random);
+    const bool planar = trial % 2 == 1;
+    const Degeneracy kind = planar ? Degeneracy::planar : Degeneracy::linear;
+    const Stability ours = curve_stability(UncertainField(c.mesh, c.radii), kind).tets[0];
+    const certificate::Field field(c.input, {});
+    const auto theirs = are_transverse(c.input, field, planar, c.radius, {0}, one_by_one);
+    if (ours == Stability::stable) {
+      ++compared;
+      crossed.count(!extract_degenerate_curves(c.mesh, kind).curves.lines.empty());
+      EXPECT_EQ(theirs.answer, certificate::Answer::yes) << "trial " << trial << theirs.place;
+    }
+    const bool is_exact =
+        ours == Stability::degenerate_vertex || ours == Stability::isotropic_within_radius;
+    refuted.count(is_exact);
+    EXPECT_EQ(theirs.answer == certificate::Answer::no, is_exact) << "trial " << trial;
+  }
+}
+
 }  // namespace
 }  // namespace tensortopo::test

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numeric>
 
 #include "slab_with_radii.hpp"
@@ -115,9 +116,42 @@ TEST(Uncertainty, ThatIsNoneOfItsFormsIsBadUsage) {
     EXPECT_THROW(run_extract(slab(folder, text)), UsageError) << text;
     EXPECT_FALSE(std::filesystem::exists(folder / "surface.vtp")) << text;
   }
-  ExtractCommand curves = slab(folder, "1%");
-  curves.modes = {ModeValue::parse("1")};
-  EXPECT_THROW(run_extract(curves), UsageError);
+}
+
+TEST(Uncertainty, OfCurvesIsInTheReportAndBesideThatOfASurface) {
+  const Folder folder;
+  Compared compared("kinds with parts that are stable and others");
+  for (const char* radius : {"0.0001%", "0.01%", "1%"}) {
+    ExtractCommand command = slab(folder, radius);
+    command.modes = {ModeValue::parse("1"), ModeValue::parse("1/2"), ModeValue::parse("-1")};
+    const ExtractReport report = run_extract(command);
+    const SurfaceFile file = read_surface_file(report.output);
+    const SurfaceArray* stable = file.find_cell_data("stable");
+    const SurfaceArray* component = file.find_cell_data("component");
+    ASSERT_NE(stable, nullptr);
+    ASSERT_EQ(stable->values.size(), file.lines.size() + file.polygons.size());
+    // Lines come first, and of them those of mode 1; components of curves follow the surface's.
+    std::map<double, bool> all_stable;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const auto [found, fresh] = all_stable.emplace(component->values[i], true);
+      found->second = found->second && stable->values[i] != 0;
+    }
+    std::size_t of_stable_lines = 0, claimed = 0;
+    for (const auto& [number, is_stable] : all_stable) of_stable_lines += is_stable;
+    for (const CurveReport& curves : report.curves) {
+      ASSERT_TRUE(curves.stability);
+      const StabilitySummary& s = curves.stability->summary;
+      EXPECT_EQ(s.stable_tets + s.unstable_tets, report.tetrahedra);
+      EXPECT_LE(s.stable_crossings, s.crossings);
+      EXPECT_LE(s.components.size(), curves.invariants.components);
+      claimed += s.components.size();
+      compared.count(s.crossed_stable_tets > 0 && s.unstable_tets > 0);
+    }
+    EXPECT_LE(claimed, of_stable_lines);
+    const bool is_complete = std::all_of(report.curves.begin(), report.curves.end(),
+                                         [](const CurveReport& c) { return c.unresolved.empty(); });
+    EXPECT_TRUE(!is_complete || claimed == of_stable_lines);
+  }
 }
 
 }  // namespace

@@ -189,6 +189,7 @@ Json curves_json(const CertifiedCurves& kind, std::size_t first_vertex, std::siz
   json["faces"] = curve_faces_json(kind, first_vertex);
   json["tets"] = pieces_json(kind, first_vertex, mesh);
   json["curves"] = std::move(curves);
+  if (kind.stability) json["stability"] = stability_json(*kind.stability, first_vertex);
   return json;
 }
 

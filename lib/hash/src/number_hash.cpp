@@ -63,6 +63,12 @@ void add_array(std::vector<ArrayHash>& list, const char* of, const char* name,
   list.push_back({of, name, components, hash.hex()});
 }
 
+void sort(std::vector<ArrayHash>& list) {
+  std::sort(list.begin(), list.end(), [](const ArrayHash& a, const ArrayHash& b) {
+    return std::tie(a.of, a.name) < std::tie(b.of, b.name);
+  });
+}
+
 }  // namespace
 
 std::string numbers_sha256(std::span<const double> numbers) {
@@ -106,13 +112,16 @@ std::string curves_sha256(const CurveMesh& curves, const TetMesh& mesh) {
   return hash.hex();
 }
 
-std::vector<ArrayHash> array_hashes(const CurveMesh& curves) {
+std::vector<ArrayHash> array_hashes(const CurveMesh& curves, std::span<const CellArray> more) {
   std::vector<ArrayHash> list;
   add_array(list, "lines", "component", 1, curves.component);
+  for (const CellArray& array : more)
+    add_array(list, "lines", array.name.c_str(), 1, array.line_values);
   add_array(list, "points", "dominant_eigenvector", 3, curves.dominant_eigenvector);
   add_array(list, "points", "mode", 1, curves.mode);
   add_array(list, "points", "residual", 1, curves.residual);
   add_array(list, "points", "separation", 1, curves.separation);
+  sort(list);
   return list;
 }
 
@@ -128,9 +137,7 @@ std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface,
   add_array(list, "triangles", "component", 1, surface.component);
   for (const CellArray& array : more)
     add_array(list, "triangles", array.name.c_str(), 1, array.values);
-  std::sort(list.begin(), list.end(), [](const ArrayHash& a, const ArrayHash& b) {
-    return std::tie(a.of, a.name) < std::tie(b.of, b.name);
-  });
+  sort(list);
   return list;
 }
 

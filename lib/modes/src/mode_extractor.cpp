@@ -182,6 +182,8 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
   const TetMesh& mesh = shared_->mesh;
   DegenerateCurves result;
   std::vector<CertifiedCurves> certified;
+  std::optional<StabilityRun> stability;
+  if (request.uncertainty) stability.emplace(mesh, *request.uncertainty);
   for (const Degeneracy kind : {Degeneracy::linear, Degeneracy::planar}) {
     if (!(kind == Degeneracy::linear ? request.linear : request.planar)) continue;
     const ModeValue mode = ModeValue::parse(kind == Degeneracy::linear ? "1" : "-1");
@@ -198,21 +200,24 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
     part.statistics = counted(extraction.statistics);
     for (const UnresolvedCurve& cell : extraction.unresolved)
       result.unresolved.push_back({cell.tet, std::string(name_of(cell.obstacle)), mode});
+    if (stability) part.stability = stability->add(kind, options, extraction);
     if (request.certify) {
       tell(progress, "certificate");
       certified.push_back(certify(mesh, kind, extraction));
+      if (stability) certified.back().stability = stability->claim(*part.stability);
       result.claims += certified.back().claims();
     }
     result.parts.push_back(std::move(part));
     append_curves(result.curves, std::move(extraction.curves));
   }
+  if (stability) result.more = stability->arrays();
   if (request.certify) {
     CertificateSubject subject = subject_of(mesh, request.names);
     subject.cells = result.curves.lines.size();
     subject.output_sha256 = curves_sha256(result.curves, mesh);
     result.certificate =
         certificate_of(mesh, request.names, std::move(subject), result.curves,
-                       array_hashes(result.curves), certified);
+                       array_hashes(result.curves, result.more), certified);
   }
   return result;
 }

@@ -49,7 +49,9 @@ py::object stability_of(const std::optional<StabilitySummary>& summary) {
   for (const auto& [reason, count] : summary->reasons) reasons[py::str(reason)] = count;
   return py::dict("stable_tets"_a = summary->stable_tets,
                   "unstable_tets"_a = summary->unstable_tets,
-                  "crossed_stable_tets"_a = summary->crossed_stable_tets, "reasons"_a = reasons,
+                  "crossed_stable_tets"_a = summary->crossed_stable_tets,
+                  "crossings"_a = summary->crossings,
+                  "stable_crossings"_a = summary->stable_crossings, "reasons"_a = reasons,
                   "stable_components"_a = summary->components.size());
 }
 
@@ -72,6 +74,7 @@ py::dict curve_level(const ModePart& part) {
   return py::dict("mode"_a = part.mode.text(), "vertices"_a = part.vertices,
                   "lines"_a = part.cells, "length"_a = i.length, "components"_a = i.components,
                   "closed_components"_a = i.closed_components,
+                  "stability"_a = stability_of(part.stability),
                   "statistics"_a = statistics_of(part));
 }
 
@@ -126,10 +129,12 @@ py::dict extract_surfaces(const Mesh& self, const std::vector<std::string>& mode
 }
 
 py::dict extract_curves(const Mesh& self, bool linear, bool planar, double resolution, bool certify,
-                        const std::string& tensor, const py::object& progress) {
+                        const py::object& uncertainty, const std::string& tensor,
+                        const py::object& progress) {
   CurveRequest request;
   request.linear = linear, request.planar = planar;
   request.resolution = resolution, request.certify = certify;
+  request.uncertainty = uncertainty_of(uncertainty);
   request.names.tensor = tensor;
   DegenerateCurves made = watched(progress, [&](const Progress& report) {
     request.progress = report;
@@ -154,6 +159,8 @@ py::dict extract_curves(const Mesh& self, bool linear, bool planar, double resol
   out["carrier_vertices"] = array_of<Index>(std::move(c.carrier_vertices));
   out["tet"] = array_of<Index>(std::move(c.tet));
   out["component"] = array_of<Index>(std::move(c.component));
+  for (CellArray& array : made.more)
+    out[py::str(array.name)] = array_of<std::int32_t>(std::move(array.line_values));
   out["unresolved"] = list_of(made.unresolved);
   py::list levels;
   for (const ModePart& part : made.parts) levels.append(curve_level(part));
@@ -171,7 +178,7 @@ void define_extraction(py::class_<Mesh>& mesh) {
            py::arg("max_error"), py::arg("certify"), py::arg("uncertainty"), py::arg("tensor"),
            py::arg("progress"));
   mesh.def("curves", &extract_curves, py::arg("linear"), py::arg("planar"), py::arg("resolution"),
-           py::arg("certify"), py::arg("tensor"), py::arg("progress"));
+           py::arg("certify"), py::arg("uncertainty"), py::arg("tensor"), py::arg("progress"));
 }
 
 }  // namespace tensortopo::python

@@ -134,8 +134,7 @@ def to_meshio(output: Any) -> Any:
         lengths = [len(s) for s in segments]
         cells = [("line", np.concatenate(segments) if segments else np.empty((0, 2), int))]
         cell_data = {
-            "tet": [np.repeat(output.cell_ids, lengths)],
-            "component": [np.repeat(output.component, lengths)],
+            name: [np.repeat(values, lengths)] for name, values in _cell_data(output).items()
         }
     else:
         raise _not_an_output(output)
@@ -176,7 +175,7 @@ def to_pyvista(output: Any) -> Any:
 
 def _cell_data(output: Any) -> dict[str, Any]:
     data = {"tet": output.cell_ids, "component": output.component}
-    if isinstance(output, Surface) and output.stable is not None:
+    if output.stable is not None:
         data["instability"], data["stable"] = output.instability, output.stable
     return data
 

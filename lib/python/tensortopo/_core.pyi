@@ -50,6 +50,7 @@ class Mesh:
         planar: bool,
         resolution: float,
         certify: bool,
+        uncertainty: Union[None, float, str, list[float]],
         tensor: str,
         progress: _Progress,
     ) -> dict[str, Any]: ...

@@ -273,6 +273,7 @@ class Field:
         kind: str = "both",
         resolution: float = 4,
         certify: bool = False,
+        uncertainty: Union[None, float, str, npt.ArrayLike] = None,
         progress: Optional[Progress] = None,
         *,
         strict: bool = False,
@@ -285,8 +286,8 @@ class Field:
             Linear: mode 1, the two smaller eigenvalues. Planar: mode -1, the two larger ones.
         resolution : float, default 4
             Samples per radian of turning of the dominant eigenvector.
-        certify, progress, strict
-            As in `mode_surface`.
+        certify, uncertainty, progress, strict
+            As in `mode_surface`; see `Curves.stable`.
 
         Returns
         -------
@@ -300,6 +301,7 @@ class Field:
             planar=kind != "linear",
             resolution=float(resolution),
             certify=certify,
+            uncertainty=_uncertainty(uncertainty, len(self.points)),
             tensor=self.tensor_name,
             progress=progress,
         )

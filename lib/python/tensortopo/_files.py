@@ -224,8 +224,6 @@ def _output_text(output: _Output) -> str:
         point_data["dominant_eigenvector"] = output.dominant_eigenvectors
         point_data["normal"] = output.normals
         point_data["residual"] = output.residual
-        if output.stable is not None:
-            cell_data["instability"], cell_data["stable"] = output.instability, output.stable
         n = len(output.triangles)
         connectivity = output.triangles.astype(np.int64).ravel()
         offsets = np.arange(3, 3 * n + 1, 3, dtype=np.int64)
@@ -239,6 +237,8 @@ def _output_text(output: _Output) -> str:
         section, counts["NumberOfLines"] = "Lines", len(output)
     else:
         raise TypeError(f"nothing is written of a {type(output).__name__}")
+    if output.stable is not None:
+        cell_data["instability"], cell_data["stable"] = output.instability, output.stable
     return piece_text(
         "PolyData",
         counts,

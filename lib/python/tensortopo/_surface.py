@@ -84,7 +84,8 @@ class SurfaceLevel:
         each other or are at 90 degrees or more to the gradient of the mode.
     stability : dict or None
         With ``uncertainty``: ``stable_tets`` and ``unstable_tets`` of the mesh, ``crossed_stable_tets``,
-        ``reasons`` (unstable tetrahedra by the reason's name), ``stable_components``.
+        ``crossings`` (vertices on edges of the mesh) and ``stable_crossings`` of them, ``reasons`` (unstable
+        tetrahedra by the reason's name), ``stable_components``.
     statistics : dict
         What the extraction counted, and its seconds.
     """
@@ -110,6 +111,8 @@ class CurveLevel:
         1 for linear degenerate curves, -1 for planar ones.
     vertices, lines, components, closed_components : int
     length : float
+    stability : dict or None
+        As of `SurfaceLevel`; ``crossings`` are vertices on faces of the mesh.
     statistics : dict
         What the extraction counted, and its seconds.
     """
@@ -120,6 +123,7 @@ class CurveLevel:
     components: int
     closed_components: int
     length: float
+    stability: Optional[dict[str, Any]]
     statistics: dict[str, float] = dataclass_field(repr=False)
 
 
@@ -145,6 +149,8 @@ class _Output:
     carrier_vertices: Indices
     tet: Indices
     component: Indices
+    stable: Optional[Indices] = None
+    instability: Optional[Indices] = None
 
     def __init__(self, made: dict[str, Any], cell_ids: Ids) -> None:
         for name, value in made.items():
@@ -198,8 +204,6 @@ class Surface(_Output):
     triangles: Indices
     normals: Doubles
     medium_eigenvectors: Doubles
-    stable: Optional[Indices] = None
-    instability: Optional[Indices] = None
 
     def __init__(self, made: dict[str, Any], cell_ids: Ids) -> None:
         super().__init__(made, cell_ids)
@@ -279,6 +283,10 @@ class Curves(_Output):
         As in `Surface`.
     tet, component, cell_ids : ndarray
         One a line, as in `Surface`.
+    stable, instability : ndarray of int32, one a line, or None
+        With ``uncertainty``, as in `Surface`: 1 where the curves are proved to be the same in that
+        tetrahedron; the reasons are 1, 6, 7 a vertex can be degenerate, 8 an edge may be, and 9 and 10
+        there is no proof for a face or the inside. 1 and 7 are exact.
     levels : tuple of CurveLevel
         One for each kind.
     unresolved, certificate, claims
@@ -299,6 +307,7 @@ class Curves(_Output):
                 level["components"],
                 level["closed_components"],
                 level["length"],
+                level["stability"],
                 level["statistics"],
             )
             for level in made["levels"]

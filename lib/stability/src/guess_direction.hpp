@@ -24,14 +24,4 @@ std::array<double, Vertices> guess_direction(const BoxSimplex<Vertices>& simplex
                                              const Part<Vertices, Corners>& part, double nu,
                                              int steps);
 
-/// The mean of the corners, as a part of one point.
-template <std::size_t Vertices, std::size_t Corners>
-Part<Vertices, 1> centre_of(const BoxSimplex<Vertices>& simplex,
-                            const Part<Vertices, Corners>& part) {
-  Place<Vertices> centre{};
-  for (const auto& place : part.places)
-    for (std::size_t i = 0; i < Vertices; ++i) centre[i] += place[i] / static_cast<double>(Corners);
-  return part_of<Vertices, 1>(simplex, {centre});
-}
-
 }  // namespace tensortopo::stability

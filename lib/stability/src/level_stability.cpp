@@ -2,77 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/stability/level_stability.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "stable_cells.hpp"
 #include "stable_simplex.hpp"
-#include "tensortopo/mesh/tet_complex.hpp"
-#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 
-namespace {
-
-using Index = TetMesh::Index;
-using stability::BoxSimplex;
-using stability::Traceless;
-
-/// Most parts in which an edge, a face or a tetrahedron is looked at.
-constexpr int kEdgeParts = 64, kFaceParts = 512, kTetParts = 4096;
-
-/// Bounds the error of an angle: a cosine is wrong by less than 64 u = 2^-47, and |acos(x + e) -
-/// acos(x)| <= (pi/2) sqrt(2 e) < 2^-22. The same holds of arcsines.
-constexpr double kAngleError = 0x1p-22;
-
-template <class Body>
-void in_parallel(std::size_t count, std::size_t grain, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
-    const FloatingPointEnvironment environment;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-  });
-}
-
-/// A vertex tensor turned by at most its angle stays in the cone around another, so the members of
-/// a tetrahedron have Lode angles that differ from that of the latter by at most the cone's half
-/// angle (Hoffman-Wielandt), if the cone is convex.
-bool screen_excludes(const UncertainField& field, const std::array<Index, 4>& tet,
-                     const std::vector<Traceless>& tensors, const std::vector<double>& norms,
-                     double level) {
-  std::array<double, 4> reach{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto v = as_size(tet[i]);
-    reach[i] = std::max(reach[i], field.turns[v]);
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const auto w = as_size(tet[j]);
-      const double angle =
-          std::acos(std::clamp(inner(tensors[v], tensors[w]) / (norms[v] * norms[w]), -1.0, 1.0));
-      reach[i] = std::max(reach[i], angle + field.turns[w]);
-      reach[j] = std::max(reach[j], angle + field.turns[v]);
-    }
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-    if (reach[i] < 1.57 &&
-        std::abs(field.lode_angles[as_size(tet[i])] - level) > reach[i] + 4 * kAngleError)
-      return true;
-  return false;
-}
-
-template <std::size_t Vertices>
-BoxSimplex<Vertices> box(const UncertainField& field, const std::vector<Traceless>& tensors,
-                         const std::array<Index, Vertices>& vertices) {
-  BoxSimplex<Vertices> simplex;
-  for (std::size_t i = 0; i < Vertices; ++i) {
-    simplex.tensors[i] = tensors[as_size(vertices[i])];
-    simplex.radii[i] = field.radii[as_size(vertices[i])];
-  }
-  return simplex;
-}
-
-}  // namespace
+using stability::CellTests;
 
 std::string_view name_of(Stability stability) {
   switch (stability) {
@@ -90,8 +28,25 @@ std::string_view name_of(Stability stability) {
       return "sheets_of_tet";
     case Stability::unresolved:
       return "unresolved";
+    case Stability::degenerate_vertex:
+      return "degenerate_vertex";
+    case Stability::degenerate_edge:
+      return "degenerate_edge";
+    case Stability::points_of_face:
+      return "points_of_face";
+    case Stability::arcs_of_tet:
+      return "arcs_of_tet";
   }
   return "?";
+}
+
+std::string stability_names() {
+  std::string names;
+  for (int i = 0; i <= static_cast<int>(Stability::arcs_of_tet); ++i) {
+    names += (i == 0 ? "" : ", ") + std::to_string(i) + ' ';
+    names += name_of(static_cast<Stability>(i));
+  }
+  return names;
 }
 
 LevelStability level_stability(const UncertainField& field, const ModeValue& mu,
@@ -100,76 +55,27 @@ LevelStability level_stability(const UncertainField& field, const ModeValue& mu,
   if (!(std::abs(mode) < 1))
     throw std::invalid_argument("stability of a level: the mode must be between -1 and 1, not " +
                                 mu.text());
-  const TetMesh& mesh = *field.mesh;
-  const double lode_angle = std::acos(mode) / 3;
-  const auto tell = [&](double fraction) {
-    if (options.progress) options.progress("stability", fraction);
+  CellTests tests;
+  tests.lode_angle = std::acos(mode) / 3;
+  tests.vertex = [&](const stability::Traceless& tensor, std::size_t v) {
+    return stability::side_is_stable(tensor, field.radii[v], mode);
   };
-  std::vector<Traceless> tensors(mesh.points.size());
-  std::vector<double> norms(mesh.points.size());
-  for (std::size_t v = 0; v < tensors.size(); ++v) {
-    tensors[v] = stability::traceless(field.field.tensors[v]);
-    norms[v] = stability::norm(tensors[v]);
-  }
-
-  LevelStability result;
-  result.tets.assign(mesh.tets.size(), Stability::stable);
-  std::vector<char> open(mesh.tets.size(), 0);
-  in_parallel(mesh.tets.size(), 4096, [&](std::size_t t) {
-    const auto& tet = mesh.tets[t];
-    for (const Index v : tet)
-      if (field.may_vanish[as_size(v)]) result.tets[t] = Stability::isotropic_within_radius;
-    open[t] = result.tets[t] == Stability::stable &&
-              !screen_excludes(field, tet, tensors, norms, lode_angle);
-  });
-  tell(0.2);
-  std::vector<Index> tets;
-  for (std::size_t t = 0; t < open.size(); ++t)
-    if (open[t]) tets.push_back(static_cast<Index>(t));
-  const TetComplex cells = tet_complex(mesh, tets);
-
-  // Each reason is looked for only where none was found in a simplex of smaller dimension.
-  std::vector<char> vertices(mesh.points.size(), 0), edges(cells.edges.size()),
-      faces(cells.faces.size());
-  for (const Index t : tets)
-    for (const Index v : mesh.tets[as_size(t)]) vertices[as_size(v)] = 1;
-  in_parallel(vertices.size(), 1024, [&](std::size_t v) {
-    vertices[v] = vertices[v] && stability::side_is_stable(tensors[v], field.radii[v], mode);
-  });
-  const auto are_stable = [](const auto& simplices, const std::vector<char>& stable) {
-    return std::all_of(simplices.begin(), simplices.end(),
-                       [&](Index i) { return stable[as_size(i)] != 0; });
+  const auto is_free = [mode](const auto& simplex, int parts) {
+    return stability::has_no_critical_point(simplex, mode, parts);
   };
-  in_parallel(edges.size(), 256, [&](std::size_t e) {
-    edges[e] =
-        are_stable(cells.edges[e], vertices) &&
-        stability::has_no_critical_point(box(field, tensors, cells.edges[e]), mode, kEdgeParts);
-  });
-  tell(0.4);
-  in_parallel(faces.size(), 128, [&](std::size_t f) {
-    faces[f] =
-        are_stable(cells.face_edges[f], edges) &&
-        stability::has_no_critical_point(box(field, tensors, cells.faces[f]), mode, kFaceParts);
-  });
-  tell(0.7);
-  in_parallel(tets.size(), 32, [&](std::size_t k) {
-    const auto& tet = mesh.tets[as_size(tets[k])];
-    Stability& stability = result.tets[as_size(tets[k])];
-    if (!are_stable(tet, vertices))
-      stability = Stability::side_of_vertex;
-    else if (!are_stable(cells.tet_edges[k], edges))
-      stability = Stability::crossings_of_edge;
-    else if (!are_stable(cells.tet_faces[k], faces))
-      stability = Stability::curves_of_face;
-    else if (!stability::has_no_critical_point(box(field, tensors, tet), mode, kTetParts))
-      stability = Stability::sheets_of_tet;
-  });
-  tell(1);
-  return result;
+  tests.edge = is_free, tests.face = is_free, tests.tet = is_free;
+  tests.reasons = {Stability::side_of_vertex, Stability::crossings_of_edge,
+                   Stability::curves_of_face, Stability::sheets_of_tet};
+  return stability::stable_cells(field, tests, options);
 }
 
 void mark_unresolved(std::span<const UnresolvedCell> unresolved, LevelStability& stability) {
   for (const UnresolvedCell& cell : unresolved)
+    stability.tets[as_size(cell.tet)] = Stability::unresolved;
+}
+
+void mark_unresolved(std::span<const UnresolvedCurve> unresolved, LevelStability& stability) {
+  for (const UnresolvedCurve& cell : unresolved)
     stability.tets[as_size(cell.tet)] = Stability::unresolved;
 }
 

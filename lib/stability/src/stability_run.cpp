@@ -10,13 +10,16 @@ namespace tensortopo {
 namespace {
 
 /// Of the components that are marked, ascending.
-std::vector<SurfaceMesh::Index> smallest_vertices(const SurfaceMesh& surface,
+/// @param cells  triangles or lines, each of one of the `components`
+template <class Cells>
+std::vector<SurfaceMesh::Index> smallest_vertices(const Cells& cells,
+                                                  const std::vector<SurfaceMesh::Index>& components,
                                                   const std::vector<char>& marked) {
   std::vector<SurfaceMesh::Index> smallest(marked.size(),
                                            std::numeric_limits<SurfaceMesh::Index>::max());
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    for (const auto v : surface.triangles[i]) {
-      auto& least = smallest[as_size(surface.component[i])];
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (const auto v : cells[i]) {
+      auto& least = smallest[as_size(components[i])];
       least = std::min(least, v);
     }
   std::vector<SurfaceMesh::Index> result;
@@ -24,6 +27,44 @@ std::vector<SurfaceMesh::Index> smallest_vertices(const SurfaceMesh& surface,
     if (marked[c]) result.push_back(smallest[c]);
   std::sort(result.begin(), result.end());
   return result;
+}
+
+/// Adds the numbers of cells that lie in these tetrahedra.
+void add_cells(const std::vector<SurfaceMesh::Index>& tets, const LevelStability& level,
+               std::vector<std::int32_t>& instability, std::vector<std::int32_t>& stable) {
+  for (const auto t : tets) {
+    const Stability stability = level.tets[as_size(t)];
+    instability.push_back(static_cast<std::int32_t>(stability));
+    stable.push_back(stability == Stability::stable);
+  }
+}
+
+/// All but crossings and components.
+StabilitySummary summary_of(const LevelStability& level, std::vector<SurfaceMesh::Index> crossed) {
+  StabilitySummary summary;
+  for (const Stability s : level.tets) {
+    ++(s == Stability::stable ? summary.stable_tets : summary.unstable_tets);
+    if (s != Stability::stable) ++summary.reasons[std::string(name_of(s))];
+  }
+  std::sort(crossed.begin(), crossed.end());
+  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+  for (const auto t : crossed)
+    summary.crossed_stable_tets += level.tets[as_size(t)] == Stability::stable;
+  return summary;
+}
+
+/// Counts the vertices that simplices of one kind carry.
+template <class Output, std::size_t Vertices>
+void count_crossings(const Output& output, Carrier kind,
+                     const std::vector<std::array<TetMesh::Index, Vertices>>& stable,
+                     StabilitySummary& summary) {
+  for (std::size_t v = 0; v < output.carrier.size(); ++v) {
+    if (output.carrier[v] != kind) continue;
+    std::array<TetMesh::Index, Vertices> simplex;
+    std::copy_n(output.carrier_vertices[v].begin(), Vertices, simplex.begin());
+    ++summary.crossings;
+    summary.stable_crossings += std::binary_search(stable.begin(), stable.end(), simplex);
+  }
 }
 
 }  // namespace
@@ -34,31 +75,32 @@ StabilityRun::StabilityRun(const TetMesh& mesh, const Uncertainty& uncertainty)
       array_(uncertainty.array),
       radii_sha256_(uncertainty.radii_sha256),
       field_(mesh, vertex_radii(mesh, uncertainty)),
-      arrays_{{"instability", {}}, {"stable", {}}} {}
+      arrays_{{"instability", {}, {}}, {"stable", {}, {}}} {}
 
 StabilitySummary StabilityRun::add(const ModeValue& mode, const ExtractOptions& options,
                                    const Extraction& extraction) {
   LevelStability level = level_stability(field_, mode, options);
   mark_unresolved(extraction.unresolved, level);
   const SurfaceMesh& surface = extraction.surface;
-  for (const auto t : surface.tet) {
-    const Stability stability = level.tets[as_size(t)];
-    arrays_[0].values.push_back(static_cast<std::int32_t>(stability));
-    arrays_[1].values.push_back(stability == Stability::stable);
-  }
-
-  StabilitySummary summary;
-  for (const Stability s : level.tets) {
-    ++(s == Stability::stable ? summary.stable_tets : summary.unstable_tets);
-    if (s != Stability::stable) ++summary.reasons[std::string(name_of(s))];
-  }
-  auto crossed = surface.tet;
-  std::sort(crossed.begin(), crossed.end());
-  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
-  for (const auto t : crossed)
-    summary.crossed_stable_tets += level.tets[as_size(t)] == Stability::stable;
+  add_cells(surface.tet, level, arrays_[0].values, arrays_[1].values);
+  StabilitySummary summary = summary_of(level, surface.tet);
+  count_crossings(surface, Carrier::edge, level.stable_edges, summary);
   summary.components =
-      smallest_vertices(surface, surface_stability(*field_.mesh, surface, level).components);
+      smallest_vertices(surface.triangles, surface.component,
+                        surface_stability(*field_.mesh, surface, level).components);
+  return summary;
+}
+
+StabilitySummary StabilityRun::add(Degeneracy kind, const ExtractOptions& options,
+                                   const CurveExtraction& extraction) {
+  LevelStability level = curve_stability(field_, kind, options);
+  mark_unresolved(extraction.unresolved, level);
+  const CurveMesh& curves = extraction.curves;
+  add_cells(curves.tet, level, arrays_[0].line_values, arrays_[1].line_values);
+  StabilitySummary summary = summary_of(level, curves.tet);
+  count_crossings(curves, Carrier::face, level.stable_faces, summary);
+  summary.components =
+      smallest_vertices(curves.lines, curves.component, stable_curves(*field_.mesh, curves, level));
   return summary;
 }
 

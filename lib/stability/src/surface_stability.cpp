@@ -7,39 +7,53 @@
 
 namespace tensortopo {
 
-SurfaceStability surface_stability(const TetMesh& mesh, const SurfaceMesh& surface,
-                                   const LevelStability& stability) {
-  using Index = TetMesh::Index;
-  SurfaceStability result;
-  const auto& components = surface.component;
+namespace {
+
+using Index = TetMesh::Index;
+
+std::array<std::array<Index, 3>, 4> faces_of(std::array<Index, 4> v) {
+  std::sort(v.begin(), v.end());
+  return {{{v[1], v[2], v[3]}, {v[0], v[2], v[3]}, {v[0], v[1], v[3]}, {v[0], v[1], v[2]}}};
+}
+
+/// By component, for the tetrahedron and the component of each of its cells: all tetrahedra are
+/// stable, and none has a face in common with one that was left out: there surface or curve may
+/// end.
+std::vector<char> stable_components(const TetMesh& mesh, const std::vector<Index>& tets,
+                                    const std::vector<Index>& components,
+                                    const LevelStability& stability) {
   const auto last = std::max_element(components.begin(), components.end());
-  result.components.assign(last == components.end() ? 0 : as_size(*last) + 1, 1);
-  result.triangles.resize(surface.triangles.size());
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    result.triangles[i] = stability.tets[as_size(surface.tet[i])] == Stability::stable;
-    if (!result.triangles[i]) result.components[as_size(components[i])] = 0;
-  }
-  // Where tetrahedra are left out the surface ends on their faces.
+  std::vector<char> result(last == components.end() ? 0 : as_size(*last) + 1, 1);
   std::vector<std::array<Index, 3>> beside;
-  const auto add_faces = [&](std::size_t t, auto& faces) {
-    auto v = mesh.tets[t];
-    std::sort(v.begin(), v.end());
-    for (std::size_t i = 0; i < 4; ++i)
-      faces.push_back({v[i == 0 ? 1 : 0], v[i <= 1 ? 2 : 1], v[i <= 2 ? 3 : 2]});
-  };
   for (std::size_t t = 0; t < stability.tets.size(); ++t)
-    if (stability.tets[t] == Stability::unresolved) add_faces(t, beside);
-  if (beside.empty()) return result;
+    if (stability.tets[t] == Stability::unresolved)
+      for (const auto& face : faces_of(mesh.tets[t])) beside.push_back(face);
   std::sort(beside.begin(), beside.end());
-  std::vector<std::array<Index, 3>> faces;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    faces.clear();
-    add_faces(as_size(surface.tet[i]), faces);
-    for (const auto& face : faces)
-      if (std::binary_search(beside.begin(), beside.end(), face))
-        result.components[as_size(components[i])] = 0;
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    char& is_stable = result[as_size(components[i])];
+    if (!is_stable) continue;
+    is_stable = stability.tets[as_size(tets[i])] == Stability::stable;
+    if (beside.empty()) continue;
+    for (const auto& face : faces_of(mesh.tets[as_size(tets[i])]))
+      if (std::binary_search(beside.begin(), beside.end(), face)) is_stable = 0;
   }
   return result;
+}
+
+}  // namespace
+
+SurfaceStability surface_stability(const TetMesh& mesh, const SurfaceMesh& surface,
+                                   const LevelStability& stability) {
+  SurfaceStability result;
+  for (const Index t : surface.tet)
+    result.triangles.push_back(stability.tets[as_size(t)] == Stability::stable);
+  result.components = stable_components(mesh, surface.tet, surface.component, stability);
+  return result;
+}
+
+std::vector<char> stable_curves(const TetMesh& mesh, const CurveMesh& curves,
+                                const LevelStability& stability) {
+  return stable_components(mesh, curves.tet, curves.component, stability);
 }
 
 }  // namespace tensortopo

@@ -24,6 +24,10 @@ inline constexpr double kRounding = 0x1p-44;
 /// Of the tensors of a `ScaledField`, of which the squared norm is from 1 to 4 but for rounding.
 inline constexpr double kLargestNorm = 2.125;
 
+/// Bounds the error of an angle: a cosine is wrong by less than 64 u = 2^-47, and |acos(x + e) -
+/// acos(x)| <= (pi/2) sqrt(2 e) < 2^-22. The same holds of arcsines.
+inline constexpr double kAngleError = 0x1p-22;
+
 /// Frobenius norm.
 inline double norm(const Traceless& t) { return std::sqrt(inner(t, t)); }
 

@@ -56,14 +56,6 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
   vtkGetMacro(ImproveTriangles, bool);
   ///@}
   ///@{
-  /// How much the tensors may be in error: "0.5", in their unit, or "1%" of each point's deviator, in
-  /// the Frobenius norm. Triangles then have cell arrays `stable`, 1 where the level has the same
-  /// topology in the tetrahedron for all fields within it, and `instability`, 0 there, else the
-  /// number of the reason. Empty, the default, for none.
-  vtkSetStdStringFromCharMacro(Uncertainty);
-  vtkGetCharFromStdStringMacro(Uncertainty);
-  ///@}
-  ///@{
   /// Degenerate curves on output 1: 0 none (default), 1 linear, 2 planar, 3 both.
   vtkSetClampMacro(Curves, int, 0, 3);
   vtkGetMacro(Curves, int);
@@ -83,6 +75,5 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
   double MaximumError = 0;
   bool AllSamples = false;
   bool ImproveTriangles = false;
-  std::string Uncertainty;
   int Curves = 0;
 };

@@ -37,6 +37,14 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
   vtkGetMacro(Sampling, double);
   ///@}
   ///@{
+  /// How much the tensors may be in error: "0.5", in their unit, or "1%" of each point's deviator, in
+  /// the Frobenius norm. Triangles and lines then have cell arrays `stable`, 1 where surface or
+  /// curves have the same topology in the tetrahedron for all fields within it, and `instability`,
+  /// 0 there, else the number of the reason. Empty, the default, for none.
+  vtkSetStdStringFromCharMacro(Uncertainty);
+  vtkGetCharFromStdStringMacro(Uncertainty);
+  ///@}
+  ///@{
   /// A certificate is written there, for `tensortopo check`: .json or .cbor. Empty, the default,
   /// for none. Not with several pieces.
   vtkSetStdStringFromCharMacro(CertificateFile);
@@ -67,5 +75,6 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
  private:
   int ComponentOrder = 0;
   double Sampling = 4;
+  std::string Uncertainty;
   std::string CertificateFile;
 };

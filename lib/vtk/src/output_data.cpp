@@ -110,6 +110,15 @@ void add_cell_data(vtkPolyData* output, const std::vector<Index>& tets,
   output->GetCellData()->AddArray(component);
 }
 
+void add_cell_array(vtkPolyData* output, const std::string& name,
+                    const std::vector<std::int32_t>& values,
+                    const std::vector<std::size_t>& which) {
+  vtkNew<vtkTypeInt32Array> array;
+  array->SetName(name.c_str());
+  for (const std::size_t c : which) array->InsertNextValue(values[c]);
+  output->GetCellData()->AddArray(array);
+}
+
 }  // namespace
 
 void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& grid,
@@ -126,15 +135,11 @@ void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& gri
   data->SetNormals(vectors("normal", surface.normal, which));
   data->AddArray(numbers("residual", surface.residual, which));
   add_cell_data(output, surface.tet, surface.component, own, grid.mesh);
-  for (const CellArray& values : more) {
-    vtkNew<vtkTypeInt32Array> array;
-    array->SetName(values.name.c_str());
-    for (const std::size_t c : own) array->InsertNextValue(values.values[c]);
-    output->GetCellData()->AddArray(array);
-  }
+  for (const CellArray& array : more) add_cell_array(output, array.name, array.values, own);
 }
 
-void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid) {
+void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
+          const std::vector<CellArray>& more) {
   const auto own = own_cells(curves.tet, grid);
   const Kept kept(curves.points.size(), curves.lines, own);
   const auto& which = kept.vertices;
@@ -146,6 +151,7 @@ void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid) 
   data->AddArray(numbers("residual", curves.residual, which));
   data->AddArray(numbers("separation", curves.separation, which));
   add_cell_data(output, curves.tet, curves.component, own, grid.mesh);
+  for (const CellArray& array : more) add_cell_array(output, array.name, array.line_values, own);
 }
 
 void fill(vtkUnstructuredGrid* output, const std::vector<LeftOut>& cells, const TensorGrid& grid) {

@@ -15,12 +15,19 @@
 
 namespace tensortopo::filters {
 
+/// What a filter's text says; nothing if it is empty. Throws std::invalid_argument.
+inline std::optional<Uncertainty> uncertainty_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return parse_uncertainty(text);
+}
+
 /// Triangles of other pieces' tetrahedra are left out, with the vertices that only they use.
 /// @param more  other cell arrays
 void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& grid,
           const std::vector<CellArray>& more);
 /// The same with lines.
-void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid);
+void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
+          const std::vector<CellArray>& more);
 /// The cells that are left out, with the arrays `tet`, `mode` and `reason`.
 void fill(vtkUnstructuredGrid* output, const std::vector<LeftOut>& cells, const TensorGrid& grid);
 

@@ -26,6 +26,7 @@ void vtkTensorDegenerateCurves::Extract(const filters::TensorGrid& grid, bool,
   CurveRequest request;
   request.linear = (Curves & 1) != 0, request.planar = (Curves & 2) != 0;
   request.resolution = GetSampling();
+  request.uncertainty = filters::uncertainty_of(GetUncertainty());
   request.certify = IsCertifying();
   request.names = {grid.tensor, grid.components, IsCertificateCbor()};
   DegenerateCurves made;
@@ -33,7 +34,7 @@ void vtkTensorDegenerateCurves::Extract(const filters::TensorGrid& grid, bool,
     request.progress = report;
     made = ModeExtractor(grid.mesh).curves(request);
   });
-  filters::fill(vtkPolyData::GetData(outputs, 0), made.curves, grid);
+  filters::fill(vtkPolyData::GetData(outputs, 0), made.curves, grid, made.more);
   filters::fill(vtkUnstructuredGrid::GetData(outputs, 1), made.unresolved, grid);
   if (IsCertifying()) WriteCertificate(made.certificate);
 }

@@ -57,12 +57,13 @@ void vtkTensorModeSurface::Extract(const filters::TensorGrid& grid, bool in_piec
   // Whether a sample can be done without depends on more than the tetrahedra around it.
   surfaces.all_samples = AllSamples || in_pieces;
   surfaces.improve = ImproveTriangles;
-  if (!Uncertainty.empty()) surfaces.uncertainty = parse_uncertainty(Uncertainty);
+  surfaces.uncertainty = filters::uncertainty_of(GetUncertainty());
   surfaces.certify = IsCertifying();
   surfaces.names = {grid.tensor, grid.components, IsCertificateCbor()};
   CurveRequest curves;
   curves.linear = (Curves & 1) != 0, curves.planar = (Curves & 2) != 0;
   curves.resolution = GetSampling();
+  curves.uncertainty = surfaces.uncertainty;
 
   ModeSurfaces surface;
   std::optional<DegenerateCurves> lines;
@@ -76,7 +77,7 @@ void vtkTensorModeSurface::Extract(const filters::TensorGrid& grid, bool in_piec
   });
   filters::fill(vtkPolyData::GetData(outputs, 0), surface.surface, grid, surface.more);
   if (lines) {
-    filters::fill(vtkPolyData::GetData(outputs, 1), lines->curves, grid);
+    filters::fill(vtkPolyData::GetData(outputs, 1), lines->curves, grid, lines->more);
     surface.unresolved.insert(surface.unresolved.end(), lines->unresolved.begin(),
                               lines->unresolved.end());
   }
@@ -93,6 +94,5 @@ void vtkTensorModeSurface::PrintSelf(std::ostream& os, vtkIndent indent) {
      << indent << "MaximumError: " << MaximumError << '\n'
      << indent << "AllSamples: " << AllSamples << '\n'
      << indent << "ImproveTriangles: " << ImproveTriangles << '\n'
-     << indent << "Uncertainty: " << Uncertainty << '\n'
      << indent << "Curves: " << Curves << '\n';
 }

@@ -103,5 +103,6 @@ void vtkTensorTopology::PrintSelf(std::ostream& os, vtkIndent indent) {
   Superclass::PrintSelf(os, indent);
   os << indent << "ComponentOrder: " << ComponentOrder << '\n'
      << indent << "Sampling: " << Sampling << '\n'
+     << indent << "Uncertainty: " << Uncertainty << '\n'
      << indent << "CertificateFile: " << CertificateFile << '\n';
 }

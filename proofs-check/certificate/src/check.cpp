@@ -123,12 +123,13 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
   ledger.count(level.decided_by_balls(), level.decided_exactly());
 }
 
-void check_curves(const Json& claims, const Input& input, const Field& field,
+void check_curves(const Json& claims, const std::string& input_file, const Input& input, const Field& field,
                   const Polylines& curves, Ledger& ledger, const Progress& progress) {
   ledger.begin_level("mode " + claims["mode"].get<std::string>());
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
   if (!mark_left_out(claims, input, curve_reason_of, left_out, ledger)) return;
+  const std::size_t left_open = ledger.open();
   const CurveTopology topology =
       derive_curves(input, field, kind_of(claims["mode"]), left_out, progress);
   const CurveCase c{input, field, curves, claims, range_of(claims["vertices"]),
@@ -139,6 +140,10 @@ void check_curves(const Json& claims, const Input& input, const Field& field,
   compare_pieces(c, vertices, ledger);
   ledger.begin("curves");
   compare_polylines(c, ledger);
+  ledger.begin("stability");
+  if (claims.contains("stability"))
+    compare_stability(c, input_file, !ledger.has_refuted() && ledger.open() == left_open, progress,
+                      ledger);
   ledger.count(topology.by_balls, topology.by_integers);
 }
 
@@ -198,7 +203,7 @@ class Checking {
     if (!compare_files(curves, "polylines", "lines", curves.lines.size())) return report_;
     const Field field(input_, Multiples{});
     for (const Json& claims : certificate_["levels"])
-      check_curves(claims, input_, field, curves, ledger_, progress_);
+      check_curves(claims, report_.subject.input, input_, field, curves, ledger_, progress_);
     return report_;
   }
 

@@ -39,6 +39,18 @@ std::string listed(const std::string& reason, const std::vector<std::uint64_t>& 
   return text + (tets.size() > kShown ? " ...)" : ")");
 }
 
+/// Which components are in all fields within a radius.
+std::string stability_text(const LevelReport& level) {
+  char radius[32];
+  std::snprintf(radius, sizeof(radius), "%.6g", level.radius);
+  return "  " + std::to_string(level.stable_components.size()) + " of the components " +
+         "are in every field whose deviators differ by at most " + radius +
+         (level.radius_of_deviator ? " of themselves" : "") + " at the vertices" +
+         (level.radius_array.empty() ? ""
+                                     : ", at each by at most what '" + level.radius_array + "' says") +
+         "\n";
+}
+
 std::string text_of(const LevelReport& level, bool of_curves) {
   std::string text = level.name + ": " + status_of(level.refuted, level.undecided) + ", " +
                      counted(level.components.size(), "component") +
@@ -51,20 +63,11 @@ std::string text_of(const LevelReport& level, bool of_curves) {
   if (level.left_out.empty()) text += "nothing";
   for (const auto& [reason, tets] : level.left_out) text += listed(reason, tets) + ' ';
   text += '\n';
+  if (level.claims_stability) text += stability_text(level);
   if (of_curves) return text;
   text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
                          : "  that the triangles are embedded is not claimed\n";
   char bound[32];
-  if (level.claims_stability) {
-    std::snprintf(bound, sizeof(bound), "%.6g", level.radius);
-    text += "  " + std::to_string(level.stable_components.size()) + " of the components " +
-            "are in every field whose deviators differ by at most " + bound +
-            (level.radius_of_deviator ? " of themselves" : "") + " at the vertices" +
-            (level.radius_array.empty()
-                 ? ""
-                 : ", at each by at most what '" + level.radius_array + "' says") +
-            "\n";
-  }
   if (level.residual) {
     std::snprintf(bound, sizeof(bound), "%.3g", *level.residual);
     text += std::string("  residual at most ") + bound + ", at the vertices as written\n";
@@ -188,6 +191,13 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
                                     {"triangles", c.cells}});
   }
   for (const auto& [reason, tets] : level.left_out) json["left_out"][reason] = tets;
+  json["stability"] = nullptr;
+  if (level.claims_stability)
+    json["stability"] = {{"radius", level.radius},
+                         {"of", !level.radius_array.empty()  ? "array"
+                                : level.radius_of_deviator ? "deviator"
+                                                           : "tensor"},
+                         {"stable_components", level.stable_components.size()}};
   if (of_curves) return json;
   json["embedded"] = level.embedded;
   json["residual"] = nullptr;
@@ -199,13 +209,6 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
                         {"not_shown", OrderedJson::object()}};
   for (const auto& [reason, tets] : level.not_isotopic)
     json["isotopic"]["not_shown"][reason] = tets;
-  json["stability"] = nullptr;
-  if (level.claims_stability)
-    json["stability"] = {{"radius", level.radius},
-                         {"of", !level.radius_array.empty()  ? "array"
-                                : level.radius_of_deviator ? "deviator"
-                                                           : "tensor"},
-                         {"stable_components", level.stable_components.size()}};
   json["distance"] = nullptr;
   if (!level.bound.empty())
     json["distance"] = {{"bound", std::strtod(level.bound.c_str(), nullptr)},

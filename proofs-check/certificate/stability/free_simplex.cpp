@@ -3,9 +3,9 @@
 #include "free_simplex.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "guess.hpp"
+#include "parts.hpp"
 
 namespace certificate {
 namespace {
@@ -14,40 +14,6 @@ namespace {
 constexpr double kRootSix = 2.4494897427831783;
 
 Ball root_of_six() { return {kRootSix, 0x1p-50}; }
-
-Ball inverse(const Ball& x) {
-  const double least = std::abs(x.value) - x.error;
-  if (!(least > 0)) return {0, HUGE_VAL};
-  const double v = 1 / x.value;
-  return {v, (x.error / (std::abs(x.value) * least) + std::abs(v) * Ball::kUnit) * Ball::kSlack};
-}
-
-/// The root of what is not negative.
-Ball root(const Ball& x) {
-  const double low = std::sqrt(std::max(0.0, lower(x))) / Ball::kSlack,
-               high = std::sqrt(std::max(0.0, upper(x))) * Ball::kSlack;
-  return {(low + high) / 2, (high - low) * Ball::kSlack};
-}
-
-/// A point of a simplex by weights that are exact doubles, with what members have there.
-template <std::size_t V>
-struct Point {
-  std::array<double, V> weights{};
-  Matrix matrix;
-  double radius = 0, norm = 0;  ///< rounded up
-};
-
-template <std::size_t V>
-Point<V> point_at(const std::array<Widened, V>& corners, const std::array<double, V>& weights) {
-  Point<V> point;
-  point.weights = weights;
-  for (std::size_t i = 0; i < V; ++i) {
-    point.matrix = point.matrix + Ball(weights[i], 0) * corners[i].centre;
-    point.radius = (point.radius + weights[i] * corners[i].radius) * Ball::kSlack;
-  }
-  point.norm = largest_norm(point.matrix);
-  return point;
-}
 
 /// A function of members' tensors T + E, linear up to a rest: value + tr(gradient E), and for
 /// members up to `more` above it.
@@ -140,10 +106,6 @@ bool part_is_free(const std::array<Widened, V>& corners, const std::array<Point<
   return is_positive(corners, part, norms, d, mode.times_root_six);
 }
 
-/// Most parts of a simplex of V vertices.
-template <std::size_t V>
-constexpr int kParts = V == 2 ? 96 : V == 3 ? 768 : 6144;
-
 }  // namespace
 
 ModeBall::ModeBall(const mpz_class& numerator, const mpz_class& denominator) {
@@ -180,42 +142,19 @@ Answer vertex_is_free(const Widened& vertex, const ModeBall& level) {
 template <std::size_t V>
 Answer simplex_is_free(const std::array<Widened, V>& corners, const ModeBall& mode) {
   const double nu = mode.times_root_six.value / 6;
-  std::array<std::array<double, V>, V> whole{};
-  for (std::size_t i = 0; i < V; ++i) whole[i][i] = 1;
-  std::vector<std::array<std::array<double, V>, V>> open{whole};
-  for (int count = 0; !open.empty(); ++count) {
-    if (count == kParts<V>) return Answer::unsure;
-    const auto places = open.back();
-    open.pop_back();
-    std::array<Point<V>, V> part;
-    for (std::size_t a = 0; a < V; ++a) part[a] = point_at(corners, places[a]);
-    bool is_free = false;
-    for (const int steps : {0, 2})
-      is_free = is_free ||
-                part_is_free(corners, part, guess_direction<V, V>(corners, places, nu, steps), mode);
-    if (is_free) continue;
-    std::array<std::array<double, V>, 1> centre{};
-    for (const auto& place : places)
-      for (std::size_t i = 0; i < V; ++i) centre[0][i] += place[i] / static_cast<double>(V);
-    const std::array<Point<V>, 1> middle{point_at(corners, centre[0])};
-    if (!part_is_free(corners, middle, guess_direction<V, 1>(corners, centre, nu, 4), mode))
-      return Answer::unsure;  // however small a part is
-    std::size_t from = 0, to = 1;
-    double least = 2;
-    for (std::size_t a = 0; a < V; ++a)
-      for (std::size_t b = a + 1; b < V; ++b) {
-        const double cosine =
-            inner(part[a].matrix, part[b].matrix).value / (part[a].norm * part[b].norm);
-        if (cosine < least) least = cosine, from = a, to = b;
-      }
-    std::array<double, V> half{};
-    for (std::size_t i = 0; i < V; ++i) half[i] = (places[from][i] + places[to][i]) / 2;
-    for (const std::size_t corner : {from, to}) {
-      open.push_back(places);
-      open.back()[corner] = half;
-    }
-  }
-  return Answer::yes;
+  return holds_in_parts<V>(
+      corners,
+      [&](const std::array<Point<V>, V>& part) {
+        for (const int steps : {0, 2})
+          if (part_is_free(corners, part,
+                           guess_direction<V, V>(corners, weights_of(part), nu, steps), mode))
+            return true;
+        return false;
+      },
+      [&](const std::array<Point<V>, 1>& middle) {
+        return part_is_free(corners, middle,
+                            guess_direction<V, 1>(corners, weights_of(middle), nu, 4), mode);
+      });
 }
 
 template Answer simplex_is_free(const std::array<Widened, 2>&, const ModeBall&);

@@ -5,6 +5,8 @@
 #include <cfloat>
 #include <set>
 
+#include "transverse_simplex.hpp"
+
 namespace certificate {
 namespace {
 
@@ -65,24 +67,62 @@ Widened widened(const Field& field, std::uint32_t vertex, const Radius& radius) 
   return result;
 }
 
-Freedom are_free(const Input& input, const Field& field, const ModeBall& mode, const Radius& radius,
-                 const std::vector<std::size_t>& tets, const ForAll& for_all) {
+namespace {
+
+/// @param vertex_is_fine  of a tensor that is not zero
+/// @param is_fine  of larger simplices
+template <class OfVertex, class OfSimplex>
+Freedom ask_all(const Input& input, const Field& field, const Radius& radius,
+                const std::vector<std::size_t>& tets, const ForAll& for_all,
+                const OfVertex& vertex_is_fine, const OfSimplex& is_fine) {
   Freedom result;
   ask(simplices_of<1>(input, tets), for_all, "vertex",
       [&](const auto& v) {
-        return field.is_zero(v[0]) ? Answer::no
-                                   : vertex_is_free(widened(field, v[0], radius), mode);
+        return field.is_zero(v[0]) ? Answer::no : vertex_is_fine(widened(field, v[0], radius));
       },
       result);
-  const auto is_free = [&]<std::size_t V>(const std::array<std::uint32_t, V>& simplex) {
+  const auto simplex_is_fine = [&]<std::size_t V>(const std::array<std::uint32_t, V>& simplex) {
     std::array<Widened, V> corners;
     for (std::size_t i = 0; i < V; ++i) corners[i] = widened(field, simplex[i], radius);
-    return simplex_is_free<V>(corners, mode);
+    return is_fine(corners);
   };
-  ask(simplices_of<2>(input, tets), for_all, "edge", is_free, result);
-  ask(simplices_of<3>(input, tets), for_all, "face", is_free, result);
-  ask(simplices_of<4>(input, tets), for_all, "tetrahedron", is_free, result);
+  ask(simplices_of<2>(input, tets), for_all, "edge", simplex_is_fine, result);
+  ask(simplices_of<3>(input, tets), for_all, "face", simplex_is_fine, result);
+  ask(simplices_of<4>(input, tets), for_all, "tetrahedron", simplex_is_fine, result);
   return result;
+}
+
+/// The opposite tensors.
+Widened opposite(Widened ball) {
+  ball.centre = Ball(-1) * ball.centre;
+  return ball;
+}
+
+}  // namespace
+
+Freedom are_free(const Input& input, const Field& field, const ModeBall& mode, const Radius& radius,
+                 const std::vector<std::size_t>& tets, const ForAll& for_all) {
+  return ask_all(
+      input, field, radius, tets, for_all,
+      [&](const Widened& vertex) { return vertex_is_free(vertex, mode); },
+      [&]<std::size_t V>(const std::array<Widened, V>& corners) {
+        return simplex_is_free<V>(corners, mode);
+      });
+}
+
+Freedom are_transverse(const Input& input, const Field& field, bool planar, const Radius& radius,
+                       const std::vector<std::size_t>& tets, const ForAll& for_all) {
+  const ModeBall one(1, 1);
+  return ask_all(
+      input, field, radius, tets, for_all,
+      [&](const Widened& vertex) {
+        return vertex_is_free(planar ? opposite(vertex) : vertex, one);
+      },
+      [&]<std::size_t V>(std::array<Widened, V> corners) {
+        if (planar)
+          for (Widened& corner : corners) corner = opposite(corner);
+        return simplex_is_transverse<V>(corners);
+      });
 }
 
 }  // namespace certificate

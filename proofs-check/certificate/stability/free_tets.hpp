@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-// Tetrahedra in which the level is the same for all members.
+// Tetrahedra in which the level, or degenerate curves, are the same for all members.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ struct Radius {
 
 /// What is derived of some tetrahedra.
 struct Freedom {
-  Answer answer = Answer::yes;  ///< no: a vertex has members on both sides, or isotropic ones
+  /// No: a vertex has members on both sides, or degenerate or isotropic ones.
+  Answer answer = Answer::yes;
   std::string place;            ///< of the first simplex that is not known to be free
 };
 
@@ -35,5 +36,11 @@ Widened widened(const Field& field, std::uint32_t vertex, const Radius& radius);
 /// @pre the field is of a mode's tensors
 Freedom are_free(const Input& input, const Field& field, const ModeBall& mode, const Radius& radius,
                  const std::vector<std::size_t>& tets, const ForAll& for_all);
+
+/// Are all members, in tetrahedra, their faces, edges and vertices, transverse to the linear (or planar)
+/// degenerate tensors, and nowhere zero? On edges and at vertices: not degenerate.
+/// @pre the field is of a mode's tensors
+Freedom are_transverse(const Input& input, const Field& field, bool planar, const Radius& radius,
+                       const std::vector<std::size_t>& tets, const ForAll& for_all);
 
 }  // namespace certificate

@@ -3,6 +3,7 @@
 // Deviators of which each is known up to a ball, in doubles with their errors.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -16,6 +17,20 @@ using Matrix = std::array<Ball, 6>;
 
 inline double lower(const Ball& x) { return (x.value - x.error) - std::abs(x.value) * Ball::kUnit; }
 inline double upper(const Ball& x) { return (x.value + x.error) + std::abs(x.value) * Ball::kUnit; }
+
+inline Ball inverse(const Ball& x) {
+  const double least = std::abs(x.value) - x.error;
+  if (!(least > 0)) return {0, HUGE_VAL};
+  const double v = 1 / x.value;
+  return {v, (x.error / (std::abs(x.value) * least) + std::abs(v) * Ball::kUnit) * Ball::kSlack};
+}
+
+/// The root of what is not negative.
+inline Ball root(const Ball& x) {
+  const double low = std::sqrt(std::max(0.0, lower(x))) / Ball::kSlack,
+               high = std::sqrt(std::max(0.0, upper(x))) * Ball::kSlack;
+  return {(low + high) / 2, (high - low) * Ball::kSlack};
+}
 
 inline Matrix operator+(const Matrix& a, const Matrix& b) {
   Matrix m;

@@ -69,6 +69,7 @@ struct CurveReport {
   ModeValue mode;
   CurveInvariants invariants;
   double max_residual = 0;  ///< largest sqrt(1 - mode^2) at a vertex
+  std::optional<StabilityReport> stability;  ///< if the field was said to be uncertain
   std::optional<FilterReport> filter;  ///< if a filter was asked for
   std::map<std::string, std::size_t> unresolved;
   CurveStatistics statistics;

@@ -220,9 +220,10 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->check(positive_number());
   app.add_option(
          "--uncertainty", command.uncertainty,
-         "Say what is the same for all fields whose deviators differ by at most E: in units of "
-         "the tensor (Frobenius norm), or E% of each vertex' deviator, or "
-         "array:NAME, an array of the points of FIELD with a radius for each")
+         "Say what is the same for all fields whose deviators differ by at most E: in units "
+         "of the tensor (Frobenius norm), or E% of each vertex' deviator, or "
+         "array:NAME, an array of the points of FIELD with a radius for each; of surfaces and "
+         "of degenerate curves")
       ->type_name("E");
   app.add_option(
          "--min-persistence", command.min_persistence,

@@ -76,21 +76,23 @@ vtkSmartPointer<vtkPolyData> part_of(vtkPolyData* all, vtkCellArray* triangles,
   return used->GetOutput();
 }
 
-/// Of cells that have a point that is asked for: triangles that are stable, or of which no array
-/// says so, with lines; then, marked, the other triangles.
+/// Of cells that have a point that is asked for: those that are stable, or of which no array says
+/// so; then, marked, the others.
 std::vector<std::pair<vtkSmartPointer<vtkPolyData>, bool>> stable_and_other(
     vtkPolyData* all, const std::function<bool(vtkIdType)>& has_point) {
   vtkDataArray* const stable = all->GetCellData()->GetArray("stable");
-  const vtkIdType before = all->GetNumberOfVerts() + all->GetNumberOfLines();
+  const vtkIdType first_line = all->GetNumberOfVerts(),
+                  first_triangle = first_line + all->GetNumberOfLines();
   std::vector<std::pair<vtkSmartPointer<vtkPolyData>, bool>> parts;
   for (const bool is_unstable : {false, true}) {
-    const auto triangles = select(all->GetPolys(), [&](vtkIdType i, vtkIdType point) {
-      const bool faded = stable != nullptr && stable->GetComponent(before + i, 0) == 0;
-      return has_point(point) && faded == is_unstable;
-    });
-    const auto lines = select(all->GetLines(), [&](vtkIdType, vtkIdType point) {
-      return !is_unstable && has_point(point);
-    });
+    const auto wanted = [&](vtkIdType first) {
+      return [&, first](vtkIdType i, vtkIdType point) {
+        const bool faded = stable != nullptr && stable->GetComponent(first + i, 0) == 0;
+        return has_point(point) && faded == is_unstable;
+      };
+    };
+    const auto triangles = select(all->GetPolys(), wanted(first_triangle));
+    const auto lines = select(all->GetLines(), wanted(first_line));
     if (triangles->GetNumberOfCells() + lines->GetNumberOfCells() > 0)
       parts.emplace_back(part_of(all, triangles, lines), is_unstable);
   }

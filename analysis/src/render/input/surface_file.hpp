@@ -18,7 +18,7 @@ struct Sheet {
   vtkSmartPointer<vtkPolyData> shape;
   std::optional<double> value = {};       ///< where it has an array `value` instead
   std::optional<double> ridge_kind = {};  ///< or `kind`: 1 ridges, -1 valleys
-  bool is_unstable = false;  ///< triangles whose cell array `stable` is 0, which are faded
+  bool is_unstable = false;  ///< cells whose array `stable` is 0, which are faded
 };
 
 /// What a .vtp file holds; nothing, where a field has no such surface. Throws IoError.
@@ -28,8 +28,8 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file);
 /// gives. Throws IoError.
 std::vector<Sheet> read_sheets(const std::filesystem::path& file);
 
-/// The same from what a file holds; triangles that the cell array `stable` says are not are sheets
-/// of their own; none if that is neither triangles nor lines.
+/// The same from what a file holds; cells that the cell array `stable` says are not are sheets of
+/// their own; none if that is neither triangles nor lines.
 std::vector<Sheet> sheets_of(vtkPolyData* all);
 
 }  // namespace tensortopo

@@ -14,9 +14,12 @@
 namespace tensortopo {
 
 void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
-                const std::string& tensor_name) {
+                const std::string& tensor_name, const std::vector<PointArray>& more) {
   if (mesh.tensors.size() != mesh.points.size())
     throw std::invalid_argument("write_mesh: the tensors are not one for each point");
+  for (const PointArray& array : more)
+    if (array.values.size() != mesh.points.size())
+      throw std::invalid_argument("write_mesh: an array is not one for each point");
   for (const auto& tet : mesh.tets)
     for (const auto v : tet)
       if (v < 0 || static_cast<std::size_t>(v) >= mesh.points.size())
@@ -41,6 +44,8 @@ void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
              {"ComponentName3", "XY"},
              {"ComponentName4", "YZ"},
              {"ComponentName5", "XZ"}});
+  for (const PointArray& array : more)
+    out.array(array.name, array.values, detail::Patterns::none);
   out.close("PointData");
   out.open("Points");
   out.array("Points", mesh.points, detail::Patterns::some);

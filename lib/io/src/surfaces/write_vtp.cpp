@@ -147,7 +147,8 @@ std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const Te
   section.add("tet", of_any, std::span(ids));
   section.add("component", of_any, std::span(parts));
   for (const CellArray& array : more) {
-    std::vector<std::int32_t> values(curves.lines.size(), 0);
+    std::vector<std::int32_t> values = array.line_values;
+    values.resize(curves.lines.size(), 0);
     values.insert(values.end(), array.values.begin(), array.values.end());
     section.add(array.name.c_str(), false, std::span<const std::int32_t>(values));
   }

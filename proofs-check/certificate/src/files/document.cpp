@@ -66,6 +66,7 @@ Json make_curve_shape() {
       "tets": ["*1", ["natural", "*2", ["natural", "natural"]]],
       "curves": ["*1", {"closed": "boolean", "lines": "natural", "first_vertex": "natural"}]}]})");
   const Json other = make_shape();
+  result["levels"][1]["stability or none"] = other["levels"][1]["stability or none"];
   for (const char* key : {"format", "version", "input"}) result[key] = other[key];
   return result;
 }

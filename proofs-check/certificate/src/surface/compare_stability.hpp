@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "claims/compare_curves.hpp"
 #include "surface/compare_surface.hpp"
 
 namespace certificate {
@@ -15,5 +16,11 @@ namespace certificate {
 /// @param input_file  where radii are read, if the claims are about an array's
 void compare_stability(const LevelCase& c, const std::string& input_file,
                        const PlacedSurface* placed, Ledger& ledger);
+
+/// The same of degenerate curves: the tetrahedra that hold a component are derived to be transverse for
+/// all members; refuted also if some member is degenerate or isotropic at a vertex.
+/// @param is_sound  nothing but what is left out is open, and nothing refuted; else nothing is decided
+void compare_stability(const CurveCase& c, const std::string& input_file, bool is_sound,
+                       const Progress& progress, Ledger& ledger);
 
 }  // namespace certificate

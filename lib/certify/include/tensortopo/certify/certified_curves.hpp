@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "tensortopo/certify/certified_level.hpp"
@@ -49,10 +50,14 @@ struct CertifiedCurves {
   std::vector<Face> faces;               ///< with points, of all other tetrahedra; ascending
   std::vector<Tet> tets;                 ///< with pieces; ascending
   std::vector<Curve> curves;             ///< by first vertex
+  std::optional<StabilityClaim> stability;  ///< of an uncertain field
 
-  /// Entities claimed: faces and tetrahedra that the curves meet, components, and that there are no
-  /// others.
-  std::size_t claims() const { return faces.size() + tets.size() + curves.size() + 1; }
+  /// Entities claimed: faces and tetrahedra that the curves meet, components, stable ones, and that there
+  /// are no others.
+  std::size_t claims() const {
+    return faces.size() + tets.size() + curves.size() + 1 +
+           (stability ? stability->components.size() : 0);
+  }
 };
 
 /// The claims that an extraction supports: those of general position, its special positions being

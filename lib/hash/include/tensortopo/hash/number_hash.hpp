@@ -43,6 +43,7 @@ struct ArrayHash {
 std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface,
                                     std::span<const CellArray> more = {});
 /// All arrays of curves in a .vtp without a surface but `tet`, by `of` and `name`.
-std::vector<ArrayHash> array_hashes(const CurveMesh& curves);
+/// @param more  further arrays of its lines
+std::vector<ArrayHash> array_hashes(const CurveMesh& curves, std::span<const CellArray> more = {});
 
 }  // namespace tensortopo

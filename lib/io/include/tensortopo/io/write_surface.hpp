@@ -61,7 +61,7 @@ WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
 /// none. In a .vtp the curves add point data `separation`; arrays that only the surface has are
 /// zero at vertices of curves, and `separation` at vertices of the surface. Cell data come in VTK's
 /// order, lines before triangles. Without curves the bytes are those of the surface alone. A .vtp
-/// has the `notes` as field data, a string each, and `more` as cell data (zero at lines); other formats
+/// has the `notes` as field data, a string each, and `more` as cell data (zero at lines that they say nothing of); other formats
 /// have no place for them.
 ///
 /// Throws    also IoError if there are curves and the format holds no polylines.

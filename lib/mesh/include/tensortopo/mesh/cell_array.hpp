@@ -8,10 +8,11 @@
 
 namespace tensortopo {
 
-/// Numbers of a surface's triangles that not every surface has, one each, for a file.
+/// Numbers of triangles and lines that not every surface, or curve, has, one each, for a file.
 struct CellArray {
-  std::string name;                  ///< in the file
-  std::vector<std::int32_t> values;  ///< one for each triangle
+  std::string name;                       ///< in the file
+  std::vector<std::int32_t> values;       ///< one for each triangle
+  std::vector<std::int32_t> line_values;  ///< one for each line, or empty
 };
 
 }  // namespace tensortopo

@@ -51,6 +51,7 @@ struct CurveRequest {
   /// Which kinds.
   bool linear = true, planar = false;
   double resolution = 4;  ///< samples per radian of turning of the dominant eigenvector, > 0
+  std::optional<Uncertainty> uncertainty;  ///< say what is the same for all fields within it
   bool certify = false;  ///< make a certificate
   CertificateNames names;  ///< what it says of the field
   ModeProgress progress;  ///< may be empty
@@ -73,7 +74,7 @@ struct ModePart {
   std::optional<double> distance_bound;  ///< of a surface, to the level, both ways, if proved
   std::size_t tets_farther = 0;          ///< tetrahedra without the distance that was asked for
   std::vector<TetMesh::Index> not_embedded;  ///< of a surface: see `Extraction`
-  std::optional<StabilitySummary> stability;  ///< of a surface of an uncertain field
+  std::optional<StabilitySummary> stability;  ///< of an uncertain field
   std::vector<std::pair<std::string, double>> statistics;  ///< what the extraction counted
 };
 
@@ -90,6 +91,7 @@ struct ModeSurfaces {
 /// Degenerate curves, as one output.
 struct DegenerateCurves {
   CurveMesh curves;  ///< all of them
+  std::vector<CellArray> more;  ///< of an uncertain field: see `StabilityRun::arrays`
   std::vector<ModePart> parts;  ///< linear ones first
   std::vector<LeftOut> unresolved;  ///< by kind, then tetrahedron
   std::string certificate;  ///< the bytes of a file, if asked for

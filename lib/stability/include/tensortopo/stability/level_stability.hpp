@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/extract_options.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
@@ -16,8 +19,8 @@
 
 namespace tensortopo {
 
-/// Whether the topology of a level in a tetrahedron is the same for all members of an uncertain
-/// field; if not, what is the first thing that is not proved.
+/// Whether the topology of a level, or of degenerate curves, in a tetrahedron is the same for all
+/// members of an uncertain field; if not, what is the first thing that is not proved.
 enum class Stability : std::uint8_t {
   stable,
   isotropic_within_radius,  ///< a vertex' deviator is not larger than its radius
@@ -26,14 +29,25 @@ enum class Stability : std::uint8_t {
   curves_of_face,           ///< not proved to be the same on a face
   sheets_of_tet,            ///< not proved to be the same inside
   unresolved,               ///< left out by the extraction
+  degenerate_vertex,        ///< some members are degenerate in a vertex
+  degenerate_edge,          ///< not proved that no member is degenerate on an edge
+  points_of_face,           ///< degenerate points not proved to be the same on a face
+  arcs_of_tet,              ///< curves not proved to be the same inside
 };
 
 /// The name that reports use.
 std::string_view name_of(Stability stability);
 
-/// What holds of one level.
+/// All numbers with their names: "0 stable, 1 isotropic_within_radius, ...".
+std::string stability_names();
+
+/// What holds of one level, or of degenerate curves of one kind.
 struct LevelStability {
   std::vector<Stability> tets;  ///< one per tetrahedron of the mesh
+  /// Edges and faces, by their vertices in ascending order, that may be crossed and are proved to
+  /// be crossed alike by all members; ascending.
+  std::vector<std::array<TetMesh::Index, 2>> stable_edges;
+  std::vector<std::array<TetMesh::Index, 3>> stable_faces;  ///< as `stable_edges`
 };
 
 /// The tetrahedra in which the level {mode = mu} is the same, up to homeomorphism, for all members.
@@ -56,8 +70,25 @@ struct LevelStability {
 LevelStability level_stability(const UncertainField& field, const ModeValue& mu,
                                const ExtractOptions& options = {});
 
+/// The tetrahedra in which the degenerate curves of one kind are the same, up to homeomorphism, for
+/// all members.
+///
+/// Proved of a tetrahedron that is stable: no member has a zero in it; none is degenerate, of this
+/// kind, on an edge; and wherever one is degenerate, in a face or inside, it crosses the degenerate
+/// tensors transversally there, in the face too. As above, any two members have a homeomorphism of
+/// the tetrahedron that takes one's curves to the other's and keeps each face, edge and vertex. So
+/// all have the same number of degenerate points on each face, and as many arcs that join them, and
+/// closed curves inside.
+///
+/// `isotropic_within_radius` and `degenerate_vertex` are exact, up to rounding.
+/// The result does not depend on the number of threads.
+/// @param options  its `progress` only
+LevelStability curve_stability(const UncertainField& field, Degeneracy kind,
+                               const ExtractOptions& options = {});
+
 /// Marks what an extraction left out.
 void mark_unresolved(std::span<const UnresolvedCell> unresolved, LevelStability& stability);
+void mark_unresolved(std::span<const UnresolvedCurve> unresolved, LevelStability& stability);
 
 /// What stable tetrahedra make of a surface.
 struct SurfaceStability {
@@ -71,5 +102,11 @@ struct SurfaceStability {
 
 SurfaceStability surface_stability(const TetMesh& mesh, const SurfaceMesh& surface,
                                    const LevelStability& stability);
+
+/// By component of degenerate curves: all its tetrahedra are stable, and none has a face in common
+/// with one that was left out. As of a surface, each member has a component that is homeomorphic to
+/// it, by a map that keeps each tetrahedron, face and edge.
+std::vector<char> stable_curves(const TetMesh& mesh, const CurveMesh& curves,
+                                const LevelStability& stability);
 
 }  // namespace tensortopo

@@ -13,11 +13,14 @@
 
 namespace tensortopo {
 
-/// What is stable of one level.
+/// What is stable of one level, or of degenerate curves of one kind.
 struct StabilitySummary {
   /// Of all tetrahedra of the mesh.
   std::size_t stable_tets = 0, unstable_tets = 0;
-  std::size_t crossed_stable_tets = 0;         ///< of those that hold triangles
+  std::size_t crossed_stable_tets = 0;  ///< of those that hold triangles, or lines
+  /// Vertices of a surface on edges of the mesh, or of curves on faces; and those of them of which
+  /// the edge, or face, is crossed alike by all members.
+  std::size_t crossings = 0, stable_crossings = 0;
   std::map<std::string, std::size_t> reasons;  ///< unstable tetrahedra by the reason's name
   std::vector<SurfaceMesh::Index> components;  ///< stable ones, by smallest vertex, ascending
 };
@@ -33,7 +36,7 @@ struct StabilityClaim {
   std::string array = {}, radii_sha256 = {};
 };
 
-/// What is stable of the surfaces of several levels of one mesh, for reports and files.
+/// What is stable of surfaces and degenerate curves of one mesh, for reports and files.
 class StabilityRun {
  public:
   /// Throws std::invalid_argument as `vertex_radii` does.
@@ -45,8 +48,13 @@ class StabilityRun {
   StabilitySummary add(const ModeValue& mode, const ExtractOptions& options,
                        const Extraction& extraction);
 
-  /// Of all triangles so far: `instability`, the number of the reason (see `Stability`), and
-  /// `stable`, 1 where that is 0, else 0.
+  /// The next kind's degenerate curves, as they are written.
+  /// @param options  its `progress` only
+  StabilitySummary add(Degeneracy kind, const ExtractOptions& options,
+                       const CurveExtraction& extraction);
+
+  /// Of all triangles and lines so far: `instability`, the number of the reason (see `Stability`),
+  /// and `stable`, 1 where that is 0, else 0.
   const std::vector<CellArray>& arrays() const { return arrays_; }
 
   /// Nothing if each vertex has a radius of its own, from no array of the input.
