@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tensortopo/mesh/tet_mesh.hpp"
 
@@ -17,5 +18,11 @@ namespace tensortopo {
 /// Throws    IoError (`unwritable`), std::invalid_argument.
 void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
                 const std::string& tensor_name = "stress");
+
+/// Writes the list (.pvtu) of files of `write_mesh` that are the pieces of one field.
+/// @param pieces  in the same folder
+void write_piece_list(const std::vector<std::filesystem::path>& pieces,
+                      const std::filesystem::path& file,
+                      const std::string& tensor_name = "stress");
 
 }  // namespace tensortopo
