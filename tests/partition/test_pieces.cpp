@@ -44,7 +44,7 @@ RC_GTEST_PROP(Pieces, GiveTheSurfaceOfTheWholeMesh, ()) {
   const int pieces = *rc::gen::inRange(1, 9);
   const bool is_slabs = *rc::gen::arbitrary<bool>();
   const auto owner = is_slabs ? slabs(mesh, pieces) : random_owners(mesh, pieces, random);
-  const ModeValue mode = arbitrary_mode();
+  const ModeValue mode = random_mode(random);
   const Extraction whole = extract_mode_surface<double>(mesh, mode);
   auto surfaces = extract_pieces(mesh, owner, pieces, mode);
   std::reverse(surfaces.begin(), surfaces.end());
@@ -66,7 +66,7 @@ RC_GTEST_PROP(Pieces, NumberTheirVerticesAsTheyLike, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const TetMesh mesh = random_field(random, 2);
   const auto owner = random_owners(mesh, 3, random);
-  const ModeValue mode = arbitrary_mode();
+  const ModeValue mode = random_mode(random);
   const Extraction whole = extract_mode_surface<double>(mesh, mode);
   std::vector<PieceSurface> surfaces;
   for (int p = 0; p < 3; ++p) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace tensortopo::test {
 
@@ -94,12 +93,6 @@ std::vector<Candidate> likely_places(const std::array<Tensor, 4>& tensors,
 }
 
 }  // namespace
-
-int trials(int count) {
-  const char* text = std::getenv("TENSORTOPO_TEST_MULTIPLIER");
-  const double factor = text != nullptr ? std::atof(text) : 1;
-  return std::max(1, static_cast<int>(count * (factor > 0 ? factor : 1)));
-}
 
 TetMesh random_member(const TetMesh& mesh, std::span<const double> radii, Random& random) {
   TetMesh member = mesh;
