@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "tensortopo/hash/sha256.hpp"
 
@@ -77,16 +78,41 @@ std::string numbers_sha256(std::span<const double> numbers) {
   return hash.hex();
 }
 
-std::string field_sha256(const TetMesh& mesh) {
+struct FieldHash::State {
   NumberHash hash;
-  hash.add_points(mesh.points);
-  for (const auto& t : mesh.tensors)
-    for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}) hash.add(x);
-  hash.add_count(mesh.tets.size());
-  for (auto tet : mesh.tets) {
-    std::sort(tet.begin(), tet.end());
-    for (const auto v : tet) hash.add_id(v);
+  std::size_t tets = 0;
+  bool has_tets = false;
+
+  void begin_tets() {
+    if (!std::exchange(has_tets, true)) hash.add_count(tets);
   }
+};
+
+FieldHash::FieldHash(std::size_t points, std::size_t tets) : state_(std::make_unique<State>()) {
+  state_->tets = tets;
+  state_->hash.add_count(points);
+}
+FieldHash::~FieldHash() = default;
+
+void FieldHash::add(const Vector3<double>& point) { state_->hash.add(point); }
+void FieldHash::add(const SymmetricTensor<double>& t) {
+  for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}) state_->hash.add(x);
+}
+void FieldHash::add(std::array<std::int64_t, 4> tet) {
+  state_->begin_tets();
+  std::sort(tet.begin(), tet.end());
+  for (const std::int64_t v : tet) state_->hash.add_id(v);
+}
+std::string FieldHash::hex() {
+  state_->begin_tets();
+  return state_->hash.hex();
+}
+
+std::string field_sha256(const TetMesh& mesh) {
+  FieldHash hash(mesh.points.size(), mesh.tets.size());
+  for (const auto& p : mesh.points) hash.add(p);
+  for (const auto& t : mesh.tensors) hash.add(t);
+  for (const auto& [a, b, c, d] : mesh.tets) hash.add(std::array<std::int64_t, 4>{a, b, c, d});
   return hash.hex();
 }
 
@@ -125,8 +151,7 @@ std::vector<ArrayHash> array_hashes(const CurveMesh& curves, std::span<const Cel
   return list;
 }
 
-std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface,
-                                    std::span<const CellArray> more) {
+std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface, std::span<const CellArray> more) {
   std::vector<ArrayHash> list;
   add_array(list, "points", "dominant_eigenvector", 3, surface.dominant_eigenvector);
   add_array(list, "points", "medium_eigenvector", 3, surface.medium_eigenvector);

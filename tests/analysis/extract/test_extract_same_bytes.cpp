@@ -39,6 +39,26 @@ TEST_P(ExtractSameBytes, WhateverTheNumberOfPieces) {
   EXPECT_TRUE(bytes == contents(pieces));
 }
 
+TEST(ExtractCertificate, IsTheSameBytesWhateverTheNumberOfPieces) {
+  const Folder folder;
+  const std::string field_file = field("s2_pushpull");
+  std::vector<std::string> certificates, surfaces;
+  for (const char* pieces : {"1", "4"}) {
+    surfaces.push_back(folder / (std::string(pieces) + ".vtp"));
+    certificates.push_back(folder / (std::string(pieces) + ".json"));
+    const Outcome run =
+        run_program({"extract", field_file, "-o", surfaces.back(), "--mode", "0.5", "--generalized",
+                     "--improve", "--pieces", pieces, "--certify", certificates.back(), "--json"});
+    ASSERT_LE(run.status, 1) << run.err;
+    const auto beyond = nlohmann::json::parse(run.out).at("certificate").at("beyond_checker");
+    EXPECT_EQ(beyond.is_null(), *pieces == '4');
+  }
+  const std::string bytes = contents(certificates[0]);
+  EXPECT_GT(bytes.size(), 10000u);
+  EXPECT_TRUE(bytes == contents(certificates[1]));
+  EXPECT_TRUE(contents(surfaces[0]) == contents(surfaces[1]));
+}
+
 TEST(ExtractCurves, GivesTheSameBytesWhateverTheNumberOfThreads) {
   for (const std::string extension : {".vtp", ".ply", ".obj"}) {
     const Folder folder;

@@ -251,6 +251,9 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->check(CLI::Range(1, 1000000))
       ->type_name("N")
       ->capture_default_str();
+  app.add_flag("--stream", command.stream,
+               "Read the pieces of a .pvtu one after the other, for fields larger than memory: the "
+               "same surface, bit for bit");
   app.add_option("--method", options->method, "How to extract")
       ->check(CLI::IsMember({"manifold", "graph", "marching", "a-patches", "hybrid",
                              "vtk-contour-grid", "vtk-contour-3d-linear-grid"}))
@@ -271,7 +274,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   add_invariant_option(app, options->invariant,
                        {"--mode", "--generalized", "--resolution", "--max-error", "--improve",
                         "--method", "--patch-samples", "--flatness", "--subdivide", "--all-samples",
-                        "--uncertainty", "--min-persistence", "--min-area", "--min-length"});
+                        "--uncertainty", "--min-persistence", "--min-area", "--min-length", "--stream"});
   writes(common,
          app.add_option("--certify", command.certificate,
                         "Also prove the topology and distances; the certificate (.json or .cbor)"))

@@ -73,6 +73,12 @@ void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& a
   app.add_option("--tets", command.tetrahedra, "At least so many tetrahedra, for kinds with a mesh")
       ->type_name("T")
       ->check(CLI::Range(1, 100000000));
+  app.add_option("--pieces", command.pieces,
+                 "Write the field as so many pieces (kind kelvin, FILE.pvtu, with --field-only), "
+                 "never holding more than one")
+      ->type_name("K")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
   auto* always = app.add_flag("--reference", command.always_reference,
                               "Reference surfaces also for more than 10000 tetrahedra");
   auto* never =
