@@ -101,12 +101,11 @@ void make_consistent(Exhibit& e) {
   e.rehash();
 }
 
-namespace {
-
-/// No distance is claimed: what is left are claims about topology and places.
 void drop_distances(Exhibit& e) {
-  for (Json& level : e.certificate["levels"]) level["distance"] = nullptr;
+  for (Json& level : e.certificate["levels"]) level["distance"] = nullptr, level.erase("isotopic");
 }
+
+namespace {
 
 std::size_t any_triangle(const Exhibit& e, Pick& pick) {
   return pick.below(e.surface.triangles.size());

@@ -5,9 +5,9 @@
 #include "claims/compare_arrays.hpp"
 #include "claims/compare_curves.hpp"
 #include "claims/curve_names.hpp"
+#include "isotopy/compare_isotopy.hpp"
 #include "run/parallel.hpp"
 #include "surface/compare_distance.hpp"
-#include "surface/compare_isotopy.hpp"
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
 #include "surface/embedded.hpp"
@@ -110,13 +110,15 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
   // Where something is refuted or open, the level may have more sheets, and vertices need not be
   // where they are claimed to be.
   const bool is_sound = placed && !ledger.has_refuted() && ledger.open() == left_open;
+  bool is_near = false;
   if (const Json& distance = claims["distance"]; !distance.is_null()) {
     ledger.of_level().bound = distance["bound"].get<std::string>();
     ledger.of_level().coarse = distance["coarse"].size();
-    compare_distance(c, is_sound ? &*placed : nullptr, ledger);
+    is_near = compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   }
   ledger.begin("isotopic");
-  if (claims.contains("isotopic")) compare_isotopy(c, is_sound ? &*placed : nullptr, ledger);
+  if (claims.contains("isotopic"))
+    compare_isotopy(c, is_sound ? &*placed : nullptr, is_near, ledger);
   ledger.begin("stability");
   if (claims.contains("stability"))
     compare_stability(c, input_file, is_sound ? &*placed : nullptr, ledger);
