@@ -37,8 +37,7 @@ Sides sides_in(auto& classes, const Sides& s) {
   return {classes.find(s[0]), classes.find(s[1])};
 }
 
-/// Beside a closed curve.
-Sides along(const FacePart& part, const std::vector<CrossedEdge>& curve) {
+Sides beside_curve(const FacePart& part, const std::vector<CrossedEdge>& curve) {
   const std::size_t a = part.first + curve[0][0], b = part.first + curve[0][1];
   return part.level.refinement->points()[curve[0][0]].above ? Sides{b, a} : Sides{a, b};
 }
@@ -172,7 +171,7 @@ bool Regions::add_cell(const Refinement::Cell& cell) {
     const FacePart& part = face(face_of(corners, f));
     decided = part.level.decided;
     for (const Join& nodes : part.joins) join(nodes);
-    for (const auto& curve : part.level.loops) crossings.push_back(along(part, curve));
+    for (const auto& curve : part.level.loops) crossings.push_back(beside_curve(part, curve));
   }
   if (!decided) return false;
   std::map<Sides, Sides> curves;
