@@ -11,7 +11,8 @@
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
 #include "surface/embedded.hpp"
-#include "surface/residual.hpp"
+#include "vertices/compare_vectors.hpp"
+#include "vertices/residual.hpp"
 
 namespace certificate {
 namespace {
@@ -75,6 +76,7 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
                                              : claims["invariant"].get<std::string>() + ' ' +
                                                    claims["value"].get<std::string>());
   std::vector<bool> left_out(input.tets.size());
+  ledger.of_level().vertices = claims["vertices"][1].get<std::size_t>();
   ledger.begin("left out");
   if (!mark_left_out(claims, input, reason_of, left_out, ledger)) return;
   const std::size_t left_open = ledger.open();
@@ -102,6 +104,8 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
     ledger.begin("orientation");
     compare_orientation(c, *placed, ledger);
     ledger.of_level().residual = residual_bound(c, *placed);
+    ledger.begin("arrays");
+    compare_vectors(c, *placed, ledger);
   }
   ledger.begin("embedded");
   if (const auto embedded = claims.find("embedded"); embedded != claims.end())
@@ -191,6 +195,12 @@ class Checking {
       check_level(claims, level, report_.subject.input, input_, *field, surface, ledger_,
                   progress_);
     }
+    std::erase_if(report_.subject.bound_only, [&](const std::string& name) {
+      return !report_.levels.empty() &&
+             std::all_of(report_.levels.begin(), report_.levels.end(), [&](const LevelReport& l) {
+               return l.vectors.contains(name);
+             });
+    });
     return report_;
   }
 

@@ -7,17 +7,10 @@
 #include <map>
 
 #include "surface/box_tree.hpp"
+#include "vertices/linear_field.hpp"
 
 namespace certificate {
 namespace {
-
-/// @pre b is positive
-Ball quotient(const Ball& a, const Ball& b) {
-  const double v = a.value / b.value;
-  const double least = (b.value - b.error) / Ball::kSlack;
-  return {v, ((a.error + std::abs(v) * b.error) / least + std::abs(v) * (2 * Ball::kUnit) +
-              Ball::kTiny) * Ball::kSlack};
-}
 
 /// Encloses a few numbers.
 Ball hull(std::span<const Ball> balls) {
@@ -33,10 +26,6 @@ Ball hull(std::span<const Ball> balls) {
 
 BallPoint minus(const BallPoint& a, const BallPoint& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-BallPoint cross(const BallPoint& a, const BallPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 Box box_of(std::span<const BallPoint> points, const std::array<std::uint32_t, 3>& triangle) {
@@ -100,8 +89,7 @@ bool Layers::are_embedded(std::span<const std::size_t> triangles) const {
   for (const auto& [a, b, c] : corners) {
     const BallPoint normal = cross(minus(points[b], points[a]), minus(points[c], points[a]));
     for (const std::uint32_t v : {a, b, c}) {
-      const Ball ahead =
-          normal[0] * steps[v][0] + normal[1] * steps[v][1] + normal[2] * steps[v][2];
+      const Ball ahead = dot(normal, steps[v]);
       if (!(ahead.value > ahead.error)) return false;
     }
   }
