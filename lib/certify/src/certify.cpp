@@ -77,9 +77,11 @@ CertifiedLevel certify_in_order(const ScaledField<double>& field, const ModeValu
   result.components = components_of(surface);
   result.embedded = is_embedded(surface);
   const auto decided = decided_triangles(mesh, surface, result);
-  if (result.embedded)
-    result.not_isotopic = tets_not_isotopic(mesh, surface, decided, result.topology);
   result.distance = prove_distance(mesh, surface, decided, result.topology, field, level);
+  if (result.embedded)
+    result.not_isotopic =
+        tets_not_isotopic(mesh, surface, decided, result.topology, result.distance.coarse,
+                          moved_places(mesh, surface, result.distance.reach, field, level));
   return result;
 }
 

@@ -261,7 +261,7 @@ def _output_text(output: Union[_Output, MergedSurface]) -> str:
         section, counts["NumberOfLines"] = "Lines", len(output)
     else:
         raise TypeError(f"nothing is written of a {type(output).__name__}")
-    if output.stable is not None:
+    if not isinstance(output, MergedSurface) and output.stable is not None:
         cell_data["instability"], cell_data["stable"] = output.instability, output.stable
     return piece_text(
         "PolyData",

@@ -5,13 +5,14 @@
 #include "claims/compare_arrays.hpp"
 #include "claims/compare_curves.hpp"
 #include "claims/curve_names.hpp"
+#include "isotopy/compare_isotopy.hpp"
 #include "run/parallel.hpp"
 #include "surface/compare_distance.hpp"
-#include "surface/compare_isotopy.hpp"
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
 #include "surface/embedded.hpp"
-#include "surface/residual.hpp"
+#include "vertices/compare_vectors.hpp"
+#include "vertices/residual.hpp"
 
 namespace certificate {
 namespace {
@@ -75,6 +76,7 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
                                              : claims["invariant"].get<std::string>() + ' ' +
                                                    claims["value"].get<std::string>());
   std::vector<bool> left_out(input.tets.size());
+  ledger.of_level().vertices = claims["vertices"][1].get<std::size_t>();
   ledger.begin("left out");
   if (!mark_left_out(claims, input, reason_of, left_out, ledger)) return;
   const std::size_t left_open = ledger.open();
@@ -102,6 +104,8 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
     ledger.begin("orientation");
     compare_orientation(c, *placed, ledger);
     ledger.of_level().residual = residual_bound(c, *placed);
+    ledger.begin("arrays");
+    compare_vectors(c, *placed, ledger);
   }
   ledger.begin("embedded");
   if (const auto embedded = claims.find("embedded"); embedded != claims.end())
@@ -110,13 +114,15 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
   // Where something is refuted or open, the level may have more sheets, and vertices need not be
   // where they are claimed to be.
   const bool is_sound = placed && !ledger.has_refuted() && ledger.open() == left_open;
+  bool is_near = false;
   if (const Json& distance = claims["distance"]; !distance.is_null()) {
     ledger.of_level().bound = distance["bound"].get<std::string>();
     ledger.of_level().coarse = distance["coarse"].size();
-    compare_distance(c, is_sound ? &*placed : nullptr, ledger);
+    is_near = compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   }
   ledger.begin("isotopic");
-  if (claims.contains("isotopic")) compare_isotopy(c, is_sound ? &*placed : nullptr, ledger);
+  if (claims.contains("isotopic"))
+    compare_isotopy(c, is_sound ? &*placed : nullptr, is_near, ledger);
   ledger.begin("stability");
   if (claims.contains("stability"))
     compare_stability(c, input_file, is_sound ? &*placed : nullptr, ledger);
@@ -194,6 +200,12 @@ class Checking {
       check_level(claims, level, report_.subject.input, input_, *field, surface, ledger_,
                   progress_);
     }
+    std::erase_if(report_.subject.bound_only, [&](const std::string& name) {
+      return !report_.levels.empty() &&
+             std::all_of(report_.levels.begin(), report_.levels.end(), [&](const LevelReport& l) {
+               return l.vectors.contains(name);
+             });
+    });
     return report_;
   }
 

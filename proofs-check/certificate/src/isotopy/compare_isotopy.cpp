@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/compare_isotopy.hpp"
+#include "isotopy/compare_isotopy.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "claims/containment.hpp"
+#include "isotopy/apart.hpp"
+#include "isotopy/layers.hpp"
 #include "run/parallel.hpp"
-#include "surface/apart.hpp"
 #include "surface/box_tree.hpp"
 
 namespace certificate {
@@ -27,7 +29,7 @@ bool is_part(const Carrier& part, std::span<const Vertex> whole) {
 /// Why each tetrahedron that holds triangles is not shown; nothing if it is.
 class Isotopy {
  public:
-  Isotopy(const LevelCase& c, const PlacedSurface& placed);
+  Isotopy(const LevelCase& c, const PlacedSurface& placed, bool is_near);
   const std::map<Tet, const char*>& reasons() const { return reasons_; }
   double moved() const { return moved_; }
 
@@ -40,21 +42,24 @@ class Isotopy {
     if (const char*& known = reasons_.at(tet); known == nullptr) known = reason;
   }
   const char* reason_in_topology(Tet tet) const;
+  void choose_layers();
   void put(std::size_t vertex);
   void require_order();
   void require_places();
   void require_gaps();
+  void require_layers();
 
   const LevelCase& c_;
   const PlacedSurface& placed_;
   std::map<Tet, const char*> reasons_;
+  std::map<Tet, const char*> layered_;  ///< to be shown by layers, and why not otherwise
   std::vector<std::array<double, 4>> weights_;  ///< of each vertex' exact point of its carrier
   std::vector<BallPoint> points_;               ///< all places between a vertex and that point
   std::vector<char> is_placed_, has_fans_;
   double moved_ = 0;
 };
 
-Isotopy::Isotopy(const LevelCase& c, const PlacedSurface& placed)
+Isotopy::Isotopy(const LevelCase& c, const PlacedSurface& placed, bool is_near)
     : c_(c),
       placed_(placed),
       weights_(placed.carriers.size()),
@@ -64,10 +69,28 @@ Isotopy::Isotopy(const LevelCase& c, const PlacedSurface& placed)
   for (const Tet tet : placed.tets)
     if (!c.left_out[tet]) reasons_.emplace(tet, nullptr);
   for (auto& [tet, reason] : reasons_) reason = reason_in_topology(tet);
+  if (is_near) choose_layers();
   parallel_for(points_.size(), [&](std::size_t v) { put(v); });
   require_order();
   require_places();
   require_gaps();
+  require_layers();
+}
+
+/// Whatever the sheets are, layers may do where the distance is proved.
+void Isotopy::choose_layers() {
+  std::set<Tet> coarse;
+  for (const Json& cell : c_.claims["distance"]["coarse"])
+    coarse.insert(c_.input.tet_at(cell.get<Number>()));
+  for (auto& [tet, reason] : reasons_) {
+    if (reason == nullptr || c_.topology.tet(tet) == nullptr || coarse.contains(tet)) continue;
+    const auto closed = placed_.closed_pieces.find(tet);
+    if (closed != placed_.closed_pieces.end() &&
+        std::any_of(closed->second.begin(), closed->second.end(),
+                    [](const ClosedPiece& p) { return p.euler_characteristic != 2; }))
+      continue;
+    layered_.emplace(tet, std::exchange(reason, nullptr));
+  }
 }
 
 /// Each sheet a disc, and curves of faces told apart by the crossings that they join.
@@ -199,14 +222,33 @@ void Isotopy::require_gaps() {
   }
 }
 
+/// Tetrahedra with sheets that need not be discs: the level is between layers of a product.
+void Isotopy::require_layers() {
+  std::map<Tet, std::vector<std::size_t>> triangles;
+  for (std::size_t t = 0; t < placed_.tets.size(); ++t)
+    if (const Tet tet = placed_.tets[t]; layered_.contains(tet) && reasons_.at(tet) == nullptr)
+      triangles[tet].push_back(t);
+  if (triangles.empty()) return;
+  const MovedVertices moved(c_, placed_, c_.claims["distance"]["reach"]);
+  const Layers layers(c_, placed_, moved, points_);
+  const std::vector<std::pair<Tet, std::vector<std::size_t>>> asked(triangles.begin(),
+                                                                   triangles.end());
+  std::vector<char> is_shown(asked.size());
+  parallel_for(asked.size(),
+               [&](std::size_t i) { is_shown[i] = layers.are_embedded(asked[i].second); });
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (!is_shown[i]) exclude(asked[i].first, layered_.at(asked[i].first));
+}
+
 }  // namespace
 
-void compare_isotopy(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger) {
+void compare_isotopy(const LevelCase& c, const PlacedSurface* placed, bool is_near,
+                     Ledger& ledger) {
   LevelReport& report = ledger.of_level();
   report.claims_isotopy = true;
   if (placed == nullptr || !report.embedded)
     return ledger.leave_open("isotopic", "it rests on claims that are not certified");
-  const Isotopy isotopy(c, *placed);
+  const Isotopy isotopy(c, *placed, is_near);
   std::set<Tet> excepted;
   for (const Json& cell : c.claims["isotopic"]["except"]) {
     const Tet tet = c.input.tet_at(cell.get<Number>());

@@ -12,6 +12,8 @@ namespace certificate {
 /// says which are shown and why the others are not.
 ///
 /// @param placed  null if the triangles or other things are not as claimed: then nothing is decided
-void compare_isotopy(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger);
+/// @param is_near  whether the claim about distances is certified
+void compare_isotopy(const LevelCase& c, const PlacedSurface* placed, bool is_near,
+                     Ledger& ledger);
 
 }  // namespace certificate

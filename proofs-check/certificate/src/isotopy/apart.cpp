@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/apart.hpp"
+#include "isotopy/apart.hpp"
 
 #include <algorithm>
 #include <cmath>

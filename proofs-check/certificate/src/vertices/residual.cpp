@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/residual.hpp"
+#include "vertices/residual.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "claims/containment.hpp"
-#include "curves/conics.hpp"
 #include "run/parallel.hpp"
+#include "vertices/linear_field.hpp"
 
 namespace certificate {
 namespace {
@@ -33,67 +32,6 @@ Bounds over(const Bounds& x, const Bounds& y) {
                        x.high > 0 ? x.high / y.low : x.high / y.high);
 }
 
-/// The linear field of a tetrahedron.
-class Inside {
- public:
-  Inside(const Input& input, const std::array<Vertex, 4>& tet) : origin_(input.points[tet[0]]) {
-    double largest = 0, size = 0;
-    for (const Vertex v : tet) {
-      for (const double x : input.tensors[v]) largest = std::max(largest, std::abs(x));
-      for (std::size_t k = 0; k < 3; ++k)
-        size = std::max(size, std::abs(input.points[v][k] - origin_[k]));
-    }
-    if (size > 0) length_ = -std::ilogb(size);
-    if (largest > 0) scale_ = std::clamp(-std::ilogb(largest), -1000, 1000);
-    for (std::size_t i = 0; i < 4; ++i) {
-      std::array<Ball, 6> t;  // XX YY ZZ XY YZ XZ
-      for (std::size_t k = 0; k < 6; ++k)
-        t[k] = Ball(std::ldexp(input.tensors[tet[i]][k], scale_), Ball::kTiny);
-      const Ball trace = t[0] + t[1] + t[2], three(3);
-      tensors_[i] = {three * t[0] - trace, three * t[1] - trace, three * t[2] - trace,
-                     three * t[4], three * t[5], three * t[3], trace, Ball()};
-    }
-    for (std::size_t i = 0; i < 3; ++i) edges_[i] = from_origin(input.points[tet[i + 1]]);
-    for (std::size_t i = 0; i < 3; ++i)
-      normals_[i] = cross(edges_[(i + 1) % 3], edges_[(i + 2) % 3]);
-    volume_ = dot(edges_[0], normals_[0]);
-  }
-
-  double unit() const { return std::ldexp(1.0, -scale_); }
-  const Ball& volume() const { return volume_; }
-  /// Three times the deviator and the trace at a place, times six times the volume, in that unit.
-  Tensor<Ball> at(const Point3& x) const {
-    const Vector3<Ball> d = from_origin(x);
-    Ball rest = volume_;
-    Tensor<Ball> sum{};
-    const auto add = [&](const Ball& weight, const Tensor<Ball>& t) {
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * t[k];
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Ball weight = dot(normals_[i], d);
-      rest -= weight;
-      add(weight, tensors_[i + 1]);
-    }
-    return add(rest, tensors_[0]), sum;
-  }
-
- private:
-  Vector3<Ball> from_origin(const Point3& p) const {
-    Vector3<Ball> result;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Ball d = Ball(p[k], 0) - Ball(origin_[k], 0);
-      result[k] = Ball(std::ldexp(d.value, length_), std::ldexp(d.error, length_) + Ball::kTiny);
-    }
-    return result;
-  }
-
-  Point3 origin_;
-  std::array<Tensor<Ball>, 4> tensors_;
-  std::array<Vector3<Ball>, 3> edges_, normals_;
-  Ball volume_;
-  int length_ = 0, scale_ = 0;
-};
-
 /// Of what a level is, and where.
 class Quantity {
  public:
@@ -107,7 +45,7 @@ class Quantity {
   }
 
   /// A bound of the difference at a place.
-  double at(const Inside& inside, const Point3& x) const {
+  double at(const LinearField& inside, const Point3& x) const {
     const Tensor<Ball> m = inside.at(x);
     const Forms<Ball, 1> forms({&m});
     const Bounds p(forms.p.coefficients[0]), q(forms.q.coefficients[0]);
@@ -158,7 +96,7 @@ double residual_bound(const LevelCase& c, const PlacedSurface& placed) {
   };
   std::vector<double> bounds(placed.tets.size());
   parallel_for(bounds.size(), [&](std::size_t t) {
-    const Inside inside(c.input, c.input.tets[placed.tets[t]]);
+    const LinearField inside(c.input, c.input.tets[placed.tets[t]]);
     for (const std::uint32_t v : c.surface.triangles[c.triangles.first + t])
       if (has_value(v - c.vertices.first))
         bounds[t] = std::max(bounds[t], quantity.at(inside, c.surface.points[v]));
