@@ -59,9 +59,9 @@ void print_critical_values(const TetMesh& mesh) {
   const MeshCriticalValues values = mesh_critical_values(mesh, -1, 1);
   std::vector<double> numbers;
   for (const MeshCriticalPoint& point : values.points) {
-    numbers.insert(numbers.end(), {point.low, point.high, point.point.x, point.point.y,
-                                   point.point.z, static_cast<double>(point.dimension),
-                                   static_cast<double>(point.index)});
+    numbers.insert(numbers.end(),
+                   {point.low, point.high, point.point.x, point.point.y, point.point.z,
+                    static_cast<double>(point.dimension), static_cast<double>(point.index)});
     numbers.insert(numbers.end(), point.weights.begin(), point.weights.end());
   }
   std::printf("  critical values: %zu, %s\n", values.points.size(),
@@ -93,6 +93,7 @@ int main(int count, char** words) {
     return 2;
   }
   for (int seed = 1; seed <= seeds; ++seed)
-    for (const FieldKind kind : all_field_kinds()) print_field(kind, static_cast<std::uint64_t>(seed));
+    for (const FieldKind kind : all_field_kinds())
+      print_field(kind, static_cast<std::uint64_t>(seed));
   return 0;
 }

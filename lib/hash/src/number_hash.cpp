@@ -135,8 +135,7 @@ std::vector<ArrayHash> array_hashes(const CurveMesh& curves) {
   return list;
 }
 
-std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface,
-                                    std::span<const CellArray> more) {
+std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface, std::span<const CellArray> more) {
   std::vector<ArrayHash> list;
   add_array(list, "points", "dominant_eigenvector", 3, surface.dominant_eigenvector);
   add_array(list, "points", "medium_eigenvector", 3, surface.medium_eigenvector);
