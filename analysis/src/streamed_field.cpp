@@ -17,14 +17,15 @@ namespace tensortopo {
 namespace {
 
 void require_streamable(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
-  const char* const option = command.other                     ? "--method"
-                             : command.max_error > 0           ? "--max-error"
-                             : command.pieces > 1              ? "--pieces"
-                             : command.min_persistence > 0     ? "--min-persistence"
-                             : !command.uncertainty.empty()    ? "--uncertainty"
-                                                               : nullptr;
+  const char* const option = command.other                  ? "--method"
+                             : command.max_error > 0        ? "--max-error"
+                             : command.pieces > 1           ? "--pieces"
+                             : command.min_persistence > 0  ? "--min-persistence"
+                             : !command.uncertainty.empty() ? "--uncertainty"
+                                                            : nullptr;
   if (option != nullptr)
-    throw UsageError(std::string(option) + ": needs the whole field, and does not go with --stream");
+    throw UsageError(std::string(option) +
+                     ": needs the whole field, and does not go with --stream");
   if (modes.size() != 1 || is_degenerate(modes.front()))
     throw UsageError("--stream: extracts the surface of one mode at a time");
 }

@@ -62,13 +62,13 @@ inline std::vector<std::int32_t> bisected(const TetMesh& mesh, int pieces) {
         low = std::min(low, centre(t).*axis), high = std::max(high, centre(t).*axis);
       return high - low;
     };
-    const auto axis = *std::max_element(axes.begin(), axes.end(), [&](auto a, auto b) {
-      return extent(a) < extent(b);
-    });
+    const auto axis = *std::max_element(axes.begin(), axes.end(),
+                                        [&](auto a, auto b) { return extent(a) < extent(b); });
     std::stable_sort(tets.begin(), tets.end(), [&](std::size_t s, std::size_t t) {
       return centre(s).*axis < centre(t).*axis;
     });
-    const auto middle = tets.begin() + static_cast<std::ptrdiff_t>(tets.size()) * (count / 2) / count;
+    const auto middle =
+        tets.begin() + static_cast<std::ptrdiff_t>(tets.size()) * (count / 2) / count;
     self(self, {tets.begin(), middle}, first, count / 2);
     self(self, {middle, tets.end()}, first + count / 2, count - count / 2);
   };

@@ -80,8 +80,8 @@ void require_bits_of_whole(std::uint64_t seed, Compared& compared) {
   Random random(seed);
   const TetMesh mesh = random_field(random, random.integer(1, 3));
   const int pieces = random.integer(1, 7);
-  const auto owner = random.integer(0, 1) == 0 ? slabs(mesh, pieces)
-                                               : random_owners(mesh, pieces, random);
+  const auto owner =
+      random.integer(0, 1) == 0 ? slabs(mesh, pieces) : random_owners(mesh, pieces, random);
   const auto files = files_of(mesh, owner, pieces);
   const TetMesh whole = joined(files);
   const ModeValue mode = random_mode(random);

@@ -209,8 +209,7 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
   std::sort(result.not_embedded.begin(), result.not_embedded.end());
   result.owned_ids = owned_ids_of(piece);
   result.whole_tets = piece.whole_tets;
-  if (extraction.statistics.vertices_on_level > 0)
-    result.on_level = vertices_on_level(piece, mode);
+  if (extraction.statistics.vertices_on_level > 0) result.on_level = vertices_on_level(piece, mode);
   result.ordinals = ordinals_of(result.surface);
   if (options.keep_topology)
     result.topology = topology_of_owned(std::move(extraction.topology), piece);

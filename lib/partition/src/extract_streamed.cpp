@@ -39,8 +39,8 @@ class PieceCache {
       pieces_.splice(pieces_.begin(), pieces_, found);
     } else {
       if (pieces_.size() == kMost) pieces_.pop_back();
-      pieces_.push_front(std::make_shared<const ReadPiece>(ReadPiece{
-          number, source_.read(number), index_.pieces[as_size(number)].point_ids()}));
+      pieces_.push_front(std::make_shared<const ReadPiece>(
+          ReadPiece{number, source_.read(number), index_.pieces[as_size(number)].point_ids()}));
     }
     return pieces_.front();
   }
@@ -55,9 +55,7 @@ class PieceCache {
 /// Collects tetrahedra of several pieces as one `MeshPiece`.
 class PieceBuilder {
  public:
-  explicit PieceBuilder(const PieceIndex& index) : index_(index) {
-    piece_.whole_tets = index.tets;
-  }
+  explicit PieceBuilder(const PieceIndex& index) : index_(index) { piece_.whole_tets = index.tets; }
 
   /// @param is_taken  is_taken(t): whether a tetrahedron is one of them
   template <class IsTaken>
@@ -77,8 +75,8 @@ class PieceBuilder {
   }
   /// Once for each use.
   void add_vertex(const ReadPiece& from, Index v) {
-    vertices_.push_back({from.ids[as_size(v)], from.mesh.points[as_size(v)],
-                         from.mesh.tensors[as_size(v)]});
+    vertices_.push_back(
+        {from.ids[as_size(v)], from.mesh.points[as_size(v)], from.mesh.tensors[as_size(v)]});
     if (vertices_.size() > 2 * distinct_ + 100'000) make_distinct();
   }
 

@@ -254,8 +254,8 @@ class Merger {
     for (const auto& piece : pieces_)
       on_level.insert(on_level.end(), piece.on_level.begin(), piece.on_level.end());
     std::sort(on_level.begin(), on_level.end());
-    result_.vertices_on_level = static_cast<std::size_t>(
-        std::unique(on_level.begin(), on_level.end()) - on_level.begin());
+    result_.vertices_on_level =
+        static_cast<std::size_t>(std::unique(on_level.begin(), on_level.end()) - on_level.begin());
     const auto has_topology = [](const PieceSurface& piece) { return piece.topology.has_value(); };
     if (std::all_of(pieces_.begin(), pieces_.end(), has_topology)) fill_topology();
     result_.vertex_ids = std::move(cells_.vertex_ids);

@@ -50,8 +50,8 @@ std::vector<char> may_be_shared(const TetMesh& mesh) {
   }
   std::sort(faces.begin(), faces.end());
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const bool is_inner = (i > 0 && faces[i - 1] == faces[i]) ||
-                          (i + 1 < faces.size() && faces[i + 1] == faces[i]);
+    const bool is_inner =
+        (i > 0 && faces[i - 1] == faces[i]) || (i + 1 < faces.size() && faces[i + 1] == faces[i]);
     if (is_inner) continue;
     for (const Index v : faces[i]) result[as_size(v)] = 1;
   }

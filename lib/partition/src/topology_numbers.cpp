@@ -53,8 +53,7 @@ class Reader {
   }
   template <class List, class F>
   void list(List& items, const F& read) {
-    for (Index left = below(numbers_.integers.size()); left > 0; --left)
-      items.push_back(read());
+    for (Index left = below(numbers_.integers.size()); left > 0; --left) items.push_back(read());
   }
   void require_end() const {
     if (at_ != numbers_.integers.size() || at_weight_ != numbers_.weights.size()) refuse();

@@ -44,7 +44,7 @@ void renumber_mesh(LevelTopology& topology, std::span<const TetMesh::Index> vert
 struct TopologyPart {
   using Index = TetMesh::Index;
   const LevelTopology* topology = nullptr;
-  std::vector<Index> vertices, tets;     ///< of the mesh, in the same order
+  std::vector<Index> vertices, tets;    ///< of the mesh, in the same order
   std::vector<Index> surface_vertices;  ///< of the surface
 };
 

@@ -21,7 +21,7 @@ class StreamedExtraction : public testing::Test {
   }
   Outcome extract(const std::string& field, const std::string& name,
                   std::vector<std::string> more) const {
-    std::vector<std::string> words{"extract", field,   "-o",     folder_ / (name + ".vtp"),
+    std::vector<std::string> words{"extract", field, "-o",     folder_ / (name + ".vtp"),
                                    "--mode",  "1/2", "--quiet"};
     words.insert(words.end(), more.begin(), more.end());
     return run_program(words);
@@ -43,8 +43,8 @@ class StreamedExtraction : public testing::Test {
 TEST_F(StreamedExtraction, GivesTheBytesOfTheWhole) {
   ASSERT_EQ(run_program({"convert", pieces_, "-o", whole_, "--quiet"}).status, 0);
   const std::string at_once = folder_ / "at_once.vtu";
-  ASSERT_EQ(run_program({"generate", "kelvin", "--tets", "5000", "--field-only", "-o", at_once,
-                         "--quiet"})
+  ASSERT_EQ(run_program(
+                {"generate", "kelvin", "--tets", "5000", "--field-only", "-o", at_once, "--quiet"})
                 .status,
             0);
   const std::string a = folder_ / "a.json", b = folder_ / "b.json";

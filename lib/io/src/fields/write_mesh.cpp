@@ -63,15 +63,13 @@ void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
 void write_piece_list(const std::vector<std::filesystem::path>& pieces,
                       const std::filesystem::path& file, const std::string& tensor_name) {
   detail::XmlOutput out("PUnstructuredGrid");
-  const auto element = [&](std::string_view name,
-                           const detail::XmlOutput::Attributes& attributes) {
+  const auto element = [&](std::string_view name, const detail::XmlOutput::Attributes& attributes) {
     out.open(name, attributes);
     out.close(name);
   };
   out.open("PUnstructuredGrid", {{"GhostLevel", "0"}});
   out.open("PPointData", {{"Tensors", tensor_name}});
-  element("PDataArray",
-          {{"type", "Float64"}, {"Name", tensor_name}, {"NumberOfComponents", "6"}});
+  element("PDataArray", {{"type", "Float64"}, {"Name", tensor_name}, {"NumberOfComponents", "6"}});
   out.close("PPointData");
   out.open("PPoints");
   element("PDataArray", {{"type", "Float64"}, {"Name", "Points"}, {"NumberOfComponents", "3"}});

@@ -73,7 +73,7 @@ struct MergedSurface {
   std::vector<std::int64_t> cell_ids;                    ///< of each triangle
   std::vector<std::array<std::int64_t, 4>> carrier_ids;  ///< of each vertex; ascending, -1 fills up
   std::vector<UnresolvedOwnedCell> unresolved;           ///< by id
-  std::vector<std::int64_t> not_embedded;  ///< as those of the pieces, ascending
+  std::vector<std::int64_t> not_embedded;                ///< as those of the pieces, ascending
   /// The tetrahedra that hold triangles or have no proof, ascending by id, with `cell_ids`.
   TetMesh cells;
   std::vector<std::int64_t> vertex_ids;  ///< of the points of `cells`, ascending
