@@ -20,7 +20,7 @@ using Vector = Vector3<double>;
 
 /// A checker moves vertices in arithmetic of its own: how far its places may be from these, in
 /// parts of the way from one to the other, and of the largest coordinate.
-constexpr double kMargin = 0x1p-10, kRounding = 0x1p-46;
+constexpr double kOfWay = 0x1p-10, kOfCoordinate = 0x1p-46;
 
 class TetLayers {
  public:
@@ -54,8 +54,8 @@ class TetLayers {
       const auto [behind, ahead] = moved_(tet_, vertex);
       const Vector& x = surface_.points[as_size(vertex)];
       const Vector step = ahead - behind;
-      const double rounding = kRounding * (max_norm(x) + max_norm(step)),
-                   margin = kMargin * max_norm(step) + rounding;
+      const double rounding = kOfCoordinate * (max_norm(x) + max_norm(step)),
+                   margin = kOfWay * max_norm(step) + rounding;
       const auto spread = [&](double Vector::*axis) {
         return std::max(std::abs(ahead.*axis - x.*axis), std::abs(behind.*axis - x.*axis)) + margin;
       };

@@ -56,12 +56,12 @@ UpwardTest::UpwardTest(const std::array<Vector3<double>, 4>& points,
                        const std::array<Deviator<double>, 4>& tensors)
     : unit_(unit_of(points)), geometry_(times(unit_, points), exponents), tensors_(tensors) {}
 
-bool UpwardTest::is_upward(const Vector3<double>& a, const Vector3<double>& b,
-                           const Vector3<double>& c) const {
+UpwardTest::Directions UpwardTest::directions(const Vector3<double>& a, const Vector3<double>& b,
+                                              const Vector3<double>& c) const {
   const auto p = unit_ * a, q = unit_ * b, r = unit_ * c;
   const auto side = q - p, other = r - p;
   const auto n = cross(side, other);
-  if (n == Vector3<double>{0, 0, 0}) return true;  // samples fell together, or nearly
+  if (n == Vector3<double>{0, 0, 0}) return {};  // samples fell together, or nearly
   const auto tensor = geometry_.balanced_tensor((1.0 / 3) * (p + q + r), tensors_);
   // The gradient of the mode is that of the level function of the mode that is here.
   const double norm = norm_form(tensor);
@@ -69,8 +69,20 @@ bool UpwardTest::is_upward(const Vector3<double>& a, const Vector3<double>& b,
   level.sqrt2 = std::sqrt(2.0);
   level.mu = level.sqrt2 * determinant_form(tensor) / (norm * std::sqrt(norm));
   const auto g = geometry_.gradient(level_slope(tensor, level).slope, tensors_);
-  return dot(n, g) >
-         (kLeastCosine * length(n) + kLeastShare * length(side) * length(other)) * length(g);
+  return {dot(n, g), length(n), length(g), length(side) * length(other)};
+}
+
+bool UpwardTest::is_upward(const Vector3<double>& a, const Vector3<double>& b,
+                           const Vector3<double>& c) const {
+  const auto d = directions(a, b, c);
+  return d.normal == 0 ||
+         d.product > (kLeastCosine * d.normal + kLeastShare * d.sides) * d.gradient;
+}
+
+double UpwardTest::cosine(const Vector3<double>& a, const Vector3<double>& b,
+                          const Vector3<double>& c) const {
+  const auto d = directions(a, b, c);
+  return d.normal == 0 ? 1 : d.product / (d.normal * d.gradient);
 }
 
 PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test) {
@@ -127,11 +139,11 @@ std::vector<SampleRequest<Scalar>> samples_beside(const PatchDefects& defects,
   return requests;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                    \
-  template std::vector<SampleRequest<Scalar>> samples_beside(                             \
-      const PatchDefects&, const PlacedPatch&, const TetWithCurves<Scalar>&,              \
-      const FaceArcVertices&);                                                            \
-  template PlacedPatch placed_patch(const TetWithCurves<Scalar>&, const Patch<Scalar>&,   \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                  \
+  template std::vector<SampleRequest<Scalar>> samples_beside(                           \
+      const PatchDefects&, const PlacedPatch&, const TetWithCurves<Scalar>&,            \
+      const FaceArcVertices&);                                                          \
+  template PlacedPatch placed_patch(const TetWithCurves<Scalar>&, const Patch<Scalar>&, \
                                     const std::function<Vector3<double>(std::int32_t)>&);
 TENSORTOPO_FOR_EACH_PRECISION(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

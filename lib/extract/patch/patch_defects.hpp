@@ -40,8 +40,16 @@ class UpwardTest {
   /// centroid are less than 90 degrees apart, and rounding cannot have changed that.
   bool is_upward(const Vector3<double>& a, const Vector3<double>& b,
                  const Vector3<double>& c) const;
+  /// About the cosine of the two; 1 of a triangle without area.
+  double cosine(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) const;
 
  private:
+  struct Directions {
+    double product, normal, gradient, sides;  ///< lengths, and of two sides
+  };
+  Directions directions(const Vector3<double>& a, const Vector3<double>& b,
+                        const Vector3<double>& c) const;
+
   double unit_;
   TetGeometry geometry_;
   std::array<Deviator<double>, 4> tensors_;
