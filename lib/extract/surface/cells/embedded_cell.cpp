@@ -70,8 +70,8 @@ bool CellMesher<Scalar>::are_defects_few() const {
 
 template <class Scalar>
 bool CellMesher<Scalar>::find_defects() {
-  const auto patch = placed_patch<Scalar>(
-      tet_, mesh_.patch, [&](std::int32_t id) { return around_.vertices.position[as_size(id)]; });
+  thread_local PlacedPatch patch;
+  place_patch<Scalar>(tet_, mesh_.patch, around_.vertices.position, patch);
   const auto defects = defects_of(patch, UpwardTest(tet_));
   mesh_.has_defects = defects.any();
   state_.defects = defects.against.size() + defects.intersecting.size();
