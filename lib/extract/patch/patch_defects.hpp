@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "extract/level/tet_geometry.hpp"
@@ -21,10 +21,11 @@ struct PlacedPatch {
   std::vector<PatchTriangle> triangles;  ///< in the order of `Patch`
 };
 
-/// @param boundary the place of a vertex of a boundary loop, by its id
+/// @param boundary the places of the vertices of boundary loops, by their ids
+/// @param patch    receives it; reused, so that small patches need no memory of their own
 template <class Scalar>
-PlacedPatch placed_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& meshed,
-                         const std::function<Vector3<double>(std::int32_t)>& boundary);
+void place_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& meshed,
+                 std::span<const Vector3<double>> boundary, PlacedPatch& patch);
 
 /// Whether triangles face larger modes.
 class UpwardTest {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "extract/level/simd/graph_arc.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
@@ -16,6 +17,7 @@ inline constexpr std::size_t kLaneCount = 4;
 struct LevelNumbers {
   double mu, sqrt2;
   int sign;
+  double medium;  ///< the medium eigenvalue of its unit tensor
 };
 
 /// A bit for each simplex: what `prove_simplex` gives is monotone, or none and not hidden by
@@ -48,5 +50,9 @@ LaneEmptiness empty_four(std::span<const std::array<Deviator<double>, 4>> tets,
 /// `single_crossings` of one to four edges.
 void cross_four(std::span<const std::array<Deviator<double>, 2>> ends, std::span<const char> rising,
                 const LevelNumbers& level, std::span<double> weights);
+
+/// A bit for each of one to four arcs: see `straight_arcs`.
+unsigned straight_four(std::span<const GraphArc> arcs, const LevelNumbers& level,
+                       const LeastCosines& least);
 
 }  // namespace tensortopo

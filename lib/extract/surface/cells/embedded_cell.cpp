@@ -76,8 +76,8 @@ bool CellMesher<Scalar>::are_defects_few() const {
 
 template <class Scalar>
 bool CellMesher<Scalar>::find_defects() {
-  const auto patch = placed_patch<Scalar>(
-      tet_, mesh_.patch, [&](std::int32_t id) { return around_.vertices.position[as_size(id)]; });
+  thread_local PlacedPatch patch;
+  place_patch<Scalar>(tet_, mesh_.patch, around_.vertices.position, patch);
   const auto defects = defects_of(patch, UpwardTest(tet_));
   mesh_.has_defects = defects.any();
   state_.defects = defects.against.size() + defects.intersecting.size();
@@ -111,8 +111,8 @@ bool CellMesher<Scalar>::untangle_few() {
   const auto vertices = around_.arc_vertices(tet_);
   std::vector<std::vector<BoundaryVertex>> loops;
   for (const auto& loop : topology.loops) loops.push_back(loop_vertices(loop, vertices));
-  const auto placed = placed_patch<Scalar>(
-      tet_, mesh_.patch, [&](std::int32_t id) { return around_.vertices.position[as_size(id)]; });
+  PlacedPatch placed;
+  place_patch<Scalar>(tet_, mesh_.patch, around_.vertices.position, placed);
   auto before = mesh_.patch;
   if (!untangle<Scalar>(tet_, level(), loops, placed, defects_of(placed, UpwardTest(tet_)),
                         mesh_.patch))
