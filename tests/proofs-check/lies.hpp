@@ -26,7 +26,7 @@ class Pick {
   std::mt19937_64 random_;
 };
 
-/// One row of the table in proofs-check/README.md: a field, and how to lie about it.
+/// One row of the table in FORGERIES.md: a field, and how to lie about it.
 struct LieRow {
   std::string field;
   /// Alters the exhibit such that it says something false. False if it has nothing to lie about.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 // Lies told with knowledge of the format, of which none may be certified. The rows are those of the
-// table in proofs-check/README.md.
+// table in proofs-check/certificate/FORGERIES.md.
 #include <gtest/gtest.h>
 
 #include <iostream>

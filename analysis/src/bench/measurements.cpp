@@ -179,7 +179,7 @@ class Page {
 
   void other_methods() {
     add("\n## Other methods, at equal error\n\nTheir seconds over ours at the lowest resolution at "
-        "which our error is not larger (`analysis/README.md`, Benchmarks).\n\n"
+        "which our error is not larger (`analysis/src/bench/README.md`).\n\n"
         "| field | modes | ratio | value | |\n|{}\n",
         dashes(5));
     for (const BenchReport& r : reports_)
