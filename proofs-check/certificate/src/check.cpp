@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <future>
 #include <optional>
 
 #include "claims/compare_arrays.hpp"
@@ -187,16 +188,15 @@ class Checking {
     s.other_cells = input_.other_cells;
   }
 
-  Report of_surface(const std::string& file) {
+  Report of_surface(const std::string& file, const Triangles& surface) {
     const Json& levels = certificate_["levels"];
-    const Triangles surface = read_triangles(file);
     report_.subject.output = file;
     if (!compare_files(surface, "surface", "triangles", surface.triangles.size())) return report_;
     std::optional<Field> field;  // levels mostly are about the same tensors
     for (const Json& claims : levels) {
       const Level level = level_of(claims);
       if (!field || !(field->multiples() == level.multiples()))
-        field.emplace(input_, level.multiples());
+        field.emplace(input_, level.multiples(), in_parallel({}));
       check_level(claims, level, report_.subject.input, input_, *field, surface, ledger_,
                   progress_);
     }
@@ -213,7 +213,7 @@ class Checking {
     const Polylines curves = read_polylines(file);
     report_.subject.output = file, report_.subject.of_curves = true;
     if (!compare_files(curves, "polylines", "lines", curves.lines.size())) return report_;
-    const Field field(input_, Multiples{});
+    const Field field(input_, Multiples{}, in_parallel({}));
     for (const Json& claims : certificate_["levels"])
       check_curves(claims, report_.subject.input, input_, field, curves, ledger_, progress_);
     return report_;
@@ -267,11 +267,13 @@ class Checking {
 
 Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate, const Progress& progress) {
+  // Mostly it is a surface, which then is read at the same time.
+  auto triangles = std::async(std::launch::async, [&] { return read_triangles(surface); });
   const Json document = read_document(certificate);
   try {
     Checking checking(input, document, progress);
     return document.contains("polylines") ? checking.of_curves(surface)
-                                          : checking.of_surface(surface);
+                                          : checking.of_surface(surface, triangles.get());
   } catch (const Malformed& error) {
     throw Malformed(error.file().empty() ? certificate : error.file(), error.problem());
   }

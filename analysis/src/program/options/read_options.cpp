@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -74,12 +75,29 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
       ->type_name("FILE");
 }
 
+namespace {
+
+const std::initializer_list<const char*> kNames{
+    "--tensor",    "--components",   "--symmetrize", "--cell-to-point", "--tetrahedralize",
+    "--quadratic", "--step",         "--mask",       "--cell-values",   "--mean",
+    "--materials", "--merge-points", "--where"};
+
+}  // namespace
+
 void refuse_read_options(const CLI::App& app, const std::string& why) {
-  refuse_given(app,
-               {"--tensor", "--components", "--symmetrize", "--cell-to-point", "--tetrahedralize",
-                "--quadratic", "--step", "--mask", "--cell-values", "--mean", "--materials",
-                "--merge-points", "--where"},
-               why);
+  refuse_given(app, kNames, why);
+}
+
+std::vector<std::string> given_read_options(const CLI::App& app) {
+  std::vector<std::string> words;
+  for (const char* const name : kNames) {
+    const CLI::Option& option = *app.get_option(name);
+    if (option.count() == 0) continue;
+    words.emplace_back(name);
+    if (option.get_expected_max() > 0)
+      words.insert(words.end(), option.results().begin(), option.results().end());
+  }
+  return words;
 }
 
 }  // namespace tensortopo
