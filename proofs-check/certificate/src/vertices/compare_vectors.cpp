@@ -162,7 +162,7 @@ std::optional<Vector> Vectors::gradient_at(std::size_t field, const Point3& x) c
   std::array<Ball, 4> values;
   for (std::size_t i = 0; i < 4; ++i) values[i] = increase_along(m, inside.corner(i));
   Vector g = inside.gradient(values);
-  const Ball length = root(dot(g, g));
+  const Ball length = square_root(dot(g, g));
   if (!(length.error < length.value)) return std::nullopt;
   for (Ball& entry : g) entry = quotient(is_turned ? Ball(-1) * entry : entry, length);
   return g;

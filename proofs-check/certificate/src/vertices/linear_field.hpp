@@ -17,7 +17,7 @@ inline Ball quotient(const Ball& a, const Ball& b) {
 }
 
 /// Infinite where it may be of a negative number.
-inline Ball root(const Ball& x) {
+inline Ball square_root(const Ball& x) {
   if (!(x.value > x.error)) return {0, HUGE_VAL};
   const double v = std::sqrt(x.value);
   return {v, (x.error / v + v * (2 * Ball::kUnit) + Ball::kTiny) * Ball::kSlack};

@@ -23,7 +23,7 @@ struct Bounds {
   Bounds(double l, double h) : low(l), high(h) {}
 };
 
-Bounds root(const Bounds& x) {
+Bounds square_root(const Bounds& x) {
   return Bounds::around(std::sqrt(std::max(x.low, 0.0)), std::sqrt(x.high));
 }
 /// @pre y.low > 0
@@ -65,10 +65,10 @@ class Quantity {
     const Bounds all(forms.p.coefficients[0] + Ball(3) * m[6] * m[6]);  // 9 |T|^2
     if (*invariant_ == Invariant::anisotropy) {
       if (!(all.low > 0)) return none;
-      const Bounds found = root(over(p, all));
+      const Bounds found = square_root(over(p, all));
       return farther(found.low, found.high);
     }
-    const Bounds found = over(root(*invariant_ == Invariant::magnitude ? all : p), volume);
+    const Bounds found = over(square_root(*invariant_ == Invariant::magnitude ? all : p), volume);
     return farther(found.low / 3 * inside.unit(), found.high / 3 * inside.unit());
   }
 
