@@ -44,10 +44,10 @@ bool write_number_otherwise(Exhibit& e, Pick& pick) {
   };
   constexpr __uint128_t kOne = 1;
   *number = "@";
-  const std::array kForms{wrapped(kOne << 32), wrapped(kOne << 64), wrapped(kOne << 63),
-                          text + ".0",         text + "e0",         '"' + text + '"',
-                          "[" + text + "]",    "-" + text + ".5",   "null"};
-  e.in_certificate.push_back({kMark, kForms[pick.below(kForms.size())]});
+  const std::array<std::string, 9> forms{
+      wrapped(kOne << 32), wrapped(kOne << 64), wrapped(kOne << 63), text + ".0", text + "e0",
+      '"' + text + '"',    "[" + text + "]",    "-" + text + ".5",   "null"};
+  e.in_certificate.push_back({kMark, forms[pick.below(forms.size())], true});
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include "claims/containment.hpp"
 #include "curves/conics.hpp"
 #include "files/files.hpp"
+#include "topology.hpp"
 
 namespace certificate {
 
