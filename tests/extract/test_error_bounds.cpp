@@ -36,8 +36,8 @@ struct Running {
   Running& operator+=(const Running& q) { return *this = *this + q; }
 };
 
-/// How many roundings the terms of a number have passed through, at most. What is zero, or a power of
-/// two times something, is not rounded.
+/// How many roundings the terms of a number have passed through, at most. What is zero, or a power
+/// of two times something, is not rounded.
 struct Roundings {
   double value = 0;
   int count = 0;
@@ -241,7 +241,8 @@ TEST(ErrorBounds, AreRoundingsTimesSumsOfModuli) {
   // least a^2 + b^2.
   const double adjugate = 2 * std::pow(std::sqrt(3.0), 3), polar = 3, sqrt2 = std::sqrt(2.0);
   EXPECT_GE(detail::kDeterminantBound, 20 * adjugate);
-  EXPECT_GE(detail::kIncreaseBound, 50 * (2 * 3 * (4 * adjugate) + 9 * sqrt2 * 3 * (2 * 4 * polar)));
+  EXPECT_GE(detail::kIncreaseBound,
+            50 * (2 * 3 * (4 * adjugate) + 9 * sqrt2 * 3 * (2 * 4 * polar)));
   EXPECT_GE(detail::kSideBound, 50 * (adjugate + 3 * sqrt2 * polar * polar));
   EXPECT_GE(detail::kGeneralizedBound, 50 * (adjugate * adjugate + 18 * std::pow(polar, 3)));
 }

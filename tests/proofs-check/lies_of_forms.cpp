@@ -30,7 +30,7 @@ Json* any_number(Json& list, Pick& pick) {
 
 /// A number of any list as a text that wraps around to it, or is no integer.
 bool write_number_otherwise(Exhibit& e, Pick& pick) {
-  constexpr std::array kLists{"vertices", "triangles", "edges", "faces",     "tets",
+  constexpr std::array kLists{"vertices", "triangles", "edges",    "faces",     "tets",
                               "cones",    "undecided", "on_level", "components"};
   Json* const number = any_number(any_level(e, pick)[any_of(kLists, pick)], pick);
   if (number == nullptr) return false;
@@ -44,10 +44,10 @@ bool write_number_otherwise(Exhibit& e, Pick& pick) {
   };
   constexpr __uint128_t kOne = 1;
   *number = "@";
-  const std::array kForms{wrapped(kOne << 32), wrapped(kOne << 64), wrapped(kOne << 63),
-                          text + ".0",         text + "e0",         '"' + text + '"',
-                          "[" + text + "]",    "-" + text + ".5",   "null"};
-  e.in_certificate.push_back({kMark, kForms[pick.below(kForms.size())]});
+  const std::array<std::string, 9> forms{
+      wrapped(kOne << 32), wrapped(kOne << 64), wrapped(kOne << 63), text + ".0", text + "e0",
+      '"' + text + '"',    "[" + text + "]",    "-" + text + ".5",   "null"};
+  e.in_certificate.push_back({kMark, forms[pick.below(forms.size())], true});
   return true;
 }
 
@@ -58,12 +58,12 @@ bool spell_level_otherwise(Exhibit& e, Pick& pick) {
   const auto value = text.get<std::string>();
   const std::size_t slash = value.find('/');
   const auto twice = [](const std::string& n) { return std::to_string(2 * std::stol(n)); };
-  const std::string unreduced = slash == std::string::npos
-                                    ? value + "/1"
-                                    : twice(value.substr(0, slash)) + '/' +
-                                          twice(value.substr(slash + 1));
-  const std::array<std::string, 9> forms{'+' + value, ' ' + value, value + ' ',  '0' + value,
-                                         unreduced,   value + ".0", "-0", value + "/2", "1/0"};
+  const std::string unreduced = slash == std::string::npos ? value + "/1"
+                                                           : twice(value.substr(0, slash)) + '/' +
+                                                                 twice(value.substr(slash + 1));
+  const std::array<std::string, 9> forms{'+' + value, ' ' + value,  value + ' ',
+                                         '0' + value, unreduced,    value + ".0",
+                                         "-0",        value + "/2", "1/0"};
   return text = forms[pick.below(forms.size())], true;
 }
 
@@ -83,8 +83,7 @@ bool leave_range_of_value(Exhibit& e, Pick& pick) {
 bool exchange_invariants(Exhibit& e, Pick& pick) {
   Json& level = any_level(e, pick);
   if (level.contains("mode") || level["edges"].empty()) return false;
-  const char* const other =
-      level["invariant"] == "magnitude" ? "deviator-magnitude" : "magnitude";
+  const char* const other = level["invariant"] == "magnitude" ? "deviator-magnitude" : "magnitude";
   return level["invariant"] = other, true;
 }
 
@@ -95,19 +94,24 @@ bool spell_interval_otherwise(Exhibit& e, Pick& pick) {
   if (crossing[0].is_string()) return false;
   const auto i = crossing[0].get<std::int64_t>();
   switch (pick.below(5)) {
-    case 0: return crossing[0] = std::to_string(i), true;  // a text is for larger ones
-    case 1: return crossing[1] = 2049, crossing[0] = std::to_string(i), true;
-    case 2: return crossing[0] = -i - 1, true;
-    case 3: return crossing[0] = std::int64_t{1} << crossing[1].get<int>(), true;
-    default: return crossing[1] = -crossing[1].get<int>() - 1, true;
+    case 0:
+      return crossing[0] = std::to_string(i), true;  // a text is for larger ones
+    case 1:
+      return crossing[1] = 2049, crossing[0] = std::to_string(i), true;
+    case 2:
+      return crossing[0] = -i - 1, true;
+    case 3:
+      return crossing[0] = std::int64_t{1} << crossing[1].get<int>(), true;
+    default:
+      return crossing[1] = -crossing[1].get<int>() - 1, true;
   }
 }
 
 bool spell_length_otherwise(Exhibit& e, Pick& pick) {
   Json& distance = any_level(e, pick)["distance"];
   if (distance.is_null()) return false;
-  constexpr std::array kForms{"inf",       "nan",        "-0x1p+900", "0x1p+2000", "1",
-                              "1e300",     "0x",         " 0x1p+900", "0x1p+900 ", "0x1p+900,0x1p-900",
+  constexpr std::array kForms{"inf",     "nan", "-0x1p+900", "0x1p+2000", "1",
+                              "1e300",   "0x",  " 0x1p+900", "0x1p+900 ", "0x1p+900,0x1p-900",
                               "infinity"};
   return distance[pick.coin() ? "bound" : "coarse_bound"] = any_of(kForms, pick), true;
 }
@@ -157,9 +161,12 @@ bool order_otherwise(Exhibit& e, Pick& pick) {
 bool add_key(Exhibit& e, Pick& pick) {
   Json& level = any_level(e, pick);
   switch (pick.below(4)) {
-    case 0: return e.certificate["note"] = "certified", true;
-    case 1: return level["proved"] = true, true;
-    case 2: return e.certificate["input"]["Tensor"] = "strain", true;
+    case 0:
+      return e.certificate["note"] = "certified", true;
+    case 1:
+      return level["proved"] = true, true;
+    case 2:
+      return e.certificate["input"]["Tensor"] = "strain", true;
     default:  // a key twice: which one counts?
       e.in_certificate.push_back({"\"on_level\":", "\"on_level\":7,\"on_level\":", true});
       return true;
@@ -180,11 +187,12 @@ bool order_arrays_otherwise(Exhibit& e, Pick& pick) {
 LieRow edit(const char* name, std::vector<Exhibit::Edit> Exhibit::*where,
             const std::vector<Exhibit::Edit>& edits) {
   return {name, [=](Exhibit& e, Pick& pick) {
-    const Exhibit::Edit& any = edits[pick.below(edits.size())];
-    const std::string text = where == &Exhibit::in_field ? e.field_text() : e.surface_text();
-    if (text.find(any.from) == std::string::npos) return false;
-    return (e.*where).push_back(any), true;
-  }};
+            const Exhibit::Edit& any = edits[pick.below(edits.size())];
+            const std::string text =
+                where == &Exhibit::in_field ? e.field_text() : e.surface_text();
+            if (text.find(any.from) == std::string::npos) return false;
+            return (e.*where).push_back(any), true;
+          }};
 }
 
 constexpr const char* kTet = "Name=\"tet\" NumberOfComponents=\"1\" format=\"ascii\">";
@@ -212,19 +220,26 @@ std::vector<LieRow> lies_of_forms() {
       {"keys: further, twice", add_key},
       {"surface.arrays: order, kind", order_arrays_otherwise},
       edit("surface: tet wrapped, or no integer", surface,
-           {{tet, tet + "4294967296 ", true}, {tet, tet + "0.5 ", true},
-            {tet, tet + "-1 ", true}, {tet, tet + "nan ", true}}),
+           {{tet, tet + "4294967296 ", true},
+            {tet, tet + "0.5 ", true},
+            {tet, tet + "-1 ", true},
+            {tet, tet + "nan ", true}}),
       edit("surface: tet twice", surface,
-           {{"<CellData>", "<CellData><DataArray type=\"Int64\" Name=\"tet\" "
-                           "NumberOfComponents=\"1\" format=\"ascii\">0 </DataArray>", true},
+           {{"<CellData>",
+             "<CellData><DataArray type=\"Int64\" Name=\"tet\" "
+             "NumberOfComponents=\"1\" format=\"ascii\">0 </DataArray>",
+             true},
             {"</CellData>", "</CellData><CellData></CellData>", true}}),
       edit("surface: corners wrapped, or no integers", surface,
            {{connectivity, connectivity + "4294967296 ", true},
             {connectivity, connectivity + "18446744073709551616 ", true},
-            {connectivity, connectivity + "1.5 ", true}, {connectivity, connectivity + "-1 ", true}}),
+            {connectivity, connectivity + "1.5 ", true},
+            {connectivity, connectivity + "-1 ", true}}),
       edit("surface: polygons that are no triangles", surface,
-           {{offsets, offsets + "0 ", true}, {offsets + "3 6 ", offsets + "2 6 ", true},
-            {offsets + "3 6 ", offsets + "6 3 ", true}, {offsets + "3 ", offsets + "4 ", true},
+           {{offsets, offsets + "0 ", true},
+            {offsets + "3 6 ", offsets + "2 6 ", true},
+            {offsets + "3 6 ", offsets + "6 3 ", true},
+            {offsets + "3 ", offsets + "4 ", true},
             {offsets + "3 ", offsets, true}}),
       edit("surface: counts of the piece", surface,
            {{"NumberOfVerts=\"0\"", "NumberOfVerts=\"1\"", true},
@@ -232,23 +247,33 @@ std::vector<LieRow> lies_of_forms() {
             {"NumberOfPolys=\"", "NumberOfPolys=\"1", true},
             {"<Piece ", "<Piece NumberOfPoints=\"0\"/><Piece ", true}}),
       edit("surface: a section more", surface,
-           {{"<Polys>", "<Lines><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1"
-                        "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">2"
-                        "</DataArray></Lines><Polys>", true},
-            {"<Polys>", "<Polys></Polys><Polys>", true}, {"<Points>", "<Points></Points><Points>", true},
-            {"</Polys>", "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2"
-                         "</DataArray></Polys>", true}}),
+           {{"<Polys>",
+             "<Lines><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1"
+             "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">2"
+             "</DataArray></Lines><Polys>",
+             true},
+            {"<Polys>", "<Polys></Polys><Polys>", true},
+            {"<Points>", "<Points></Points><Points>", true},
+            {"</Polys>",
+             "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2"
+             "</DataArray></Polys>",
+             true}}),
       edit("surface: width of the points", surface,
-           {{"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"2\"", true},
-            {"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"1\"", true},
+           {{"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"2\"",
+             true},
+            {"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"1\"",
+             true},
             {"type=\"Float64\" Name=\"Points\"", "type=\"Int8\" Name=\"Points\"", true}}),
       edit("field: the array twice", field,
-           {{"<PointData>", "<PointData><DataArray type=\"Float64\" Name=\"stress\" "
-                            "NumberOfComponents=\"6\" format=\"ascii\">0 </DataArray>", true},
+           {{"<PointData>",
+             "<PointData><DataArray type=\"Float64\" Name=\"stress\" "
+             "NumberOfComponents=\"6\" format=\"ascii\">0 </DataArray>",
+             true},
             {"<PointData>", "<PointData></PointData><PointData>", true}}),
       edit("field: counts, cells", field,
            {{"NumberOfPoints=\"", "NumberOfPoints=\"1", true},
-            {"NumberOfCells=\"", "NumberOfCells=\"1", true}, {offsets + "4 ", offsets + "3 ", true},
+            {"NumberOfCells=\"", "NumberOfCells=\"1", true},
+            {offsets + "4 ", offsets + "3 ", true},
             {offsets + "4 ", offsets + "5 ", true},
             {"Name=\"types\" NumberOfComponents=\"1\" format=\"ascii\">10 ",
              "Name=\"types\" NumberOfComponents=\"1\" format=\"ascii\">5 ", true},

@@ -24,7 +24,8 @@ void drop_geometry(Exhibit& e) {
 /// Vertices of which all triangles are in one tetrahedron, all around: those inside.
 std::vector<Index> inner_vertices(const Exhibit& e) {
   std::map<Index, std::set<Index>> tets;
-  std::map<Index, std::map<Index, int>> turns;  // edges around that lead in, less those that lead out
+  std::map<Index, std::map<Index, int>>
+      turns;  // edges around that lead in, less those that lead out
   for (std::size_t t = 0; t < e.surface.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const Triangle& c = e.surface.triangles[t];
@@ -92,7 +93,8 @@ bool exchange_places(Exhibit& e, Pick& pick) {
   return e.rehash(), any;
 }
 
-/// A vertex inside, beyond the sheet's neighbours: near the corner of the tetrahedron that is farthest.
+/// A vertex inside, beyond the sheet's neighbours: near the corner of the tetrahedron that is
+/// farthest.
 bool pull_out(Exhibit& e, Pick& pick) {
   const auto inner = inner_vertices(e);
   if (inner.empty()) return false;

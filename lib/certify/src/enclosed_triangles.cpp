@@ -33,8 +33,7 @@ Enclosed cross(const Enclosed& a, const Enclosed& b) {
 }  // namespace
 
 Enclosed minus(const Enclosed& a, const Enclosed& b) {
-  return {a.value - b.value,
-          kSlack * (a.error + b.error + kUnit * modulus(a.value - b.value))};
+  return {a.value - b.value, kSlack * (a.error + b.error + kUnit * modulus(a.value - b.value))};
 }
 
 Enclosed normal_of(std::span<const Enclosed> points, const PatchTriangle& triangle) {
@@ -101,8 +100,7 @@ bool are_apart(std::span<const Enclosed> points, PatchTriangle a, PatchTriangle 
         std::array{from(a[0], a[1]), from(a[0], a[2]), from(b[1], b[0]), from(b[2], b[0])});
   if (shared == 3) return false;
   const Enclosed edge = from(a[0], a[1]);
-  return have_common_side(
-      std::array{cross(edge, from(a[0], a[2])), cross(from(a[0], b[2]), edge)});
+  return have_common_side(std::array{cross(edge, from(a[0], a[2])), cross(from(a[0], b[2]), edge)});
 }
 
 AxisBox box_of(std::span<const Enclosed> points, const PatchTriangle& triangle) {

@@ -31,8 +31,8 @@ std::array<Index, 3> face_opposite(std::array<Index, 4> tet, std::size_t corner)
   return face;
 }
 
-/// By the topology alone: tetrahedra whose sheets are discs, and curves of faces told apart by their
-/// ends.
+/// By the topology alone: tetrahedra whose sheets are discs, and curves of faces told apart by
+/// their ends.
 std::vector<char> are_of_discs(const TetMesh& mesh, const LevelTopology& topology) {
   std::set<std::array<Index, 3>> mixed;
   for (const auto& face : topology.faces)
@@ -60,10 +60,9 @@ std::vector<Index> tets_near_other_sheets(const LevelTopology& topology,
   for (const auto& tet : topology.tets) {
     if (of_discs[as_size(tet.tet)] || std::binary_search(coarse.begin(), coarse.end(), tet.tet))
       continue;
-    if (std::none_of(tet.sheets.begin(), tet.sheets.end(),
-                     [](const LevelTopology::Sheet& sheet) {
-                       return sheet.loops.empty() && sheet.euler_characteristic != 2;
-                     }))
+    if (std::none_of(tet.sheets.begin(), tet.sheets.end(), [](const LevelTopology::Sheet& sheet) {
+          return sheet.loops.empty() && sheet.euler_characteristic != 2;
+        }))
       result.push_back(tet.tet);
   }
   std::sort(result.begin(), result.end());
@@ -74,8 +73,8 @@ std::vector<Index> tets_near_other_sheets(const LevelTopology& topology,
 
 std::vector<Index> tets_not_isotopic(const TetMesh& mesh, const SurfaceMesh& surface,
                                      std::span<const std::size_t> triangles,
-                                     const LevelTopology& topology,
-                                     std::span<const Index> coarse, const MovedPlaces& moved) {
+                                     const LevelTopology& topology, std::span<const Index> coarse,
+                                     const MovedPlaces& moved) {
   auto is_shown = are_of_discs(mesh, topology);
   for (const Index t : tets_of_layers(surface, triangles,
                                       tets_near_other_sheets(topology, is_shown, coarse), moved))

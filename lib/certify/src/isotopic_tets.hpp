@@ -12,10 +12,10 @@ namespace tensortopo {
 
 /// The tetrahedra with triangles in which these are not shown to be isotopic to the level. They are
 /// if the sheets are discs and curves of faces are told apart by their ends, or if the level is
-/// between layers of a product (`tets_of_layers`); but for tetrahedra with a vertex of zero deviator, a
-/// crossing that parts of the mesh share, or triangles that come nearer to others than a margin for
-/// the rounding of coordinates. proofs-check states the theorems; its checker derives each hypothesis
-/// by itself, with smaller margins.
+/// between layers of a product (`tets_of_layers`); but for tetrahedra with a vertex of zero
+/// deviator, a crossing that parts of the mesh share, or triangles that come nearer to others than
+/// a margin for the rounding of coordinates. proofs-check states the theorems; its checker derives
+/// each hypothesis by itself, with smaller margins.
 /// @param triangles  those in tetrahedra that are not undecided
 /// @param coarse     where the distance is not claimed, ascending
 /// @return positions in the mesh, ascending

@@ -17,8 +17,8 @@ using MovedPlaces =
 
 /// The tetrahedra among some in which the triangles with corners between their places behind the
 /// level and ahead of it are embedded as the layers of a product, with a margin for rounding. The
-/// level lies between them, so it is isotopic to the triangles, whatever its sheets are: proofs-check
-/// states the theorem, and its checker derives the hypotheses by itself.
+/// level lies between them, so it is isotopic to the triangles, whatever its sheets are:
+/// proofs-check states the theorem, and its checker derives the hypotheses by itself.
 /// @param triangles  those in tetrahedra that are not undecided
 /// @param tets       without isotropic vertices, and where the distance is claimed; ascending
 /// @return ascending

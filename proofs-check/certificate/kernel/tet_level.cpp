@@ -71,8 +71,8 @@ class Regions {
   Sides beside(const EdgePart& part, Id start, std::size_t crossing) const;
   bool add_cell(const Refinement::Cell& cell);
   template <class Action>
-  bool join_along(const Refinement::Weights& direction, const Corners& corners, SparseUnionFind& around,
-                  const Action& join);
+  bool join_along(const Refinement::Weights& direction, const Corners& corners,
+                  SparseUnionFind& around, const Action& join);
   bool number_crossings(const TetBoundary& boundary);
   std::optional<std::size_t> find(const FacePart& part, const Place<3>& place, bool above) const;
   std::optional<std::size_t> find(std::size_t opposite, const Place<3>& place, bool above);

@@ -10,8 +10,8 @@
 namespace tensortopo {
 
 /// Mends triangles with defects one by one: by the other diagonal of an edge, another place of an
-/// inner vertex on the level, an inner vertex taken out, or one more amid an edge. Each change leaves
-/// fewer defects around it, and none that were not there.
+/// inner vertex on the level, an inner vertex taken out, or one more amid an edge. Each change
+/// leaves fewer defects around it, and none that were not there.
 ///
 /// Laws  (1) the complex stays homeomorphic, with the same boundary loops; (2) no edge beside these
 ///       joins two of their vertices on one face that it did not join before.

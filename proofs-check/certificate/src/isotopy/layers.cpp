@@ -56,16 +56,16 @@ Layers::Span Layers::span_of(std::size_t vertex) const {
     for (std::size_t k = 0; k < 3; ++k) {
       Ball sum = 0;
       for (std::size_t i = 0; i < carrier.count; ++i)
-        sum += Ball(weights[i], 0) *
-               (Ball(c_.input.points[carrier.corners[i]][k], 0) - Ball(x[k], 0));
+        sum +=
+            Ball(weights[i], 0) * (Ball(c_.input.points[carrier.corners[i]][k], 0) - Ball(x[k], 0));
       offset[way][k] = quotient(sum, total);
     }
   }
   Span span;
   span.step = minus(offset[MovedVertices::kAhead], offset[MovedVertices::kBehind]);
   for (std::size_t k = 0; k < 3; ++k)
-    span.box[k] = Ball(x[k], 0) + hull(std::array{offset[0][k], offset[1][k],
-                                                  Ball(0, places_[vertex][k].error)});
+    span.box[k] = Ball(x[k], 0) +
+                  hull(std::array{offset[0][k], offset[1][k], Ball(0, places_[vertex][k].error)});
   return span;
 }
 
@@ -96,9 +96,8 @@ bool Layers::are_embedded(std::span<const std::size_t> triangles) const {
   const BoxTree tree(std::move(boxes));
   for (std::size_t s = 0; s < corners.size(); ++s) {
     bool apart = true;
-    const bool all = tree.for_meeting(s, [&](std::size_t t) {
-      apart = apart && are_apart(points, corners[s], corners[t]);
-    });
+    const bool all = tree.for_meeting(
+        s, [&](std::size_t t) { apart = apart && are_apart(points, corners[s], corners[t]); });
     if (!apart || !all) return false;
   }
   return true;

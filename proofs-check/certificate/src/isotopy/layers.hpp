@@ -18,9 +18,9 @@ class Layers {
       : c_(c), placed_(placed), moved_(moved), places_(places) {}
 
   /// Does each triangle have an area, do any two meet only in the vertices and the edge that they
-  /// share, and do the corners of each move to its side of larger values, wherever each corner is in
-  /// the box around its vertex, the point that this stands for, and both moved ones? True only if
-  /// proved, in doubles.
+  /// share, and do the corners of each move to its side of larger values, wherever each corner is
+  /// in the box around its vertex, the point that this stands for, and both moved ones? True only
+  /// if proved, in doubles.
   /// @param triangles  of the level, all of one tetrahedron
   /// @pre all their vertices stay in their carriers
   bool are_embedded(std::span<const std::size_t> triangles) const;

@@ -51,8 +51,10 @@ Shown is_eigenvector(const Tensor<Ball>& m, const Vector& v, Eigenvalue which) {
   const Ball square = dot(r, r), six = Ball(6) * value * value;
   if (is_positive(square - Ball(kFar, 0) * size)) return Shown::no;
   const bool is_medium = which == Eigenvalue::medium;
-  const Ball beyond = is_medium ? Ball(1 + kEqual, 0) * size - six : six - Ball(1 - kEqual, 0) * size;
-  const bool has_sign = is_medium || is_positive(which == Eigenvalue::largest ? value : Ball(-1) * value);
+  const Ball beyond =
+      is_medium ? Ball(1 + kEqual, 0) * size - six : six - Ball(1 - kEqual, 0) * size;
+  const bool has_sign =
+      is_medium || is_positive(which == Eigenvalue::largest ? value : Ball(-1) * value);
   const bool has_other_sign =
       !is_medium && is_negative(which == Eigenvalue::largest ? value : Ball(-1) * value);
   if (is_negative(beyond + Ball(kFar, 0) * size) || has_other_sign) return Shown::no;
@@ -84,10 +86,10 @@ class Vectors {
   const LevelCase& c_;
   const PlacedSurface& placed_;
   std::optional<Invariant> invariant_;
-  std::vector<std::size_t> names_;   ///< of `fields_`: tetrahedra, ascending
+  std::vector<std::size_t> names_;  ///< of `fields_`: tetrahedra, ascending
   std::vector<LinearField> fields_;
-  std::vector<Around> around_;       ///< each vertex
-  std::vector<std::size_t> tets_;    ///< places in `fields_`
+  std::vector<Around> around_;     ///< each vertex
+  std::vector<std::size_t> tets_;  ///< places in `fields_`
 };
 
 Vectors::Vectors(const LevelCase& c, const PlacedSurface& placed)
@@ -176,8 +178,8 @@ Shown Vectors::show_normal(const Array& array, std::size_t v) const {
   if (unit != Shown::yes) return unit;
   Vector sum{};
   for (std::size_t i = 0; i < around_[v].count; ++i) {
-    const auto g = gradient_at(tets_[around_[v].first + i],
-                               c_.surface.points[c_.vertices.first + v]);
+    const auto g =
+        gradient_at(tets_[around_[v].first + i], c_.surface.points[c_.vertices.first + v]);
     if (!g) return Shown::neither;
     for (std::size_t k = 0; k < 3; ++k) sum[k] += (*g)[k];
   }
@@ -208,8 +210,8 @@ void compare_vectors(const LevelCase& c, const PlacedSurface& placed, Ledger& le
     std::vector<Shown> shown(placed.carriers.size());
     parallel_for(shown.size(), [&](std::size_t v) {
       shown[v] = is_normal ? vectors->show_normal(array, v)
-                           : vectors->show_eigenvector(
-                                 array, v, is_medium ? Eigenvalue::medium : dominant);
+                           : vectors->show_eigenvector(array, v,
+                                                       is_medium ? Eigenvalue::medium : dominant);
     });
     ledger.of_level().vectors[array.name] =
         static_cast<std::size_t>(std::count(shown.begin(), shown.end(), Shown::yes));

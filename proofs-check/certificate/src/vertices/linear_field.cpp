@@ -22,12 +22,17 @@ LinearField::LinearField(const Input& input, const std::array<Vertex, 4>& tet)
     for (std::size_t k = 0; k < 6; ++k)
       t[k] = Ball(std::ldexp(input.tensors[tet[i]][k], scale_), Ball::kTiny);
     const Ball trace = t[0] + t[1] + t[2], three(3);
-    tensors_[i] = {three * t[0] - trace, three * t[1] - trace, three * t[2] - trace,
-                   three * t[4], three * t[5], three * t[3], trace, Ball()};
+    tensors_[i] = {three * t[0] - trace,
+                   three * t[1] - trace,
+                   three * t[2] - trace,
+                   three * t[4],
+                   three * t[5],
+                   three * t[3],
+                   trace,
+                   Ball()};
   }
   for (std::size_t i = 0; i < 3; ++i) edges_[i] = from_origin(input.points[tet[i + 1]], {});
-  for (std::size_t i = 0; i < 3; ++i)
-    normals_[i] = cross(edges_[(i + 1) % 3], edges_[(i + 2) % 3]);
+  for (std::size_t i = 0; i < 3; ++i) normals_[i] = cross(edges_[(i + 1) % 3], edges_[(i + 2) % 3]);
   volume_ = dot(edges_[0], normals_[0]);
 }
 

@@ -5,6 +5,7 @@
 #include "claims/containment.hpp"
 #include "curves/conics.hpp"
 #include "files/files.hpp"
+#include "topology.hpp"
 
 namespace certificate {
 
@@ -13,7 +14,8 @@ inline Ball quotient(const Ball& a, const Ball& b) {
   const double v = a.value / b.value;
   const double least = (b.value - b.error) / Ball::kSlack;
   return {v, ((a.error + std::abs(v) * b.error) / least + std::abs(v) * (2 * Ball::kUnit) +
-              Ball::kTiny) * Ball::kSlack};
+              Ball::kTiny) *
+                 Ball::kSlack};
 }
 
 /// Infinite where it may be of a negative number.

@@ -17,7 +17,8 @@ struct Bounds {
   double low = 0, high = 0;
 
   static Bounds around(double low, double high) {
-    return {low - std::abs(low) * 0x1p-45 - Ball::kTiny, high + std::abs(high) * 0x1p-45 + Ball::kTiny};
+    return {low - std::abs(low) * 0x1p-45 - Ball::kTiny,
+            high + std::abs(high) * 0x1p-45 + Ball::kTiny};
   }
   explicit Bounds(const Ball& x) { *this = around(x.value - x.error, x.value + x.error); }
   Bounds(double l, double h) : low(l), high(h) {}
@@ -29,7 +30,7 @@ Bounds square_root(const Bounds& x) {
 /// @pre y.low > 0
 Bounds over(const Bounds& x, const Bounds& y) {
   return Bounds::around(x.low < 0 ? x.low / y.low : x.low / y.high,
-                       x.high > 0 ? x.high / y.low : x.high / y.high);
+                        x.high > 0 ? x.high / y.low : x.high / y.high);
 }
 
 /// Of what a level is, and where.
@@ -55,8 +56,8 @@ class Quantity {
     const double none = invariant_ ? HUGE_VAL : 2;
     if (!(volume.low > 0)) return none;
     if (!invariant_) {
-      const Bounds size = Bounds::around(p.low * std::sqrt(std::max(p.low, 0.0)),
-                                       p.high * std::sqrt(p.high));
+      const Bounds size =
+          Bounds::around(p.low * std::sqrt(std::max(p.low, 0.0)), p.high * std::sqrt(p.high));
       if (!(size.low > 0)) return none;
       const Bounds mode = over(q, size);
       const double factor = is_turned ? -std::sqrt(54) : std::sqrt(54);  // odd in the tensor
@@ -76,7 +77,8 @@ class Quantity {
   /// The farther of two numbers from the value, and what rounding may add. NaN: infinite.
   double farther(double a, double b) const {
     const double by = std::max(std::abs(a - value_), std::abs(b - value_));
-    const double bound = by + 0x1p-40 * by + (std::abs(a) + std::abs(b) + std::abs(value_)) * 0x1p-50;
+    const double bound =
+        by + 0x1p-40 * by + (std::abs(a) + std::abs(b) + std::abs(value_)) * 0x1p-50;
     return bound < HUGE_VAL ? bound : HUGE_VAL;
   }
 
