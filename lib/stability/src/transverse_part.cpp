@@ -61,21 +61,66 @@ bool exceed_unit_disc(const std::array<Column, Count>& columns) {
   return true;
 }
 
+/// Orthonormal, up to a few roundings, with the axis of a linear degenerate tensor.
+struct Frame {
+  Vector3<double> p, q, axis;
+
+  /// A tensor's parts along the two traceless tensors in the plane across the axis.
+  Column normal_part(const Traceless& t) const {
+    const Vector3<double> tp = t * p, tq = t * q;
+    const double root = std::sqrt(0.5);
+    return {root * (dot(p, tp) - dot(q, tq)), 2 * root * dot(p, tq)};
+  }
+};
+
+/// Is no member degenerate with an axis that is at most an angle from the frame's? `sine` is that
+/// of the half angle of a cone around the frame's degenerate tensor that holds all members.
+///
+/// A degenerate member has no normal part along its own axis, and turning the plane there changes
+/// that of T by at most |T| (angle * sine + angle^2). So it is enough that the normal parts of all
+/// members lie beyond this on one side of a line.
+template <std::size_t Vertices, std::size_t Corners>
+bool is_beside(const Part<Vertices, Corners>& part, const Frame& frame, double angle, double sine) {
+  std::array<Column, Corners> places;
+  std::array<double, Corners> least;
+  Column mean{0, 0};
+  for (std::size_t a = 0; a < Corners; ++a) {
+    places[a] = frame.normal_part(part.tensors[a]);
+    least[a] = part.radii[a] + (part.norms[a] + part.radii[a]) * (angle * sine + angle * angle) +
+               0x1p4 * kRounding * part.bounds[a];
+    mean.x += places[a].x, mean.y += places[a].y;
+  }
+  const auto separates = [&](Column y) {
+    const double length = std::hypot(y.x, y.y);
+    if (!(length > 0)) return false;
+    y.x /= length, y.y /= length;
+    for (std::size_t a = 0; a < Corners; ++a)
+      if (!(y.x * places[a].x + y.y * places[a].y > least[a])) return false;
+    return true;
+  };
+  if (separates(mean)) return true;
+  for (std::size_t a = 0; a < Corners; ++a)
+    for (std::size_t b = a + 1; b < Corners; ++b) {
+      const Column across{places[b].y - places[a].y, places[a].x - places[b].x};
+      if (separates(across) || separates({-across.x, -across.y})) return true;
+    }
+  return false;
+}
+
 /// Do members cross the linear degenerate tensors transversally wherever they are degenerate with
-/// an axis that is at most an angle from the third of these orthonormal vectors?
+/// an axis that is at most an angle from the frame's?
 template <std::size_t Vertices>
-bool crosses(const BoxSimplex<Vertices>& simplex, const Vector3<double>& p,
-             const Vector3<double>& q, const Vector3<double>& axis, double angle) {
+bool crosses(const BoxSimplex<Vertices>& simplex, const Frame& frame, double angle) {
   std::array<Column, Vertices> columns;
   for (std::size_t i = 0; i < Vertices; ++i) {
     const Traceless& t = simplex.tensors[i];
-    const Vector3<double> tp = t * p, tq = t * q;
-    const double across = std::hypot(dot(axis, tp), dot(axis, tq)), size = norm(t),
+    const Vector3<double> along = t * frame.axis;
+    const double across = std::hypot(dot(frame.p, along), dot(frame.q, along)), size = norm(t),
                  change = std::min(angle * size,
                                    std::sqrt(2.0) * angle * across + angle * angle * size) +
-                          simplex.radii[i] + 0x1p6 * kRounding,
-                 root = std::sqrt(0.5);
-    columns[i] = {root * (dot(p, tp) - dot(q, tq)) / change, 2 * root * dot(p, tq) / change};
+                          simplex.radii[i] + 0x1p6 * kRounding;
+    const Column part = frame.normal_part(t);
+    columns[i] = {part.x / change, part.y / change};
   }
   return exceed_unit_disc(columns);
 }
@@ -92,20 +137,19 @@ bool is_transverse(const BoxSimplex<Vertices>& simplex, const Part<Vertices, Cor
   const double mode = std::sqrt(6.0) * inner(product(unit, unit), unit),
                lode_angle = std::acos(std::clamp(mode, -1.0, 1.0)) / 3;
   if (cone_angle(part, unit) + kAngleError < lode_angle) return true;
-  if constexpr (Vertices > 2) {
-    const auto eigen = eigen_decomposition(unit);
-    const Vector3<double>& n = eigen.vectors[0];
-    const double third = dot(n, n) / 3, scale = std::sqrt(1.5);
-    const Traceless degenerate{scale * (n.x * n.x - third), scale * (n.y * n.y - third),
-                               scale * (n.z * n.z - third), scale * n.x * n.y,
-                               scale * n.y * n.z,           scale * n.x * n.z};
-    const double angle = cone_angle(part, degenerate);
-    if (!(angle < 0.8)) return false;
-    const double sine = 2 / std::sqrt(3.0) * std::sin(angle / 2);
-    return crosses(simplex, eigen.vectors[1], eigen.vectors[2], n,
-                   std::asin(sine) * (1 + kRounding) + kRounding);
-  }
-  return false;
+  const auto eigen = eigen_decomposition(unit);
+  const Frame frame{eigen.vectors[1], eigen.vectors[2], eigen.vectors[0]};
+  const Vector3<double>& n = frame.axis;
+  const double third = dot(n, n) / 3, scale = std::sqrt(1.5);
+  const Traceless degenerate{scale * (n.x * n.x - third), scale * (n.y * n.y - third),
+                             scale * (n.z * n.z - third), scale * n.x * n.y,
+                             scale * n.y * n.z,           scale * n.x * n.z};
+  const double cone = cone_angle(part, degenerate);
+  if (!(cone < 0.8)) return false;
+  const double angle =
+      std::asin(2 / std::sqrt(3.0) * std::sin(cone / 2)) * (1 + kRounding) + kRounding;
+  if (is_beside(part, frame, angle, std::sin(cone) + kRounding)) return true;
+  return Vertices > 2 && crosses(simplex, frame, angle);
 }
 
 #define TENSORTOPO_INSTANTIATE(Vertices, Corners) \

@@ -17,9 +17,9 @@ namespace tensortopo::stability {
 /// rank 2; along an edge they never do, because a combination of them vanishes.
 ///
 /// - *Not degenerate*: the mode's Lode angle is the angle to the nearest linear degenerate tensor.
-/// All
-///   members lie in a cone around the part's centre; its half angle is less than the centre's Lode
-///   angle.
+///   All members lie in a cone around the part's centre; its half angle is less than the centre's
+///   Lode angle. Or, with the cone of the next case: the parts of members that are normal to the
+///   degenerate tensors of axis n are larger than what they can change by on the way to other axes.
 /// - *Transverse*: all members lie in a cone of half angle a around a linear degenerate tensor of
 ///   axis n. The axes of the degenerate ones are then at most t from n, sin t = 2 sin(a/2) /
 ///   sqrt(3), for the angle between two such tensors has the cosine (3 cos^2 t - 1) / 2. If the

@@ -86,32 +86,75 @@ bool reach_beyond_disc(const std::array<std::array<double, 2>, V>& columns) {
   return true;
 }
 
-/// Are members transverse wherever they are degenerate in a part? `sine` is at least that of the angle
-/// between `axis` and an axis of any such tensor.
+/// Three vectors that are orthonormal but for 2^-45.
+struct Frame {
+  Vector p{}, q{}, axis;
+
+  explicit Frame(const Vector& n) : axis(n) {
+    Vector other{};
+    other[std::abs(n[0]) < 0.6 ? 0 : std::abs(n[1]) < 0.6 ? 1 : 2] = 1;
+    p = cross(n, other);
+    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    for (double& x : p) x /= length;
+    q = cross(n, p);
+  }
+  /// Along the two tensors normal to the degenerate ones of the axis.
+  std::array<Ball, 2> normal_part(const Matrix& m) const {
+    const Ball half(0.7071067811865476, 0x1p-52);
+    return {half * (form(m, p, p) - form(m, q, q)), half * (form(m, p, q) + form(m, p, q))};
+  }
+};
+
+/// Is no member of a part degenerate with an axis at most an angle from the frame's? `distance` is at least
+/// that of members from a degenerate tensor of this axis.
+template <std::size_t V, std::size_t C>
+bool is_beside(const std::array<Point<V>, C>& part, const Frame& frame, double angle,
+               double distance) {
+  std::array<std::array<double, 2>, C> places;
+  std::array<double, C> least;
+  std::array<double, 2> mean{};
+  for (std::size_t a = 0; a < C; ++a) {
+    const auto normal = frame.normal_part(part[a].matrix);
+    places[a] = {normal[0].value, normal[1].value};
+    mean[0] += places[a][0], mean[1] += places[a][1];
+    const double size = part[a].norm + part[a].radius;
+    least[a] = (part[a].radius + angle * distance + angle * angle * size + 0x1p-38 * size +
+                normal[0].error + normal[1].error) *
+               Ball::kSlack * Ball::kSlack;
+  }
+  const auto separates = [&](double x, double y) {
+    const double length = std::hypot(x, y);
+    return length > 0 && std::isfinite(length) && [&] {
+      for (std::size_t a = 0; a < C; ++a)
+        if (!((x * places[a][0] + y * places[a][1]) / length > least[a])) return false;
+      return true;
+    }();
+  };
+  if (separates(mean[0], mean[1])) return true;
+  for (std::size_t a = 0; a < C; ++a)
+    for (std::size_t b = a + 1; b < C; ++b)
+      for (const int sign : {1, -1})
+        if (separates(sign * (places[b][1] - places[a][1]), sign * (places[a][0] - places[b][0])))
+          return true;
+  return false;
+}
+
+/// Are members transverse wherever they are degenerate with an axis at most an angle from the frame's?
 template <std::size_t V>
-bool is_transverse(const std::array<Widened, V>& corners, const Vector& axis, double sine) {
-  if (!(sine < 0.5)) return false;
-  const double angle = 1.048 * sine;  // arcsin(1/2) = 0.5235...
-  Vector other{};
-  other[std::abs(axis[0]) < 0.6 ? 0 : std::abs(axis[1]) < 0.6 ? 1 : 2] = 1;
-  Vector p = cross(axis, other);
-  const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-  for (double& x : p) x /= length;
-  const Vector q = cross(axis, p);
+bool is_transverse(const std::array<Widened, V>& corners, const Frame& frame, double angle) {
   std::array<std::array<double, 2>, V> columns;
   for (std::size_t i = 0; i < V; ++i) {
     const Matrix& m = corners[i].centre;
-    const Ball half(0.7071067811865476, 0x1p-52),
-        x = half * (form(m, p, p) - form(m, q, q)), y = half * (form(m, p, q) + form(m, p, q));
+    const auto normal = frame.normal_part(m);
     const double size = largest_norm(m),
-                 across = std::hypot(upper_modulus(form(m, axis, p)),
-                                     upper_modulus(form(m, axis, q)));
-    // The three vectors are orthonormal but for 2^-45; the quotients below round.
+                 across = std::hypot(upper_modulus(form(m, frame.axis, frame.p)),
+                                     upper_modulus(form(m, frame.axis, frame.q)));
+    // The frame and the quotients below are rounded.
     const double change = (std::min(angle * size, 1.4143 * angle * across + angle * angle * size) +
-                           corners[i].radius + 0x1p-38 * size + x.error + y.error) *
+                           corners[i].radius + 0x1p-38 * size + normal[0].error + normal[1].error) *
                           Ball::kSlack;
     if (!(change > 0)) return false;
-    columns[i] = {x.value / change, y.value / change};
+    columns[i] = {normal[0].value / change, normal[1].value / change};
   }
   return reach_beyond_disc(columns);
 }
@@ -123,7 +166,6 @@ bool part_is_transverse(const std::array<Widened, V>& corners,
   for (const auto& point : part) centre = centre + Ball(1.0 / C, 0) * point.matrix;
   static const ModeBall one(1, 1);
   if (vertex_is_free(around(centre, part), one) == Answer::yes) return true;
-  if (V == 2) return false;
   const Vector n = guess_axis(centre);
   if (!std::isfinite(n[0] + n[1] + n[2])) return false;
   // s (n n^T - (n . n) I / 3), s about what the centre has along n.
@@ -133,12 +175,16 @@ bool part_is_transverse(const std::array<Widened, V>& corners,
   if (!(s.value > 0)) return false;
   const Matrix degenerate = s * Matrix{entry(0, 0) - third, entry(1, 1) - third,
                                        entry(2, 2) - third, entry(1, 2), entry(0, 2), entry(0, 1)};
-  const double sine = around(degenerate, part).radius / smallest_norm(degenerate) * Ball::kSlack;
+  const double distance = around(degenerate, part).radius,
+               sine = distance / smallest_norm(degenerate) * Ball::kSlack;
   if (!(sine < 0.75)) return false;  // of the angle a between the tensors
   // sin^2 of that between their axes is 2 (1 - cos a) / 3, and 1 - cos a = sin^2 a / (1 + cos a).
-  const double cosine = std::sqrt(1 - sine * sine) / Ball::kSlack;
-  return is_transverse(corners, n,
-                       std::sqrt(2.0 / 3 * sine * sine / (1 + cosine)) * Ball::kSlack * Ball::kSlack);
+  const double cosine = std::sqrt(1 - sine * sine) / Ball::kSlack,
+               between = std::sqrt(2.0 / 3 * sine * sine / (1 + cosine)) * Ball::kSlack * Ball::kSlack;
+  if (!(between < 0.5)) return false;
+  const double angle = 1.048 * between;  // arcsin(1/2) = 0.5235...
+  const Frame frame(n);
+  return is_beside(part, frame, angle, distance) || (V > 2 && is_transverse(corners, frame, angle));
 }
 
 }  // namespace
