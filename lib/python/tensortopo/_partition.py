@@ -236,11 +236,11 @@ class FieldHash:
         self._cells = cells
 
     def add_points(self, points: npt.ArrayLike) -> None:
-        """Coordinates, shape (n, 3)."""
+        """``points``: coordinates, shape (n, 3)."""
         self._hash.update(np.ascontiguousarray(points, dtype="<f8").tobytes())
 
     def add_tensors(self, tensors: npt.ArrayLike) -> None:
-        """Tensors xx, yy, zz, xy, yz, xz, shape (n, 6), after all points."""
+        """``tensors``: xx, yy, zz, xy, yz, xz, shape (n, 6), after all points."""
         self._hash.update(np.ascontiguousarray(tensors, dtype="<f8").tobytes())
 
     def begin_cells(self) -> None:
@@ -248,7 +248,7 @@ class FieldHash:
         self._hash.update(struct.pack("<Q", self._cells))
 
     def add_cells(self, tets: npt.ArrayLike) -> None:
-        """Ids of the vertices of cells, shape (m, 4), in the order of the cells' ids."""
+        """``tets``: ids of the vertices of cells, shape (m, 4), in the order of the cells' ids."""
         ids = np.sort(np.asarray(tets, dtype="<i8"), axis=1)
         self._hash.update(np.ascontiguousarray(ids).tobytes())
 
