@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 // Compiled as four_lanes.cpp is.
-#include "extract/level/simd/four_lanes.hpp"
+#include "extract/level/simd/four_arcs.hpp"
 
 #include "extract/level/simd/lane_roots.hpp"
 

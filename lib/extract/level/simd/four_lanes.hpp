@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <span>
 
-#include "extract/level/simd/graph_arc.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
@@ -50,9 +49,5 @@ LaneEmptiness empty_four(std::span<const std::array<Deviator<double>, 4>> tets,
 /// `single_crossings` of one to four edges.
 void cross_four(std::span<const std::array<Deviator<double>, 2>> ends, std::span<const char> rising,
                 const LevelNumbers& level, std::span<double> weights);
-
-/// A bit for each of one to four arcs: see `straight_arcs`.
-unsigned straight_four(std::span<const GraphArc> arcs, const LevelNumbers& level,
-                       const LeastCosines& least);
 
 }  // namespace tensortopo

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "extract/level/multiprecision_level.hpp"
+#include "extract/level/simd/four_arcs.hpp"
 #include "extract/level/simd/four_lanes.hpp"
 
 namespace tensortopo {
