@@ -14,10 +14,10 @@
 namespace tensortopo::test {
 namespace {
 
-constexpr auto inapplicable = IoError::Kind::inapplicable;
+constexpr auto kInapplicable = IoError::Kind::inapplicable;
 
 /// Two tetrahedra with a face in common, of the points 0 1 2 3 and 0 2 1 4.
-TextVtu two_cells() {
+TextVtu cells_with_arrays() {
   TextVtu text;
   text.points = "5", text.cells = "2";
   text.coordinates = "0 0 0  1 0 0  0 1 0  0 0 1  0 0 -3";
@@ -39,7 +39,7 @@ std::vector<std::int64_t> taken(const std::filesystem::path& file, const std::st
 }
 
 TEST(CellsWhere, ConditionHoldsAtAllNodesAndInTheCell) {
-  const auto file = put("a.vtu", two_cells().str());
+  const auto file = put("a.vtu", cells_with_arrays().str());
   const std::vector<std::int64_t> first{0}, second{1}, both{0, 1};
   EXPECT_EQ(taken(file, "FA"), first);
   EXPECT_EQ(taken(file, "FA > 0.2"), first);
@@ -57,7 +57,7 @@ TEST(CellsWhere, ConditionHoldsAtAllNodesAndInTheCell) {
 }
 
 TEST(CellsWhere, IsRefusedWithWhatThereIs) {
-  const auto file = put("a.vtu", two_cells().str());
+  const auto file = put("a.vtu", cells_with_arrays().str());
   ReadOptions options;
   options.tensor = "stress";
   const auto expect = [&](const std::string& where, IoError::Kind kind,
@@ -65,15 +65,15 @@ TEST(CellsWhere, IsRefusedWithWhatThereIs) {
     options.where = where;
     expect_error(file, kind, parts, options);
   };
-  expect("nothing > 3", inapplicable, {"--where 'nothing > 3'", "FA", "region", "anisotropy"});
-  expect("FA >", inapplicable, {"--where 'FA >'"});
-  expect("v > 0", inapplicable, {"--where 'v > 0'"});
-  expect(std::string(5000, '(') + "1" + std::string(5000, ')'), inapplicable, {"too long"});
+  expect("nothing > 3", kInapplicable, {"--where 'nothing > 3'", "FA", "region", "anisotropy"});
+  expect("FA >", kInapplicable, {"--where 'FA >'"});
+  expect("v > 0", kInapplicable, {"--where 'v > 0'"});
+  expect(std::string(5000, '(') + "1" + std::string(5000, ')'), kInapplicable, {"too long"});
   expect("fa", invalid, {"--where leaves no cell (2 are left out)"});
 }
 
 TEST(CellsWhere, CountsWhatIsLeftOutAndChangesNothingElse) {
-  const auto file = put("a.vtu", two_cells().str());
+  const auto file = put("a.vtu", cells_with_arrays().str());
   ReadOptions options;
   options.tensor = "stress";
   const ReadResult whole = read_mesh(file, options);
@@ -95,7 +95,7 @@ TEST(CellsWhere, CountsWhatIsLeftOutAndChangesNothingElse) {
 }
 
 TEST(CellsWhere, TensorsOnCellsGiveTheirQuantitiesAndMeansAreOfAllCells) {
-  TextVtu text = two_cells();
+  TextVtu text = cells_with_arrays();
   text.point_data = "";
   text.cell_data = TextVtu::array("S", 6, "1 2 3 0 0 0  5 6 7 0 0 4");
   const auto file = put("a.vtu", text.str());
