@@ -57,6 +57,11 @@ std::string field(const std::string& name) {
   return std::string(TENSORTOPO_DATA) + "/" + name + "_small_C3D8I.vtu";
 }
 
+Outcome extract_slab(const Folder& folder, std::vector<std::string> words) {
+  words.insert(words.begin(), {"extract", field("s4_slab"), "-o", folder / "s.vtp"});
+  return run_program(words);
+}
+
 std::string contents(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw std::runtime_error("cannot read " + file.string());

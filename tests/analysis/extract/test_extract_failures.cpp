@@ -27,12 +27,6 @@ void expect_error_line(const Outcome& run, const std::string& about) {
   EXPECT_EQ(run.out, "");
 }
 
-// Extracts s4_slab with these words added; they come last, so they are what is wrong.
-Outcome extract(const Folder& folder, std::vector<std::string> words) {
-  words.insert(words.begin(), {"extract", field("s4_slab"), "-o", folder / "s.vtp"});
-  return run_program(words);
-}
-
 struct BadWords {
   std::vector<std::string> words;
   std::string about;
@@ -59,7 +53,7 @@ TEST(ExtractFailures, BadUsageIsTwoAndLeavesNoFile) {
   };
   for (const BadWords& bad : cases) {
     const Folder folder;
-    const Outcome run = extract(folder, bad.words);
+    const Outcome run = extract_slab(folder, bad.words);
     EXPECT_EQ(run.status, 2) << run.err;
     expect_error_line(run, bad.about);
     EXPECT_TRUE(folder.files().empty());
@@ -106,7 +100,7 @@ TEST(ExtractFailures, BadInputIsThree) {
 
 TEST(ExtractFailures, UnknownTensorIsBadInputByName) {
   const Folder folder;
-  const Outcome run = extract(folder, {"--mode", "0.5", "--tensor", "strain"});
+  const Outcome run = extract_slab(folder, {"--mode", "0.5", "--tensor", "strain"});
   EXPECT_EQ(run.status, 3);
   expect_error_line(run, "strain");
   EXPECT_TRUE(folder.files().empty());
@@ -124,7 +118,7 @@ TEST(ExtractFailures, NoPlaceToWriteIsFour) {
 TEST(ExtractFailures, AFileThatWasThereStays) {
   const Folder folder;
   std::ofstream(folder / "s.vtp") << "old";
-  EXPECT_EQ(extract(folder, {"--mode", "0.5", "--tensor", "strain"}).status, 3);
+  EXPECT_EQ(extract_slab(folder, {"--mode", "0.5", "--tensor", "strain"}).status, 3);
   EXPECT_EQ(contents(folder / "s.vtp"), "old");
 }
 
@@ -278,7 +272,7 @@ TEST(ExtractFailures, WithoutItsCertificateNoSurfaceIsWritten) {
     std::vector<std::string> words{"--certify", folder / "c.json", level};
     words.push_back(level == "--mode" ? "0.5" : "anisotropy");
     if (level != "--mode") words.insert(words.end(), {"--value", "1/2"});
-    const Outcome run = extract(folder, words);
+    const Outcome run = extract_slab(folder, words);
     EXPECT_EQ(run.status, 4);
     expect_error_line(run, "c.json");
     EXPECT_EQ(contents(folder / "s.vtp"), "before");

@@ -15,11 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-Outcome extract(const Folder& folder, std::vector<std::string> words) {
-  words.insert(words.begin(), {"extract", field("s4_slab"), "-o", folder / "s.vtp"});
-  return run_program(words);
-}
-
 TEST(ExtractInvariant, SurfacesOfARealFieldAreManifoldAndComplete) {
   const Folder folder;
   for (const char* invariant : {"magnitude", "deviator-magnitude", "anisotropy"}) {
@@ -28,7 +23,7 @@ TEST(ExtractInvariant, SurfacesOfARealFieldAreManifoldAndComplete) {
     const bool is_ratio = std::string(invariant) == "anisotropy";
     for (const char* value : {is_ratio ? "0.7" : "0.25", is_ratio ? "9/10" : "1/2"})
       words.insert(words.end(), {"--value", value});
-    const Outcome run = extract(folder, words);
+    const Outcome run = extract_slab(folder, words);
     ASSERT_EQ(run.status, 0) << run.err;
     const Json report = Json::parse(run.out);
     ASSERT_EQ(report["surfaces"].size(), 2u);
@@ -47,11 +42,11 @@ TEST(ExtractInvariant, SurfacesOfARealFieldAreManifoldAndComplete) {
 TEST(ExtractInvariant, WritesTheSameBytesWithAnyNumberOfThreads) {
   const Folder folder;
   const std::vector<std::string> words{"--invariant", "anisotropy", "--value", "0.8"};
-  ASSERT_EQ(extract(folder, words).status, 0);
+  ASSERT_EQ(extract_slab(folder, words).status, 0);
   const std::string first = contents(folder / "s.vtp");
   auto alone = words;
   alone.insert(alone.end(), {"--threads", "1"});
-  ASSERT_EQ(extract(folder, alone).status, 0);
+  ASSERT_EQ(extract_slab(folder, alone).status, 0);
   EXPECT_EQ(contents(folder / "s.vtp"), first);
 }
 
@@ -95,7 +90,7 @@ TEST(ExtractInvariant, BadUsageIsTwoAndLeavesNoFile) {
   };
   for (const auto& [words, about] : cases) {
     const Folder folder;
-    const Outcome run = extract(folder, words);
+    const Outcome run = extract_slab(folder, words);
     EXPECT_EQ(run.status, 2) << about << run.err;
     EXPECT_NE(run.err.find(about), std::string::npos) << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
