@@ -245,18 +245,16 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
         unresolved[{id, std::string(name_of(cell.obstacle))}].push_back(modes[i]);
       }
       const auto filtered = filter.apply(read.mesh, modes[i], extraction.curves);
-      report.curves.push_back(curve_report(modes[i], extraction));
-      report.curves.back().filter = filtered;
+      CurveReport& known = report.curves.emplace_back(curve_report(modes[i], extraction));
+      known.filter = filtered;
       if (stability)
-        report.curves.back().stability =
+        known.stability =
             report_stability(*stability, command.uncertainty, kind, options, extraction);
       if (certifying) {
         overall("certificate", 0);
         const Clock certify_clock;
-        certified_curves.push_back(certify(read.mesh, kind, extraction));
-        if (stability)
-          certified_curves.back().stability =
-              stability->claim(report.curves.back().stability->summary);
+        auto& claims = certified_curves.emplace_back(certify(read.mesh, kind, extraction));
+        if (stability) claims.stability = stability->claim(known.stability->summary);
         seconds_certify += certify_clock.seconds();
       }
       append_curves(curves, std::move(extraction.curves));
