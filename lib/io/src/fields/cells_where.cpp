@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -100,6 +101,24 @@ bool is_plain(const std::string& name) {
                      [&](char c) { return is_letter(c) || c == '_' || (c >= '0' && c <= '9'); });
 }
 
+/// The parser drops spaces, so that words between operands run into them: `and` and `or` become
+/// the operators of the same meaning, but for names between quotation marks.
+std::string with_operators(const std::string& text) {
+  std::string result;
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 ||
+                                 text[end] == '_' || text[end] == '.'))
+      ++end;
+    const std::string word = end > i ? text.substr(i, end - i) : text.substr(i, 1);
+    is_quoted = is_quoted != (word == "\"");
+    result += is_quoted ? word : word == "and" ? "&" : word == "or" ? "|" : word;
+    i += word.size();
+  }
+  return result;
+}
+
 /// A condition on the quantities of one piece.
 class Condition {
  public:
@@ -113,10 +132,13 @@ class Condition {
       return is_plain(name) ? name : '"' + name + '"';
     };
     parser_->AddObserver(vtkCommand::ErrorEvent, error_.Get());
+    // What is not a number is false.
+    parser_->ReplaceInvalidValuesOn();
+    parser_->SetReplacementValue(0);
     for (const Quantity& q : known)
       if (!q.name.empty() && q.name.find('"') == std::string::npos)
         parser_->SetScalarVariableValue(spelled(q.name), 1.0);
-    parser_->SetFunction((is_name ? spelled(text) : text).c_str());
+    parser_->SetFunction((is_name ? spelled(text) : with_operators(text)).c_str());
     const bool is_number = parser_->IsScalarResult() != 0;
     if (!is_number || !error_->message.empty()) fail(problem(known));
     for (const Quantity& q : known) {
