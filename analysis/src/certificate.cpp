@@ -87,8 +87,9 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
                                     const SurfaceMesh& surface,
                                     const std::vector<CellArray>& more,
-                                    const std::vector<CertifiedLevel>& levels) {
-  CertificateSubject subject = subject_of(read);
+                                    const std::vector<CertifiedLevel>& levels,
+                                    const CertificateSubject* whole) {
+  CertificateSubject subject = whole != nullptr ? *whole : subject_of(read);
   subject.cells = surface.triangles.size();
   subject.output_sha256 = surface_sha256(surface, read.mesh);
   return write_levels(file, std::move(subject), read, surface, array_hashes(surface, more), levels);

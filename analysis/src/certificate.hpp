@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tensortopo/analysis/certificate_report.hpp"
+#include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/io/read_mesh.hpp"
@@ -22,10 +23,12 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
 
 /// Writes the certificate of a surface, whole or not at all. Throws IoError.
 /// @param more  arrays that its file has besides
+/// @param whole  what to say of the field, where `read` has a part of it only
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
                                     const SurfaceMesh& surface,
                                     const std::vector<CellArray>& more,
-                                    const std::vector<CertifiedLevel>& levels);
+                                    const std::vector<CertifiedLevel>& levels,
+                                    const CertificateSubject* whole = nullptr);
 /// The same of degenerate curves.
 CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
                                     const CurveMesh& curves,

@@ -20,13 +20,15 @@ inline nlohmann::ordered_json certificate_json(
   for (const auto& [reason, count] : certificate->undecided) undecided[reason] = count;
   auto kinds = nlohmann::ordered_json::object();
   for (const auto& [kind, count] : certificate->kinds) kinds[kind] = count;
+  nlohmann::ordered_json beyond;
+  if (certificate->counts_beyond_checker)
+    beyond = {{"tubes", certificate->tubes}, {"critical", certificate->at_critical}};
   return {{"status", certificate->undecided.empty() ? "certified" : "undecided"},
           {"certified", certificate->certified},
           {"kinds", std::move(kinds)},
           {"refuted", 0},
           {"undecided", std::move(undecided)},
-          {"beyond_checker",
-           {{"tubes", certificate->tubes}, {"critical", certificate->at_critical}}},
+          {"beyond_checker", std::move(beyond)},
           {"path", certificate->path.string()},
           {"bytes", certificate->bytes}};
 }

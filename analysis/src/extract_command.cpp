@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -17,22 +16,23 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "component_filter.hpp"
 #include "overall_progress.hpp"
-#include "persistence_filter.hpp"
 #include "read_field.hpp"
+#include "reports_of.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
 #include "spare_memory.hpp"
 #include "stability.hpp"
-#include "tensortopo/mesh/append_surface.hpp"
+#include "streamed_field.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"
-#include "tensortopo/certify/residual_bound.hpp"
 #include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/surface_formats.hpp"
 #include "tensortopo/io/write_surface.hpp"
+#include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/partition/extract_in_pieces.hpp"
 
@@ -66,12 +66,11 @@ void require_proofs(const ExtractCommand& command, const std::vector<ModeValue>&
   if (command.other)
     throw UsageError(
         "--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
-  if (command.pieces > 1)
-    throw UsageError("--pieces: a surface extracted in pieces has no certificate");
   if (std::any_of(modes.begin(), modes.end(), is_degenerate) &&
       !std::all_of(modes.begin(), modes.end(), is_degenerate))
-    throw UsageError("--certify: a certificate is of surfaces or of degenerate curves (--mode 1 or "
-                     "-1); extract them to files of their own");
+    throw UsageError(
+        "--certify: a certificate is of surfaces or of degenerate curves (--mode 1 or "
+        "-1); extract them to files of their own");
 }
 
 /// Throws UsageError for options that do nothing for degenerate curves.
@@ -117,25 +116,6 @@ class OtherMethod {
   std::optional<TetMesh> fine_;
 };
 
-SurfaceReport surface_report(const TetMesh& mesh, const ModeValue& mode,
-                             const Extraction& extraction) {
-  SurfaceReport report;
-  report.mode = mode;
-  report.vertices = extraction.surface.points.size();
-  report.triangles = extraction.surface.triangles.size();
-  report.invariants = surface_invariants(extraction.surface);
-  report.invariants.component.clear();
-  // Another method does not know.
-  report.max_abs_residual = extraction.surface.residual.empty() && report.vertices > 0
-                                ? std::numeric_limits<double>::quiet_NaN()
-                                : residual_bound(mesh, mode, extraction.surface);
-  for (const UnresolvedCell& cell : extraction.unresolved) {
-    ++report.unresolved[std::string(name_of(cell.reason))];
-  }
-  report.statistics = extraction.statistics;
-  return report;
-}
-
 /// Keeps, of these tetrahedra, those that hold triangles.
 void keep_crossed(const SurfaceMesh& surface, std::vector<TetMesh::Index>& tets) {
   std::vector<TetMesh::Index> crossed = surface.tet;
@@ -143,34 +123,6 @@ void keep_crossed(const SurfaceMesh& surface, std::vector<TetMesh::Index>& tets)
   std::erase_if(tets, [&](TetMesh::Index t) {
     return !std::binary_search(crossed.begin(), crossed.end(), t);
   });
-}
-
-/// The share of a surface's area that lies in other tetrahedra than these (ascending).
-double share_outside(const SurfaceMesh& surface, const std::vector<TetMesh::Index>& tets) {
-  double outside = 0, all = 0;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    const auto& t = surface.triangles[i];
-    const auto& p = surface.points[as_size(t[0])];
-    const auto n = cross(surface.points[as_size(t[1])] - p, surface.points[as_size(t[2])] - p);
-    const double area = std::sqrt(dot(n, n)) / 2;
-    all += area;
-    if (!std::binary_search(tets.begin(), tets.end(), surface.tet[i])) outside += area;
-  }
-  return all > 0 ? outside / all : 1;
-}
-
-CurveReport curve_report(const ModeValue& mode, const CurveExtraction& extraction) {
-  CurveReport report;
-  report.mode = mode;
-  report.invariants = curve_invariants(extraction.curves);
-  for (const double r : extraction.curves.residual) {
-    report.max_residual = std::max(report.max_residual, r);
-  }
-  for (const UnresolvedCurve& cell : extraction.unresolved) {
-    ++report.unresolved[std::string(name_of(cell.obstacle))];
-  }
-  report.statistics = extraction.statistics;
-  return report;
 }
 
 }  // namespace
@@ -216,8 +168,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   const std::vector<ModeValue> modes = modes_to_extract(command.modes, command.generalized);
   require_surface_extension(command.output, std::any_of(modes.begin(), modes.end(), is_degenerate));
   if (!(command.sampling.resolution > 0) || command.sampling.resolution > kLargestResolution) {
-    throw UsageError(fmt::format("--resolution: must be a positive number, at most {}",
-                                 kLargestResolution));
+    throw UsageError(
+        fmt::format("--resolution: must be a positive number, at most {}", kLargestResolution));
   }
   if (std::all_of(modes.begin(), modes.end(), is_degenerate)) require_no_surface_options(command);
   if (command.other && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
@@ -234,7 +186,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
   }
   auto uncertainty = requested_uncertainty(command);
-  PersistenceFilter filter(command);
+  ComponentFilter filter(command, modes);
   require_folder(command.output);
   const bool certifying = !command.certificate.empty();
   if (certifying) {
@@ -247,10 +199,25 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   report.input = command.input;
   report.output = command.output;
 
-  tell(progress, "reading", 0);
-  const ReadResult read = read_field(command, report);
-
   const PredicateCounts before = predicate_counts();
+  OverallProgress overall(progress, modes.size());
+  ExtractOptions options;
+  options.sampling = command.sampling;
+  options.meshing = command.drawing;
+  options.keep_samples = command.all_samples;
+  options.keep_topology = certifying;
+  if (overall) options.progress = std::ref(overall);
+  std::optional<StreamedField> streamed;
+  if (command.stream) {
+    const Clock stream_clock;
+    overall.begin("mode " + short_text(modes[0]) + ": ");
+    streamed = stream_field(command, modes, options, report);
+    report.seconds_extract += stream_clock.seconds();
+  } else {
+    tell(progress, "reading", 0);
+  }
+  const ReadResult read = streamed ? std::move(streamed->read) : read_field(command, report);
+
   SurfaceMesh surface;
   CurveMesh curves;
   UnresolvedModes unresolved;
@@ -258,7 +225,6 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   std::vector<CertifiedCurves> certified_curves;
   double seconds_certify = 0;
   OtherMethod other(command);
-  OverallProgress overall(progress, modes.size());
   std::optional<StabilityRun> stability;
   if (uncertainty) read_radii(command, read, *uncertainty);
   if (uncertainty) stability.emplace(read.mesh, *uncertainty);
@@ -268,13 +234,7 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
   auto surfaces_left = std::count_if(modes.begin(), modes.end(),
                                      [](const auto& mode) { return !is_degenerate(mode); });
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    ExtractOptions options;
-    options.sampling = command.sampling;
-    options.meshing = command.drawing;
-    options.keep_samples = command.all_samples;
-    options.keep_topology = certifying;
-    overall.begin("mode " + short_text(modes[i]) + ": ");
-    if (overall) options.progress = std::ref(overall);
+    if (!streamed) overall.begin("mode " + short_text(modes[i]) + ": ");
     const Clock extract_clock;
     if (is_degenerate(modes[i])) {
       const auto kind = modes[i].approx() > 0 ? Degeneracy::linear : Degeneracy::planar;
@@ -303,7 +263,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     Extraction extraction;
     std::optional<CertifiedLevel> level;
     std::vector<TetMesh::Index> farther;
-    if (command.other) {
+    if (streamed) {
+      extraction = std::move(streamed->extraction);
+    } else if (command.other) {
       extraction = other(read.mesh, modes[i]);
     } else if (command.max_error > 0) {
       auto within = extract_within(read.mesh, modes[i], command.max_error, options);
@@ -349,9 +311,9 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     }
     if (level) {
       const DistanceClaim& distance = level->distance;
-      report.surfaces.back().distance_bound =
-          distance.coarse.empty() ? distance.bound
-                                  : std::max(distance.bound, distance.coarse_bound);
+      report.surfaces.back().distance_bound = distance.coarse.empty()
+                                                  ? distance.bound
+                                                  : std::max(distance.bound, distance.coarse_bound);
       report.surfaces.back().tets_farther = farther.size();
       report.surfaces.back().area_within = share_outside(extraction.surface, farther);
       if (!farther.empty())
@@ -359,8 +321,8 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
             read.mesh.cell_ids[static_cast<std::size_t>(farther.front())];
     }
     if (certifying) {
-      if (stability)
-        level->stability = stability->claim(report.surfaces.back().stability->summary);
+      if (streamed) level->vertex_ids = streamed->vertex_ids;
+      if (stability) level->stability = stability->claim(report.surfaces.back().stability->summary);
       certified.push_back(std::move(*level));
     }
     append_surface(surface, std::move(extraction.surface));
@@ -382,18 +344,19 @@ ExtractReport run_extract(const ExtractCommand& command, const Progress& progres
     (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
   auto notes = file_notes(report, texts_of(modes));
   if (stability) notes.push_back({"instability_names", stability_names()});
-  report.bytes = write_surface(surface, curves, read.mesh, command.output, kinds,
-                               notes, more())
-                     .bytes;
+  report.bytes =
+      write_surface(surface, curves, read.mesh, command.output, kinds, notes, more()).bytes;
   report.written = true;
   report.seconds_write = write_clock.seconds();
   if (certifying) {
     const Clock certify_clock;
     report.certificate =
         certified_curves.empty()
-            ? write_certificate(command.certificate, read, surface, more(), certified)
+            ? write_certificate(command.certificate, read, surface, more(), certified,
+                                streamed ? &streamed->subject : nullptr)
             : write_certificate(command.certificate, read, curves, more(), certified_curves);
     report.certificate->seconds = seconds_certify + certify_clock.seconds();
+    report.certificate->counts_beyond_checker = command.pieces == 1 && !streamed;
     for (const SurfaceReport& s : report.surfaces) {
       report.certificate->tubes += s.statistics.sheets_tubes;
       report.certificate->at_critical += s.statistics.tets_nearby;

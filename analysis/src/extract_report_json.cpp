@@ -21,22 +21,28 @@ Json counts(const std::map<std::string, std::size_t>& unresolved) {
 
 Json stability_json(const StabilityReport& stability) {
   const StabilitySummary& s = stability.summary;
-  return {{"radius", stability.radius},
-          {"stable_tets", s.stable_tets},
-          {"unstable_tets", s.unstable_tets},
-          {"crossed_stable_tets", s.crossed_stable_tets},
-          {"crossings", s.crossings},
-          {"stable_crossings", s.stable_crossings},
-          {"reasons", counts(s.reasons)},
-          {"stable_components", s.components.size()},
+  return {{"radius", stability.radius},       {"stable_tets", s.stable_tets},
+          {"unstable_tets", s.unstable_tets}, {"crossed_stable_tets", s.crossed_stable_tets},
+          {"crossings", s.crossings},         {"stable_crossings", s.stable_crossings},
+          {"reasons", counts(s.reasons)},     {"stable_components", s.components.size()},
           {"seconds", stability.seconds}};
 }
 
-Json filter_json(const FilterReport& filter) {
-  return {{"min_persistence", filter.least},
-          {"left_out", filter.left_out},
-          {"largest_left_out", filter.largest_left_out},
-          {"not_known", filter.not_known}};
+/// @param size  what the size is called: "area" or "length"
+Json filter_json(const FilterReport& filter, const char* size) {
+  Json json = Json::object();
+  if (const auto& limit = filter.persistence) {
+    json["min_persistence"] = limit->least;
+    json["left_out"] = limit->left_out;
+    json["largest_left_out"] = limit->largest_left_out;
+    json["not_known"] = limit->not_known;
+  }
+  if (const auto& limit = filter.size) {
+    json[std::string("min_") + size] = limit->least;
+    json["left_out_small"] = limit->left_out;
+    json["largest_left_out_small"] = limit->largest_left_out;
+  }
+  return json;
 }
 
 Json surface_json(const SurfaceReport& surface) {
@@ -53,7 +59,7 @@ Json surface_json(const SurfaceReport& surface) {
   if (surface.not_embedded) json["not_embedded"] = *surface.not_embedded;
   json["unresolved"] = counts(surface.unresolved);
   if (surface.stability) json["stability"] = stability_json(*surface.stability);
-  if (surface.filter) json["filter"] = filter_json(*surface.filter);
+  if (surface.filter) json["filter"] = filter_json(*surface.filter, "area");
   json["parts"] = parts_json(surface.invariants);
   return json;
 }
@@ -61,19 +67,19 @@ Json surface_json(const SurfaceReport& surface) {
 Json curve_json(const CurveReport& curve) {
   const CurveStatistics& s = curve.statistics;
   Json json{{"mode", curve.mode.approx()},
-          {"mode_exact", curve.mode.text()},
-          {"vertices", curve.invariants.vertices},
-          {"length", curve.invariants.length},
-          {"components", curve.invariants.components},
-          {"closed_components", curve.invariants.closed_components},
-          {"max_residual", curve.max_residual},
-          {"tets_crossed", s.tets_crossed},
-          {"tets_screened_out", s.tets_screened_out},
-          {"faces_counted", s.faces},
-          {"faces_counted_with_more_digits", s.faces_exact},
-          {"unresolved", counts(curve.unresolved)}};
+            {"mode_exact", curve.mode.text()},
+            {"vertices", curve.invariants.vertices},
+            {"length", curve.invariants.length},
+            {"components", curve.invariants.components},
+            {"closed_components", curve.invariants.closed_components},
+            {"max_residual", curve.max_residual},
+            {"tets_crossed", s.tets_crossed},
+            {"tets_screened_out", s.tets_screened_out},
+            {"faces_counted", s.faces},
+            {"faces_counted_with_more_digits", s.faces_exact},
+            {"unresolved", counts(curve.unresolved)}};
   if (curve.stability) json["stability"] = stability_json(*curve.stability);
-  if (curve.filter) json["filter"] = filter_json(*curve.filter);
+  if (curve.filter) json["filter"] = filter_json(*curve.filter, "length");
   return json;
 }
 

@@ -9,6 +9,7 @@
 
 #include "certificate_report_output.hpp"
 #include "short_text.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
 
 namespace tensortopo {
@@ -34,18 +35,26 @@ std::string stability_line(const Report& output) {
       "crossings; {} of all tetrahedra not{}{}{}\n",
       short_text(output.mode), output.stability->radius, s.components.size(),
       output.invariants.components, s.crossed_stable_tets, output.statistics.tets_crossed,
-      s.stable_crossings, s.crossings, s.unstable_tets,
-      reasons.empty() ? "" : " (", reasons, reasons.empty() ? "" : ")");
+      s.stable_crossings, s.crossings, s.unstable_tets, reasons.empty() ? "" : " (", reasons,
+      reasons.empty() ? "" : ")");
 }
 
 /// What a filter left out.
-std::string filter_line(const ModeValue& mode, const FilterReport& filter) {
-  return fmt::format(
-      "mode {}, persistence below {:g}: {} components left out, the largest of persistence {:.3g}{}\n",
-      short_text(mode), filter.least, filter.left_out, filter.largest_left_out,
-      filter.not_known > 0
-          ? fmt::format("; {} kept because theirs is not known", filter.not_known)
-          : "");
+std::string filter_lines(const ModeValue& mode, const FilterReport& filter) {
+  std::string text;
+  const auto add = [&](const char* measure, const std::optional<FilterReport::Limit>& limit) {
+    if (!limit) return;
+    text += fmt::format("mode {}, {} below {:g}: {} components left out", short_text(mode), measure,
+                        limit->least, limit->left_out);
+    if (limit->left_out > 0)
+      text += fmt::format(", the largest of {} {:.3g}", measure, limit->largest_left_out);
+    if (limit->not_known > 0)
+      text += fmt::format("; {} kept because theirs is not known", limit->not_known);
+    text += '\n';
+  };
+  add(is_degenerate(mode) ? "length" : "area", filter.size);
+  add("persistence", filter.persistence);
+  return text;
 }
 
 }  // namespace
@@ -78,8 +87,7 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.cone_points += s.cone_points;
     // Of the field, not of a mode: the same in all.
     total.tets_undefined = std::max(total.tets_undefined, s.tets_undefined);
-    total.zero_deviator_vertices =
-        std::max(total.zero_deviator_vertices, s.zero_deviator_vertices);
+    total.zero_deviator_vertices = std::max(total.zero_deviator_vertices, s.zero_deviator_vertices);
     total.seconds_edges += s.seconds_edges;
     total.seconds_faces += s.seconds_faces;
     total.seconds_tets += s.seconds_tets;
@@ -137,9 +145,9 @@ std::string to_text(const ExtractReport& report) {
   for (const SurfaceReport& s : report.surfaces)
     if (s.stability) text += stability_line(s);
   for (const SurfaceReport& s : report.surfaces)
-    if (s.filter) text += filter_line(s.mode, *s.filter);
+    if (s.filter) text += filter_lines(s.mode, *s.filter);
   for (const CurveReport& c : report.curves)
-    if (c.filter) text += filter_line(c.mode, *c.filter);
+    if (c.filter) text += filter_lines(c.mode, *c.filter);
   for (const CurveReport& c : report.curves)
     if (c.stability) text += stability_line(c);
   if (!report.curves.empty()) {

@@ -28,6 +28,7 @@ ReadResult read_field(const Command& command, Report& report) {
   report.tensor_name = read.report.tensor_name;
   report.components = read.report.components;
   report.notes = read.report.notes;
+  report.cells_left_out = read.report.cells_left_out;
   report.torn_faces = read.report.torn_faces;
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();

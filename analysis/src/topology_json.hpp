@@ -38,6 +38,7 @@ nlohmann::ordered_json input_json(const Report& report) {
           {"components", name_of(report.components.order)},
           {"components_text", report.components.text()},
           {"notes", report.notes},
+          {"cells_left_out", report.cells_left_out},
           {"torn_faces", torn_faces_json(report.torn_faces)}};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "run_program.hpp"
+#include "analysis/run_program.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -55,6 +55,11 @@ Outcome run_without_output(const std::vector<std::string>& arguments) {
 
 std::string field(const std::string& name) {
   return std::string(TENSORTOPO_DATA) + "/" + name + "_small_C3D8I.vtu";
+}
+
+Outcome extract_slab(const Folder& folder, std::vector<std::string> words) {
+  words.insert(words.begin(), {"extract", field("s4_slab"), "-o", folder / "s.vtp"});
+  return run_program(words);
 }
 
 std::string contents(const std::filesystem::path& file) {

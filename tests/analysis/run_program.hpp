@@ -25,6 +25,9 @@ Outcome run_without_output(const std::vector<std::string>& arguments);
 /// A bundled field: "s1_compress_off", "s2_pushpull", "s3_three" or "s4_slab".
 std::string field(const std::string& name);
 
+/// Extracts from s4_slab to s.vtp in the folder, with these words at the end.
+Outcome extract_slab(const Folder& folder, std::vector<std::string> words);
+
 std::string contents(const std::filesystem::path& file);
 
 }  // namespace tensortopo::test

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DHOW=find_package|find_package_with_io|add_subdirectory -D... (see CMakeLists.txt) -P
-# run.cmake
+# cmake -DHOW=find_package|find_package_with_io|add_subdirectory|proofs_check -D...
+# (see CMakeLists.txt) -P run.cmake
 cmake_minimum_required(VERSION 3.25)
 set(program consumer)
 set(build "${WORK_DIR}/${HOW}")
@@ -14,6 +14,11 @@ endfunction()
 
 set(options "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
   "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+if(HOW STREQUAL "proofs_check")
+  run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${SOURCE_DIR}/proofs-check" -B "${build}" ${options})
+  run("${CMAKE_COMMAND}" --build "${build}" --target ${TARGET})
+  return()
+endif()
 if(HOW MATCHES "find_package")
   run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
   # What is installed stands alone: no file names the place where it was made.

@@ -3,7 +3,6 @@
 #include "extract_case.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <set>
@@ -135,12 +134,6 @@ bool is_halfway(const SurfaceMesh& surface, std::size_t v) {
 }
 
 }  // namespace
-
-int trials(int count) {
-  const char* text = std::getenv("TENSORTOPO_TEST_MULTIPLIER");
-  const double factor = text != nullptr ? std::atof(text) : 1;
-  return std::max(1, static_cast<int>(count * (factor > 0 ? factor : 1)));
-}
 
 std::string announce(std::uint64_t seed) {
   const std::string text = "seed " + std::to_string(seed);

@@ -12,6 +12,7 @@
 #include "extract/level/proofs/is_above.hpp"
 #include "support/random_fields.hpp"
 #include "support/topology.hpp"
+#include "support/trials.hpp"
 #include "support/witness_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
@@ -21,9 +22,6 @@ namespace tensortopo::test {
 /// The levels at which random fields are extracted.
 inline const std::array<const char*, 10> kLevels{"0",    "1e-6", "1/10",  "-1/10",  "1/2",
                                                  "-1/2", "9/10", "-9/10", "99/100", "-99/100"};
-
-/// A number of trials times the environment variable TENSORTOPO_TEST_MULTIPLIER.
-int trials(int count);
 
 /// Says which seed a test meshes from, in its output and in its failures.
 std::string announce(std::uint64_t seed);

@@ -36,8 +36,49 @@ struct Running {
   Running& operator+=(const Running& q) { return *this = *this + q; }
 };
 
+/// How many roundings the terms of a number have passed through, at most. What is zero, or a power
+/// of two times something, is not rounded.
+struct Roundings {
+  double value = 0;
+  int count = 0;
+
+  Roundings() = default;
+  explicit Roundings(double v) : value(v) {}
+  Roundings(double v, int n) : value(v), count(n) {}
+  bool is_exact(double v) const { return count == 0 && value == v; }
+  bool is_power_of_two() const {
+    int exponent = 0;
+    return count == 0 && std::abs(std::frexp(value, &exponent)) == 0.5;
+  }
+  friend Roundings operator+(const Roundings& p, const Roundings& q) {
+    if (p.is_exact(0)) return q;
+    if (q.is_exact(0)) return p;
+    return {p.value + q.value, std::max(p.count, q.count) + 1};
+  }
+  friend Roundings operator-(const Roundings& p) { return {-p.value, p.count}; }
+  friend Roundings operator-(const Roundings& p, const Roundings& q) { return p + -q; }
+  friend Roundings operator*(const Roundings& p, const Roundings& q) {
+    if (p.is_exact(0) || q.is_exact(0)) return {};
+    if (p.is_power_of_two() || q.is_power_of_two()) return {p.value * q.value, p.count + q.count};
+    return {p.value * q.value, p.count + q.count + 1};
+  }
+  friend Roundings operator/(const Roundings& p, const Roundings& q) {
+    if (q.is_power_of_two()) return {p.value / q.value, p.count};
+    return {p.value / q.value, p.count + q.count + 1};
+  }
+  Roundings& operator+=(const Roundings& q) { return *this = *this + q; }
+  friend bool operator>(const Roundings& p, const Roundings& q) { return p.value > q.value; }
+};
+
 }  // namespace
 }  // namespace tensortopo::test
+
+template <>
+struct tensortopo::ScalarTraits<tensortopo::test::Roundings> {
+  static constexpr bool is_exact = false;
+  static constexpr bool has_roots = false;
+  static constexpr bool is_enclosure = false;
+};
 
 template <>
 struct tensortopo::ScalarTraits<tensortopo::test::Running> {
@@ -143,6 +184,67 @@ void expect_bounded(double Errors::*which, double constant, const char* name) {
   std::cout << name << ": errors of up to " << found << " roundings, bound " << constant << '\n';
   EXPECT_LE(found, constant);
   EXPECT_GT(found, constant / 1000);  // else the bound says little, or nothing was tried
+}
+
+/// Most roundings in any coefficient.
+template <class Numbers>
+int most_roundings(const Numbers& numbers) {
+  int most = 0;
+  for (const Roundings& x : numbers) most = std::max(most, x.count);
+  return most;
+}
+
+struct Depths {
+  int determinant = 0, others = 0;
+};
+
+/// Of tensors without zeros, so that no term is missing.
+template <std::size_t Vertices>
+Depths depths() {
+  Random random(7);
+  std::array<Deviator<Roundings>, Vertices> tensors;
+  std::array<Roundings, Vertices> d;
+  NormBounds<Roundings, Vertices> bounds;
+  for (std::size_t i = 0; i < Vertices; ++i) {
+    const auto any = [&] { return Roundings(random.normal()); };
+    tensors[i] = {any(), any(), any(), any(), any()};
+    d[i] = any();
+    bounds.upper[i] = Roundings(1.1, 1);
+  }
+  bounds.lower = Roundings(0.3, 1);
+  Level<Roundings> level;
+  level.sqrt2 = Roundings(std::sqrt(2.0), 1);
+  level.mu = Roundings(0.3, 1);
+  const auto forms = mode_forms(tensors);
+  return {most_roundings(forms.determinant.coefficients),
+          std::max({most_roundings(LevelIncrease<Roundings, Vertices>(forms, bounds, level)(d)),
+                    most_roundings(side_form(forms, bounds, level, true).coefficients),
+                    most_roundings(side_form(forms, bounds, level, false).coefficients),
+                    most_roundings(generalized_mode_form(forms, Roundings(0.3, 1)).coefficients)})};
+}
+
+// What is said beside the constants: each is a number of roundings times a sum of moduli.
+TEST(ErrorBounds, AreRoundingsTimesSumsOfModuli) {
+  const std::array all{depths<2>(), depths<3>(), depths<4>()};
+  int determinant = 0, others = 0;
+  for (const Depths& d : all) {
+    determinant = std::max(determinant, d.determinant);
+    others = std::max(others, d.others);
+  }
+  std::cout << determinant << " roundings of the determinant, " << others << " of other forms\n";
+  EXPECT_LE(determinant, 20);
+  EXPECT_GE(determinant, 5);
+  EXPECT_LE(others, 50);
+  EXPECT_GE(others, 15);
+  // Of a norm of one: three times a tensor has the norm sqrt(3), a polar adjugate at most twice the
+  // product of two. In moduli a^2 + b^2 + (a + b)^2 is at most 3 (a^2 + b^2), and without them at
+  // least a^2 + b^2.
+  const double adjugate = 2 * std::pow(std::sqrt(3.0), 3), polar = 3, sqrt2 = std::sqrt(2.0);
+  EXPECT_GE(detail::kDeterminantBound, 20 * adjugate);
+  EXPECT_GE(detail::kIncreaseBound,
+            50 * (2 * 3 * (4 * adjugate) + 9 * sqrt2 * 3 * (2 * 4 * polar)));
+  EXPECT_GE(detail::kSideBound, 50 * (adjugate + 3 * sqrt2 * polar * polar));
+  EXPECT_GE(detail::kGeneralizedBound, 50 * (adjugate * adjugate + 18 * std::pow(polar, 3)));
 }
 
 // The constants of the double tier against the running error of the very code that they are about,

@@ -10,7 +10,9 @@
 #include <iostream>
 #include <limits>
 
+#include "extract/topology/boundary/arc_samples.hpp"
 #include "extract/topology/boundary/edge_crossings.hpp"
+#include "extract/topology/boundary/graph_arcs.hpp"
 #include "extract_case.hpp"
 #include "support/compared.hpp"
 
@@ -158,6 +160,72 @@ TEST(LaneKernels, CrossEdgesAsOneByOne) {
   }
   std::cout << found << " crossings found, " << left << " edges left\n";
   EXPECT_GT(found, left / 2);
+}
+
+// An arc called straight gets no sample; most that get none are called so.
+TEST(LaneKernels, SampleArcsAsOneByOne) {
+  const std::uint64_t seed = 20240911;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  const Sampling sampling;
+  const SampleTurns turns(sampling);
+  std::size_t straight_ones = 0, bent = 0, left = 0;
+  for (int trial = 0; trial < trials(3000); ++trial) {
+    const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
+    const auto level = make_level<double>(mode);
+    std::vector<FaceArc<double>> arcs;
+    std::vector<GraphArc> graph_arcs;
+    const auto wanted = static_cast<std::size_t>(random.integer(1, 9));
+    for (int attempt = 0; attempt < 100 && arcs.size() < wanted; ++attempt) {
+      const SymmetricTensor<double> none{};  // not asked for where double decides
+      LevelSimplex<double, 3> face{};
+      face.tensors = random_simplex<3>(random, 16 * random.integer(1, 60) + 5);
+      face.exact = {&none, &none, &none};
+      bool is_sure = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto side = side_of_level(face.tensors[i], level);
+        is_sure = is_sure && side != Verdict::unknown;
+        face.above[i] = side == Verdict::positive;
+      }
+      const auto proof = prove_simplex(face.tensors, level);
+      if (!is_sure || proof.kind != SimplexProof<double, 3>::Kind::monotone) continue;
+      std::array<std::vector<EdgeCrossing<double>>, 3> crossings;
+      std::size_t count = 0;
+      for (std::size_t e = 0; e < 3; ++e) {
+        const std::size_t a = e < 2 ? 0 : 1, b = e == 0 ? 1 : 2;
+        const LevelSimplex<double, 2> edge{{face.tensors[a], face.tensors[b]},
+                                           {face.above[a], face.above[b]},
+                                           {&none, &none},
+                                           {0, 0}};
+        const auto found = edge_crossings(edge, level);
+        if (!found || found->size() > 1) count = 9;
+        if (found) crossings[e] = *found, count += found->size();
+      }
+      std::vector<FaceArc<double>> found;
+      if (count != 2 || !arcs_of_graph<double>(face, {crossings[0], crossings[1], crossings[2]},
+                                               level, found, &proof))
+        continue;
+      const auto& piece = found[0].pieces[0];
+      graph_arcs.push_back({face.tensors, piece.direction, piece.begin, piece.end});
+      arcs.push_back(std::move(found[0]));
+    }
+    std::vector<char> straight(arcs.size(), 2);
+    straight_arcs(graph_arcs, level, {turns.medium, turns.tensor}, straight);
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      sample_arc(arcs[i], graph_arcs[i].tensors, level, turns);
+      const bool has_none = arcs[i].samples.empty();
+      if (straight[i] != 0) {
+        ASSERT_TRUE(has_none) << "trial " << trial << ", arc " << i;
+        ++straight_ones;
+      } else {
+        ++(has_none ? left : bent);
+      }
+    }
+  }
+  std::cout << straight_ones << " straight arcs, " << bent << " bent, " << left << " left\n";
+  if (!has_lanes()) return;
+  EXPECT_GT(straight_ones, 20 * left);
+  EXPECT_GT(bent, 0u);
 }
 
 }  // namespace

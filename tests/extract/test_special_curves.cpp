@@ -272,5 +272,40 @@ TEST(SpecialCurves, OfConstantFieldsAreNamed) {
   }
 }
 
+/// e e^T - I / 3 with e = (1, 2, 2) / 3, times 9: oblique to the axes.
+constexpr SymmetricTensor<double> kOblique{-2, 1, 1, 2, 4, 2};
+
+TEST(SpecialCurves, OfUniaxialFieldsAreNamedWithoutCountingFaces) {
+  const TetMesh mesh =
+      sampled(cube_mesh(3), [](const Point& p) { return (1 + p.x + p.y * p.z) * kOblique; });
+  const auto linear = extract_degenerate_curves(mesh, Degeneracy::linear);
+  EXPECT_EQ(linear.unresolved.size(), mesh.tets.size());
+  EXPECT_EQ(linear.statistics.faces, 0u);
+  EXPECT_TRUE(linear.curves.lines.empty());
+  EXPECT_TRUE(extract_degenerate_curves(mesh, Degeneracy::planar).unresolved.empty());
+}
+
+// Beside a uniaxial part the curves of the other part are found as before.
+TEST(SpecialCurves, BesideAUniaxialPartOnlyItsOwnCellsAreThroughout) {
+  const TetMesh mesh = sampled(cube_mesh(4), [](const Point& p) {
+    SymmetricTensor<double> t = (1 + p.y) * kOblique;
+    if (p.x > 2) t = t + (p.x - 2) * SymmetricTensor<double>{1, p.z, -1, p.y, 0.5, 1 - p.z};
+    return t;
+  });
+  const auto extraction = extract_degenerate_curves(mesh, Degeneracy::linear);
+  std::size_t throughout = 0, others = 0;
+  for (const auto& cell : extraction.unresolved) {
+    const auto& tet = mesh.tets[static_cast<std::size_t>(cell.tet)];
+    const bool is_uniaxial = std::all_of(tet.begin(), tet.end(), [&](TetMesh::Index v) {
+      return mesh.points[static_cast<std::size_t>(v)].x <= 2;
+    });
+    EXPECT_EQ(cell.obstacle == CurveObstacle::degenerate_throughout, is_uniaxial);
+    throughout += is_uniaxial;
+    others += !is_uniaxial;
+  }
+  EXPECT_EQ(throughout, mesh.tets.size() / 2);
+  EXPECT_LT(others, mesh.tets.size() / 2);
+}
+
 }  // namespace
 }  // namespace tensortopo::test

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "field_files.hpp"
+#include "support/trials.hpp"
 #include "tensortopo/mesh/validate.hpp"
 
 namespace tensortopo::test {
@@ -87,16 +87,10 @@ TEST(ReadHostile, FilesCutAtAnyByte) {
   }
 }
 
-/// How much longer than usual to try.
-int multiplier() {
-  const char* text = std::getenv("TENSORTOPO_TEST_MULTIPLIER");
-  return text == nullptr ? 1 : std::max(1, std::atoi(text));
-}
-
 TEST(ReadHostile, FilesWithBytesChanged) {
   std::mt19937 random(20240229);
   for (const Sample& sample : samples())
-    for (int round = 0; round < 300 * multiplier(); ++round) {
+    for (int round = 0; round < trials(300); ++round) {
       std::string bytes = sample.bytes;
       const auto somewhere = [&] { return random() % bytes.size(); };
       for (unsigned edits = 1 + random() % 4; edits > 0; --edits) switch (random() % 6) {

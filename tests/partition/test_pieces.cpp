@@ -10,10 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "support/random_fields.hpp"
+#include "pieces_of_fields.hpp"
 #include "support/renumbered_mesh.hpp"
 #include "tensortopo/partition/extract_in_pieces.hpp"
-#include "tensortopo/partition/piece_surface.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -39,49 +38,13 @@ std::string difference(const SurfaceMesh& a, const SurfaceMesh& b) {
   return same_bits(a.residual, b.residual) && same_bits(a.mode, b.mode) ? "" : "residuals";
 }
 
-TetMesh random_field(Random& random, int cubes) {
-  TetMesh mesh = cube_mesh(cubes);
-  const auto seed = static_cast<std::uint64_t>(random.integer(0, 1 << 30));
-  const int kind = random.integer(0, 3);
-  if (kind == 0)
-    fill_with_normal_tensors(mesh, seed);
-  else
-    fill_with_smooth_tensors(mesh, seed);
-  if (kind == 2)
-    for (auto& t : mesh.tensors) t = rounded(t, 1);
-  if (kind == 3)
-    for (auto& t : mesh.tensors)
-      if (random.integer(0, 19) == 0) t = {2, 2, 2, 0, 0, 0};
-  return mesh;
-}
-
-std::vector<std::int32_t> random_owners(const TetMesh& mesh, int pieces, Random& random) {
-  std::vector<std::int32_t> owner(mesh.tets.size());
-  for (auto& o : owner) o = random.integer(0, pieces - 1);
-  return owner;
-}
-
-std::vector<PieceSurface> extract_pieces(const TetMesh& mesh,
-                                         const std::vector<std::int32_t>& owner, int pieces,
-                                         const ModeValue& mode) {
-  std::vector<PieceSurface> surfaces;
-  for (int p = 0; p < pieces; ++p)
-    surfaces.push_back(extract_piece(cut_piece(mesh, owner, p), mode));
-  return surfaces;
-}
-
-ModeValue arbitrary_mode() {
-  return ModeValue::parse(*rc::gen::element<std::string>("0", "1/10", "-1/10", "1/2", "-1/2",
-                                                         "9/10", "-9/10", "99/100", "-9999/10000"));
-}
-
 RC_GTEST_PROP(Pieces, GiveTheSurfaceOfTheWholeMesh, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const TetMesh mesh = random_field(random, *rc::gen::inRange(1, 5));
   const int pieces = *rc::gen::inRange(1, 9);
   const bool is_slabs = *rc::gen::arbitrary<bool>();
   const auto owner = is_slabs ? slabs(mesh, pieces) : random_owners(mesh, pieces, random);
-  const ModeValue mode = arbitrary_mode();
+  const ModeValue mode = random_mode(random);
   const Extraction whole = extract_mode_surface<double>(mesh, mode);
   auto surfaces = extract_pieces(mesh, owner, pieces, mode);
   std::reverse(surfaces.begin(), surfaces.end());
@@ -103,7 +66,7 @@ RC_GTEST_PROP(Pieces, NumberTheirVerticesAsTheyLike, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const TetMesh mesh = random_field(random, 2);
   const auto owner = random_owners(mesh, 3, random);
-  const ModeValue mode = arbitrary_mode();
+  const ModeValue mode = random_mode(random);
   const Extraction whole = extract_mode_surface<double>(mesh, mode);
   std::vector<PieceSurface> surfaces;
   for (int p = 0; p < 3; ++p) {

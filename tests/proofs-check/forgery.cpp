@@ -22,9 +22,19 @@ namespace {
 using Json = nlohmann::json;
 using Index = SurfaceMesh::Index;
 
+std::string edited(std::string text, const std::vector<Exhibit::Edit>& edits) {
+  for (const Exhibit::Edit& edit : edits)
+    for (std::size_t at = text.find(edit.from); at != std::string::npos;
+         at = edit.once ? std::string::npos : text.find(edit.from, at + edit.to.size()))
+      text.replace(at, edit.from.size(), edit.to);
+  return text;
+}
+
 }  // namespace
 
-std::string Exhibit::field_text() const { return test::field_text(mesh); }
+std::string Exhibit::field_text() const { return edited(test::field_text(mesh), in_field); }
+
+std::string Exhibit::certificate_text() const { return edited(certificate.dump(), in_certificate); }
 
 std::string Exhibit::surface_text() const {
   std::ostringstream out = text_stream("PolyData");
@@ -42,7 +52,7 @@ std::string Exhibit::surface_text() const {
   out << "<Polys>";
   write_cells(out, surface.triangles);
   out << "</Polys></Piece></PolyData></VTKFile>\n";
-  return out.str();
+  return edited(out.str(), in_surface);
 }
 
 namespace {

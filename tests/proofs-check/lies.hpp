@@ -39,9 +39,15 @@ std::vector<LieRow> lies_of_claims();
 std::vector<LieRow> lies_of_files();
 /// Several fields at once, so that they agree with each other.
 std::vector<LieRow> lies_across();
+/// Numbers and texts in other forms, which a reader may take for something else.
+std::vector<LieRow> lies_of_forms();
+/// Meshes and surfaces of another shape, with all else made to fit.
+std::vector<LieRow> lies_of_shapes();
 
 /// Any level of the certificate.
 nlohmann::json& any_level(Exhibit& e, Pick& pick);
+/// No distance is claimed, nor what rests on it: what is left are claims about topology and places.
+void drop_distances(Exhibit& e);
 /// Makes the last level's ranges, the counts, the components and the hashes fit the triangles.
 void make_consistent(Exhibit& e);
 

@@ -101,12 +101,11 @@ void make_consistent(Exhibit& e) {
   e.rehash();
 }
 
-namespace {
-
-/// No distance is claimed: what is left are claims about topology and places.
 void drop_distances(Exhibit& e) {
-  for (Json& level : e.certificate["levels"]) level["distance"] = nullptr;
+  for (Json& level : e.certificate["levels"]) level["distance"] = nullptr, level.erase("isotopic");
 }
+
+namespace {
 
 std::size_t any_triangle(const Exhibit& e, Pick& pick) {
   return pick.below(e.surface.triangles.size());
@@ -265,6 +264,27 @@ bool change_array(Exhibit& e, Pick& pick) {
   return e.rehash(), true;
 }
 
+/// Another vector of unit length, with the hash made right: a normal the other way round, or across;
+/// an eigenvector of another eigenvalue, or of none.
+bool change_vector(Exhibit& e, Pick& pick) {
+  if (!e.certificate["surface"].contains("arrays") || e.surface.normal.empty()) return false;
+  const std::size_t v = pick.below(e.surface.points.size());
+  auto& normal = e.surface.normal[v];
+  if (e.surface.medium_eigenvector.empty() || pick.coin()) {
+    const Vector3<double> across{normal.y, normal.z, -normal.x};
+    normal = pick.coin() ? -1.0 * normal : unit(cross(normal, across));
+    return e.rehash(), true;
+  }
+  auto &medium = e.surface.medium_eigenvector[v], &dominant = e.surface.dominant_eigenvector[v];
+  switch (pick.below(4)) {
+    case 0: medium = unit(medium + dominant); break;
+    case 1: medium = cross(medium, dominant); break;
+    case 2: dominant = cross(medium, dominant); break;
+    default: std::swap(medium, dominant);
+  }
+  return e.rehash(), true;
+}
+
 }  // namespace
 
 std::vector<LieRow> lies_of_files() {
@@ -277,6 +297,7 @@ std::vector<LieRow> lies_of_files() {
       {"surface: a triangle less", remove_triangle},
       {"surface: a triangle otherwise", turn_triangle},
       {"surface: arrays mode, value, component", change_array},
+      {"surface: eigenvectors, normals", change_vector},
       {"field: a number", change_field},
       {"field: two tensors", exchange_tensors},
   };

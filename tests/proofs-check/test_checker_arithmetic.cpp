@@ -7,7 +7,6 @@
 
 #include <random>
 
-#include "files/given_tensor.hpp"
 #include "level.hpp"
 
 namespace certificate {
@@ -67,6 +66,14 @@ Tensor<Ball> as_balls(const Tensor<mpz_class>& m) {
   return balls;
 }
 
+/// Is a tensor above the level?
+bool is_above(const Level& level, const Tensor<mpz_class>& m) {
+  Given given;
+  given.tensors = {m};
+  const Tensor<Ball> ball = as_balls(m);
+  return level.above({&ball, 8, &given, 0});
+}
+
 Proof prove_edge(const Level& level, const Tensor<mpz_class>& a, const Tensor<mpz_class>& b) {
   Given given;
   given.tensors = {a, b};
@@ -82,15 +89,11 @@ Proof prove_edge(const Level& level, const Tensor<mpz_class>& a, const Tensor<mp
 /// diag(1, 0, -1) has mode 0, diag(2, -1, -1) mode 1; diag(11, 2, -13) exactly -143/343.
 TEST(CheckerArithmetic, SidesOfKnownModes) {
   const Level level(-143, 343), just_below(-143001, 343000), neutral(0, 1);
-  const auto above = [](const Level& l, const Tensor<mpz_class>& m) {
-    const Tensor<Ball> ball = as_balls(m);
-    return is_above(l, ball, m);
-  };
-  EXPECT_FALSE(above(level, diagonal(11, 2)));  // on the level counts as below
-  EXPECT_TRUE(above(just_below, diagonal(11, 2)));
-  EXPECT_FALSE(above(neutral, diagonal(1, 0)));
-  EXPECT_TRUE(above(neutral, diagonal(2, -1)));
-  EXPECT_FALSE(above(neutral, diagonal(0, 0)));
+  EXPECT_FALSE(is_above(level, diagonal(11, 2)));  // on the level counts as below
+  EXPECT_TRUE(is_above(just_below, diagonal(11, 2)));
+  EXPECT_FALSE(is_above(neutral, diagonal(1, 0)));
+  EXPECT_TRUE(is_above(neutral, diagonal(2, -1)));
+  EXPECT_FALSE(is_above(neutral, diagonal(0, 0)));
   const Tensor<mpz_class> m = diagonal(11, 2);
   const Tensor<Ball> ball = as_balls(m);
   Given given;
@@ -173,8 +176,7 @@ TEST(CheckerArithmetic, OneSidedTrianglesAreOneSided) {
         Tensor<mpz_class> m;
         for (std::size_t k = 0; k < 6; ++k)
           m[k] = i * tensors[0][k] + j * tensors[1][k] + (6 - i - j) * tensors[2][k];
-        const Tensor<Ball> ball = as_balls(m);
-        ASSERT_EQ(is_above(level, ball, m), s.corners[0].above) << "trial " << trial;
+        ASSERT_EQ(is_above(level, m), s.corners[0].above) << "trial " << trial;
       }
     }
   }

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "forgery.hpp"
-#include "surface/apart.hpp"
+#include "isotopy/apart.hpp"
 #include "surface/embedded.hpp"
 
 namespace certificate {

@@ -11,7 +11,7 @@ import tensortopo as tt
 FAR = 2**40  # ids need 64 bits
 
 
-def pieces_of(field, owner, mode):
+def pieces_of(field, owner, mode, far=FAR, **options):
     """As processes would have them: numbered by themselves, and sent as bytes."""
     random = np.random.default_rng(5)
     for part in np.unique(owner):
@@ -21,8 +21,8 @@ def pieces_of(field, owner, mode):
         vertices = random.permutation(np.unique(field.tets[cells]))
         number = np.full(len(field.points), -1)
         number[vertices] = np.arange(len(vertices))
-        piece = tt.Field(field.points[vertices], field.tensors[vertices], number[field.tets[cells]], cell_ids=FAR + cells)
-        surface = tt.extract_piece(piece, mode, owner[cells] == part, FAR + vertices, len(field.tets))
+        piece = tt.Field(field.points[vertices], field.tensors[vertices], number[field.tets[cells]], cell_ids=far + cells)
+        surface = tt.extract_piece(piece, mode, owner[cells] == part, far + vertices, len(field.tets), **options)
         yield pickle.loads(pickle.dumps(surface))
 
 
@@ -45,6 +45,38 @@ def test_pieces_give_the_surface_of_the_whole(slab, mode):
         assert getattr(merged, name).tobytes() == getattr(whole, name).tobytes(), name
     assert np.array_equal(merged.cell_ids, FAR + whole.tet)
     assert merged.not_embedded == [FAR + tet for tet in whole.levels[0].not_embedded]
+
+
+def test_the_certificate_is_that_of_the_whole(slab):
+    owner = np.random.default_rng(4).integers(0, 3, len(slab.tets))
+    whole = slab.mode_surface("1/2", certify=True)
+    pieces = list(pieces_of(slab, owner, "1/2", far=0, certify=True))
+    known = tt.CertifiedField(len(slab.points), slab.sha256, slab.tensor_name)
+    merged = tt.merge_pieces(pieces, certify=known, mode="1/2")
+    assert len(merged.certificate) > 100_000
+    assert merged.certificate == whole.certificate
+    assert tt.check(slab, merged).refuted == 0
+    far = list(pieces_of(slab, owner, "1/2", certify=True))  # ids of 41 bits
+    assert str(FAR).encode()[:4] in tt.merge_pieces(far, certify=known, mode="1/2").certificate
+    with pytest.raises(ValueError, match="keep_topology"):
+        tt.merge_pieces(pieces_of(slab, owner, "1/2"), certify=known, mode="1/2")
+    proofs = pieces[0].arrays["proofs"]
+    for wrong in (proofs[:-1], np.append(proofs, 0), np.where(proofs > 2, 10**6, proofs)):
+        broken = tt.PieceSurface({**pieces[0].arrays, "proofs": wrong.astype(np.int32)})
+        with pytest.raises(ValueError, match="not what they should be"):
+            tt.merge_pieces([broken, *pieces[1:]])
+
+
+def test_the_hash_of_a_field_in_pieces(slab):
+    half = len(slab.points) // 2
+    hashed = tt.FieldHash(len(slab.points), len(slab.tets))
+    for rows in (slice(half), slice(half, None)):
+        hashed.add_points(slab.points[rows])
+    hashed.add_tensors(slab.tensors)
+    hashed.begin_cells()
+    for rows in (slice(100), slice(100, None)):
+        hashed.add_cells(slab.tets[rows])
+    assert hashed.sha256() == slab.sha256
 
 
 def test_pieces_that_do_not_fit_are_refused(slab):

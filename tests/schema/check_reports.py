@@ -64,6 +64,8 @@ def main():
         run("check", slab, "s.vtp", "s.json")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--uncertainty", "1%")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--mode", "1", "--min-persistence", "0.02")
+        run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--mode", "1", "--min-area", "5",
+            "--min-length", "2", "--where", "z > 1")
         run("extract", slab, "-o", "c.vtp", "--mode", "1", "--certify", "c.json")
         run("extract", "k.vtu", "-o", "m.vtp", "--mode", "1/2", "--max-error", "0.5")
         run("extract", "k.vtu", "-o", "b.vtp", "--mode", "1/2", "--method", "marching")

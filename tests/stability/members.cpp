@@ -145,12 +145,6 @@ std::vector<Candidate> likely_places(const Judge& judge, unsigned corners, std::
 
 }  // namespace
 
-int trials(int count) {
-  const char* text = std::getenv("TENSORTOPO_TEST_MULTIPLIER");
-  const double factor = text != nullptr ? std::atof(text) : 1;
-  return std::max(1, static_cast<int>(count * (factor > 0 ? factor : 1)));
-}
-
 TetMesh random_member(const TetMesh& mesh, std::span<const double> radii, Random& random) {
   TetMesh member = mesh;
   for (std::size_t v = 0; v < mesh.tensors.size(); ++v) {

@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "support/random_fields.hpp"
+#include "support/trials.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo::test {
-
-/// A number of trials times the environment variable TENSORTOPO_TEST_MULTIPLIER.
-int trials(int count);
 
 /// A field of which each deviator is in its ball around that of the mesh: on the sphere, or inside.
 TetMesh random_member(const TetMesh& mesh, std::span<const double> radii, Random& random);

@@ -59,7 +59,7 @@ TEST(TwoDerivations, OfWhatIsStableAgree) {
   for (int trial = 0; trial < 150; ++trial) {
     const Case c = random_case(random);
     const Stability ours = level_stability(UncertainField(c.mesh, c.radii), c.mode).tets[0];
-    const certificate::Field field(c.input, {});
+    const certificate::Field field(c.input, {}, one_by_one);
     const certificate::ModeBall mode(c.numerator, c.denominator);
     const auto theirs = are_free(c.input, field, mode, c.radius, {0}, one_by_one);
     if (ours == Stability::stable) {
@@ -87,7 +87,7 @@ TEST(TwoDerivations, OfStableCurvesAgree) {
     const bool planar = trial % 2 == 1;
     const Degeneracy kind = planar ? Degeneracy::planar : Degeneracy::linear;
     const Stability ours = curve_stability(UncertainField(c.mesh, c.radii), kind).tets[0];
-    const certificate::Field field(c.input, {});
+    const certificate::Field field(c.input, {}, one_by_one);
     const auto theirs = are_transverse(c.input, field, planar, c.radius, {0}, one_by_one);
     if (ours == Stability::stable) {
       ++compared;

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "analyze/ridges.hpp"
+#include "analyze/curvature/ridges.hpp"
 
 namespace tensortopo {
 

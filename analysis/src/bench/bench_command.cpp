@@ -92,7 +92,6 @@ class Bench {
   void leave_out(const std::string& ratio, const std::string& why) {
     pairs_.push_back({ratio, "", "", why});
   }
-  static std::string not_asked() { return "not run: see --only and --all"; }
   void tell(double fraction) const {
     if (progress_) progress_("measuring errors", fraction);
   }
@@ -116,18 +115,19 @@ class Bench {
   }
 
   void add_certified() {
-    if (!is_wanted("certified")) return leave_out("certified_over_vtk_contour", not_asked());
+    if (!is_wanted("certified"))
+      return leave_out("certified_over_vtk_contour", BenchReport::not_asked());
     add("certified", [this] { return certify_all(mesh_, modes_, resolution_); });
     compare("certified", "vtk_contour", "");
   }
 
-  /// Ours, drawn as graphs where the level is one.
+  /// Ours, meshed as graphs where the level is one.
   std::vector<SurfaceMesh> graphs() const {
     return our_surfaces(mesh_, modes_, resolution_, nullptr, MeshingMethod::graph);
   }
 
   void add_graph() {
-    if (!is_wanted("graph")) return leave_out("graph_over_extract", not_asked());
+    if (!is_wanted("graph")) return leave_out("graph_over_extract", BenchReport::not_asked());
     add("graph", [this] { return triangles_of(graphs()); });
     compare("graph", "extract", "");
   }
@@ -181,7 +181,8 @@ class Bench {
   }
 
   void add_a_patches() {
-    if (!is_wanted("a_patches")) return leave_out("a_patches_over_extract", not_asked());
+    if (!is_wanted("a_patches"))
+      return leave_out("a_patches_over_extract", BenchReport::not_asked());
     tell(0.6);
     std::vector<Setting> settings;
     for (const int samples : {2, 1}) {
@@ -193,7 +194,7 @@ class Bench {
   }
 
   void add_hybrid() {
-    if (!is_wanted("hybrid")) return leave_out("hybrid_over_neutral", not_asked());
+    if (!is_wanted("hybrid")) return leave_out("hybrid_over_neutral", BenchReport::not_asked());
     tell(0.7);
     const std::vector<ModeValue> neutral{ModeValue()};
     const Judge judge(mesh_, neutral);
@@ -207,7 +208,7 @@ class Bench {
 
   void add_vtk_subdivided() {
     const std::string ratio = "vtk_subdivided_over_extract";
-    if (!is_wanted("vtk_subdivided")) return leave_out(ratio, not_asked());
+    if (!is_wanted("vtk_subdivided")) return leave_out(ratio, BenchReport::not_asked());
     double error = 0;
     int times = 0;
     for (subdivided_ = mesh_;; subdivided_ = subdivide(subdivided_), ++times) {

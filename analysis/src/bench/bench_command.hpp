@@ -47,13 +47,16 @@ struct BenchReport {
   std::vector<std::string> notes;  ///< of reading
   std::size_t tetrahedra = 0;
   std::size_t threads = 0;
-  std::vector<BenchSeries> series;       ///< the first is ours
+  std::vector<BenchSeries> series;  ///< the first is ours
   std::vector<BenchRatio> ratios;
   std::map<std::string, double> stages;  ///< of our median repetition: edges, faces, tets, stitch
   std::size_t peak_memory_bytes = 0;     ///< after our first run, before others'; the mesh included
   std::vector<MethodErrors> errors;      ///< empty if none was measured
   std::size_t undecided = 0;             ///< tetrahedra without truth, if there are errors
   std::vector<ErrorCurve> curves;        ///< if asked for
+
+  /// The note of a ratio that was not asked for.
+  static std::string not_asked() { return "not run: see --only and --all"; }
 };
 
 /// Threads that a contender may use.
@@ -66,7 +69,7 @@ std::size_t threads_in_use();
 ///   vtk_contour_3d_linear_grid    vtkContour3DLinearGrid, the same, with shared vertices as ours
 /// and if asked for:
 ///   certified                     extraction with everything that a certificate claims
-///   graph                         extraction, drawn as graphs (`MeshingMethod::graph`)
+///   graph                         extraction, meshed as graphs (`MeshingMethod::graph`)
 ///   a_patches                     the baseline at its defaults, or coarser where our error does
 ///                                 not come down to its
 ///   extract_for_a_patches         ours at the lowest resolution of 1, 2, 4, 8, 16 at which our

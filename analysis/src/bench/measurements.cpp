@@ -12,8 +12,8 @@
 
 #include "bench/bench_command.hpp"
 #include "bench/machine.hpp"
-#include "bench/timing.hpp"
-#include "check/check_command.hpp"
+#include "bench/program_runs.hpp"
+#include "bench/scaling.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/io/file_group.hpp"
@@ -42,11 +42,12 @@ class Page {
 
   std::string text() {
     heading();
+    text_ += programs_table(command_, progress_);  // first, while there is little in memory
     times();
-    certificates();
+    serial_shares();
     curves();
     next_to_ends();
-    if (command_.all) other_methods();
+    if (command_.all || !command_.only.empty()) other_methods();
     return text_ + fmt::format("\nLoad at the end: {}.\n", load_text());
   }
 
@@ -67,7 +68,8 @@ class Page {
         machine_text(), load_text(), commit_text(), date_text());
     add("| `tests/run --all` passed last | {} |\n", tested_text());
     add("| repetitions | {}, interleaved; medians are reported |\n\n", command_.repeat);
-    add("The load is the number of processes that want to run. Where it is larger than the number of "
+    add("The load is the number of processes that want to run. Where it is larger than the number "
+        "of "
         "threads, others took part of the time: seconds are too long, and ratios of short to long "
         "times as well. Counts do not depend on it.\n");
   }
@@ -89,6 +91,7 @@ class Page {
         bench.modes = {mode};
         bench.repeat = command_.repeat;
         bench.all = command_.all;
+        bench.only = comparisons_at(mode);
         reports_.push_back(run_bench(bench));
         const BenchReport& r = reports_.back();
         const auto median = [&](const char* series) {
@@ -107,32 +110,36 @@ class Page {
       }
   }
 
-  void certificates() {
-    add("\n## Certificates\n\nWhole programs, files read and written, once each: `extract`, "
-        "`extract --certify`, `check`. Claims as the independent checker judges them.\n\n"
-        "| field | modes | unresolved tetrahedra | claims | certified | undecided | refuted | "
-        "extract, s | certify over extract | check over extract | certificate over .vtp |\n|{}\n",
-        dashes(11));
-    for (const auto& input : command_.inputs)
-      for (const ModeValue& mode : command_.modes) {
-        tell("certifying " + name(input));
-        TemporaryFolder folder;
-        ExtractCommand extract = extraction(input, mode, folder);
-        const double plain = seconds_of([&] { run_now(extract); });
-        extract.certificate = folder.file("c.json");
-        ExtractReport report;
-        const double certified = seconds_of([&] { report = run_now(extract); });
-        CheckOutcome outcome;
-        const double check = seconds_of([&] {
-          outcome = run_check(input.string(), extract.output.string(),
-                              extract.certificate.string());
-        });
-        add("| {} | {} | {} | {} | {} | {} | {} | {:.2f} | {:.1f} | {:.1f} | {:.1f} |\n",
-            name(input), both_signs(mode), report.unresolved.size(),
-            outcome.certified + outcome.undecided + outcome.refuted, outcome.certified,
-            outcome.undecided, outcome.refuted, plain, certified / plain, check / plain,
-            static_cast<double>(report.certificate->bytes) / static_cast<double>(report.bytes));
-      }
+  void serial_shares() {
+    add("\n## Threads\n\nThe share of the time of one thread that more threads do not shorten, by "
+        "Amdahl's law (`bench --scaling threads`).\n\n"
+        "| field | modes | threads | seconds with one | with all | serial share |\n|{}\n",
+        dashes(6));
+    for (const auto& input : command_.inputs) {
+      tell("threads on " + name(input));
+      ScalingCommand scaling;
+      scaling.over = ScalingOver::threads;
+      scaling.input = input;
+      scaling.read = command_.read;
+      scaling.modes = {command_.modes.size() > 1 ? command_.modes[1] : command_.modes[0]};
+      scaling.repeat = command_.repeat;
+      const ScalingReport report = run_scaling(scaling);
+      add("| {} | {} | {} | {:.2f} | {:.2f} | {} |\n", name(input), both_signs(scaling.modes[0]),
+          report.threads, report.points.front().seconds, report.points.back().seconds,
+          std::isnan(report.serial_share) ? "unknown"
+                                          : fmt::format("{:.0f} %", 100 * report.serial_share));
+    }
+  }
+
+  /// The comparisons that are made at a mode.
+  std::vector<std::string> comparisons_at(const ModeValue& mode) const {
+    std::vector<std::string> result{"certified"};
+    constexpr double kLargest = 0.5;  // of A-patches
+    for (const std::string& method : command_.only)
+      if (method == "hybrid" ? mode.sign() == 0
+                             : method != "a_patches" || std::abs(mode.approx()) <= kLargest)
+        result.push_back(method);
+    return result;
   }
 
   void curves() {
@@ -161,8 +168,7 @@ class Page {
       for (const std::string& mode : modes) {
         tell("next to the ends of " + name(input));
         TemporaryFolder folder;
-        const ExtractReport report =
-            run_now(extraction(input, ModeValue::parse(mode), folder));
+        const ExtractReport report = run_now(extraction(input, ModeValue::parse(mode), folder));
         std::size_t crossed = 0;
         for (const SurfaceReport& s : report.surfaces) crossed += s.statistics.tets_crossed;
         add(" {}, {}, {:.2f} s |", crossed, report.unresolved.size(), report.seconds_extract);
@@ -180,6 +186,7 @@ class Page {
       for (const BenchRatio& ratio : r.ratios) {
         if (ratio.name.rfind("extract_over", 0) == 0 || ratio.name.rfind("certified", 0) == 0)
           continue;
+        if (!command_.all && !ratio.value && ratio.note == BenchReport::not_asked()) continue;
         add("| {} | {} | {} | {} | {} |\n", name(r.input), both_signs(r.modes.front()), ratio.name,
             ratio.value ? fmt::format("{:.2f}", *ratio.value) : "none", ratio.note);
       }

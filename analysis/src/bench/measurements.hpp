@@ -16,15 +16,20 @@ namespace tensortopo {
 struct MeasurementsCommand {
   std::vector<std::filesystem::path> inputs;
   ReadOptions read;
-  std::vector<ModeValue> modes;  ///< not negative; of each, the surfaces of M and -M
-  int repeat = 5;                ///< timings of each, at least 5; medians are reported
-  bool all = false;              ///< other methods at equal error, too
+  std::vector<ModeValue> modes;         ///< not negative; of each, the surfaces of M and -M
+  std::vector<std::string> read_words;  ///< the options that `read` was made of
+  int repeat = 5;                       ///< timings of each, at least 5; medians are reported
+  bool all = false;                     ///< other methods at equal error, too
+  /// Of these methods (`BenchCommand::comparisons`) those at equal error that a mode is for:
+  /// "a_patches" up to 1/2, "hybrid" at 0, others at all.
+  std::vector<std::string> only;
 };
 
 /// A page in Markdown: the machine, the commit of the work tree that the program lies in, the date,
-/// and for each field and mode seconds by stage beside VTK's contours, the certificate's claims as
-/// the independent checker judges them, times and sizes of the programs' runs, degenerate curves,
-/// and levels next to 1 and -1. Files go to a temporary folder. Throws UsageError, IoError.
+/// and for each field and mode times, claims, memory and sizes of whole runs of the programs,
+/// seconds by stage beside VTK's contours, the share of the time that more threads do not shorten,
+/// degenerate curves, and levels next to 1 and -1. Files go to a temporary folder. Throws
+/// UsageError, IoError.
 std::string measurements_page(const MeasurementsCommand& command, const Progress& progress = {});
 
 }  // namespace tensortopo

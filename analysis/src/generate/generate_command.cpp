@@ -167,11 +167,46 @@ Sheet all_members(const GenerateCommand& command, const FamilyRequest& first) {
   return sheet;
 }
 
+/// Throws UsageError for what is not written in pieces.
+void require_pieces(const GenerateCommand& command) {
+  if (command.kind != FieldKind::kelvin || command.count != 1 || !command.field_only)
+    throw UsageError("--pieces: only of one field of kind kelvin, with --field-only");
+  const int largest = cells_for({1, 1, 1}, std::max<std::size_t>(command.tetrahedra, 1))[0];
+  if (command.tetrahedra == 0 || command.pieces > largest)
+    throw UsageError("--pieces: needs --tets, and at most one piece for each layer of the lattice");
+}
+
+/// The mesh is made slab after slab.
+Generated write_pieces(const GenerateCommand& command, FamilyRequest request,
+                       const Progress& progress) {
+  Generated made{command.output, {}, {}};
+  made.truth.kind = name_of(command.kind);
+  made.truth.seed = command.seed;
+  request.slabs = command.pieces;
+  FileGroup files;
+  std::vector<Path> pieces;
+  for (int s = 0; s < command.pieces; ++s) {
+    if (progress) progress("generating", static_cast<double>(s) / command.pieces);
+    request.slab = s;
+    const FamilyMember slab = family_member(command.kind, request);
+    pieces.push_back(command.output);
+    pieces.back().replace_filename(fmt::format("{}-{:04}.vtu", command.output.stem().string(), s));
+    write_mesh(slab.mesh, pieces.back(), "tensor");
+    made.truth.note = slab.note;
+    made.truth.tetrahedra += slab.mesh.tets.size();
+  }
+  write_piece_list(pieces, command.output, "tensor");
+  files.commit();
+  return made;
+}
+
 }  // namespace
 
 GenerateReport run_generate(const GenerateCommand& command, const Progress& progress) {
-  if (lower_extension(command.output) != ".vtu")
-    throw UsageError(command.output.string() + ": the name must end in .vtu");
+  const char* const extension = command.pieces > 1 ? ".pvtu" : ".vtu";
+  if (lower_extension(command.output) != extension)
+    throw UsageError(command.output.string() + ": the name must end in " + extension);
+  if (command.pieces > 1) require_pieces(command);
   for (const ModeValue& mode : command.modes)
     if (is_degenerate(mode))
       throw UsageError("--mode " + mode.text() +
@@ -190,6 +225,10 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
   report.kind = command.kind;
   FieldTruth truth;
   truth.members = command.count;
+  if (command.pieces > 1) {
+    report.files.push_back(write_pieces(command, request, progress));
+    return report;
+  }
   if (command.together && command.count > 1) {
     report.files.push_back(
         write_field(command, all_members(command, request), command.output, truth, report.notes));
@@ -215,7 +254,7 @@ std::string to_json(const GenerateReport& report) {
   for (const Generated& file : report.files) {
     Json entry{{"field", file.field.string()},
                {"truth", file.truth_file.string()},
-               {"sha256", file.truth.field_sha256},
+               {"sha256", file.truth.field_sha256.empty() ? Json() : Json(file.truth.field_sha256)},
                {"tetrahedra", file.truth.tetrahedra}};
     entry["levels"] = Json::array();
     for (const LevelTruth& level : file.truth.levels)

@@ -15,7 +15,7 @@ namespace tensortopo {
 /// Fields of a family, with the certified truth about their mode surfaces.
 struct GenerateCommand {
   FieldKind kind = FieldKind::linear;
-  std::filesystem::path output;  ///< .vtu
+  std::filesystem::path output;  ///< .vtu; of pieces .pvtu
   std::uint64_t seed = 1;
   int count = 1;                  ///< members of the family
   bool together = false;          ///< all members in one file, side by side
@@ -25,6 +25,7 @@ struct GenerateCommand {
   bool no_reference = false;      ///< no reference surface
   bool always_reference = false;  ///< a reference surface also above kLargeMesh
   double resolution = 8;          ///< of the reference surface
+  int pieces = 1;                 ///< files that the field is written to, none longer in memory
 };
 
 /// Above so many tetrahedra the truth is that of the whole surfaces only.
@@ -45,6 +46,8 @@ struct GenerateReport {
 /// Makes the members and writes each as FILE.vtu (with more than one: FILE-0000.vtu and so on) with
 /// its truth beside it as FILE.truth.json, the reference surface as FILE.reference.vtp (all modes)
 /// and its vertices to 36 digits as FILE.reference.json.
+///
+/// A field in pieces is written as FILE-0000.vtu and so on, and their list FILE.pvtu; without truth.
 ///
 /// Laws      the bytes of the fields depend on the command only; those of truths also on the
 ///           library's version.

@@ -60,7 +60,7 @@ void keep_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 16 << 20);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
-  mallopt(M_TOP_PAD, 4 << 20);
+  mallopt(M_TOP_PAD, 16 << 20);
 #endif
 }
 

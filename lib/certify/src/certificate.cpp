@@ -17,13 +17,25 @@ using Json = nlohmann::ordered_json;
 
 std::string exact(double x) { return fmt::format("{:a}", x); }
 
-Json edges_json(const CertifiedLevel& level, std::size_t first_vertex) {
+/// What the file calls vertices and tetrahedra of the mesh.
+struct Ids {
+  const std::vector<std::int64_t>& vertices;  ///< empty: their numbers
+  const std::vector<std::int64_t>& cells;
+
+  Ids(const CertifiedLevel& level, const TetMesh& mesh)
+      : vertices(level.vertex_ids), cells(level.cell_ids.empty() ? mesh.cell_ids : level.cell_ids) {}
+
+  std::int64_t vertex(TetMesh::Index v) const { return vertices.empty() ? v : vertices[as_size(v)]; }
+  std::int64_t cell(TetMesh::Index t) const { return cells[as_size(t)]; }
+};
+
+Json edges_json(const CertifiedLevel& level, std::size_t first_vertex, const Ids& ids) {
   Json edges = Json::array();
   std::multimap<SurfaceMesh::Index, SurfaceMesh::Index> copies;
   for (const auto& [vertex, copy] : level.topology.copies) copies.emplace(vertex, copy);
   for (std::size_t e = 0; e < level.topology.edges.size(); ++e) {
     const auto& edge = level.topology.edges[e];
-    Json item{edge.vertices[0], edge.vertices[1]};
+    Json item{ids.vertex(edge.vertices[0]), ids.vertex(edge.vertices[1])};
     for (std::size_t k = 0; k < edge.crossings.size(); ++k) {
       const auto vertex = edge.crossings[k].vertex;
       item.push_back({level.brackets[e][k].place, level.brackets[e][k].depth,
@@ -37,30 +49,30 @@ Json edges_json(const CertifiedLevel& level, std::size_t first_vertex) {
   return edges;
 }
 
-Json faces_json(const CertifiedLevel& level, std::size_t first_vertex) {
+Json faces_json(const CertifiedLevel& level, std::size_t first_vertex, const Ids& ids) {
   Json faces = Json::array();
   for (const auto& face : level.topology.faces) {
     Json arcs = Json::array(), loops = Json::array();
     for (const auto& arc : face.arcs)
       arcs.push_back({first_vertex + as_size(arc[0]), first_vertex + as_size(arc[1])});
     for (const auto v : face.loops) loops.push_back(first_vertex + as_size(v));
-    faces.push_back({face.vertices[0], face.vertices[1], face.vertices[2], std::move(arcs),
-                     std::move(loops)});
+    faces.push_back({ids.vertex(face.vertices[0]), ids.vertex(face.vertices[1]),
+                     ids.vertex(face.vertices[2]), std::move(arcs), std::move(loops)});
   }
   return faces;
 }
 
-Json tets_json(const CertifiedLevel& level, std::size_t first_vertex, const TetMesh& mesh) {
+Json tets_json(const CertifiedLevel& level, std::size_t first_vertex, const Ids& ids) {
   Json tets = Json::array();
   for (const auto& tet : level.topology.tets) {
-    Json item{mesh.cell_ids[as_size(tet.tet)]};
+    Json item{ids.cell(tet.tet)};
     for (const auto& sheet : tet.sheets) {
       Json sheet_json{sheet.euler_characteristic};
       for (const auto& loop : sheet.loops) {
         Json arcs = Json::array();
         for (const auto& arc : loop) {
           arcs.push_back(first_vertex + as_size(arc.from));
-          arcs.push_back(arc.opposite);
+          arcs.push_back(ids.vertex(arc.opposite));
         }
         sheet_json.push_back(std::move(arcs));
       }
@@ -71,10 +83,10 @@ Json tets_json(const CertifiedLevel& level, std::size_t first_vertex, const TetM
   return tets;
 }
 
-Json cones_json(const CertifiedLevel& level, std::size_t first_vertex, const TetMesh& mesh) {
+Json cones_json(const CertifiedLevel& level, std::size_t first_vertex, const Ids& ids) {
   Json cones = Json::array();
   for (const auto& cone : level.topology.cones) {
-    Json item{mesh.cell_ids[as_size(cone.tet)]};
+    Json item{ids.cell(cone.tet)};
     for (const auto& sheet : cone.sheets) {
       Json vertices = Json::array();
       for (const auto v : sheet) vertices.push_back(first_vertex + as_size(v));
@@ -85,16 +97,16 @@ Json cones_json(const CertifiedLevel& level, std::size_t first_vertex, const Tet
   return cones;
 }
 
-Json cells_json(const std::vector<TetMesh::Index>& tets, const TetMesh& mesh) {
+Json cells_json(const std::vector<TetMesh::Index>& tets, const Ids& ids) {
   Json cells = Json::array();
-  for (const auto t : tets) cells.push_back(mesh.cell_ids[as_size(t)]);
+  for (const auto t : tets) cells.push_back(ids.cell(t));
   return cells;
 }
 
-Json distance_json(const DistanceClaim& claim, const TetMesh& mesh) {
+Json distance_json(const DistanceClaim& claim, const Ids& ids) {
   return {{"reach", claim.reach},
           {"bound", exact(claim.bound)},
-          {"coarse", cells_json(claim.coarse, mesh)},
+          {"coarse", cells_json(claim.coarse, ids)},
           {"coarse_bound", exact(claim.coarse_bound)}};
 }
 
@@ -111,15 +123,17 @@ Json stability_json(const StabilityClaim& claim, std::size_t first_vertex) {
           {"components", std::move(components)}};
 }
 
-Json undecided_json(const std::vector<UndecidedCell>& cells, const TetMesh& mesh) {
+Json undecided_json(const std::vector<UndecidedCell>& cells,
+                    const std::vector<std::int64_t>& cell_ids) {
   Json undecided = Json::array();
   for (const auto& cell : cells)
-    undecided.push_back(Json::array({mesh.cell_ids[as_size(cell.tet)], cell.reason}));
+    undecided.push_back(Json::array({cell_ids[as_size(cell.tet)], cell.reason}));
   return undecided;
 }
 
 Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size_t first_triangle,
                 const TetMesh& mesh) {
+  const Ids ids(level, mesh);
   Json components = Json::array();
   for (const auto& c : level.components)
     components.push_back({{"euler_characteristic", c.euler_characteristic},
@@ -137,17 +151,17 @@ Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size
   json["vertices"] = {first_vertex, level.vertices};
   json["triangles"] = {first_triangle, level.triangles};
   json["on_level"] = level.on_level;
-  json["undecided"] = undecided_json(level.undecided, mesh);
-  json["edges"] = edges_json(level, first_vertex);
-  json["faces"] = faces_json(level, first_vertex);
-  json["tets"] = tets_json(level, first_vertex, mesh);
-  json["cones"] = cones_json(level, first_vertex, mesh);
+  json["undecided"] = undecided_json(level.undecided, ids.cells);
+  json["edges"] = edges_json(level, first_vertex, ids);
+  json["faces"] = faces_json(level, first_vertex, ids);
+  json["tets"] = tets_json(level, first_vertex, ids);
+  json["cones"] = cones_json(level, first_vertex, ids);
   json["components"] = std::move(components);
-  json["distance"] = distance_json(level.distance, mesh);
+  json["distance"] = distance_json(level.distance, ids);
   if (level.stability) json["stability"] = stability_json(*level.stability, first_vertex);
   if (level.embedded) json["embedded"] = true;
   if (level.not_isotopic)
-    json["isotopic"] = {{"except", cells_json(*level.not_isotopic, mesh)}};
+    json["isotopic"] = {{"except", cells_json(*level.not_isotopic, ids)}};
   return json;
 }
 
@@ -185,7 +199,7 @@ Json curves_json(const CertifiedCurves& kind, std::size_t first_vertex, std::siz
   json["mode"] = kind.kind == Degeneracy::linear ? "1" : "-1";
   json["vertices"] = {first_vertex, kind.vertices};
   json["lines"] = {first_line, kind.lines};
-  json["undecided"] = undecided_json(kind.undecided, mesh);
+  json["undecided"] = undecided_json(kind.undecided, mesh.cell_ids);
   json["faces"] = curve_faces_json(kind, first_vertex);
   json["tets"] = pieces_json(kind, first_vertex, mesh);
   json["curves"] = std::move(curves);

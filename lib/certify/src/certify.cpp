@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "claims.hpp"
+#include "crossed_part.hpp"
 #include "crossing_brackets.hpp"
 #include "distance_proof.hpp"
 #include "extract/level/level.hpp"
@@ -76,9 +77,11 @@ CertifiedLevel certify_in_order(const ScaledField<double>& field, const ModeValu
   result.components = components_of(surface);
   result.embedded = is_embedded(surface);
   const auto decided = decided_triangles(mesh, surface, result);
-  if (result.embedded)
-    result.not_isotopic = tets_not_isotopic(mesh, surface, decided, result.topology);
   result.distance = prove_distance(mesh, surface, decided, result.topology, field, level);
+  if (result.embedded)
+    result.not_isotopic =
+        tets_not_isotopic(mesh, surface, decided, result.topology, result.distance.coarse,
+                          moved_places(mesh, surface, result.distance.reach, field, level));
   return result;
 }
 
@@ -95,8 +98,13 @@ CertifiedLevel certify(const PreparedField<double>& field, const ModeValue& mode
 }
 
 CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction) {
-  return certify(PreparedField<double>(mesh, PreparedField<double>::Use::one_mode), mode,
-                 extraction);
+  const CrossedPart part = crossed_part(mesh, extraction);
+  renumber(extraction, inverse_numbers(part.vertices, mesh.points.size()),
+           inverse_numbers(part.tets, mesh.tets.size()));
+  const PreparedField<double> field(part.mesh, PreparedField<double>::Use::one_mode);
+  CertifiedLevel result = certify(field, mode, extraction);
+  renumber(result, extraction, part.vertices, part.tets);
+  return result;
 }
 
 }  // namespace tensortopo

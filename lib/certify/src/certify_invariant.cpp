@@ -120,9 +120,11 @@ CertifiedLevel certify(const TetMesh& mesh, const InvariantLevel& level,
   result.components = components_of(surface);
   result.embedded = is_embedded(surface);
   const auto decided = decided_triangles(mesh, surface, result);
-  if (result.embedded)
-    result.not_isotopic = tets_not_isotopic(mesh, surface, decided, result.topology);
   result.distance = prove_distance(mesh, surface, decided, result.topology, form);
+  if (result.embedded)
+    result.not_isotopic =
+        tets_not_isotopic(mesh, surface, decided, result.topology, result.distance.coarse,
+                          moved_places(mesh, surface, result.distance.reach, form));
   return result;
 }
 

@@ -40,4 +40,10 @@ DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                                 ModeCells{mesh, field, level});
 }
 
+MovedPlaces moved_places(const TetMesh& mesh, const SurfaceMesh& surface,
+                         std::span<const int> reach, const ScaledField<double>& field,
+                         const Level<double>& level) {
+  return detail::places_moved(mesh, surface, reach, ModeCells{mesh, field, level});
+}
+
 }  // namespace tensortopo

@@ -4,8 +4,9 @@
 
 #include <span>
 
-#include "tensortopo/certify/certified_level.hpp"
 #include "extract/level/level.hpp"
+#include "layers.hpp"
+#include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/quadric/quadric_form.hpp"
 
@@ -36,5 +37,12 @@ DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
 DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                              std::span<const std::size_t> triangles,
                              const LevelTopology& topology, const QuadraticLevel& level);
+
+/// Where vertices are moved to by their reaches. The arguments have to outlive it.
+MovedPlaces moved_places(const TetMesh& mesh, const SurfaceMesh& surface,
+                         std::span<const int> reach, const ScaledField<double>& field,
+                         const Level<double>& level);
+MovedPlaces moved_places(const TetMesh& mesh, const SurfaceMesh& surface,
+                         std::span<const int> reach, const QuadraticLevel& level);
 
 }  // namespace tensortopo

@@ -100,4 +100,9 @@ DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
   return detail::distance_claim(mesh, surface, triangles, topology, InvariantCells{mesh, level});
 }
 
+MovedPlaces moved_places(const TetMesh& mesh, const SurfaceMesh& surface,
+                         std::span<const int> reach, const QuadraticLevel& level) {
+  return detail::places_moved(mesh, surface, reach, InvariantCells{mesh, level});
+}
+
 }  // namespace tensortopo

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
-#include "extract/patch/patch_intersections.hpp"
+#include "enclosed_triangles.hpp"
 #include "for_each.hpp"
 
 namespace tensortopo {
@@ -17,86 +17,11 @@ namespace tensortopo {
 namespace {
 
 using Index = TetMesh::Index;
-using Vector = Vector3<double>;
+using detail::Enclosed;
 
 /// How far a vertex may be from the point that it stands for, in parts of the largest coordinate of
 /// the tetrahedra around: sixteen times what a checker allows for rounding.
 constexpr double kRounding = 0x1p-46;
-
-/// A vector, and how far each of its coordinates may be off.
-struct Enclosed {
-  Vector value;
-  double error = 0;
-};
-
-Enclosed minus(const Enclosed& a, const Enclosed& b) {
-  return {a.value - b.value, 2 * (a.error + b.error)};
-}
-Enclosed cross(const Enclosed& a, const Enclosed& b) {
-  const double u = max_norm(a.value), v = max_norm(b.value);
-  return {cross(a.value, b.value),
-          4 * (a.error * (v + b.error) + b.error * u + 0x1p-50 * u * v)};
-}
-
-bool is_on_side(const Vector& direction, std::span<const Enclosed> vectors) {
-  const double sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
-  return std::all_of(vectors.begin(), vectors.end(), [&](const Enclosed& v) {
-    return dot(direction, v.value) > 2 * sum * (v.error + 0x1p-50 * max_norm(v.value));
-  });
-}
-
-/// Whether some direction is seen to have a positive product with all vectors. The one of the
-/// largest least product with unit vectors is normal to a vertex, an edge or a triangle of their
-/// hull.
-bool have_common_side(std::span<const Enclosed> vectors) {
-  std::array<Vector, 9> units;
-  const std::size_t count = vectors.size();
-  Vector sum{}, best{};
-  for (std::size_t i = 0; i < count; ++i) sum += units[i] = unit(vectors[i].value);
-  if (is_on_side(sum, vectors)) return true;
-  double largest = 0;
-  const auto consider = [&](const Vector& d) {
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < count; ++i) least = std::min(least, dot(d, units[i]));
-    if (least > largest * length(d)) largest = least / length(d), best = d;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    consider(units[i]);
-    for (std::size_t j = 0; j < i; ++j) {
-      consider(units[i] + units[j]);
-      for (std::size_t k = 0; k < j; ++k) {
-        const Vector normal = cross(units[j] - units[i], units[k] - units[i]);
-        consider(normal), consider(-normal);
-      }
-    }
-  }
-  return largest > 0 && is_on_side(best, vectors);
-}
-
-/// Whether two triangles meet in shared vertices only, wherever their corners are within their
-/// errors: a plane parts them but for a shared vertex; with two of these they do not fold together.
-bool are_apart(std::span<const Enclosed> points, PatchTriangle a, PatchTriangle b) {
-  std::size_t shared = 0;  // moved to the front
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto same = std::find(b.begin() + static_cast<std::ptrdiff_t>(shared), b.end(), a[i]);
-    if (same == b.end()) continue;
-    std::swap(b[shared], *same), std::swap(a[shared], a[i]);
-    ++shared;
-  }
-  const auto from = [&](std::uint32_t p, std::uint32_t q) { return minus(points[q], points[p]); };
-  if (shared == 0) {
-    std::array<Enclosed, 9> all;
-    for (std::size_t i = 0; i < 9; ++i) all[i] = from(b[i % 3], a[i / 3]);
-    return have_common_side(all);
-  }
-  if (shared == 1)
-    return have_common_side(
-        std::array{from(a[0], a[1]), from(a[0], a[2]), from(b[1], b[0]), from(b[2], b[0])});
-  if (shared == 3) return false;
-  const Enclosed edge = from(a[0], a[1]);
-  return have_common_side(
-      std::array{cross(edge, from(a[0], a[2])), cross(from(a[0], b[2]), edge)});
-}
 
 std::array<Index, 3> face_opposite(std::array<Index, 4> tet, std::size_t corner) {
   std::sort(tet.begin(), tet.end());
@@ -106,8 +31,8 @@ std::array<Index, 3> face_opposite(std::array<Index, 4> tet, std::size_t corner)
   return face;
 }
 
-/// By the topology alone: tetrahedra whose sheets are discs, and curves of faces told apart by their
-/// ends.
+/// By the topology alone: tetrahedra whose sheets are discs, and curves of faces told apart by
+/// their ends.
 std::vector<char> are_of_discs(const TetMesh& mesh, const LevelTopology& topology) {
   std::set<std::array<Index, 3>> mixed;
   for (const auto& face : topology.faces)
@@ -126,20 +51,44 @@ std::vector<char> are_of_discs(const TetMesh& mesh, const LevelTopology& topolog
   return result;
 }
 
+/// Tetrahedra with other sheets, or curves, but near to the level, and without closed sheets but
+/// spheres.
+std::vector<Index> tets_near_other_sheets(const LevelTopology& topology,
+                                          std::span<const char> of_discs,
+                                          std::span<const Index> coarse) {
+  std::vector<Index> result;
+  for (const auto& tet : topology.tets) {
+    if (of_discs[as_size(tet.tet)] || std::binary_search(coarse.begin(), coarse.end(), tet.tet))
+      continue;
+    if (std::none_of(tet.sheets.begin(), tet.sheets.end(), [](const LevelTopology::Sheet& sheet) {
+          return sheet.loops.empty() && sheet.euler_characteristic != 2;
+        }))
+      result.push_back(tet.tet);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 }  // namespace
 
 std::vector<Index> tets_not_isotopic(const TetMesh& mesh, const SurfaceMesh& surface,
                                      std::span<const std::size_t> triangles,
-                                     const LevelTopology& topology) {
+                                     const LevelTopology& topology, std::span<const Index> coarse,
+                                     const MovedPlaces& moved) {
   auto is_shown = are_of_discs(mesh, topology);
+  for (const Index t : tets_of_layers(surface, triangles,
+                                      tets_near_other_sheets(topology, is_shown, coarse), moved))
+    is_shown[as_size(t)] = 1;
   std::vector<Enclosed> points(surface.points.size());
   for (std::size_t v = 0; v < points.size(); ++v) points[v].value = surface.points[v];
   for (const auto t : triangles) {
     double largest = 0;
     for (const Index corner : mesh.tets[as_size(surface.tet[t])])
       largest = std::max(largest, max_norm(mesh.points[as_size(corner)]));
-    for (const auto v : surface.triangles[t])
-      points[as_size(v)].error = std::max(points[as_size(v)].error, kRounding * largest);
+    for (const auto v : surface.triangles[t]) {
+      const double error = std::max(points[as_size(v)].error.x, kRounding * largest);
+      points[as_size(v)].error = {error, error, error};
+    }
   }
   std::vector<char> is_misplaced(points.size(), 0);
   for (const auto& [vertex, copy] : topology.copies)
@@ -149,7 +98,7 @@ std::vector<Index> tets_not_isotopic(const TetMesh& mesh, const SurfaceMesh& sur
       const auto v = as_size(edge.crossings[k - 1].vertex), w = as_size(edge.crossings[k].vertex);
       const auto along =
           mesh.points[as_size(edge.vertices[1])] - mesh.points[as_size(edge.vertices[0])];
-      if (!is_on_side(along, std::array{minus(points[w], points[v])}))
+      if (!detail::is_on_side(along, std::array{detail::minus(points[w], points[v])}))
         is_misplaced[v] = is_misplaced[w] = 1;
     }
   for (const auto t : triangles)
@@ -163,26 +112,17 @@ std::vector<Index> tets_not_isotopic(const TetMesh& mesh, const SurfaceMesh& sur
     if (!is_shown[as_size(surface.tet[t])]) continue;
     tets.push_back(surface.tet[t]);
     auto& triangle = asked.emplace_back();
-    auto& box = boxes.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& p = points[triangle[i] = static_cast<std::uint32_t>(surface.triangles[t][i])];
-      const double around = 2 * p.error;
-      const std::array<double, 3> x{p.value.x, p.value.y, p.value.z};
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = i == 0 ? x[k] - around : std::min(box.low[k], x[k] - around);
-        box.high[k] = i == 0 ? x[k] + around : std::max(box.high[k], x[k] + around);
-      }
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle[i] = static_cast<std::uint32_t>(surface.triangles[t][i]);
+    boxes.push_back(detail::box_of(points, triangle));
   }
   const auto pairs = meeting_boxes(boxes);
   std::vector<char> is_apart(pairs.size()), has_area(asked.size());
   detail::for_each(pairs.size(), [&](std::size_t i) {
-    is_apart[i] = are_apart(points, asked[pairs[i][0]], asked[pairs[i][1]]);
+    is_apart[i] = detail::are_apart(points, asked[pairs[i][0]], asked[pairs[i][1]]);
   });
   detail::for_each(asked.size(), [&](std::size_t i) {
-    const auto& [a, b, c] = asked[i];
-    has_area[i] = have_common_side(
-        std::array{cross(minus(points[b], points[a]), minus(points[c], points[a]))});
+    has_area[i] = detail::have_common_side(std::array{detail::normal_of(points, asked[i])});
   });
   for (std::size_t i = 0; i < pairs.size(); ++i)
     for (const auto t : pairs[i])

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "closed_loops.hpp"
+#include "layers.hpp"
 #include "level_in_cell.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
@@ -327,6 +328,23 @@ DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
     }
   }
   return claim;
+}
+
+/// See `moved_places`.
+template <class Cells>
+MovedPlaces places_moved(const TetMesh& mesh, const SurfaceMesh& surface,
+                         std::span<const int> reach, const Cells& cells) {
+  return [&mesh, &surface, reach, cells](Index tet, Index vertex) {
+    const auto corner = cells.at(tet).corner(surface, vertex);
+    const double by = reach_length(reach[as_size(vertex)]);
+    const auto at = [&](const std::array<double, 4>& weights) {
+      Vector3<double> place{};
+      for (std::size_t i = 0; i < 4; ++i)
+        place += weights[i] * mesh.points[as_size(mesh.tets[as_size(tet)][i])];
+      return place;
+    };
+    return std::array{at(corner.moved(-by)), at(corner.moved(by))};
+  };
 }
 
 }  // namespace tensortopo::detail

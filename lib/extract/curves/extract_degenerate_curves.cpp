@@ -6,14 +6,16 @@
 #include <optional>
 #include <utility>
 
-#include "extract/curves/points/degenerate_points_on_face.hpp"
 #include "extract/curves/curve_assembly.hpp"
+#include "extract/curves/points/degenerate_points_on_face.hpp"
+#include "extract/curves/special/degenerate_throughout.hpp"
 #include "extract/curves/special_positions.hpp"
 #include "extract/level/proofs/screen.hpp"
 #include "extract/run/parallel_stage.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/renumber.hpp"
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 
@@ -83,6 +85,24 @@ class CurveExtractor {
       if (active[t]) tets.push_back(static_cast<Index>(t));
     result_.statistics.tets_screened_out = mesh_.tets.size() - tets.size();
     cells_.complex = tet_complex(mesh_, tets);
+    find_degenerate_tets();
+  }
+
+  /// Tetrahedra without a curve, as all is degenerate, and the faces that none but these have: what
+  /// is in such faces concerns nobody.
+  void find_degenerate_tets() {
+    const auto& complex = cells_.complex;
+    is_degenerate_.assign(complex.tets.size(), 0);
+    parallel_stage(options_, "screen", complex.tets.size(), 256, [&](std::size_t t) {
+      const FloatingPointEnvironment environment;
+      is_degenerate_[t] = is_degenerate_throughout(
+          tensors_at<4>(mesh_.tets[as_size(complex.tets[t])]), kind_ == Degeneracy::linear);
+    });
+    is_within_.assign(complex.faces.size(), 0);
+    for (std::size_t f = 0; f < complex.faces.size(); ++f)
+      is_within_[f] =
+          std::all_of(complex.face_tets[f].begin(), complex.face_tets[f].end(),
+                      [&](Index t) { return t < 0 || is_degenerate_[as_size(t)] != 0; });
   }
 
   void find_face_points() {
@@ -90,7 +110,7 @@ class CurveExtractor {
     cells_.faces.resize(faces.size());
     std::vector<char> counted(faces.size(), 0);
     parallel_stage(options_, "faces", faces.size(), 256, [&](std::size_t f) {
-      if (is_screened_out(faces[f])) return;
+      if (is_within_[f] != 0 || is_screened_out(faces[f])) return;
       auto& found = cells_.faces[f];
       for (const Index v : faces[f])
         if (field_.is_zero[as_size(v)]) {
@@ -160,6 +180,10 @@ class CurveExtractor {
     std::vector<CellCurves> tets(complex.tets.size());
     std::vector<std::optional<CurveObstacle>> reasons(tets.size());
     parallel_stage(options_, "tetrahedra", tets.size(), 256, [&](std::size_t t) {
+      if (is_degenerate_[t] != 0) {
+        tets[t].obstacle = reasons[t] = CurveObstacle::degenerate_throughout;
+        return;
+      }
       const auto& faces = complex.tet_faces[t];
       const auto at =
           std::find_if(faces.begin(), faces.end(), [&](Index f) { return special.is_special(f); });
@@ -192,6 +216,8 @@ class CurveExtractor {
   const ExtractOptions& options_;
   ScaledField<double> field_;
   CurveCells cells_;
+  std::vector<char> is_degenerate_;  ///< throughout, of the complex' tetrahedra
+  std::vector<char> is_within_;      ///< of the complex' faces: in no others than these
   std::vector<CurveLink> links_;
   CurveExtraction result_;
 };

@@ -156,34 +156,46 @@ void SpecialPositions::find_on_edges() {
   }
 }
 
+SpecialPositions::Found SpecialPositions::found_on_face(
+    Index face, std::span<const ExactDirection> crossings) const {
+  Found found;
+  const auto& vertices = cells_.complex.faces[as_size(face)];
+  Loop boundary;
+  add_vertices(boundary, vertices);
+  for (const Index e : cells_.complex.face_edges[as_size(face)]) {
+    const Found& edge = edges_.at(e);
+    if (edge.cell.obstacle) {
+      found.cell.obstacle = edge.cell.obstacle;
+      return found;
+    }
+    for (std::size_t k = edge.boundary.size() - edge.cell.points.size(); k < edge.boundary.size();
+         ++k)
+      add_to(boundary, edge.boundary[k], vertices);
+  }
+  found.boundary = boundary.places;
+  found.cell = special_cell<3>(tensors_at(vertices), linear_, boundary.points,
+                               options_.sampling.largest_turn(), {}, crossings);
+  return found;
+}
+
 void SpecialPositions::find_on_faces() {
   std::vector<Index> faces;
   for (const auto& [f, found] : faces_) faces.push_back(f);
   std::vector<Found> found(faces.size());
   parallel_stage(options_, "faces", faces.size(), 16, [&](std::size_t i) {
     const FloatingPointEnvironment environment;
-    const auto& vertices = cells_.complex.faces[as_size(faces[i])];
-    Loop boundary;
-    add_vertices(boundary, vertices);
-    for (const Index e : cells_.complex.face_edges[as_size(faces[i])]) {
-      const Found& edge = edges_.at(e);
-      if (edge.cell.obstacle) {
-        found[i].cell.obstacle = edge.cell.obstacle;
-        return;
-      }
-      for (std::size_t k = edge.boundary.size() - edge.cell.points.size(); k < edge.boundary.size();
-           ++k)
-        add_to(boundary, edge.boundary[k], vertices);
-    }
-    found[i].boundary = boundary.places;
-    const auto cell_with = [&](std::span<const ExactDirection> crossings) {
-      return special_cell<3>(tensors_at(vertices), linear_, boundary.points,
-                             options_.sampling.largest_turn(), {}, crossings);
-    };
-    found[i].cell = cell_with({});
-    if (!found[i].cell.axis || found[i].cell.pieces.empty()) return;
-    const auto crossings = crossings_beside(faces[i]);
-    if (!crossings.empty()) found[i].cell = cell_with(crossings);
+    found[i] = found_on_face(faces[i], {});
+  });
+  // A curve in a face may be crossed by those of the tetrahedra beside it.
+  std::vector<std::size_t> crossed;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (found[i].cell.axis && !found[i].cell.pieces.empty()) crossed.push_back(i);
+  const TetCrossings crossings = crossings_beside(faces, crossed);
+  parallel_stage(options_, "faces", crossed.size(), 16, [&](std::size_t k) {
+    const FloatingPointEnvironment environment;
+    const Index face = faces[crossed[k]];
+    const auto beside = crossings_at(face, crossings);
+    if (!beside.empty()) found[crossed[k]] = found_on_face(face, beside);
   });
   for (std::size_t i = 0; i < faces.size(); ++i) {
     enter(found[i], cells_.complex.faces[as_size(faces[i])]);
@@ -191,12 +203,34 @@ void SpecialPositions::find_on_faces() {
   }
 }
 
-std::vector<ExactDirection> SpecialPositions::crossings_beside(Index face) const {
+SpecialPositions::TetCrossings SpecialPositions::crossings_beside(
+    std::span<const Index> faces, std::span<const std::size_t> crossed) const {
+  TetCrossings result;
+  for (const std::size_t i : crossed)
+    for (const Index t : cells_.complex.face_tets[as_size(faces[i])])
+      if (t >= 0) result.emplace_back(t, Vector3<Rational>{});
+  const auto by_tet = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::sort(result.begin(), result.end(), by_tet);
+  result.erase(std::unique(result.begin(), result.end(),
+                           [](const auto& a, const auto& b) { return a.first == b.first; }),
+               result.end());
+  parallel_stage(options_, "faces", result.size(), 16, [&](std::size_t k) {
+    const FloatingPointEnvironment environment;
+    const Index tet = cells_.complex.tets[as_size(result[k].first)];
+    result[k].second = crossing_of(tensors_at(mesh_.tets[as_size(tet)]));
+  });
+  return result;
+}
+
+std::vector<ExactDirection> SpecialPositions::crossings_at(Index face,
+                                                           const TetCrossings& crossings) const {
   std::vector<Vector3<Rational>> found;
   for (const Index t : cells_.complex.face_tets[as_size(face)]) {
     if (t < 0) continue;
-    const Index tet = cells_.complex.tets[as_size(t)];
-    const auto crossing = crossing_of(tensors_at(mesh_.tets[as_size(tet)]));
+    const auto at =
+        std::lower_bound(crossings.begin(), crossings.end(), t,
+                         [](const auto& entry, Index tet) { return entry.first < tet; });
+    const auto& crossing = at->second;
     if (!is_zero(crossing) && (found.empty() || !is_zero(cross(found[0], crossing))))
       found.push_back(crossing);
   }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <map>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "extract/curves/curve_assembly.hpp"
@@ -75,8 +77,16 @@ class SpecialPositions {
   /// Enters the points of a simplex among the places.
   template <std::size_t Count>
   void enter(Found& found, const std::array<Index, Count>& vertices);
+  /// Of tetrahedra of the complex, in order: where the curve crosses itself.
+  using TetCrossings = std::vector<std::pair<Index, Vector3<Rational>>>;
+
+  /// @param crossings  of the curves in the tetrahedra beside it
+  Found found_on_face(Index face, std::span<const ExactDirection> crossings) const;
+  /// Of the tetrahedra at some of the faces.
+  TetCrossings crossings_beside(std::span<const Index> faces,
+                                std::span<const std::size_t> crossed) const;
   /// Where the curves in the tetrahedra at a face cross themselves.
-  std::vector<ExactDirection> crossings_beside(Index face) const;
+  std::vector<ExactDirection> crossings_at(Index face, const TetCrossings& crossings) const;
   ExactDirection direction_of(std::size_t place) const;
 
   const TetMesh& mesh_;

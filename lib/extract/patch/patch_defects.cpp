@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "extract/level/level.hpp"
+#include "extract/level/level_slope.hpp"
 #include "extract/level/position.hpp"
 #include "extract/run/extractor_scalars.hpp"
 
@@ -28,17 +28,16 @@ std::array<Vector3<double>, 4> times(double factor, std::array<Vector3<double>, 
 }  // namespace
 
 template <class Scalar>
-PlacedPatch placed_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& meshed,
-                         const std::function<Vector3<double>(std::int32_t)>& boundary) {
-  PlacedPatch patch;
-  patch.ids.reserve(3 * meshed.triangles.size());
+void place_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& meshed,
+                 std::span<const Vector3<double>> boundary, PlacedPatch& patch) {
+  patch.ids.clear(), patch.points.clear(), patch.triangles.clear();
   for (const auto& t : meshed.triangles) patch.ids.insert(patch.ids.end(), t.begin(), t.end());
   std::sort(patch.ids.begin(), patch.ids.end());
   patch.ids.erase(std::unique(patch.ids.begin(), patch.ids.end()), patch.ids.end());
   patch.points.reserve(patch.ids.size());
   for (const auto id : patch.ids)
     patch.points.push_back(
-        id >= 0 ? boundary(id)
+        id >= 0 ? boundary[static_cast<std::size_t>(id)]
                 : position_at(meshed.inner[static_cast<std::size_t>(-1 - id)].weights,
                               tet.simplex.exponents, tet.points));
   const auto place = [&](std::int32_t id) {
@@ -48,7 +47,6 @@ PlacedPatch placed_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& 
   patch.triangles.reserve(meshed.triangles.size());
   for (const auto& t : meshed.triangles)
     patch.triangles.push_back({place(t[0]), place(t[1]), place(t[2])});
-  return patch;
 }
 
 UpwardTest::UpwardTest(const std::array<Vector3<double>, 4>& points,
@@ -56,21 +54,36 @@ UpwardTest::UpwardTest(const std::array<Vector3<double>, 4>& points,
                        const std::array<Deviator<double>, 4>& tensors)
     : unit_(unit_of(points)), geometry_(times(unit_, points), exponents), tensors_(tensors) {}
 
-bool UpwardTest::is_upward(const Vector3<double>& a, const Vector3<double>& b,
-                           const Vector3<double>& c) const {
+UpwardTest::Directions UpwardTest::directions(const Vector3<double>& a, const Vector3<double>& b,
+                                              const Vector3<double>& c) const {
   const auto p = unit_ * a, q = unit_ * b, r = unit_ * c;
   const auto side = q - p, other = r - p;
   const auto n = cross(side, other);
-  if (n == Vector3<double>{0, 0, 0}) return true;  // samples fell together, or nearly
+  if (n == Vector3<double>{0, 0, 0}) return {};  // samples fell together, or nearly
   const auto tensor = geometry_.balanced_tensor((1.0 / 3) * (p + q + r), tensors_);
   // The gradient of the mode is that of the level function of the mode that is here.
   const double norm = norm_form(tensor);
-  Level<double> level;
+  struct {
+    double mu, sqrt2;
+  } level;
   level.sqrt2 = std::sqrt(2.0);
   level.mu = level.sqrt2 * determinant_form(tensor) / (norm * std::sqrt(norm));
-  const auto g = geometry_.gradient(level_slope(tensor, level).slope, tensors_);
-  return dot(n, g) >
-         (kLeastCosine * length(n) + kLeastShare * length(side) * length(other)) * length(g);
+  const auto at = detail::slope_at<LevelSlope<double>>(tensor, level);
+  const auto g = geometry_.gradient(at.slope, tensors_);
+  return {dot(n, g), length(n), length(g), length(side) * length(other)};
+}
+
+bool UpwardTest::is_upward(const Vector3<double>& a, const Vector3<double>& b,
+                           const Vector3<double>& c) const {
+  const auto d = directions(a, b, c);
+  return d.normal == 0 ||
+         d.product > (kLeastCosine * d.normal + kLeastShare * d.sides) * d.gradient;
+}
+
+double UpwardTest::cosine(const Vector3<double>& a, const Vector3<double>& b,
+                          const Vector3<double>& c) const {
+  const auto d = directions(a, b, c);
+  return d.normal == 0 ? 1 : d.product / (d.normal * d.gradient);
 }
 
 PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test) {
@@ -127,12 +140,12 @@ std::vector<SampleRequest<Scalar>> samples_beside(const PatchDefects& defects,
   return requests;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                    \
-  template std::vector<SampleRequest<Scalar>> samples_beside(                             \
-      const PatchDefects&, const PlacedPatch&, const TetWithCurves<Scalar>&,              \
-      const FaceArcVertices&);                                                            \
-  template PlacedPatch placed_patch(const TetWithCurves<Scalar>&, const Patch<Scalar>&,   \
-                                    const std::function<Vector3<double>(std::int32_t)>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                          \
+  template std::vector<SampleRequest<Scalar>> samples_beside(                   \
+      const PatchDefects&, const PlacedPatch&, const TetWithCurves<Scalar>&,    \
+      const FaceArcVertices&);                                                  \
+  template void place_patch(const TetWithCurves<Scalar>&, const Patch<Scalar>&, \
+                            std::span<const Vector3<double>>, PlacedPatch&);
 TENSORTOPO_FOR_EACH_PRECISION(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "extract/level/tet_geometry.hpp"
@@ -21,10 +21,11 @@ struct PlacedPatch {
   std::vector<PatchTriangle> triangles;  ///< in the order of `Patch`
 };
 
-/// @param boundary the place of a vertex of a boundary loop, by its id
+/// @param boundary the places of the vertices of boundary loops, by their ids
+/// @param patch    receives it; reused, so that small patches need no memory of their own
 template <class Scalar>
-PlacedPatch placed_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& meshed,
-                         const std::function<Vector3<double>(std::int32_t)>& boundary);
+void place_patch(const TetWithCurves<Scalar>& tet, const Patch<Scalar>& meshed,
+                 std::span<const Vector3<double>> boundary, PlacedPatch& patch);
 
 /// Whether triangles face larger modes.
 class UpwardTest {
@@ -40,8 +41,16 @@ class UpwardTest {
   /// centroid are less than 90 degrees apart, and rounding cannot have changed that.
   bool is_upward(const Vector3<double>& a, const Vector3<double>& b,
                  const Vector3<double>& c) const;
+  /// About the cosine of the two; 1 of a triangle without area.
+  double cosine(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) const;
 
  private:
+  struct Directions {
+    double product, normal, gradient, sides;  ///< lengths, and of two sides
+  };
+  Directions directions(const Vector3<double>& a, const Vector3<double>& b,
+                        const Vector3<double>& c) const;
+
   double unit_;
   TetGeometry geometry_;
   std::array<Deviator<double>, 4> tensors_;

@@ -46,18 +46,25 @@ bool are_collinear(const std::array<Vector3<double>, 3>& c) {
   return CGAL::collinear(point(c[0]), point(c[1]), point(c[2]));
 }
 
+AxisBox box_of(std::span<const Vector3<double>> points, const PatchTriangle& t) {
+  AxisBox box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& p = points[t[i]];
+    const std::array<double, 3> x{p.x, p.y, p.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = i == 0 ? x[k] : std::min(box.low[k], x[k]);
+      box.high[k] = i == 0 ? x[k] : std::max(box.high[k], x[k]);
+    }
+  }
+  return box;
+}
+
 Side side_of(std::span<const Vector3<double>> points, const PatchTriangle& t) {
   Side side{};
   side.places = t;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& p = points[t[i]];
-    side.corners[i] = p;
-    const std::array<double, 3> x{p.x, p.y, p.z};
-    for (std::size_t k = 0; k < 3; ++k) {
-      side.low[k] = i == 0 ? x[k] : std::min(side.low[k], x[k]);
-      side.high[k] = i == 0 ? x[k] : std::max(side.high[k], x[k]);
-    }
-  }
+  const AxisBox box = box_of(points, t);
+  side.low = box.low, side.high = box.high;
+  for (std::size_t i = 0; i < 3; ++i) side.corners[i] = points[t[i]];
   const auto u = side.corners[1] - side.corners[0], v = side.corners[2] - side.corners[0];
   side.normal = cross(u, v);
   side.error = kRoundings * largest(u) * largest(v);
@@ -65,7 +72,8 @@ Side side_of(std::span<const Vector3<double>> points, const PatchTriangle& t) {
   return side;
 }
 
-bool boxes_meet(const Side& s, const Side& t) {
+template <class Box>
+bool boxes_meet(const Side& s, const Box& t) {
   for (std::size_t k = 0; k < 3; ++k)
     if (s.high[k] < t.low[k] || t.high[k] < s.low[k]) return false;
   return true;
@@ -127,27 +135,43 @@ bool are_in_conflict(const Side& first, const Side& second) {
          intersect<Same::place>(first, second);
 }
 
-std::vector<Side> sides_of(std::span<const Vector3<double>> points,
-                           std::span<const PatchTriangle> triangles) {
-  std::vector<Side> sides;
+void make_sides(std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles,
+                std::vector<Side>& sides) {
+  sides.clear();
   sides.reserve(triangles.size());
   for (const auto& t : triangles) sides.push_back(side_of(points, t));
-  return sides;
 }
 
-/// The axis along which boxes overlap least, for their size.
-std::size_t axis_of(const std::vector<Side>& sides) {
-  std::array<double, 3> overlap{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    double low = HUGE_VAL, high = -HUGE_VAL, sum = 0;
-    for (const auto& s : sides) {
-      low = std::min(low, s.low[k]), high = std::max(high, s.high[k]);
-      sum += s.high[k] - s.low[k];
+/// An interval that holds the products of a triangle's points with a direction.
+struct Extent {
+  double low, high;
+};
+
+Vector3<double> farthest_from(const Vector3<double>& p, const std::vector<Side>& sides) {
+  Vector3<double> farthest = p;
+  double most = 0;
+  for (const auto& s : sides)
+    for (const auto& q : s.corners)
+      if (const double d = largest(q - p); d > most) farthest = q, most = d;
+  return farthest;
+}
+
+/// The extents of triangles along the patch: boxes of triangles around a thin tube overlap wherever
+/// it is oblique to the axes. Rounding is allowed for as in `kRoundings`.
+void make_extents(const std::vector<Side>& sides, std::vector<Extent>& extents) {
+  extents.clear();
+  if (sides.empty()) return;
+  const auto from = farthest_from(sides[0].corners[0], sides), to = farthest_from(from, sides);
+  const auto along = to - from;
+  const double error = kRoundings * largest(along) * largest(along) + kUnderflow;
+  for (const auto& s : sides) {
+    Extent extent{HUGE_VAL, -HUGE_VAL};
+    for (const auto& p : s.corners) {
+      const double place = dot(along, p - from);
+      extent = {std::min(extent.low, place - error), std::max(extent.high, place + error)};
     }
-    overlap[k] = high > low ? sum / (high - low) : HUGE_VAL;
+    extents.push_back(extent);
   }
-  return static_cast<std::size_t>(std::min_element(overlap.begin(), overlap.end()) -
-                                  overlap.begin());
 }
 
 /// Calls f for any two of these whose boxes, `low` to `high`, meet.
@@ -169,19 +193,22 @@ void for_meeting(const Boxes& all, const F& f) {
 
 std::vector<std::array<std::uint32_t, 2>> intersecting_pairs(
     std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles) {
-  const auto sides = sides_of(points, triangles);
-  const std::size_t axis = axis_of(sides);
-  std::vector<std::uint32_t> order(sides.size());
+  // Nearly all patches are small: no memory for each of them.
+  thread_local std::vector<Side> sides;
+  make_sides(points, triangles, sides);
+  thread_local std::vector<Extent> extents;
+  make_extents(sides, extents);
+  thread_local std::vector<std::uint32_t> order;
+  order.resize(sides.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return std::pair(sides[i].low[axis], i) < std::pair(sides[j].low[axis], j);
+    return std::pair(extents[i].low, i) < std::pair(extents[j].low, j);
   });
   std::vector<std::array<std::uint32_t, 2>> pairs;
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const auto &s = sides[order[i]], &t = sides[order[j]];
-      if (t.low[axis] > s.high[axis]) break;
-      if (!are_in_conflict(s, t)) continue;
+      if (extents[order[j]].low > extents[order[i]].high) break;
+      if (!are_in_conflict(sides[order[i]], sides[order[j]])) continue;
       const auto [a, b] = std::minmax(order[i], order[j]);
       pairs.push_back({a, b});
     }
@@ -191,11 +218,15 @@ std::vector<std::array<std::uint32_t, 2>> intersecting_pairs(
 
 bool intersects_any(std::span<const Vector3<double>> points, std::span<const PatchTriangle> first,
                     std::span<const PatchTriangle> others) {
-  const auto sides = sides_of(points, first);
+  thread_local std::vector<Side> sides;
+  make_sides(points, first, sides);
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < sides.size(); ++j)
       if (are_in_conflict(sides[i], sides[j])) return true;
   for (const auto& t : others) {
+    const AxisBox box = box_of(points, t);
+    if (std::none_of(sides.begin(), sides.end(), [&](const Side& s) { return boxes_meet(s, box); }))
+      continue;
     const Side side = side_of(points, t);
     for (const auto& s : sides)
       if (are_in_conflict(s, side)) return true;
@@ -205,7 +236,8 @@ bool intersects_any(std::span<const Vector3<double>> points, std::span<const Pat
 
 bool are_embedded(std::span<const Vector3<double>> points,
                   std::span<const PatchTriangle> triangles) {
-  const auto sides = sides_of(points, triangles);
+  std::vector<Side> sides;
+  make_sides(points, triangles, sides);
   if (!std::all_of(sides.begin(), sides.end(), [](const Side& s) { return s.has_area; }))
     return false;
   bool all = true;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "extract/level/position.hpp"
+#include "extract/run/assert.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
 #include "extract/run/release.hpp"
@@ -57,6 +58,31 @@ void count_sheets(std::span<const CellProof<Scalar>> proofs, const CellMeshes<Sc
                                    : statistics.tets_monotone);
     sheets_meshed(mesh.mesher) += static_cast<std::size_t>(mesh.sheets);
   }
+}
+
+/// Whether the Euler characteristic of the triangles is that of sheets without their boundaries, of
+/// arcs without their ends, and of crossings, together: closed curves have none. Around isotropic
+/// vertices nothing is asked.
+/// @param crossings  vertices on edges that some triangle has
+template <class Scalar>
+[[maybe_unused]] bool do_characteristics_add_up(const TetComplex& cells,
+                                                std::span<const CellProof<Scalar>> proofs,
+                                                const CellMeshes<Scalar>& meshes,
+                                                std::size_t crossings, const SurfaceMesh& surface) {
+  const auto is_meshed = [&](TetMesh::Index t) {
+    return t >= 0 && !meshes.cells[as_size(t)].patch.triangles.empty();
+  };
+  auto sum = static_cast<long>(crossings);
+  for (std::size_t t = 0; t < proofs.size(); ++t) {
+    if (!is_meshed(static_cast<TetMesh::Index>(t))) continue;
+    if (proofs[t].is_cone || !proofs[t].topology) return true;
+    for (const auto& sheet : proofs[t].topology->sheets) sum += sheet.euler_characteristic;
+  }
+  for (std::size_t f = 0; f < cells.faces.size(); ++f) {
+    if (std::none_of(cells.face_tets[f].begin(), cells.face_tets[f].end(), is_meshed)) continue;
+    for (const auto& arc : meshes.boundary.arcs[f]) sum -= arc.closed ? 0 : 1;
+  }
+  return sum == surface_invariants(surface).euler_characteristic;
 }
 
 }  // namespace
@@ -199,6 +225,15 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
     }
   }
 
+  TENSORTOPO_ASSERT(
+      do_characteristics_add_up<Scalar>(
+          cells, proofs, meshes,
+          static_cast<std::size_t>(std::count_if(
+              new_id.begin(), new_id.begin() + static_cast<std::ptrdiff_t>(rows.values().size()),
+              [](Index id) { return id >= 0; })) +
+              copies.original.size(),
+          surface),
+      "the surface has the Euler characteristic of its sheets, arcs and crossings");
   result.statistics.cone_points = add_cone_tips(input, sides, cells, meshes, surface, is_apex);
   if (input.options.keep_topology)
     result.topology.cones = cone_sheets(surface, is_apex, result.topology.copies);

@@ -81,7 +81,7 @@ FamilyMember kelvin(const FamilyRequest& request, RandomSource& random) {
   const Vector3<double> at{offset(), offset(), offset()};
   const Vector3<double> force{random.normal(), random.normal(), 3 + random.uniform()};
   const int n = cube_cells(or_default(request.tetrahedra, 3072));
-  TetMesh mesh = kuhn_box({n, n, n}, {-1, -1, -1}, {1, 1, 1});
+  TetMesh mesh = kuhn_slab({n, n, n}, {-1, -1, -1}, {1, 1, 1}, request.slab, request.slabs);
   sample_field(mesh, [&](const Vector3<double>& p) {
     const Vector3<double> x = p - at;
     return x == Vector3<double>{} ? SymmetricTensor<double>{}
@@ -119,6 +119,8 @@ std::optional<FieldKind> field_kind(std::string_view name) {
 FamilyMember family_member(FieldKind kind, const FamilyRequest& request) {
   if (request.member < 0 || request.member >= request.members)
     throw std::invalid_argument("family_member: no such member");
+  if (request.slabs != 1 && kind != FieldKind::kelvin)
+    throw std::invalid_argument("family_member: only kelvin is made in slabs");
   // Members draw from sources of their own, so that each can be made alone.
   RandomSource random(request.seed * 0x9e3779b97f4a7c15u + static_cast<unsigned>(request.member));
   switch (kind) {

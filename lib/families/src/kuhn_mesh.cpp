@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -65,11 +66,23 @@ TetMesh kuhn_mesh(const std::array<int, 3>& cells,
 
 TetMesh kuhn_box(const std::array<int, 3>& cells, const Vector3<double>& low,
                  const Vector3<double>& high) {
+  return kuhn_slab(cells, low, high, 0, 1);
+}
+
+TetMesh kuhn_slab(const std::array<int, 3>& cells, const Vector3<double>& low,
+                  const Vector3<double>& high, int slab, int slabs) {
+  if (slabs < 1 || slabs > cells[0] || slab < 0 || slab >= slabs)
+    throw std::invalid_argument("kuhn_slab: there is no such slab of hexahedra");
+  const auto first_of = [&](int s) {
+    return static_cast<int>(static_cast<std::int64_t>(cells[0]) * s / slabs);
+  };
+  const int first = first_of(slab);
   const auto between = [](double a, double b, int i, int n) {
     return i == n ? b : a + (b - a) * i / n;
   };
-  return kuhn_mesh(cells, [&](int i, int j, int k) {
-    return Vector3<double>{between(low.x, high.x, i, cells[0]), between(low.y, high.y, j, cells[1]),
+  return kuhn_mesh({first_of(slab + 1) - first, cells[1], cells[2]}, [&](int i, int j, int k) {
+    return Vector3<double>{between(low.x, high.x, first + i, cells[0]),
+                           between(low.y, high.y, j, cells[1]),
                            between(low.z, high.z, k, cells[2])};
   });
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "tensortopo/hash/sha256.hpp"
 
@@ -21,6 +22,15 @@ class NumberHash {
  public:
   void add(double x) { append(std::bit_cast<std::uint64_t>(x)); }
   void add(const Vector3<double>& p) { add(p.x), add(p.y), add(p.z); }
+  /// Their number, then each.
+  void add_points(const std::vector<Vector3<double>>& points) {
+    add_count(points.size());
+    for (const auto& p : points) add(p);
+  }
+  /// The numbers that the file gives these tetrahedra.
+  void add_cells(const std::vector<TetMesh::Index>& tets, const TetMesh& mesh) {
+    for (const auto t : tets) add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
+  }
   void add_count(std::size_t n) { append(n); }
   void add_id(std::int64_t i) { append(static_cast<std::uint64_t>(i)); }
   std::string hex() {
@@ -68,41 +78,63 @@ std::string numbers_sha256(std::span<const double> numbers) {
   return hash.hex();
 }
 
-std::string field_sha256(const TetMesh& mesh) {
+struct FieldHash::State {
   NumberHash hash;
-  hash.add_count(mesh.points.size());
-  for (const auto& p : mesh.points) hash.add(p);
-  for (const auto& t : mesh.tensors)
-    for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}) hash.add(x);
-  hash.add_count(mesh.tets.size());
-  for (auto tet : mesh.tets) {
-    std::sort(tet.begin(), tet.end());
-    for (const auto v : tet) hash.add_id(v);
+  std::size_t tets = 0;
+  bool has_tets = false;
+
+  void begin_tets() {
+    if (!std::exchange(has_tets, true)) hash.add_count(tets);
   }
+};
+
+FieldHash::FieldHash(std::size_t points, std::size_t tets) : state_(std::make_unique<State>()) {
+  state_->tets = tets;
+  state_->hash.add_count(points);
+}
+FieldHash::~FieldHash() = default;
+
+void FieldHash::add(const Vector3<double>& point) { state_->hash.add(point); }
+void FieldHash::add(const SymmetricTensor<double>& t) {
+  for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}) state_->hash.add(x);
+}
+void FieldHash::add(std::array<std::int64_t, 4> tet) {
+  state_->begin_tets();
+  std::sort(tet.begin(), tet.end());
+  for (const std::int64_t v : tet) state_->hash.add_id(v);
+}
+std::string FieldHash::hex() {
+  state_->begin_tets();
+  return state_->hash.hex();
+}
+
+std::string field_sha256(const TetMesh& mesh) {
+  FieldHash hash(mesh.points.size(), mesh.tets.size());
+  for (const auto& p : mesh.points) hash.add(p);
+  for (const auto& t : mesh.tensors) hash.add(t);
+  for (const auto& [a, b, c, d] : mesh.tets) hash.add(std::array<std::int64_t, 4>{a, b, c, d});
   return hash.hex();
 }
 
 std::string surface_sha256(const SurfaceMesh& surface, const TetMesh& mesh) {
   NumberHash hash;
-  hash.add_count(surface.points.size());
-  for (const auto& p : surface.points) hash.add(p);
+  hash.add_points(surface.points);
   hash.add_count(surface.triangles.size());
   for (const auto& triangle : surface.triangles)
     for (const auto v : triangle) hash.add_id(v);
-  for (const auto t : surface.tet) hash.add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
+  hash.add_cells(surface.tet, mesh);
   return hash.hex();
 }
 
 std::string curves_sha256(const CurveMesh& curves, const TetMesh& mesh) {
   NumberHash hash;
-  hash.add_count(curves.points.size());
-  for (const auto& p : curves.points) hash.add(p);
+  hash.add_points(curves.points);
   hash.add_count(curves.lines.size());
   for (const auto& line : curves.lines) {
     hash.add_count(line.size());
     for (const auto v : line) hash.add_id(v);
   }
-  for (const auto t : curves.tet) hash.add_id(mesh.cell_ids[static_cast<std::size_t>(t)]);
+  hash.add_cells(curves.tet, mesh);
   return hash.hex();
 }
 
@@ -119,8 +151,7 @@ std::vector<ArrayHash> array_hashes(const CurveMesh& curves, std::span<const Cel
   return list;
 }
 
-std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface,
-                                    std::span<const CellArray> more) {
+std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface, std::span<const CellArray> more) {
   std::vector<ArrayHash> list;
   add_array(list, "points", "dominant_eigenvector", 3, surface.dominant_eigenvector);
   add_array(list, "points", "medium_eigenvector", 3, surface.medium_eigenvector);

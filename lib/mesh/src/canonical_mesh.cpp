@@ -62,13 +62,17 @@ void sort_corners(std::array<Index, 4>& v) {
 
 /// A tetrahedron filed under its smallest vertex: the others, ascending, and its position.
 struct FiledTet {
-  std::array<Index, 3> others;
-  Index tet;
-  auto operator<=>(const FiledTet&) const = default;
+  std::uint64_t middle;  ///< the two vertices between the smallest and the largest
+  Index largest, tet;
+  friend bool operator<(const FiledTet& s, const FiledTet& t) {
+    if (s.middle != t.middle) return s.middle < t.middle;
+    return s.largest != t.largest ? s.largest < t.largest : s.tet < t.tet;
+  }
 };
 
 FiledTet filed(const std::array<Index, 4>& v, std::size_t tet) {
-  return {{v[1], std::min(v[2], v[3]), std::max(v[2], v[3])}, static_cast<Index>(tet)};
+  return {std::uint64_t{as_size(v[1])} << 32 | as_size(std::min(v[2], v[3])), std::max(v[2], v[3]),
+          static_cast<Index>(tet)};
 }
 
 }  // namespace
@@ -86,10 +90,10 @@ CanonicalMesh canonical_mesh(const TetMesh& mesh) {
   const std::size_t count = mesh.points.size();
   result.mesh.points.resize(count);
   result.mesh.tensors.resize(count);
-  for (std::size_t v = 0; v < count; ++v) {
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t v) {
     result.mesh.points[v] = mesh.points[as_size(result.vertices[v])];
     result.mesh.tensors[v] = mesh.tensors[as_size(result.vertices[v])];
-  }
+  });
   const auto rank = inverse_permutation(result.vertices);
 
   // By smallest vertex with a counting sort, then each short list by the other three.
@@ -101,10 +105,9 @@ CanonicalMesh canonical_mesh(const TetMesh& mesh) {
     return v;
   };
   std::vector<std::array<Index, 4>> corners(mesh.tets.size());
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    corners[t] = corners_of(t);
-    ++begin[as_size(corners[t][0]) + 1];
-  }
+  tbb::parallel_for(std::size_t{0}, mesh.tets.size(),
+                    [&](std::size_t t) { corners[t] = corners_of(t); });
+  for (const auto& v : corners) ++begin[as_size(v[0]) + 1];
   for (std::size_t v = 0; v < count; ++v) begin[v + 1] += begin[v];
   std::vector<FiledTet> files(mesh.tets.size());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);

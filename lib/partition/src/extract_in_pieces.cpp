@@ -2,33 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/partition/extract_in_pieces.hpp"
 
-#include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
+#include "agreeing_pieces.hpp"
+#include "tensortopo/mesh/renumber.hpp"
+#include "tensortopo/partition/certify_pieces.hpp"
 #include "tensortopo/partition/mesh_piece.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
+#include "topology_parts.hpp"
 
 namespace tensortopo {
 
 namespace {
 
-/// The options for one piece: denser samples by its own numbers, progress by pieces.
-ExtractOptions options_of(const ExtractOptions& options, const MeshPiece& piece,
-                          std::int32_t number, std::int32_t pieces) {
-  ExtractOptions own = options;
-  own.density.clear();
-  if (!options.density.empty())
-    for (const std::int64_t t : piece.mesh.cell_ids)
-      own.density.push_back(options.density[as_size(t)]);
-  if (options.progress)
-    own.progress = [&options, label = "piece " + std::to_string(number + 1) + " of " +
-                                      std::to_string(pieces) +
-                                      ": "](std::string_view stage, double fraction) {
-      options.progress(label + std::string(stage), fraction);
-    };
-  return own;
+/// Ids that are numbers of the mesh.
+std::vector<TetMesh::Index> numbers_of(const std::vector<std::int64_t>& ids) {
+  std::vector<TetMesh::Index> numbers;
+  for (const std::int64_t id : ids) numbers.push_back(static_cast<TetMesh::Index>(id));
+  return numbers;
 }
 
 }  // namespace
@@ -36,30 +27,27 @@ ExtractOptions options_of(const ExtractOptions& options, const MeshPiece& piece,
 Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
                              const ExtractOptions& options) {
   const auto owner = slabs(mesh, pieces);
-  MergedSurface merged;
-  for (int layers = 1;; ++layers) {
-    std::vector<PieceSurface> surfaces;
+  const auto surfaces = [&](int layers) {
+    std::vector<PieceSurface> all;
     for (std::int32_t p = 0; p < pieces; ++p) {
       const MeshPiece piece = cut_piece(mesh, owner, p, layers);
-      surfaces.push_back(extract_piece(piece, mode, options_of(options, piece, p, pieces)));
+      ExtractOptions own = options_of_piece(options, p, pieces);
+      own.density.clear();
+      if (!options.density.empty())
+        for (const std::int64_t t : piece.mesh.cell_ids)
+          own.density.push_back(options.density[as_size(t)]);
+      all.push_back(extract_piece(piece, mode, own));
     }
-    try {
-      merged = merge_pieces(surfaces);
-      break;
-    } catch (const PiecesDiffer&) {
-      // With so many layers each piece is the whole mesh.
-      if (as_size(layers) > mesh.tets.size()) throw;
-    }
-  }
-  Extraction result;
-  result.surface = std::move(merged.surface);
-  for (const UnresolvedOwnedCell& cell : merged.unresolved)
-    result.unresolved.push_back({static_cast<TetMesh::Index>(cell.cell_id), cell.reason});
-  for (const std::int64_t id : merged.not_embedded)
-    result.not_embedded.push_back(static_cast<TetMesh::Index>(id));
-  const auto& tets = result.surface.tet;
-  for (std::size_t i = 0; i < tets.size(); ++i)
-    result.statistics.tets_crossed += i == 0 || tets[i] != tets[i - 1];
+    return all;
+  };
+  // With so many layers as tetrahedra each piece is the whole mesh.
+  const MergedSurface merged = merge_agreeing_pieces(surfaces, mesh.tets.size());
+  Extraction result = extraction_of(merged);
+  const auto tets = numbers_of(merged.cells.cell_ids);
+  renumber(result.surface, numbers_of(merged.vertex_ids), tets);
+  for (UnresolvedCell& cell : result.unresolved) cell.tet = tets[as_size(cell.tet)];
+  for (TetMesh::Index& t : result.not_embedded) t = tets[as_size(t)];
+  renumber_mesh(result.topology, numbers_of(merged.vertex_ids), tets);
   return result;
 }
 

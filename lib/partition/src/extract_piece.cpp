@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "tensortopo/partition/piece_surface.hpp"
+#include "topology_parts.hpp"
+#include "vertices_on_level.hpp"
 
 namespace tensortopo {
 
@@ -129,7 +132,7 @@ std::vector<Index> numbers_of(const std::vector<char>& is_kept) {
   return number;
 }
 
-/// Takes out triangles in ghosts, and vertices that no other triangle has.
+/// Takes out triangles in ghosts, and vertices that no other triangle has and no proof names.
 void keep_owned(const MeshPiece& piece, PieceSurface& result) {
   SurfaceMesh& surface = result.surface;
   std::vector<char> is_kept(surface.triangles.size()), is_used(surface.points.size(), 0);
@@ -138,11 +141,15 @@ void keep_owned(const MeshPiece& piece, PieceSurface& result) {
     if (is_kept[i])
       for (const Index v : surface.triangles[i]) is_used[as_size(v)] = 1;
   }
+  if (result.topology)
+    for_each_surface_vertex(*result.topology, [&](Index v) { is_used[as_size(v)] = 1; });
   keep(surface.triangles, is_kept);
   keep(surface.tet, is_kept);
   const auto number = numbers_of(is_used);
   for (auto& triangle : surface.triangles)
     for (Index& v : triangle) v = number[as_size(v)];
+  if (result.topology)
+    for_each_surface_vertex(*result.topology, [&](Index& v) { v = number[as_size(v)]; });
   keep(surface.points, is_used);
   keep(surface.carrier, is_used);
   keep(surface.carrier_vertices, is_used);
@@ -156,11 +163,14 @@ void keep_owned(const MeshPiece& piece, PieceSurface& result) {
   surface.component.clear();
 }
 
-/// Gathers the tetrahedra with triangles, and counts in terms of these.
-void gather_cells(const MeshPiece& piece, PieceSurface& result) {
+/// Gathers the tetrahedra with triangles or without a proof, and counts in terms of these.
+void gather_cells(const MeshPiece& piece, std::span<const UnresolvedCell> unresolved,
+                  PieceSurface& result) {
   SurfaceMesh& surface = result.surface;
   std::vector<char> is_crossed(piece.mesh.tets.size(), 0), is_near(piece.mesh.points.size(), 0);
   for (const Index t : surface.tet) is_crossed[as_size(t)] = 1;
+  for (const UnresolvedCell& cell : unresolved)
+    if (piece.is_owned[as_size(cell.tet)]) is_crossed[as_size(cell.tet)] = 1;
   for (std::size_t t = 0; t < is_crossed.size(); ++t)
     if (is_crossed[t])
       for (const Index v : piece.mesh.tets[t]) is_near[as_size(v)] = 1;
@@ -178,6 +188,7 @@ void gather_cells(const MeshPiece& piece, PieceSurface& result) {
   for (auto& carrier : surface.carrier_vertices)
     for (Index& v : carrier)
       if (v >= 0) v = vertex[as_size(v)];
+  if (result.topology) renumber_mesh(*result.topology, vertex, tet);
 }
 
 }  // namespace
@@ -186,9 +197,7 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
                            const ExtractOptions& options) {
   require_sound(given);
   const MeshPiece piece = in_order_of_ids(given);
-  ExtractOptions own = options;
-  own.keep_topology = false;
-  Extraction extraction = extract_mode_surface<double>(piece.mesh, mode, own);
+  Extraction extraction = extract_mode_surface<double>(piece.mesh, mode, options);
   PieceSurface result;
   result.surface = std::move(extraction.surface);
   for (const UnresolvedCell& cell : extraction.unresolved)
@@ -200,7 +209,10 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
   std::sort(result.not_embedded.begin(), result.not_embedded.end());
   result.owned_ids = owned_ids_of(piece);
   result.whole_tets = piece.whole_tets;
+  if (extraction.statistics.vertices_on_level > 0) result.on_level = vertices_on_level(piece, mode);
   result.ordinals = ordinals_of(result.surface);
+  if (options.keep_topology)
+    result.topology = topology_of_owned(std::move(extraction.topology), piece);
   keep_owned(piece, result);
   const auto seam = seam_of(piece);
   const auto& carriers = result.surface.carrier_vertices;
@@ -210,7 +222,7 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
     };
     result.ghost_across.push_back({across(0), across(1), across(2)});
   }
-  gather_cells(piece, result);
+  gather_cells(piece, extraction.unresolved, result);
   return result;
 }
 

@@ -1,120 +1,24 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
+#include "crossed_cells.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
+#include "topology_parts.hpp"
 
 namespace tensortopo {
 
 namespace {
 
 using Index = TetMesh::Index;
-
-[[noreturn]] void refuse(const std::string& text) {
-  throw std::invalid_argument("pieces: " + text);
-}
-
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-
-/// The crossed tetrahedra of all pieces as one mesh.
-struct CrossedCells {
-  TetMesh mesh;
-  std::vector<std::int64_t> vertex_ids;       ///< ascending
-  std::vector<std::vector<Index>> vertex_of;  ///< of each piece: of its vertices
-  std::vector<std::size_t> first_tet;         ///< of each piece
-};
-
-CrossedCells crossed_cells(std::span<const PieceSurface> pieces) {
-  CrossedCells all;
-  for (const auto& piece : pieces)
-    all.vertex_ids.insert(all.vertex_ids.end(), piece.vertex_ids.begin(), piece.vertex_ids.end());
-  std::sort(all.vertex_ids.begin(), all.vertex_ids.end());
-  all.vertex_ids.erase(std::unique(all.vertex_ids.begin(), all.vertex_ids.end()),
-                       all.vertex_ids.end());
-  all.mesh.points.resize(all.vertex_ids.size());
-  all.mesh.tensors.resize(all.vertex_ids.size());
-  std::vector<char> is_known(all.vertex_ids.size(), 0);
-  for (const auto& piece : pieces) {
-    auto& numbers = all.vertex_of.emplace_back();
-    for (std::size_t v = 0; v < piece.vertex_ids.size(); ++v) {
-      const auto place =
-          std::lower_bound(all.vertex_ids.begin(), all.vertex_ids.end(), piece.vertex_ids[v]);
-      const auto n = static_cast<std::size_t>(place - all.vertex_ids.begin());
-      numbers.push_back(static_cast<Index>(n));
-      if (is_known[n] != 0 && (!same_bits(all.mesh.points[n], piece.cells.points[v]) ||
-                               !same_bits(all.mesh.tensors[n], piece.cells.tensors[v])))
-        refuse("vertex " + std::to_string(*place) +
-               " has another place or tensor in another piece: they are not of one mesh");
-      is_known[n] = 1;
-      all.mesh.points[n] = piece.cells.points[v];
-      all.mesh.tensors[n] = piece.cells.tensors[v];
-    }
-    all.first_tet.push_back(all.mesh.tets.size());
-    for (auto corners : piece.cells.tets) {
-      for (Index& v : corners) v = numbers[as_size(v)];
-      all.mesh.tets.push_back(corners);
-    }
-    all.mesh.cell_ids.insert(all.mesh.cell_ids.end(), piece.cells.cell_ids.begin(),
-                             piece.cells.cell_ids.end());
-  }
-  return all;
-}
-
-bool owns(const PieceSurface& piece, std::int64_t id) {
-  const auto after = std::upper_bound(piece.owned_ids.begin(), piece.owned_ids.end(), id,
-                                      [](std::int64_t i, const auto& run) { return i < run[0]; });
-  return after != piece.owned_ids.begin() && (*(after - 1))[1] >= id;
-}
-
-/// Runs of ids as they should be, and what the piece says is about cells that it owns.
-void require_owned(const PieceSurface& piece) {
-  std::int64_t before = -1;
-  for (const auto& [first, last] : piece.owned_ids) {
-    if (first <= before || last < first) refuse("the ids that one owns are not in order");
-    before = last;
-  }
-  const auto require = [&](std::int64_t id) {
-    if (!owns(piece, id)) refuse("cell " + std::to_string(id) + " is in one that does not own it");
-  };
-  for (const std::int64_t id : piece.cells.cell_ids) require(id);
-  for (const UnresolvedOwnedCell& cell : piece.unresolved) require(cell.cell_id);
-}
-
-/// The pieces own each tetrahedron of the whole mesh once.
-void require_all_cells(std::span<const PieceSurface> pieces) {
-  if (pieces.empty()) refuse("there are none");
-  const std::int64_t whole = pieces[0].whole_tets;
-  std::vector<std::array<std::int64_t, 2>> runs;
-  for (const auto& piece : pieces) {
-    if (piece.whole_tets != whole)
-      refuse("the whole mesh has " + std::to_string(whole) + " cells by one, " +
-             std::to_string(piece.whole_tets) + " by another: they are not of one mesh");
-    require_owned(piece);
-    runs.insert(runs.end(), piece.owned_ids.begin(), piece.owned_ids.end());
-  }
-  std::sort(runs.begin(), runs.end());
-  std::uint64_t owned = 0;  // at most 2^63, as the runs are apart
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (i > 0 && runs[i][0] <= runs[i - 1][1])
-      refuse("cell " + std::to_string(runs[i][0]) + " is owned by two pieces");
-    owned += static_cast<std::uint64_t>(runs[i][1] - runs[i][0]) + 1;
-  }
-  if (owned != static_cast<std::uint64_t>(whole))
-    refuse("they own " + std::to_string(owned) + " of the " + std::to_string(whole) +
-           " cells of the whole mesh: a piece is missing");
-}
 
 /// In the order in which an extraction numbers its vertices.
 enum class VertexClass { crossing, isotropic, sample, inner, copy, halfway, tip };
@@ -126,6 +30,7 @@ struct PieceVertex {
   std::int32_t ordinal = 0;
   std::size_t piece = 0;
   Index vertex = 0;
+  std::size_t original = 0;  ///< of a copy: which of the whole surface's it is one of
 
   auto key() const { return std::tie(kind, carrier, ordinal); }
 };
@@ -145,6 +50,7 @@ class Merger {
     number_vertices();
     fill();
     check_seams();
+    fill_cells();
     return std::move(result_);
   }
 
@@ -186,7 +92,7 @@ class Merger {
         require_equal(vertices_.back(), all[i]);
       } else {
         if (!is_same_carrier) on_edge.clear();
-        all[i].kind = kind_of(all[i], on_edge);
+        classify(all[i], on_edge);
         on_edge.push_back(vertices_.size());
         vertices_.push_back(all[i]);
       }
@@ -197,28 +103,34 @@ class Merger {
   const SurfaceMesh& surface_of(const PieceVertex& v) const { return pieces_[v.piece].surface; }
 
   /// @param before  others with the same carrier and a smaller ordinal
-  VertexClass kind_of(const PieceVertex& v, const std::vector<std::size_t>& before) const {
+  void classify(PieceVertex& v, const std::vector<std::size_t>& before) const {
     const SurfaceMesh& surface = surface_of(v);
     const auto n = as_size(v.vertex);
     switch (surface.carrier[n]) {
       case Carrier::face:
-        return VertexClass::sample;
+        v.kind = VertexClass::sample;
+        return;
       case Carrier::tet:
-        return VertexClass::inner;
+        v.kind = VertexClass::inner;
+        return;
       case Carrier::vertex:
-        return v.ordinal == 0 ? VertexClass::isotropic : VertexClass::tip;
+        v.kind = v.ordinal == 0 ? VertexClass::isotropic : VertexClass::tip;
+        return;
       case Carrier::edge:
         break;
     }
     const auto& medium = surface.medium_eigenvector[n];
-    if (medium == Vector3<double>{}) return VertexClass::halfway;
-    const bool is_copy = std::any_of(before.begin(), before.end(), [&](std::size_t u) {
+    v.kind = medium == Vector3<double>{} ? VertexClass::halfway : VertexClass::crossing;
+    if (v.kind == VertexClass::halfway) return;
+    const auto original = std::find_if(before.begin(), before.end(), [&](std::size_t u) {
       const SurfaceMesh& other = surface_of(vertices_[u]);
       const auto m = as_size(vertices_[u].vertex);
       return same_bits(other.points[m], surface.points[n]) &&
              same_bits(other.medium_eigenvector[m], medium);
     });
-    return is_copy ? VertexClass::copy : VertexClass::crossing;
+    if (original == before.end()) return;
+    v.kind = VertexClass::copy;
+    v.original = *original;
   }
 
   void require_equal(const PieceVertex& a, const PieceVertex& b) const {
@@ -333,6 +245,37 @@ class Merger {
     std::sort(result_.not_embedded.begin(), result_.not_embedded.end());
     std::sort(result_.unresolved.begin(), result_.unresolved.end(),
               [](const auto& a, const auto& b) { return a.cell_id < b.cell_id; });
+  }
+
+  void fill_cells() {
+    result_.cells = cells_.sorted();
+    result_.whole_tets = pieces_[0].whole_tets;
+    std::vector<std::int64_t> on_level;
+    for (const auto& piece : pieces_)
+      on_level.insert(on_level.end(), piece.on_level.begin(), piece.on_level.end());
+    std::sort(on_level.begin(), on_level.end());
+    result_.vertices_on_level =
+        static_cast<std::size_t>(std::unique(on_level.begin(), on_level.end()) - on_level.begin());
+    const auto has_topology = [](const PieceSurface& piece) { return piece.topology.has_value(); };
+    if (std::all_of(pieces_.begin(), pieces_.end(), has_topology)) fill_topology();
+    result_.vertex_ids = std::move(cells_.vertex_ids);
+  }
+
+  void fill_topology() {
+    const auto rank = cells_.ranks_by_id();
+    std::vector<TopologyPart> parts;
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const auto first = rank.begin() + static_cast<std::ptrdiff_t>(cells_.first_tet[p]);
+      const auto count = static_cast<std::ptrdiff_t>(pieces_[p].cells.tets.size());
+      TopologyPart part{
+          &*pieces_[p].topology, cells_.vertex_of[p], {first, first + count}, merged_[p]};
+      for (Index& v : part.surface_vertices) v = number_[as_size(v)];
+      parts.push_back(std::move(part));
+    }
+    result_.topology = merge_topologies(parts, cells_.vertex_ids);
+    for (const std::size_t v : order_)
+      if (vertices_[v].kind == VertexClass::copy)
+        result_.topology->copies.push_back({number_[vertices_[v].original], number_[v]});
   }
 
   /// Each side on a seam has a partner, unless what is across was not extracted.

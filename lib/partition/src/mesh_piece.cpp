@@ -60,6 +60,13 @@ MeshPiece cut_piece(const TetMesh& mesh, std::span<const std::int32_t> owner, st
                                              [&](Index v) { return is_near[as_size(v)] != 0; });
   }
   note_vertices();
+  if (piece == 0) {
+    // Points in no tetrahedron: of no account but for the number of those on the level.
+    std::vector<char> is_used(mesh.points.size(), 0);
+    for (const auto& tet : mesh.tets)
+      for (const Index v : tet) is_used[as_size(v)] = 1;
+    for (std::size_t v = 0; v < is_used.size(); ++v) is_near[v] |= is_used[v] == 0;
+  }
   MeshPiece result;
   std::vector<Index> number(mesh.points.size(), -1);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {

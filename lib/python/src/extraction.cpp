@@ -12,6 +12,7 @@
 
 #include "arrays.hpp"
 #include "mesh.hpp"
+#include "surface_arrays.hpp"
 #include "watched.hpp"
 
 namespace tensortopo::python {
@@ -114,16 +115,7 @@ py::dict extract_surfaces(const Mesh& self, const std::vector<std::string>& mode
   });
   py::dict out;
   SurfaceMesh& s = made.surface;
-  out["points"] = array_of<double>(std::move(s.points));
-  out["triangles"] = array_of<Index>(std::move(s.triangles));
-  out["normals"] = array_of<double>(std::move(s.normal));
-  out["medium_eigenvectors"] = array_of<double>(std::move(s.medium_eigenvector));
-  out["dominant_eigenvectors"] = array_of<double>(std::move(s.dominant_eigenvector));
-  out["mode"] = array_of<double>(std::move(s.mode));
-  out["residual"] = array_of<double>(std::move(s.residual));
-  out["carrier"] = array_of<std::uint8_t>(std::move(s.carrier));
-  out["carrier_vertices"] = array_of<Index>(std::move(s.carrier_vertices));
-  out["tet"] = array_of<Index>(std::move(s.tet));
+  put_surface(out, std::move(s));
   out["component"] = array_of<Index>(std::move(s.component));
   for (CellArray& array : made.more)
     out[py::str(array.name)] = array_of<std::int32_t>(std::move(array.values));

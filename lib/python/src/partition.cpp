@@ -5,13 +5,19 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "arrays.hpp"
 #include "mesh.hpp"
+#include "surface_arrays.hpp"
+#include "tensortopo/certify/certificate.hpp"
+#include "tensortopo/hash/number_hash.hpp"
+#include "tensortopo/partition/certify_pieces.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
+#include "tensortopo/partition/topology_numbers.hpp"
 #include "watched.hpp"
 
 namespace tensortopo::python {
@@ -41,22 +47,9 @@ py::list list_of(const std::vector<UnresolvedOwnedCell>& cells) {
   return list;
 }
 
-void put_surface(py::dict& out, SurfaceMesh&& s) {
-  out["points"] = array_of<double>(std::move(s.points));
-  out["triangles"] = array_of<Index>(std::move(s.triangles));
-  out["normals"] = array_of<double>(std::move(s.normal));
-  out["medium_eigenvectors"] = array_of<double>(std::move(s.medium_eigenvector));
-  out["dominant_eigenvectors"] = array_of<double>(std::move(s.dominant_eigenvector));
-  out["mode"] = array_of<double>(std::move(s.mode));
-  out["residual"] = array_of<double>(std::move(s.residual));
-  out["carrier"] = array_of<std::uint8_t>(std::move(s.carrier));
-  out["carrier_vertices"] = array_of<Index>(std::move(s.carrier_vertices));
-  out["tet"] = array_of<Index>(std::move(s.tet));
-}
-
 py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64_t>& vertex_ids,
                const Input<bool>& owned, std::int64_t whole_cells, double resolution,
-               bool all_samples, const py::object& progress) {
+               bool all_samples, bool certify, const py::object& progress) {
   if (!(resolution > 0) || resolution > 1000)
     throw py::value_error("resolution: must be a positive number, at most 1000");
   MeshPiece given{self.mesh, {}, {}, whole_cells};
@@ -64,6 +57,7 @@ py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64
   for (py::ssize_t t = 0; t < owned.size(); ++t) given.is_owned.push_back(owned.data()[t]);
   ExtractOptions options;
   options.sampling.resolution = resolution, options.keep_samples = all_samples;
+  options.keep_topology = certify;
   const ModeValue value = parse_surface_mode(mode);
   PieceSurface made = watched(progress, [&](const Progress& report) {
     options.progress = report;
@@ -82,6 +76,12 @@ py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64
   out["not_embedded"] = made.not_embedded;
   out["owned_ids"] = array_of<std::int64_t>(std::move(made.owned_ids));
   out["whole_cells"] = made.whole_tets;
+  out["on_level"] = made.on_level;
+  if (made.topology) {
+    TopologyNumbers proofs = numbers_of(*made.topology);
+    out["proofs"] = array_of<std::int32_t>(std::move(proofs.integers));
+    out["proof_weights"] = array_of<double>(std::move(proofs.weights));
+  }
   return out;
 }
 
@@ -147,17 +147,48 @@ PieceSurface piece_from(const py::dict& d) {
   piece.not_embedded = d["not_embedded"].cast<std::vector<std::int64_t>>();
   piece.owned_ids = rows<std::array<std::int64_t, 2>, std::int64_t>(d, "owned_ids");
   piece.whole_tets = d["whole_cells"].cast<std::int64_t>();
+  piece.on_level = d["on_level"].cast<std::vector<std::int64_t>>();
   require_indices(piece);
+  if (d.contains("proofs"))
+    piece.topology =
+        topology_of({numbers<std::int32_t>(d, "proofs"), numbers<double>(d, "proof_weights")},
+                    {piece.vertex_ids.size(), piece.cells.tets.size(), s.points.size()});
   return piece;
 }
 
-py::dict merge(const std::vector<py::dict>& dicts) {
+/// @param subject  what is known of the field
+std::string certificate_of(const MergedSurface& merged, const ModeValue& mode,
+                           CertificateSubject subject) {
+  const CertifiedLevel level = certify(merged, mode);
+  const SurfaceMesh surface = extraction_of(merged).surface;
+  subject.tetrahedra = static_cast<std::size_t>(merged.whole_tets);
+  subject.vertices = surface.points.size();
+  subject.cells = surface.triangles.size();
+  subject.output_sha256 = surface_sha256(surface, merged.cells);
+  for (const ArrayHash& array : array_hashes(surface))
+    subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
+  return certificate_bytes(subject, std::span(&level, 1), merged.cells, CertificateEncoding::json);
+}
+
+py::dict merge(const std::vector<py::dict>& dicts, const py::object& certified) {
   std::vector<PieceSurface> pieces;
   for (const py::dict& d : dicts) pieces.push_back(piece_from(d));
+  std::string mode;
+  CertificateSubject subject;
+  const bool certifying = !certified.is_none();
+  if (certifying) {
+    mode = certified["mode"].cast<std::string>();
+    subject.tensor = certified["tensor"].cast<std::string>();
+    subject.components = "vtk";
+    subject.points = certified["points"].cast<std::size_t>();
+    subject.field_sha256 = certified["sha256"].cast<std::string>();
+  }
   MergedSurface made;
+  std::string certificate;
   {
     const py::gil_scoped_release unlocked;
     made = merge_pieces(pieces);
+    if (certifying) certificate = certificate_of(made, parse_surface_mode(mode), subject);
   }
   py::dict out;
   auto component = std::move(made.surface.component);
@@ -167,6 +198,7 @@ py::dict merge(const std::vector<py::dict>& dicts) {
   out["carrier_ids"] = array_of<std::int64_t>(std::move(made.carrier_ids));
   out["unresolved"] = list_of(made.unresolved);
   out["not_embedded"] = made.not_embedded;
+  out["certificate"] = certifying ? py::object(py::bytes(certificate)) : py::none();
   return out;
 }
 
@@ -175,8 +207,9 @@ py::dict merge(const std::vector<py::dict>& dicts) {
 void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
   mesh.def("piece", &piece, py::arg("mode"), py::arg("vertex_ids"), py::arg("owned"),
            py::arg("whole_cells"), py::arg("resolution"), py::arg("all_samples"),
-           py::arg("progress"));
-  m.def("merge_pieces", &merge, py::arg("pieces"));
+           py::arg("certify"), py::arg("progress"));
+  m.def("merge_pieces", &merge, py::arg("pieces"), py::arg("certified"));
+  py::register_local_exception<PiecesDiffer>(m, "PiecesDiffer", PyExc_ValueError);
 }
 
 }  // namespace tensortopo::python

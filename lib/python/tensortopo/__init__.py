@@ -28,7 +28,15 @@ from ._families import Generated, field_kinds, generate
 from ._field import Field
 from ._files import read, write
 from ._modes import exact_mode
-from ._partition import MergedSurface, PieceSurface, extract_piece, merge_pieces
+from ._partition import (
+    CertifiedField,
+    FieldHash,
+    MergedSurface,
+    PieceSurface,
+    PiecesDiffer,
+    extract_piece,
+    merge_pieces,
+)
 from ._persistence import CurvePersistence, Persistence, PersistencePair
 from ._surface import (
     CARRIERS,
@@ -49,6 +57,7 @@ __all__ = [
     "CARRIERS",
     "COMPONENT_ORDERS",
     "Cancelled",
+    "CertifiedField",
     "Component",
     "CriticalPoint",
     "CurveLevel",
@@ -56,6 +65,7 @@ __all__ = [
     "Curves",
     "Defect",
     "Field",
+    "FieldHash",
     "FileError",
     "Finding",
     "Generated",
@@ -64,6 +74,7 @@ __all__ = [
     "Persistence",
     "PersistencePair",
     "PieceSurface",
+    "PiecesDiffer",
     "PyVistaAccessor",
     "Statement",
     "Surface",

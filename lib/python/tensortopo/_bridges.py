@@ -109,6 +109,10 @@ def from_pyvista(
                   symmetrize)  # fmt: skip
 
 
+def _not_an_output(value: Any) -> TypeError:
+    return TypeError(f"expected a Surface or Curves, not {type(value).__name__}")
+
+
 def to_meshio(output: Any) -> Any:
     """A surface or curves as a ``meshio.Mesh`` with the arrays of a .vtp.
 
@@ -133,7 +137,7 @@ def to_meshio(output: Any) -> Any:
             name: [np.repeat(values, lengths)] for name, values in _cell_data(output).items()
         }
     else:
-        raise TypeError(f"expected a Surface or Curves, not {type(output).__name__}")
+        raise _not_an_output(output)
     return meshio.Mesh(output.points, cells, point_data=_point_data(output), cell_data=cell_data)
 
 
@@ -161,7 +165,7 @@ def to_pyvista(output: Any) -> Any:
             np.array(output.points), lines=np.concatenate(lines) if lines else None
         )
     else:
-        raise TypeError(f"expected a Surface or Curves, not {type(output).__name__}")
+        raise _not_an_output(output)
     for name, values in _point_data(output).items():
         mesh.point_data[name] = np.array(values)
     for name, values in _cell_data(output).items():

@@ -13,6 +13,7 @@ from ._errors import FileError
 from ._field import Field
 from ._files import write
 from ._modes import Mode, mode_texts
+from ._partition import MergedSurface
 from ._surface import Curves, Surface
 
 PathLike = Union[str, "os.PathLike[str]"]
@@ -65,7 +66,7 @@ class Verdict:
 
 def check(
     field: Union[Field, PathLike],
-    output: Union[Surface, Curves, PathLike],
+    output: Union[Surface, MergedSurface, Curves, PathLike],
     certificate: Union[bytes, PathLike, None] = None,
     *,
     expect_modes: Optional[Sequence[Mode]] = None,
@@ -82,7 +83,7 @@ def check(
     ----------
     field : Field or path
         The field, or its file (.vtu, .vtk).
-    output : Surface, Curves or path
+    output : Surface, MergedSurface, Curves or path
         The surface or the curves, or their file (.vtp).
     certificate : bytes or path, optional
         By default that of ``output``.
@@ -109,7 +110,7 @@ def check(
     """
     from . import _checker
 
-    if certificate is None and isinstance(output, (Surface, Curves)):
+    if certificate is None and isinstance(output, (Surface, MergedSurface, Curves)):
         certificate = output.certificate
     if certificate is None:
         raise ValueError("certificate: there is none; extract with certify=True")
@@ -119,7 +120,7 @@ def check(
     with tempfile.TemporaryDirectory(prefix="tensortopo-") as folder:
         files = []
         for what, name in ((field, "field.vtu"), (output, "output.vtp")):
-            if isinstance(what, (Field, Surface, Curves)):
+            if isinstance(what, (Field, Surface, MergedSurface, Curves)):
                 write(Path(folder) / name, what)
                 files.append(str(Path(folder) / name))
             else:

@@ -89,7 +89,7 @@ def conformance(
                 },
             },
         )
-        write_whole(surface, text.encode("utf-8"))
+        write_whole({surface: text.encode("utf-8")})
         write(Path(folder) / "field.vtu", field)
         command += ["--surface", str(surface), "--input", str(Path(folder) / "field.vtu")]
         try:

@@ -9,20 +9,22 @@ import subprocess
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Optional, Union
+from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
 
 from ._errors import FileError
 from ._field import Field
+from ._partition import MergedSurface
 from ._program import find_program, has_program
 from ._surface import Curves, Surface, _Output
-from ._tensors import COMPONENT_ORDERS
+from ._tensors import COMPONENT_ORDERS, tensor_rows
 from ._vtk_xml import XmlArray, XmlPiece, piece_text, read_piece, write_whole
 
 # What the program reads beyond plain .vtu; lib/io has the table.
 _PROGRAMS_FORMATS = (".pvtu", ".vtk", ".vti", ".pvd", ".frd", ".e", ".exo", ".nii", ".nii.gz")
 _TETRA = 10
+_GHOST = 1 | 32  # bits of vtkGhostType: another piece's cell, and one that is hidden
 _FLAT = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36}  # points, lines, faces
 _LINEAR_NAMES = {11: "voxels", 12: "hexahedra", 13: "wedges", 14: "pyramids"}
 
@@ -61,8 +63,19 @@ def _order(path: Path, array: XmlArray, asked: Optional[str]) -> str:
     return asked or named or "vtk"
 
 
-def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Optional[str],
-              symmetrize: bool) -> Field:  # fmt: skip
+class Grid(NamedTuple):
+    """The tetrahedra of a file, and the tensors at its points."""
+
+    points: Any
+    tensors: Any  # rows in VTK's order
+    tets: Any
+    cells: Any  # which of the file's cells the tetrahedra are
+    tensor_name: str
+
+
+def grid_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Optional[str],
+            symmetrize: bool) -> Grid:  # fmt: skip
+    """What a .vtu holds, without the cells that are marked as another piece's."""
     try:
         points = next(iter(piece.sections["Points"].values())).values
         cells = piece.sections["Cells"]
@@ -85,6 +98,11 @@ def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Op
         )
     if (ends[tetra] - starts[tetra] != 4).any():
         raise FileError(f"{path}: a tetrahedron has not four vertices")
+    ghosts = piece.sections.get("CellData", {}).get("vtkGhostType")
+    if ghosts is not None:
+        if ghosts.values.shape != types.shape:
+            raise FileError(f"{path}: the array 'vtkGhostType' has not one number for each cell")
+        tetra = tetra & (ghosts.values.astype(np.int64) & _GHOST == 0)
     tets = connectivity[starts[tetra][:, None] + np.arange(4)]
     name, array = _pick(path, piece.sections.get("PointData", {}), tensor)
     if len(array.values) != len(points):
@@ -97,8 +115,14 @@ def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Op
     else:
         tensors = array.values
         order = _order(path, array, components)
-    return Field(points, tensors, tets, order, cell_ids=np.flatnonzero(tetra), tensor_name=name,
-                 symmetrize=symmetrize)  # fmt: skip
+    return Grid(points, tensor_rows(tensors, order, symmetrize), tets, np.flatnonzero(tetra), name)
+
+
+def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Optional[str],
+              symmetrize: bool) -> Field:  # fmt: skip
+    grid = grid_of(path, piece, tensor, components, symmetrize)
+    return Field(grid.points, grid.tensors, grid.tets, cell_ids=grid.cells,
+                 tensor_name=grid.tensor_name)  # fmt: skip
 
 
 def _converted(file: Path, words: Sequence[str], tensor: Optional[str], components: Optional[str],
@@ -215,11 +239,11 @@ def _field_text(field: Field) -> str:
     )
 
 
-def _output_text(output: _Output) -> str:
+def _output_text(output: Union[_Output, MergedSurface]) -> str:
     point_data: dict[str, Any] = {"mode": output.mode}
     cell_data: dict[str, Any] = {"tet": output.cell_ids, "component": output.component}
     counts = {"NumberOfPoints": len(output.points), "NumberOfVerts": 0}
-    if isinstance(output, Surface):
+    if isinstance(output, (Surface, MergedSurface)):
         point_data["medium_eigenvector"] = output.medium_eigenvectors
         point_data["dominant_eigenvector"] = output.dominant_eigenvectors
         point_data["normal"] = output.normals
@@ -237,7 +261,7 @@ def _output_text(output: _Output) -> str:
         section, counts["NumberOfLines"] = "Lines", len(output)
     else:
         raise TypeError(f"nothing is written of a {type(output).__name__}")
-    if output.stable is not None:
+    if not isinstance(output, MergedSurface) and output.stable is not None:
         cell_data["instability"], cell_data["stable"] = output.instability, output.stable
     return piece_text(
         "PolyData",
@@ -248,11 +272,18 @@ def _output_text(output: _Output) -> str:
             "Points": {"Points": output.points},
             section: {"connectivity": connectivity, "offsets": offsets},
         },
-        marks={"Scalars": "mode"} | ({"Normals": "normal"} if isinstance(output, Surface) else {}),
+        marks={"Scalars": "mode"} | ({} if isinstance(output, Curves) else {"Normals": "normal"}),
     )
 
 
-def write(path: Union[str, os.PathLike[str]], what: Union[Field, Surface, Curves]) -> None:
+def output_bytes(output: Union[_Output, MergedSurface]) -> bytes:
+    """What `write` puts into a .vtp."""
+    return _output_text(output).encode("utf-8")
+
+
+def write(
+    path: Union[str, os.PathLike[str]], what: Union[Field, Surface, MergedSurface, Curves]
+) -> None:
     """Writes a field (.vtu), or a surface or curves (.vtp), whole or not at all.
 
     The arrays of a .vtp are those that the program writes, with the same names and numbers, so that
@@ -262,7 +293,7 @@ def write(path: Union[str, os.PathLike[str]], what: Union[Field, Surface, Curves
     ----------
     path : str or path
         Ends in .vtu for a field, else in .vtp.
-    what : Field, Surface or Curves
+    what : Field, Surface, MergedSurface or Curves
 
     Raises
     ------
@@ -275,5 +306,5 @@ def write(path: Union[str, os.PathLike[str]], what: Union[Field, Surface, Curves
     wanted = ".vtu" if isinstance(what, Field) else ".vtp"
     if file.suffix.lower() != wanted:
         raise ValueError(f"{file}: the name of a {type(what).__name__} must end in {wanted}")
-    text = _field_text(what) if isinstance(what, Field) else _output_text(what)
-    write_whole(file, text.encode("utf-8"))
+    data = _field_text(what).encode("utf-8") if isinstance(what, Field) else output_bytes(what)
+    write_whole({file: data})

@@ -3,6 +3,8 @@
 """Mode surfaces of meshes that lie in pieces."""
 from __future__ import annotations
 
+import hashlib
+import struct
 from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Optional
 
@@ -12,6 +14,8 @@ import numpy.typing as npt
 from . import _core
 from ._field import Field
 from ._modes import mode_texts
+
+PiecesDiffer = _core.PiecesDiffer
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,8 @@ class MergedSurface:
     not_embedded : list of int
         Ids of cells whose triangles have the proved topology, but intersect each other or are at 90
         degrees or more to the gradient of the mode.
+    certificate : bytes or None
+        What `merge_pieces` was asked for; `check` takes it.
     """
 
     points: npt.NDArray[np.float64]
@@ -88,6 +94,7 @@ class MergedSurface:
     cell_ids: npt.NDArray[np.int64]
     unresolved: list[tuple[int, str]]
     not_embedded: list[int]
+    certificate: Optional[bytes] = None
 
     def __repr__(self) -> str:
         return f"MergedSurface({len(self.points)} points, {len(self.triangles)} triangles)"
@@ -102,6 +109,7 @@ def extract_piece(
     *,
     resolution: float = 4,
     all_samples: bool = False,
+    certify: bool = False,
     progress: Optional[Callable[[str, float], Any]] = None,
 ) -> PieceSurface:
     """The part of a mode surface that lies in the cells that a piece of a mesh owns.
@@ -123,6 +131,8 @@ def extract_piece(
         How many cells the whole mesh has: `merge_pieces` notices by it that a piece is missing.
     resolution, all_samples, progress
         As for `Field.mode_surface`.
+    certify : bool, default False
+        Keep the proofs, from which `merge_pieces` makes a certificate.
 
     Returns
     -------
@@ -144,22 +154,104 @@ def extract_piece(
         whole_cells=whole_cells,
         resolution=float(resolution),
         all_samples=all_samples,
+        certify=certify,
         progress=progress,
     )
     return PieceSurface(made)
 
 
-def merge_pieces(pieces: Iterable[PieceSurface]) -> MergedSurface:
+@dataclass(frozen=True)
+class CertifiedField:
+    """What a certificate says of a field that lies in pieces.
+
+    Attributes
+    ----------
+    points : int
+        How many points the whole mesh has.
+    sha256 : str
+        The hash of the whole field's numbers, as `Field.sha256` gives it; `FieldHash` computes it piece by piece.
+    tensor_name : str
+        What the file that is checked calls the tensors. They are in VTK's order there.
+    """
+
+    points: int
+    sha256: str
+    tensor_name: str = "tensor"
+
+
+def merge_pieces(
+    pieces: Iterable[PieceSurface],
+    *,
+    certify: Optional[CertifiedField] = None,
+    mode: Any = None,
+) -> MergedSurface:
     """The surface of the whole mesh, from all of its pieces in any order.
 
-    It is what `Field.mode_surface` gives for the whole mesh, bit for bit and in the same order.
+    It is what `Field.mode_surface` gives for the whole mesh, bit for bit and in the same order, and so is
+    the certificate, byte for byte.
+
+    Parameters
+    ----------
+    pieces : iterable of PieceSurface
+    certify : CertifiedField, optional
+        Make a certificate, of pieces that were extracted with ``certify=True``; ``mode`` is theirs.
+    mode : str, int, float, Fraction or Decimal, optional
 
     Raises
     ------
     ValueError
-        If the pieces do not own each cell of the whole mesh once, are not those of one mesh, or do not meet: they
-        were extracted with other options, or more layers of cells around the owned ones are needed. The message
-        says where.
+        If the pieces do not own each cell of the whole mesh once, are not those of one mesh, or a certificate is
+        asked for without their proofs.
+    PiecesDiffer
+        If they do not meet: they were extracted with other options, or more layers of cells around the owned ones
+        are needed. The message says where. It is a ValueError.
     """
-    made = _core.merge_pieces([piece.arrays for piece in pieces])
+    certified = None
+    if certify is not None:
+        (text,) = mode_texts(mode)
+        certified = {
+            "mode": text,
+            "tensor": certify.tensor_name,
+            "points": certify.points,
+            "sha256": certify.sha256,
+        }
+    made = _core.merge_pieces([piece.arrays for piece in pieces], certified)
     return MergedSurface(**{name: made[name] for name in MergedSurface.__dataclass_fields__})
+
+
+class FieldHash:
+    """The hash of a field's numbers, piece by piece: what `Field.sha256` gives for the whole.
+
+    First all points in the order of their ids are added, then their tensors, then all cells. What is in memory
+    is what is added at a time.
+
+    Parameters
+    ----------
+    points, cells : int
+        How many the whole mesh has.
+    """
+
+    def __init__(self, points: int, cells: int) -> None:
+        self._hash = hashlib.sha256(struct.pack("<Q", points))
+        self._cells = cells
+
+    def add_points(self, points: npt.ArrayLike) -> None:
+        """``points``: coordinates, shape (n, 3)."""
+        self._hash.update(np.ascontiguousarray(points, dtype="<f8").tobytes())
+
+    def add_tensors(self, tensors: npt.ArrayLike) -> None:
+        """``tensors``: xx, yy, zz, xy, yz, xz, shape (n, 6), after all points."""
+        self._hash.update(np.ascontiguousarray(tensors, dtype="<f8").tobytes())
+
+    def begin_cells(self) -> None:
+        """After all tensors."""
+        self._hash.update(struct.pack("<Q", self._cells))
+
+    def add_cells(self, tets: npt.ArrayLike) -> None:
+        """``tets``: ids of the vertices of cells, shape (m, 4), in the order of the cells' ids."""
+        ids = np.sort(np.asarray(tets, dtype="<i8"), axis=1)
+        self._hash.update(np.ascontiguousarray(ids).tobytes())
+
+    def sha256(self) -> str:
+        """After all cells."""
+        return self._hash.hexdigest()

@@ -115,7 +115,7 @@ def lode_angle(tensors: Any, *, components: str = "vtk") -> Array:
     Returns
     -------
     ndarray, shape (...)
-        In [0, pi/3], accurate to a few units in the last place of 1; not a number without deviator.
+        In [0, pi/3], accurate to a few units in the last place of 1; not a number for isotropic tensors.
     """
     rows, shape = _flat(tensors, components)
     return _core.lode_angle(rows).reshape(shape)

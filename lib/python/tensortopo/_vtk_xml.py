@@ -266,20 +266,23 @@ def piece_text(
     return "\n".join(lines)
 
 
-def write_whole(path: Path, data: bytes) -> None:
-    """Writes a file whole or not at all."""
+def write_whole(files: Mapping[Path, bytes]) -> None:
+    """Writes files whole, all of them or none."""
+    made: dict[Path, str] = {}
+    path = Path()
     try:
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".tensortopo-")
+        for path, data in files.items():
+            handle, made[path] = tempfile.mkstemp(dir=path.parent, prefix=".tensortopo-")
+            with os.fdopen(handle, "wb") as stream:
+                stream.write(data)
+            os.chmod(made[path], 0o666 & ~_umask())
+        for path in list(made):
+            os.replace(made.pop(path), path)
     except OSError as error:
         raise FileError(f"{path}: cannot be written ({error.strerror or error})") from error
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        os.chmod(temporary, 0o666 & ~_umask())
-        os.replace(temporary, path)
-    except OSError as error:
-        os.unlink(temporary)
-        raise FileError(f"{path}: cannot be written ({error.strerror or error})") from error
+    finally:
+        for temporary in made.values():
+            os.unlink(temporary)
 
 
 def _umask() -> int:

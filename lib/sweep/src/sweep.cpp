@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/extract/prepared_field.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/scalar/rational.hpp"
 
@@ -26,10 +27,11 @@ Rational exact(const ModeValue& mode) { return to_scalar<Rational>(mode); }
 
 ModeValue mode_of(const Rational& value) { return ModeValue::parse(value.str()); }
 
-SweepLevel level_at(const TetMesh& mesh, const ModeValue& mode, const Sampling& sampling) {
+SweepLevel level_at(const PreparedField<double>& field, const ModeValue& mode,
+                    const Sampling& sampling) {
   ExtractOptions options;
   options.sampling = sampling;
-  const Extraction extraction = extract_mode_surface<double>(mesh, mode, options);
+  const Extraction extraction = extract_mode_surface(field, mode, options);
   const SurfaceInvariants invariants = surface_invariants(extraction.surface);
   SweepLevel level;
   level.mode = mode;
@@ -188,11 +190,12 @@ Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options,
       modes.emplace_back(exact(*mode), false);
   }
   std::sort(modes.begin(), modes.end());
+  const PreparedField<double> field(mesh);
   for (std::size_t i = 0; i < modes.size(); ++i) {
     tell("levels", static_cast<double>(i) / static_cast<double>(modes.size()));
     const auto& [value, is_sample] = modes[i];
     const ModeValue mode = mode_of(value);
-    sweep.levels.push_back(level_at(mesh, mode, is_sample ? Sampling{} : Sampling{kCoarse}));
+    sweep.levels.push_back(level_at(field, mode, is_sample ? Sampling{} : Sampling{kCoarse}));
     if (is_sample) sweep.samples.push_back(i);
     if (const auto interval = interval_of(sweep, mode))
       if (auto& level = sweep.intervals[*interval].level;

@@ -3,6 +3,7 @@
 #include "field.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 
 namespace certificate {
@@ -16,22 +17,19 @@ Tensor<Ball> enclosure(const Tensor<mpz_class>& m, long& shift) {
   return result;
 }
 
-Field::Field(const Input& input, Multiples multiples)
+Field::Field(const Input& input, Multiples multiples, const ForAll& for_all)
     : input_(input), multiples_(std::move(multiples)) {
-  for (std::uint32_t v = 0; v < input.tensors.size(); ++v) {
-    constexpr int kNone = 2000;
-    int lowest = multiples_.one == 0 ? kNone : 0;
-    for (const double x : input.tensors[v]) {
-      int e = 0;
-      std::frexp(x, &e);
-      if (x != 0) lowest = std::min(lowest, e - 53);
-    }
-    exponents_.push_back(lowest == kNone ? 0 : lowest);
-    shifts_.push_back(0);
-    const Tensor<mpz_class> t = exact(v);
-    balls_.push_back(enclosure(t, shifts_.back()));
-    is_zero_.push_back(std::all_of(t.begin(), t.end(), [](const auto& x) { return x == 0; }));
-  }
+  const std::size_t count = input.tensors.size();
+  exponents_.resize(count), shifts_.resize(count), is_zero_.resize(count), balls_.resize(count);
+  for_all(count, [&](std::size_t v) {
+    int lowest = multiples_.one == 0 ? INT_MAX : 0;
+    for (const double x : input.tensors[v])
+      if (x != 0) lowest = std::min(lowest, std::ilogb(x) - 52);
+    exponents_[v] = lowest == INT_MAX ? 0 : lowest;
+    const Tensor<mpz_class> t = exact(static_cast<std::uint32_t>(v));
+    balls_[v] = enclosure(t, shifts_[v]);
+    is_zero_[v] = std::all_of(t.begin(), t.end(), [](const auto& x) { return x == 0; });
+  }, "tensors");
 }
 
 Tensor<mpz_class> Field::exact(std::uint32_t vertex) const {

@@ -11,13 +11,13 @@ namespace certificate {
 /// the trace and the number one if they are asked for.
 class Field : public ExactTensors {
  public:
-  Field(const Input& input, Multiples multiples);
+  Field(const Input& input, Multiples multiples, const ForAll& for_all);
   const Multiples& multiples() const { return multiples_; }
 
   /// An integer multiple, by 2^-exponent(v), of the tensor at a vertex.
   Tensor<mpz_class> exact(std::uint32_t vertex) const override;
   /// Is all of it zero, so that there is no mode, or no anisotropy?
-  bool is_zero(std::uint32_t vertex) const { return is_zero_[vertex]; }
+  bool is_zero(std::uint32_t vertex) const { return is_zero_[vertex] != 0; }
   long exponent(std::uint32_t vertex) const { return exponents_[vertex]; }
   /// The corner's ball is the tensor by 2^-scale(v).
   long scale(std::uint32_t vertex) const { return exponents_[vertex] + shifts_[vertex]; }
@@ -29,7 +29,7 @@ class Field : public ExactTensors {
   const Input& input_;
   Multiples multiples_;
   std::vector<long> exponents_, shifts_;
-  std::vector<bool> is_zero_;
+  std::vector<char> is_zero_;
   std::vector<Tensor<Ball>> balls_;
 };
 

@@ -34,7 +34,8 @@ class Level::Simplex {
   bool lies(bool above) {
     return is_true([&](const auto& f) { return rule_.lies(above, f); });
   }
-  bool lies_by_norm(bool above) const { return rule_.lies_by_norm(above, tensors_, balls_); }
+  /// By the form of lower degree first, which mostly does.
+  bool is_on_side(bool up) { return rule_.lies_by_norm(up, tensors_, balls_) || lies(up); }
 
  private:
   /// Multiplied by a power of 2.
@@ -69,7 +70,7 @@ bool Level::is_one_sided(const std::array<Corner, V>& corners) const {
   return std::visit(
       [&](const auto& rule) {
         Simplex simplex(*this, rule, corners);
-        return simplex.lies(corners[0].above) || simplex.lies_by_norm(corners[0].above);
+        return simplex.is_on_side(corners[0].above);
       },
       rule_);
 }
@@ -85,7 +86,7 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
   });
   const auto by = [&]<class Rule>(const Rule& rule) -> Proved<V> {
     Simplex<Rule, V> simplex(*this, rule, corners);
-    if (!is_crossed && simplex.lies(corners[0].above))
+    if (!is_crossed && simplex.is_on_side(corners[0].above))
       return {Proof::empty, {}, simplex.took_integers()};
     const auto d = likely_direction(simplex.balls(), std::is_same_v<Rule, InvariantRule>);
     // Entries of both signs, so that in some chart moving along d is moving in parallel.

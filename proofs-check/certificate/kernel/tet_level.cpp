@@ -15,6 +15,7 @@ namespace certificate {
 namespace {
 
 using Id = Refinement::Id;
+using Corners = std::array<Id, 4>;  ///< of a cell, ascending
 using Join = std::array<std::size_t, 2>;
 using Sides = std::array<std::size_t, 2>;  ///< a node below and one above a part of the level
 
@@ -31,19 +32,22 @@ struct FacePart {
   std::vector<Join> joins;
 };
 
-/// The nodes around a cell, joined for itself.
-class Around {
- public:
-  std::size_t find(std::size_t node) {
-    return classes_.find(numbers_.try_emplace(node, numbers_.size()).first->second);
-  }
-  Sides find(const Sides& s) { return {find(s[0]), find(s[1])}; }
-  void join(std::size_t a, std::size_t b) { classes_.join(find(a), find(b)); }
+/// The classes of two nodes.
+Sides sides_in(auto& classes, const Sides& s) {
+  return {classes.find(s[0]), classes.find(s[1])};
+}
 
- private:
-  std::unordered_map<std::size_t, std::size_t> numbers_;
-  UnionFind classes_;
-};
+Sides beside_curve(const FacePart& part, const std::vector<CrossedEdge>& curve) {
+  const std::size_t a = part.first + curve[0][0], b = part.first + curve[0][1];
+  return part.level.refinement->points()[curve[0][0]].above ? Sides{b, a} : Sides{a, b};
+}
+
+std::array<Id, 3> face_of(const Corners& c, std::size_t opposite) {
+  std::array<Id, 3> face{};
+  for (std::size_t i = 0, n = 0; i < 4; ++i)
+    if (i != opposite) face[n++] = c[i];
+  return face;
+}
 
 class Regions {
  public:
@@ -55,7 +59,6 @@ class Regions {
                                            const std::vector<RimCurve>& curves);
 
  private:
-  using Corners = std::array<Id, 4>;  ///< of a cell, ascending
   struct Piece {
     Sides sides;
     long euler_characteristic;
@@ -66,12 +69,10 @@ class Regions {
   std::size_t new_nodes(std::size_t count) { return (nodes_ += count) - count; }
   bool is_above(Id point) const { return cells_.points()[point].above; }
   Sides beside(const EdgePart& part, Id start, std::size_t crossing) const;
-  static Sides beside(const FacePart& part, const std::vector<CrossedEdge>& curve);
-  static std::array<Id, 3> face_of(const Corners& c, std::size_t opposite);
   bool add_cell(const Refinement::Cell& cell);
   template <class Action>
-  bool join_along(const Refinement::Weights& direction, const Corners& corners, Around& around,
-                  const Action& join);
+  bool join_along(const Refinement::Weights& direction, const Corners& corners,
+                  SparseUnionFind& around, const Action& join);
   bool number_crossings(const TetBoundary& boundary);
   std::optional<std::size_t> find(const FacePart& part, const Place<3>& place, bool above) const;
   std::optional<std::size_t> find(std::size_t opposite, const Place<3>& place, bool above);
@@ -144,19 +145,6 @@ Sides Regions::beside(const EdgePart& part, Id start, std::size_t crossing) cons
                                                 : Sides{before, before + 1};
 }
 
-Sides Regions::beside(const FacePart& part, const std::vector<CrossedEdge>& curve) {
-  const auto [a, b] = curve[0];
-  const bool above = part.level.refinement->points()[a].above;
-  return above ? Sides{part.first + b, part.first + a} : Sides{part.first + a, part.first + b};
-}
-
-std::array<Id, 3> Regions::face_of(const Corners& c, std::size_t opposite) {
-  std::array<Id, 3> face{};
-  for (std::size_t i = 0, n = 0; i < 4; ++i)
-    if (i != opposite) face[n++] = c[i];
-  return face;
-}
-
 /// Joins the regions on the boundary of a cell, and notes the pieces of the level in it.
 ///
 /// On a sphere two regions have one closed curve between them, so the curves are those pairs.
@@ -165,7 +153,7 @@ std::array<Id, 3> Regions::face_of(const Corners& c, std::size_t opposite) {
 bool Regions::add_cell(const Refinement::Cell& cell) {
   Corners corners = cell.points;
   std::sort(corners.begin(), corners.end());
-  Around around;
+  SparseUnionFind around;
   const auto join = [&](const Join& nodes) {
     around.join(nodes[0], nodes[1]);
     all_.join(nodes[0], nodes[1]);
@@ -183,16 +171,16 @@ bool Regions::add_cell(const Refinement::Cell& cell) {
     const FacePart& part = face(face_of(corners, f));
     decided = part.level.decided;
     for (const Join& nodes : part.joins) join(nodes);
-    for (const auto& curve : part.level.loops) crossings.push_back(beside(part, curve));
+    for (const auto& curve : part.level.loops) crossings.push_back(beside_curve(part, curve));
   }
   if (!decided) return false;
   std::map<Sides, Sides> curves;
-  for (const Sides& s : crossings) curves.emplace(around.find(s), s);
+  for (const Sides& s : crossings) curves.emplace(sides_in(around, s), s);
   if (curves.size() > 1 && !join_along(*cell.direction, corners, around, join)) return false;
   std::map<Sides, Piece> pieces;
   std::set<std::size_t> components;
   for (const auto& [key, s] : curves) {
-    const Sides beside = around.find(s);
+    const Sides beside = sides_in(around, s);
     --pieces.try_emplace(beside, Piece{s, 2}).first->second.euler_characteristic;
     components.insert(beside.begin(), beside.end());
   }
@@ -207,7 +195,7 @@ bool Regions::add_cell(const Refinement::Cell& cell) {
 /// to where any of its points comes out. The same holds for points below and the lower part.
 template <class Action>
 bool Regions::join_along(const Refinement::Weights& direction, const Corners& corners,
-                         Around& around, const Action& join) {
+                         SparseUnionFind& around, const Action& join) {
   std::array<Place<4>, 4> rows;
   for (std::size_t i = 0; i < 4; ++i) rows[i] = cells_.points()[corners[i]].weights;
   const Place<4> upwards = weights_at(rows, direction);
@@ -355,22 +343,19 @@ std::optional<std::vector<Sheet>> Regions::sheets(const TetBoundary& boundary,
     }
   }
   std::map<Sides, Sheet> found;
-  const auto at = [&](const Sides& s) -> Sheet& {
-    return found[{all_.find(s[0]), all_.find(s[1])}];
-  };
+  const auto at = [&](const Sides& s) -> Sheet& { return found[sides_in(all_, s)]; };
   for (const auto& [key, part] : edges_) {
     const Id start = static_cast<Id>(part.joins[0][0]);
     for (std::size_t k = 0; k < part.level.crossings; ++k)
       ++at(beside(part, start, k)).euler_characteristic;
   }
-  for (auto& [key, part] : faces_) {
+  for (auto& [key, part] : faces_)
     for (const auto& arc : part.level.arcs) {
       const Crossing& c = arc[0];
       const Id a = part.corners.at(static_cast<std::size_t>(std::countr_zero(c.edge))),
                b = part.corners.at(static_cast<std::size_t>(std::bit_width(c.edge) - 1));
       --at(beside(edge(a, b), a, c.ordinal)).euler_characteristic;
     }
-  }
   for (const Piece& piece : pieces_)
     at(piece.sides).euler_characteristic += piece.euler_characteristic;
   for (std::size_t i = 0; i < curves.size(); ++i) {

@@ -37,7 +37,7 @@ class Derivation {
   std::array<Corner, Count> corners(const std::array<Vertex, Count>& vertices) const {
     std::array<Corner, Count> result;
     for (std::size_t i = 0; i < Count; ++i)
-      result[i] = field_.corner(vertices[i], out_.above[vertices[i]]);
+      result[i] = field_.corner(vertices[i], out_.above[vertices[i]] != 0);
     return result;
   }
   void settle(EdgeTopology& edge) const;
@@ -196,14 +196,13 @@ int orientation(const Input& input, const std::array<Vertex, 4>& tet) {
 Topology derive_topology(const Input& input, const Field& field, const Level& level,
                          const std::vector<bool>& left_out, const ForAll& for_all) {
   Topology out;
-  std::vector<char> above(input.points.size());
+  out.above.resize(input.points.size());
   std::atomic<std::size_t> on_level{0};
-  for_all(above.size(), [&](std::size_t v) {
+  for_all(out.above.size(), [&](std::size_t v) {
     const Corner corner = field.corner(static_cast<Vertex>(v), false);
-    above[v] = level.above(corner);
+    out.above[v] = level.above(corner) ? 1 : 0;
     if (!field.is_zero(static_cast<Vertex>(v)) && level.on_level(corner)) ++on_level;
   }, "sides of vertices");
-  out.above.assign(above.begin(), above.end());
   out.on_level = on_level;
 
   const Derivation derivation(input, field, level, out);

@@ -86,7 +86,7 @@ struct ConeTopology {
 /// What holds in all tetrahedra but those left out. Edges, faces and tetrahedra that are not
 /// listed do not hold the level; the lists ascend.
 struct Topology {
-  std::vector<bool> above;  ///< for each vertex of the mesh
+  std::vector<char> above;  ///< for each vertex of the mesh
   std::size_t on_level = 0;
   std::vector<EdgeTopology> edges;
   std::vector<FaceTopology> faces;

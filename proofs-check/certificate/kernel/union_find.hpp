@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace certificate {
@@ -22,6 +23,19 @@ class UnionFind {
 
  private:
   std::vector<std::size_t> parent_;
+};
+
+/// Classes of any numbers, few of them: one stands for each class.
+class SparseUnionFind {
+ public:
+  std::size_t find(std::size_t member) {
+    return classes_.find(numbers_.try_emplace(member, numbers_.size()).first->second);
+  }
+  void join(std::size_t a, std::size_t b) { classes_.join(find(a), find(b)); }
+
+ private:
+  std::unordered_map<std::size_t, std::size_t> numbers_;
+  UnionFind classes_;
 };
 
 }  // namespace certificate

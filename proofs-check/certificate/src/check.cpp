@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <future>
 #include <optional>
 
 #include "claims/compare_arrays.hpp"
 #include "claims/compare_curves.hpp"
 #include "claims/curve_names.hpp"
+#include "isotopy/compare_isotopy.hpp"
 #include "run/parallel.hpp"
 #include "surface/compare_distance.hpp"
-#include "surface/compare_isotopy.hpp"
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
 #include "surface/embedded.hpp"
-#include "surface/residual.hpp"
+#include "vertices/compare_vectors.hpp"
+#include "vertices/residual.hpp"
 
 namespace certificate {
 namespace {
@@ -75,6 +77,7 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
                                              : claims["invariant"].get<std::string>() + ' ' +
                                                    claims["value"].get<std::string>());
   std::vector<bool> left_out(input.tets.size());
+  ledger.of_level().vertices = claims["vertices"][1].get<std::size_t>();
   ledger.begin("left out");
   if (!mark_left_out(claims, input, reason_of, left_out, ledger)) return;
   const std::size_t left_open = ledger.open();
@@ -102,6 +105,8 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
     ledger.begin("orientation");
     compare_orientation(c, *placed, ledger);
     ledger.of_level().residual = residual_bound(c, *placed);
+    ledger.begin("arrays");
+    compare_vectors(c, *placed, ledger);
   }
   ledger.begin("embedded");
   if (const auto embedded = claims.find("embedded"); embedded != claims.end())
@@ -110,13 +115,15 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
   // Where something is refuted or open, the level may have more sheets, and vertices need not be
   // where they are claimed to be.
   const bool is_sound = placed && !ledger.has_refuted() && ledger.open() == left_open;
+  bool is_near = false;
   if (const Json& distance = claims["distance"]; !distance.is_null()) {
     ledger.of_level().bound = distance["bound"].get<std::string>();
     ledger.of_level().coarse = distance["coarse"].size();
-    compare_distance(c, is_sound ? &*placed : nullptr, ledger);
+    is_near = compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   }
   ledger.begin("isotopic");
-  if (claims.contains("isotopic")) compare_isotopy(c, is_sound ? &*placed : nullptr, ledger);
+  if (claims.contains("isotopic"))
+    compare_isotopy(c, is_sound ? &*placed : nullptr, is_near, ledger);
   ledger.begin("stability");
   if (claims.contains("stability"))
     compare_stability(c, input_file, is_sound ? &*placed : nullptr, ledger);
@@ -181,19 +188,24 @@ class Checking {
     s.other_cells = input_.other_cells;
   }
 
-  Report of_surface(const std::string& file) {
+  Report of_surface(const std::string& file, const Triangles& surface) {
     const Json& levels = certificate_["levels"];
-    const Triangles surface = read_triangles(file);
     report_.subject.output = file;
     if (!compare_files(surface, "surface", "triangles", surface.triangles.size())) return report_;
     std::optional<Field> field;  // levels mostly are about the same tensors
     for (const Json& claims : levels) {
       const Level level = level_of(claims);
       if (!field || !(field->multiples() == level.multiples()))
-        field.emplace(input_, level.multiples());
+        field.emplace(input_, level.multiples(), in_parallel({}));
       check_level(claims, level, report_.subject.input, input_, *field, surface, ledger_,
                   progress_);
     }
+    std::erase_if(report_.subject.bound_only, [&](const std::string& name) {
+      return !report_.levels.empty() &&
+             std::all_of(report_.levels.begin(), report_.levels.end(), [&](const LevelReport& l) {
+               return l.vectors.contains(name);
+             });
+    });
     return report_;
   }
 
@@ -201,7 +213,7 @@ class Checking {
     const Polylines curves = read_polylines(file);
     report_.subject.output = file, report_.subject.of_curves = true;
     if (!compare_files(curves, "polylines", "lines", curves.lines.size())) return report_;
-    const Field field(input_, Multiples{});
+    const Field field(input_, Multiples{}, in_parallel({}));
     for (const Json& claims : certificate_["levels"])
       check_curves(claims, report_.subject.input, input_, field, curves, ledger_, progress_);
     return report_;
@@ -255,11 +267,13 @@ class Checking {
 
 Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate, const Progress& progress) {
+  // Mostly it is a surface, which then is read at the same time.
+  auto triangles = std::async(std::launch::async, [&] { return read_triangles(surface); });
   const Json document = read_document(certificate);
   try {
     Checking checking(input, document, progress);
     return document.contains("polylines") ? checking.of_curves(surface)
-                                          : checking.of_surface(surface);
+                                          : checking.of_surface(surface, triangles.get());
   } catch (const Malformed& error) {
     throw Malformed(error.file().empty() ? certificate : error.file(), error.problem());
   }

@@ -72,6 +72,10 @@ std::string text_of(const LevelReport& level, bool of_curves) {
     std::snprintf(bound, sizeof(bound), "%.3g", *level.residual);
     text += std::string("  residual at most ") + bound + ", at the vertices as written\n";
   }
+  for (const auto& [name, shown] : level.vectors)
+    text += "  " + name + " shown at " + std::to_string(shown) + " of " +
+            std::to_string(level.vertices) + (level.vertices == 1 ? " vertex" : " vertices") +
+            '\n';
   if (level.claims_isotopy) {
     std::snprintf(bound, sizeof(bound), "%.3g", level.moved);
     text += "  isotopic to the level in " + std::to_string(level.isotopic) +
@@ -202,6 +206,8 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   json["embedded"] = level.embedded;
   json["residual"] = nullptr;
   if (level.residual && std::isfinite(*level.residual)) json["residual"] = *level.residual;
+  json["vertices"] = level.vertices;
+  json["vectors_shown"] = level.vectors;
   json["isotopic"] = nullptr;
   if (level.claims_isotopy)
     json["isotopic"] = {{"tetrahedra", level.isotopic},

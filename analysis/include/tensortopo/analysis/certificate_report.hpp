@@ -21,6 +21,7 @@ struct CertificateReport {
   /// Proved by arguments that the checker does not have, which it may leave open: sheets that are
   /// thin tubes, and tetrahedra taken at a mode next to a critical one.
   std::size_t tubes = 0, at_critical = 0;
+  bool counts_beyond_checker = true;  ///< whether these are known
   double seconds = 0;  ///< proofs beyond the extraction's, and writing
 };
 

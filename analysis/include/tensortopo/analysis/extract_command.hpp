@@ -39,10 +39,13 @@ struct ExtractCommand {
   bool all_samples = false;  ///< `ExtractOptions::keep_samples`
   bool improve = false;  ///< surfaces by `improve_triangles`
   int pieces = 1;        ///< surfaces by `extract_in_pieces`, if more
+  bool stream = false;   ///< the field of a .pvtu piece by piece, by `extract_streamed`
   Provenance provenance;
   std::string uncertainty;  ///< of the field, as `parse_uncertainty` takes it, or array:NAME; empty for none
   /// Leave out components of less persistence, in radians of the signed Lode angle; 0 for none.
   double min_persistence = 0;
+  double min_area = 0;    ///< leave out components of surfaces of less area; 0 for none
+  double min_length = 0;  ///< leave out components of curves of less length; 0 for none
   double max_error = 0;  ///< largest distance to the level, proved; 0 for `sampling` alone
 };
 

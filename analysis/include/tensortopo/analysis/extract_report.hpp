@@ -28,12 +28,22 @@ struct StabilityReport {
   double seconds = 0;
 };
 
-/// Components that were left out because they matter too little.
+/// Components that were left out because they are too small or matter too little.
 struct FilterReport {
-  double least = 0;                ///< persistence asked for, in radians of the signed Lode angle
-  std::size_t left_out = 0;        ///< components
-  std::size_t not_known = 0;       ///< components that stay because their persistence is not known
-  double largest_left_out = 0;     ///< persistence
+  /// What was asked for of one measure.
+  struct Limit {
+    double least = 0;             ///< of the components that stay
+    std::size_t left_out = 0;     ///< components
+    std::size_t not_known = 0;    ///< components that stay because their measure is not known
+    double largest_left_out = 0;  ///< measure
+  };
+  std::optional<Limit> size;         ///< area, or of curves length, in units of the mesh
+  std::optional<Limit> persistence;  ///< in radians of the signed Lode angle
+
+  /// The report, unless nothing was asked for.
+  std::optional<FilterReport> of_filters() const {
+    return size || persistence ? std::optional(*this) : std::nullopt;
+  }
 };
 
 /// What is known of one extracted mode surface.
@@ -50,7 +60,7 @@ struct SurfaceReport {
   std::optional<std::size_t> not_embedded;  ///< see `Extraction`; not of the methods to compare
   std::map<std::string, std::size_t> unresolved;  ///< by the name of the reason
   std::optional<StabilityReport> stability;       ///< if the field was said to be uncertain
-  std::optional<FilterReport> filter;             ///< if a persistence was asked for
+  std::optional<FilterReport> filter;             ///< if a filter was asked for
   ExtractStatistics statistics;
 };
 
@@ -60,7 +70,7 @@ struct CurveReport {
   CurveInvariants invariants;
   double max_residual = 0;  ///< largest sqrt(1 - mode^2) at a vertex
   std::optional<StabilityReport> stability;  ///< if the field was said to be uncertain
-  std::optional<FilterReport> filter;  ///< if a persistence was asked for
+  std::optional<FilterReport> filter;  ///< if a filter was asked for
   std::map<std::string, std::size_t> unresolved;
   CurveStatistics statistics;
 };
@@ -82,6 +92,7 @@ struct ExtractReport {
   std::size_t vertices = 0;
   std::size_t tetrahedra = 0;
   std::vector<std::string> notes;  ///< what reading repaired or skipped
+  std::size_t cells_left_out = 0;  ///< of the input, by a condition
   TornFaces torn_faces;            ///< of the input
 
   std::vector<SurfaceReport> surfaces;       ///< one for each mode between -1 and 1

@@ -50,6 +50,7 @@ struct InvariantReport {
   std::size_t vertices = 0;
   std::size_t tetrahedra = 0;
   std::vector<std::string> notes;  ///< what reading repaired or skipped
+  std::size_t cells_left_out = 0;  ///< of the input, by a condition
   TornFaces torn_faces;            ///< of the input
 
   std::vector<InvariantSurfaceReport> surfaces;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,14 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
            help)
         ->check(CLI::IsMember(words));
   };
-  choice("--cell-values", {"one", "nodes", "points"},
-         [&](std::size_t i) { options.cell_values = static_cast<CellValues>(i); },
-         "Tensors of an array on cells: one for each cell (default), node or integration point");
-  choice("--mean", {"plain", "volume"},
-         [&](std::size_t i) { options.mean = static_cast<MeanWeights>(i); },
-         "Means over cells, and of points that are merged: plain, or weighted by volume");
+  choice(
+      "--cell-values", {"one", "nodes", "points"},
+      [&](std::size_t i) { options.cell_values = static_cast<CellValues>(i); },
+      "Tensors of an array on cells: one for each cell (default), node or integration point");
+  choice(
+      "--mean", {"plain", "volume"},
+      [&](std::size_t i) { options.mean = static_cast<MeanWeights>(i); },
+      "Means over cells, and of points that are merged: plain, or weighted by volume");
   app.add_option("--materials", options.materials,
                  "Array on cells between whose values no means are taken; 'none': over all cells")
       ->type_name("NAME");
@@ -53,8 +56,7 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
   app.add_option_function<std::string>(
          "--quadratic",
          [&options](const std::string& what) {
-           options.quadratic =
-               what == "split" ? QuadraticCells::split : QuadraticCells::corners;
+           options.quadratic = what == "split" ? QuadraticCells::split : QuadraticCells::corners;
          },
          "Quadratic cells: split around all nodes (default), or taken by their corners")
       ->check(CLI::IsMember({"split", "corners"}));
@@ -62,17 +64,40 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
                  "Which step of a file that holds several, counted from 1 (default: the last)")
       ->check(whole_number())
       ->type_name("N");
+  app.add_option(
+         "--where", options.where,
+         "Take the cells alone at all whose nodes this holds: an array that is not 0 there, or "
+         "an expression as 'FA > 0.2 and z < 5', of arrays of the file, x, y, z, magnitude, "
+         "deviator_magnitude, anisotropy and mode")
+      ->type_name("EXPRESSION");
   reads(common, app.add_option("--mask", options.mask,
                                "NIfTI image that is not 0 where the input's voxels are taken"))
       ->type_name("FILE");
 }
 
+namespace {
+
+const std::initializer_list<const char*> kNames{
+    "--tensor",    "--components",   "--symmetrize", "--cell-to-point", "--tetrahedralize",
+    "--quadratic", "--step",         "--mask",       "--cell-values",   "--mean",
+    "--materials", "--merge-points", "--where"};
+
+}  // namespace
+
 void refuse_read_options(const CLI::App& app, const std::string& why) {
-  refuse_given(app,
-               {"--tensor", "--components", "--symmetrize", "--cell-to-point", "--tetrahedralize",
-                "--quadratic", "--step", "--mask", "--cell-values", "--mean", "--materials",
-                "--merge-points"},
-               why);
+  refuse_given(app, kNames, why);
+}
+
+std::vector<std::string> given_read_options(const CLI::App& app) {
+  std::vector<std::string> words;
+  for (const char* const name : kNames) {
+    const CLI::Option& option = *app.get_option(name);
+    if (option.count() == 0) continue;
+    words.emplace_back(name);
+    if (option.get_expected_max() > 0)
+      words.insert(words.end(), option.results().begin(), option.results().end());
+  }
+  return words;
 }
 
 }  // namespace tensortopo

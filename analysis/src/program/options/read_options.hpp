@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 #include "program/options/common_options.hpp"
 #include "tensortopo/io/read_mesh.hpp"
@@ -20,5 +21,8 @@ std::string field_help();
 
 /// Throws UsageError if one of these was given: no mesh is read.
 void refuse_read_options(const CLI::App& app, const std::string& why);
+
+/// Those that were given, as words of a command line.
+std::vector<std::string> given_read_options(const CLI::App& app);
 
 }  // namespace tensortopo

@@ -4,10 +4,10 @@
 #include <string>
 #include <tuple>
 
-#include "analyze/graph_command.hpp"
-#include "analyze/persistence_command.hpp"
-#include "analyze/surface_command.hpp"
-#include "analyze/sweep_command.hpp"
+#include "analyze/persistence/graph_command.hpp"
+#include "analyze/persistence/persistence_command.hpp"
+#include "analyze/surface/surface_command.hpp"
+#include "analyze/sweep/sweep_command.hpp"
 #include "program/options/read_options.hpp"
 #include "program/output/progress_bar.hpp"
 #include "program/output/report_output.hpp"

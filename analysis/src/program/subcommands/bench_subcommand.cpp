@@ -85,13 +85,16 @@ std::filesystem::path only_input(const BenchOptions& options) {
 }
 
 ExitStatus report(const BenchOptions& options, const CommonOptions& common) {
-  refuse_given(*options.app, {"--only", "--curves", "--scaling", "--chart", "--largest", "--json"},
+  refuse_given(*options.app, {"--curves", "--scaling", "--chart", "--largest", "--json"},
                "has no effect on --report");
   require_folder(options.report);
   MeasurementsCommand command;
   command.inputs = options.inputs;
   if (command.inputs.empty()) command.inputs = {bundled_field()};
   command.read = options.command.read;
+  command.read_words = given_read_options(*options.app);
+  for (const std::string& name : options.only)
+    if (name != "certified" && name != "none") command.only.push_back(name);
   command.modes = surface_modes(options);
   if (command.modes.empty())
     for (const char* mode : {"0", "1/10", "1/2", "9/10", "99/100"})
@@ -131,7 +134,8 @@ ExitStatus scaling(const BenchOptions& options, const CommonOptions& common) {
   bar.erase();
   say_notes(command.input, report.notes, common.quiet);
   print_report(
-      common, "bench-scaling", [&] { return to_json(report); }, [&] { return to_text(report); }, true);
+      common, "bench-scaling", [&] { return to_json(report); }, [&] { return to_text(report); },
+      true);
   return ExitStatus::done;
 }
 
@@ -179,7 +183,7 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
          app.add_option("--report", options->report,
                         "Write a page of measurements: times, certificates, curves, for each "
                         "--input and --mode (default: 0, 1/10, 1/2, 9/10, 99/100); with --all "
-                        "other methods at equal error as well"))
+                        "or --only other methods at equal error as well"))
       ->type_name("OUT.md");
   add_mode_option(app, options->modes)
       ->description("Mode M; surfaces of M and -M are timed; repeatable")
@@ -198,8 +202,8 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       }()))
       ->allow_extra_args(false);
   app.add_flag("--all", command.all, "All comparisons, whatever the size of the mesh");
-  writes(common, app.add_option("--curves", options->curves,
-                                "Also time against error, and a chart of it"))
+  writes(common,
+         app.add_option("--curves", options->curves, "Also time against error, and a chart of it"))
       ->type_name("P.png");
   std::vector<std::string> names;
   for (const auto& [name, over] : scalings()) names.push_back(name);

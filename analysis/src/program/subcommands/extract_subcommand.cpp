@@ -91,7 +91,8 @@ void say_crowded(const ExtractReport& report) {
   for (const SurfaceReport& surface : report.surfaces)
     if (report.tetrahedra > kFew && 2 * surface.statistics.tets_crossed > report.tetrahedra)
       std::cerr << "tensortopo: " << report.input.string() << ": mode " << short_text(surface.mode)
-                << ": the surface meets " << 100 * surface.statistics.tets_crossed / report.tetrahedra
+                << ": the surface meets "
+                << 100 * surface.statistics.tets_crossed / report.tetrahedra
                 << " % of the tetrahedra: the field is noise at this mesh's size, or the mesh too "
                    "coarse for it\n";
 }
@@ -134,8 +135,7 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
                 << *surface.first_farther
                 << ") the distance to the level is not proved to be below --max-error, where "
                    "more samples did not help; "
-                << std::floor(1000 * surface.area_within) / 10
-                << " % of the area is within it\n";
+                << std::floor(1000 * surface.area_within) / 10 << " % of the area is within it\n";
   }
   if (is_farther) return ExitStatus::undecided;
   if (say_undecided(report.certificate, common.quiet)) return ExitStatus::undecided;
@@ -152,8 +152,7 @@ ExitStatus extract_series(const ExtractCommandOptions& options, const CommonOpti
     throw UsageError("--certify: a certificate is about one field; convert a step, and certify it");
   if (!options.invariant.invariant.empty())
     throw UsageError("--invariant: is extracted of one step; choose it with --step");
-  if (options.command.read.step)
-    throw UsageError("--step: -o with {step} takes all steps");
+  if (options.command.read.step) throw UsageError("--step: -o with {step} takes all steps");
   const std::vector<std::string> steps = field_steps(options.command.input);
   const std::size_t width = std::to_string(steps.size()).size();
   FileGroup files;
@@ -178,7 +177,8 @@ ExitStatus extract_series(const ExtractCommandOptions& options, const CommonOpti
     if (each != ExitStatus::done) status = each;
   }
   if (common.json)
-    print(with_provenance(nlohmann::ordered_json{{"steps", list}}.dump(), common, "extract-series"));
+    print(
+        with_provenance(nlohmann::ordered_json{{"steps", list}}.dump(), common, "extract-series"));
   files.commit();
   return status;
 }
@@ -187,8 +187,8 @@ ExitStatus extract(const ExtractCommandOptions& options, const CommonOptions& co
   if (options.command.output.string().find(kStep) != std::string::npos)
     return extract_series(options, common);
   return extract_one(options, common, [&](const ExtractReport& report) {
-    print_report(common, "extract", [&] { return to_json(report); },
-                 [&] { return to_text(report); });
+    print_report(
+        common, "extract", [&] { return to_json(report); }, [&] { return to_text(report); });
   });
 }
 
@@ -200,14 +200,11 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   const auto options = std::make_shared<ExtractCommandOptions>();
   ExtractCommand& command = options->command;
   options->app = &app;
-  reads(common, app.add_option("INPUT", command.input,
-                               field_help()))
-      ->required();
-  writes(common,
-         app.add_option(
-             "-o,--output", command.output,
-             "Surfaces: " + surface_extensions() + " (.vtp: all arrays); curves: " +
-                 surface_extensions(true) + ". {step} in the name: a file for each step of INPUT"))
+  reads(common, app.add_option("INPUT", command.input, field_help()))->required();
+  writes(common, app.add_option("-o,--output", command.output,
+                                "Surfaces: " + surface_extensions() +
+                                    " (.vtp: all arrays); curves: " + surface_extensions(true) +
+                                    ". {step} in the name: a file for each step of INPUT"))
       ->type_name("FILE")
       ->required();
   add_mode_option(app, options->modes)->required(false);
@@ -221,18 +218,28 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Sample until the distance between triangles and level is proved to be below this")
       ->type_name("E")
       ->check(positive_number());
-  app.add_option("--uncertainty", command.uncertainty,
-                 "Say what is the same for all fields whose deviators differ by at most E: in units "
-                 "of the tensor (Frobenius norm), or E% of each vertex' deviator, or "
-                 "array:NAME, an array of the points of FIELD with a radius for each; of surfaces and "
-                 "of degenerate curves")
+  app.add_option(
+         "--uncertainty", command.uncertainty,
+         "Say what is the same for all fields whose deviators differ by at most E: in units "
+         "of the tensor (Frobenius norm), or E% of each vertex' deviator, or "
+         "array:NAME, an array of the points of FIELD with a radius for each; of surfaces and "
+         "of degenerate curves")
       ->type_name("E");
-  app.add_option("--min-persistence", command.min_persistence,
-                 "Leave out whole components that matter less: surfaces beside which the mode does "
-                 "not rise or not fall by P, curves whose component of the mode meets an older one "
-                 "within P; radians of the signed Lode angle arcsin(mode) / 3. What survives relative "
-                 "noise r has a persistence of 2 arcsin r")
+  app.add_option(
+         "--min-persistence", command.min_persistence,
+         "Leave out whole components that matter less: surfaces beside which the mode does "
+         "not rise or not fall by P, curves whose component of the mode meets an older one "
+         "within P; radians of the signed Lode angle arcsin(mode) / 3. What survives relative "
+         "noise r has a persistence of 2 arcsin r")
       ->type_name("P")
+      ->check(positive_number());
+  app.add_option("--min-area", command.min_area,
+                 "Leave out whole components of surfaces with less area, in units of the mesh")
+      ->type_name("A")
+      ->check(positive_number());
+  app.add_option("--min-length", command.min_length,
+                 "Leave out whole components of degenerate curves with less length")
+      ->type_name("L")
       ->check(positive_number());
   app.add_flag("--improve", command.improve,
                "Flip edges and move vertices within their tetrahedra and faces for better angles");
@@ -244,6 +251,9 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->check(CLI::Range(1, 1000000))
       ->type_name("N")
       ->capture_default_str();
+  app.add_flag("--stream", command.stream,
+               "Read the pieces of a .pvtu one after the other, for fields larger than memory: the "
+               "same surface, bit for bit");
   app.add_option("--method", options->method, "How to extract")
       ->check(CLI::IsMember({"manifold", "graph", "marching", "a-patches", "hybrid",
                              "vtk-contour-grid", "vtk-contour-3d-linear-grid"}))
@@ -256,14 +266,15 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "Largest distance from the surface, in edges of the tetrahedron (method hybrid)")
       ->check(number_from(1e-9, 1, "number from 1e-9 to 1"))
       ->capture_default_str();
-  app.add_option("--subdivide", command.subdivisions,
-                 "Cut each tetrahedron in eight beforehand, so many times (methods that only compare)")
+  app.add_option(
+         "--subdivide", command.subdivisions,
+         "Cut each tetrahedron in eight beforehand, so many times (methods that only compare)")
       ->check(CLI::Range(0, 6))
       ->capture_default_str();
   add_invariant_option(app, options->invariant,
                        {"--mode", "--generalized", "--resolution", "--max-error", "--improve",
                         "--method", "--patch-samples", "--flatness", "--subdivide", "--all-samples",
-                        "--uncertainty", "--min-persistence"});
+                        "--uncertainty", "--min-persistence", "--min-area", "--min-length", "--stream"});
   writes(common,
          app.add_option("--certify", command.certificate,
                         "Also prove the topology and distances; the certificate (.json or .cbor)"))

@@ -27,7 +27,8 @@ ExitStatus generate(const GenerateOptions& options, const CommonOptions& common)
   const GenerateReport report = run_generate(command, bar.callback());
   bar.erase();
   say_notes(command.output, report.notes, common.quiet);
-  print_report(common, "generate", [&] { return to_json(report); }, [&] { return to_text(report); });
+  print_report(
+      common, "generate", [&] { return to_json(report); }, [&] { return to_text(report); });
   return ExitStatus::done;
 }
 
@@ -45,7 +46,8 @@ void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& a
          "linear: a random tetrahedron; complex: a cubic polynomial on a small mesh; rough: "
          "random tensors on it; bifurcation: tetrahedra around their saddle, as the level "
          "passes it; planar-extrema: faces with 2, 3 and 4 extrema; nongeneric: one case for "
-         "each stratum; boussinesq: loads on a half space; kelvin: a force in an infinite "
+         "each degenerate configuration; boussinesq: loads on a half space; kelvin: a force in an "
+         "infinite "
          "body; helix: a helix as degenerate curve; block: four blocks with a closed-form "
          "stand-in stress (no finite-element solution)")
       ->required()
@@ -71,6 +73,12 @@ void add_generate_subcommand(CLI::App& program, CommonOptions& common, Action& a
   app.add_option("--tets", command.tetrahedra, "At least so many tetrahedra, for kinds with a mesh")
       ->type_name("T")
       ->check(CLI::Range(1, 100000000));
+  app.add_option("--pieces", command.pieces,
+                 "Write the field as so many pieces (kind kelvin, FILE.pvtu, with --field-only), "
+                 "never holding more than one")
+      ->type_name("K")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
   auto* always = app.add_flag("--reference", command.always_reference,
                               "Reference surfaces also for more than 10000 tetrahedra");
   auto* never =

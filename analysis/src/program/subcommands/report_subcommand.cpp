@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analyze/sweep_command.hpp"
+#include "analyze/sweep/sweep_command.hpp"
 #include "program/options/mode_option.hpp"
 #include "program/options/read_options.hpp"
 #include "program/output/progress_bar.hpp"

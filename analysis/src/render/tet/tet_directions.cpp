@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analyze/level_curvature.hpp"
+#include "analyze/curvature/level_curvature.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 
 namespace tensortopo {

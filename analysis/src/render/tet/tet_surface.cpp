@@ -14,7 +14,7 @@
 #include <limits>
 #include <numeric>
 
-#include "analyze/surface_curvature.hpp"
+#include "analyze/curvature/surface_curvature.hpp"
 #include "render/scene/texture.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"

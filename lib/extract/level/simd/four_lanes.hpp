@@ -16,6 +16,7 @@ inline constexpr std::size_t kLaneCount = 4;
 struct LevelNumbers {
   double mu, sqrt2;
   int sign;
+  double medium;  ///< the medium eigenvalue of its unit tensor
 };
 
 /// A bit for each simplex: what `prove_simplex` gives is monotone, or none and not hidden by

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "extract/level/proofs/simple_simplex.hpp"
+#include "extract/level/simd/graph_arc.hpp"
 
 namespace tensortopo {
 
@@ -39,5 +40,12 @@ void prove_empty(std::span<const std::array<Deviator<double>, Vertices>> tensors
 void single_crossings(std::span<const std::array<Deviator<double>, 2>> ends,
                       std::span<const char> rising, const Level<double>& level,
                       std::span<double> weights);
+
+/// Which of several arcs are sampled well enough by their ends, their middle being close to both:
+/// `sample_arc` gives them no sample.
+///
+/// @param straight  as many as arcs; 0 where more is needed to tell, everywhere without lanes
+void straight_arcs(std::span<const GraphArc> arcs, const Level<double>& level,
+                   const LeastCosines& least, std::span<char> straight);
 
 }  // namespace tensortopo

@@ -147,4 +147,29 @@ class CrossingBlock {
   detail::BlockRows rows_;
 };
 
+/// Arcs of faces, in the same way: whether they are sampled well enough by their ends.
+template <class Scalar>
+class StraightBlock {
+ public:
+  static constexpr std::size_t size = detail::BlockRows::size;
+
+  void want(std::size_t place, const GraphArc& arc) { arcs_[rows_.add(place)] = arc; }
+
+  void make(const Level<Scalar>& level, const LeastCosines& least) {
+    if constexpr (std::is_same_v<Scalar, double>)
+      straight_arcs(std::span(arcs_).first(rows_.count()), level, least,
+                    std::span(straight_).first(rows_.count()));
+  }
+
+  /// Whether it was asked for and is; if not, more may be needed to tell.
+  bool is_straight(std::size_t place) const {
+    return rows_.has(place) && straight_[rows_[place]] != 0;
+  }
+
+ private:
+  std::array<GraphArc, size> arcs_;
+  std::array<char, size> straight_{};
+  detail::BlockRows rows_;
+};
+
 }  // namespace tensortopo

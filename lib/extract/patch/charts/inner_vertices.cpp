@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "extract/level/position.hpp"
+#include "extract/patch/vertex_on_level.hpp"
 #include "extract/run/extractor_scalars.hpp"
 
 namespace tensortopo {
@@ -22,30 +23,10 @@ std::optional<InnerVertex<Scalar>> InnerVertices<Scalar>::at(
   if (!has_one_sign(guess)) return std::nullopt;
   double total = 0;
   for (const double w : guess) total += w;
-  InnerVertex<Scalar> vertex;
-  for (std::size_t i = 0; i < 4; ++i) vertex.weights[i] = Scalar(guess[i] / total);
-  const auto& tensors = tet_.simplex.tensors;
-  for (int step = 0; step < 4; ++step) {
-    vertex.tensor = tensor_at(tensors, vertex.weights);
-    const auto at = level_slope(vertex.tensor, level_);
-    std::array<Scalar, 4> gradient;
-    Scalar mean(0), square(0);
-    for (std::size_t i = 0; i < 4; ++i) {
-      gradient[i] = inner(at.slope, thrice(tensors[i]));
-      mean = mean + gradient[i] / Scalar(4);
-    }
-    for (auto& g : gradient) {
-      g = g - mean;
-      square = square + g * g;
-    }
-    if (!(square > Scalar(0))) return std::nullopt;
-    for (std::size_t i = 0; i < 4; ++i) {
-      vertex.weights[i] = vertex.weights[i] - at.value / square * gradient[i];
-      if (!(vertex.weights[i] > Scalar(0))) return std::nullopt;
-    }
-  }
-  vertex.tensor = tensor_at(tensors, vertex.weights);
-  if (taken_.contains(place_of(vertex))) return std::nullopt;
+  std::array<Scalar, 4> weights;
+  for (std::size_t i = 0; i < 4; ++i) weights[i] = Scalar(guess[i] / total);
+  auto vertex = vertex_on_level(tet_, level_, weights);
+  if (vertex && taken_.contains(place_of(*vertex))) return std::nullopt;
   return vertex;
 }
 

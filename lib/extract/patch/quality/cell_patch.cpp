@@ -226,7 +226,10 @@ void CellPatch::move(Id vertex, Id neighbour) {
       continue;
     }
     for (const Place corner : t)
-      if (corner != v) std::erase(around_[corner], i);
+      if (corner != v) {
+        auto& star = around_[corner];
+        star.erase(std::remove(star.begin(), star.end(), i), star.end());
+      }
     t = {};
   }
   around_[v].clear();

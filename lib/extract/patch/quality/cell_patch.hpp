@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -71,8 +73,9 @@ class CellPatch {
   std::vector<Corner> corners_;
   std::vector<Vector3<double>> places_;  ///< of the corners, as they are written
   UpwardTest upward_;
-  std::vector<Triangle> triangles_;                 ///< with three times the same corner: taken out
-  std::vector<std::vector<std::uint32_t>> around_;  ///< the triangles of each corner, ascending
+  std::vector<Triangle> triangles_;  ///< with three times the same corner: taken out
+  using Star = boost::container::small_vector<std::uint32_t, 6>;
+  std::vector<Star> around_;  ///< the triangles of each corner, ascending
 };
 
 }  // namespace tensortopo

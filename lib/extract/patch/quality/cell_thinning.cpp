@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/patch/quality/cell_thinning.hpp"
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,18 +22,28 @@ constexpr double kLargerSine = 1.05;
 /// @param remove  takes out a vertex, given the chain and its two neighbours there, if it may
 template <class Remove>
 void until_none_is_removed(std::vector<CurveChain>& chains, const Remove& remove) {
+  // What keeps a sample does so until another one is removed: only then is it asked for again.
+  std::size_t turn = 1;
+  using Turns = boost::container::small_vector<std::size_t, 16>;
+  std::vector<Turns> asked;  // of each sample, the turn in which it was kept
+  asked.reserve(chains.size());
+  for (const CurveChain& chain : chains) asked.emplace_back(chain.vertices.size(), 0);
   for (bool any = true; any;) {
     any = false;
-    for (CurveChain& chain : chains) {
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      CurveChain& chain = chains[c];
       auto& v = chain.vertices;
       const std::size_t ends = chain.is_closed ? 0 : 1;
       for (std::size_t i = ends; i + ends < v.size() && v.size() > chain.least + 2 * ends;) {
         const std::size_t n = v.size();
-        if (!remove(chain, v[i], std::array{v[(i + n - 1) % n], v[(i + 1) % n]})) {
+        if (std::exchange(asked[c][i], turn) == turn ||
+            !remove(chain, v[i], std::array{v[(i + n - 1) % n], v[(i + 1) % n]})) {
           ++i;
           continue;
         }
         v.erase(v.begin() + static_cast<std::ptrdiff_t>(i));
+        asked[c].erase(asked[c].begin() + static_cast<std::ptrdiff_t>(i));
+        ++turn;
         any = true;
       }
     }
@@ -110,8 +122,10 @@ std::vector<Id> take_out(CellPatch& patch, std::vector<CurveChain> chains,
       chains, [&](const CurveChain& chain, Id v, const std::array<Id, 2>& neighbours) {
         if (!holds(samples, v)) return false;
         auto ways = ways_out(patch, chain, v, neighbours, 0);
-        if (!may_go(patch, chain, v, ways[0])) std::swap(ways[0], ways[1]);
-        if (!may_go(patch, chain, v, ways[0])) return false;
+        if (!may_go(patch, chain, v, ways[0])) {
+          if (!may_go(patch, chain, v, ways[1])) return false;
+          std::swap(ways[0], ways[1]);
+        }
         const bool second = !stays_close(patch, chain, v, ways[0].to) &&
                             may_go(patch, chain, v, ways[1]) &&
                             stays_close(patch, chain, v, ways[1].to);

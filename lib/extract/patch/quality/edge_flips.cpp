@@ -36,6 +36,45 @@ Level<double> in_double(const Level<Scalar>& level) {
   return result;
 }
 
+/// Edges, some of which go while others come.
+class EdgeSet {
+ public:
+  using Edge = std::uint64_t;  ///< smaller vertex first
+
+  /// @param edges ascending
+  void start(std::vector<Edge> edges) {
+    first_ = std::move(edges);
+    is_there_.assign(first_.size(), 1);
+  }
+  bool contains(Edge edge) const {
+    const auto place = place_of(edge);
+    return place < first_.size() ? is_there_[place] != 0 : others_.contains(edge);
+  }
+  void insert(Edge edge) { set(edge, true); }
+  void erase(Edge edge) { set(edge, false); }
+
+ private:
+  std::size_t place_of(Edge edge) const {
+    const auto found = std::lower_bound(first_.begin(), first_.end(), edge);
+    return found != first_.end() && *found == edge
+               ? static_cast<std::size_t>(found - first_.begin())
+               : first_.size();
+  }
+
+  void set(Edge edge, bool is_there) {
+    if (const auto place = place_of(edge); place < first_.size())
+      is_there_[place] = is_there;
+    else if (is_there)
+      others_.insert(edge);
+    else
+      others_.erase(edge);
+  }
+
+  std::vector<Edge> first_;
+  std::vector<char> is_there_;  ///< of the first
+  std::unordered_set<Edge> others_;
+};
+
 /// Triangles of one tetrahedron, between places in a list of vertices.
 class Flips {
  public:
@@ -103,13 +142,15 @@ class Flips {
     std::vector<Side> sides;
     sides.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const auto edge = key(triangles[t][k], triangles[t][(k + 1) % 3]);
-        edges_.insert(edge);
-        sides.push_back({edge, t, k});
-      }
+      for (std::uint32_t k = 0; k < 3; ++k)
+        sides.push_back({key(triangles[t][k], triangles[t][(k + 1) % 3]), t, k});
     std::sort(sides.begin(), sides.end(),
               [](const Side& p, const Side& q) { return p.edge < q.edge; });
+    std::vector<EdgeSet::Edge> edges;
+    edges.reserve(sides.size());
+    for (const Side& side : sides)
+      if (edges.empty() || edges.back() != side.edge) edges.push_back(side.edge);
+    edges_.start(std::move(edges));
     across_.assign(triangles.size(), {kNone, kNone, kNone});
     for (std::size_t i = 0; i + 1 < sides.size(); ++i)
       if (sides[i].edge == sides[i + 1].edge) {
@@ -201,7 +242,7 @@ class Flips {
   Folded folded_;
   std::vector<std::array<std::uint32_t, 3>> across_;
   std::vector<Shape> shapes_;
-  std::unordered_set<std::uint64_t> edges_;  ///< smaller vertex first
+  EdgeSet edges_;
 };
 
 }  // namespace

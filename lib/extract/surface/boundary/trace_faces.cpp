@@ -14,6 +14,7 @@
 #include "extract/run/assert.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
+#include "extract/topology/boundary/arc_samples.hpp"
 #include "extract/topology/boundary/edge_crossings.hpp"
 #include "extract/topology/boundary/graph_arcs.hpp"
 
@@ -33,6 +34,17 @@ struct FaceTracer {
 
   LevelSimplex<Scalar, 3> simplex(std::size_t f) const {
     return input.field.template simplex<3>(cells.faces[f], sides.above);
+  }
+
+  /// An arc that is one piece of the whole face.
+  GraphArc graph_arc(std::size_t f, const FaceArc<Scalar>& arc) const {
+    const auto in_double = [](const std::array<Scalar, 3>& w) {
+      return std::array{static_cast<double>(w[0]), static_cast<double>(w[1]),
+                        static_cast<double>(w[2])};
+    };
+    const auto& piece = arc.pieces[0];
+    return {rounded(simplex(f).tensors), in_double(piece.direction), in_double(piece.begin),
+            in_double(piece.end)};
   }
 
   /// Whether the deviator vanishes in a face, whose vertices have one.
@@ -88,6 +100,25 @@ struct FaceTracer {
     return arcs;
   }
 
+  /// The curve of a face that is proved to be a graph, with one crossing on each of two edges:
+  /// whether there is one. All that `trace` asks is then answered: the bounds of the proof keep
+  /// the deviator from vanishing.
+  /// @param arcs  receives it without samples
+  bool trace_plain(std::size_t f, const SimplexProof<Scalar, 3>* proof,
+                   std::vector<FaceArc<Scalar>>& arcs) const {
+    if (proof == nullptr || proof->kind != SimplexProof<Scalar, 3>::Kind::monotone) return false;
+    std::array<std::span<const EdgeCrossing<Scalar>>, 3> on_edges;
+    std::size_t count = 0;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const auto edge = as_size(cells.face_edges[f][e]);
+      if (!crossings.rows.is_known(edge) || crossings.moved[edge]) return false;
+      on_edges[e] = crossings.rows[edge];
+      if (on_edges[e].size() > 1) return false;
+      count += on_edges[e].size();
+    }
+    return count == 2 && arcs_of_graph(simplex(f), on_edges, input.level, arcs, proof);
+  }
+
   /// The curves of a face at a nearby level. Its edges have as many crossings there.
   Arcs trace_nearby(std::size_t f, char& moved) const {
     const auto tensors = input.tensors_of(cells.faces[f]);
@@ -141,9 +172,13 @@ LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const Verte
   std::vector<std::optional<std::vector<FaceArc<Scalar>>>> found(cells.faces.size());
   result.moved.assign(cells.faces.size(), 0);
   const FaceTracer<Scalar> tracer{input, sides, cells, crossings};
+  const SampleTurns turns(input.options.sampling);
+  const bool is_uniform = input.options.density.empty();
   const auto trace = [&](std::size_t begin, std::size_t end) {
     ProofBlock<Scalar, 3> proofs;
     EmptyBlock<Scalar, 3> empty;
+    StraightBlock<Scalar> straight;
+    std::array<std::vector<FaceArc<Scalar>>, ProofBlock<Scalar, 3>::size> plain;
     for (std::size_t f = begin; f < end; ++f)
       if (is_crossed(input, sides, cells.faces[f]))
         proofs.want(f - begin, cells.faces[f], input.field.tensors);
@@ -151,9 +186,19 @@ LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const Verte
         empty.want(f - begin, cells.faces[f], input.field.tensors);
     proofs.make(input.level);
     empty.make(input.level);
+    for (std::size_t f = begin; is_uniform && f < end; ++f)
+      if (auto& arcs = plain[f - begin]; tracer.trace_plain(f, proofs.of(f - begin), arcs))
+        straight.want(f - begin, tracer.graph_arc(f, arcs[0]));
+    straight.make(input.level, {turns.medium, turns.tensor});
     for (std::size_t f = begin; f < end; ++f) {
       if (empty.is_empty(f - begin)) {
         found[f].emplace();
+        continue;
+      }
+      if (auto& arcs = plain[f - begin]; !arcs.empty()) {
+        if (!straight.is_straight(f - begin))
+          sample_arc(arcs[0], tracer.simplex(f).tensors, input.level, turns);
+        found[f] = std::move(arcs);
         continue;
       }
       found[f] = tracer.trace(f, proofs.of(f - begin), result.moved[f]);

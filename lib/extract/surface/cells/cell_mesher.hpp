@@ -65,6 +65,7 @@ class CellMesher {
            mesh_.mesher == Mesher::dominant;
   }
   bool unfold();
+  bool untangle_few();
   bool mesh_without_defects(int rounds);
   bool find_defects();
   bool are_defects_few() const;

@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "extract/patch/patch_check.hpp"
 #include "extract/patch/patch_defects.hpp"
 #include "extract/patch/quality/edge_flips.hpp"
+#include "extract/patch/quality/untangle.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/surface/cells/cell_mesher.hpp"
 
@@ -18,8 +20,8 @@ namespace {
 /// subdivision cut that have some.
 constexpr int kMostHalvings = 4, kMostRefinements = 8;
 
-/// Intersecting pairs and triangles against the gradient, for each triangle of a patch, that further
-/// vertices are tried for.
+/// Intersecting pairs and triangles against the gradient, for each triangle of a patch, that
+/// further vertices are tried for.
 constexpr std::size_t kMostDefects = 2;
 
 /// How often a chart gets further vertices where triangles have defects.
@@ -29,6 +31,9 @@ constexpr int kRounds = 12;
 /// What is meshed then stays.
 constexpr std::size_t kMostTried = 50000;
 
+/// Defects of a patch are few if they are at most so many, and one in so many triangles more.
+constexpr std::size_t kFewDefects = 32, kFewInAll = 16;
+
 }  // namespace
 
 /// More samples beside triangles with defects, or smaller cells of the subdivision. What no mesher
@@ -37,8 +42,8 @@ constexpr std::size_t kMostTried = 50000;
 template <class Scalar>
 bool CellMesher<Scalar>::make_finer() {
   auto& mesher = mesh_.mesher;
-  if (mesh_.has_defects && is_in_chart() && !state_.beside_defects.empty() &&
-      are_defects_few() && state_.halvings++ < kMostHalvings) {
+  if (mesh_.has_defects && is_in_chart() && !state_.beside_defects.empty() && are_defects_few() &&
+      state_.halvings++ < kMostHalvings) {
     state_.requests.insert(state_.requests.end(), state_.beside_defects.begin(),
                            state_.beside_defects.end());
     return true;
@@ -65,13 +70,14 @@ bool CellMesher<Scalar>::make_finer() {
 /// more defects.
 template <class Scalar>
 bool CellMesher<Scalar>::are_defects_few() const {
-  return state_.defects <= kMostDefects * mesh_.patch.triangles.size() && state_.tried <= kMostTried;
+  return state_.defects <= kMostDefects * mesh_.patch.triangles.size() &&
+         state_.tried <= kMostTried;
 }
 
 template <class Scalar>
 bool CellMesher<Scalar>::find_defects() {
-  const auto patch = placed_patch<Scalar>(
-      tet_, mesh_.patch, [&](std::int32_t id) { return around_.vertices.position[as_size(id)]; });
+  thread_local PlacedPatch patch;
+  place_patch<Scalar>(tet_, mesh_.patch, around_.vertices.position, patch);
   const auto defects = defects_of(patch, UpwardTest(tet_));
   mesh_.has_defects = defects.any();
   state_.defects = defects.against.size() + defects.intersecting.size();
@@ -96,18 +102,43 @@ bool CellMesher<Scalar>::unfold() {
   return false;
 }
 
+/// Triangles with defects mended one by one, where they are few.
+/// @return whether no defect is left; else the patch has no more than before
+template <class Scalar>
+bool CellMesher<Scalar>::untangle_few() {
+  const auto& topology = *proof_.topology;
+  if (state_.defects > kFewDefects + mesh_.patch.triangles.size() / kFewInAll) return false;
+  const auto vertices = around_.arc_vertices(tet_);
+  std::vector<std::vector<BoundaryVertex>> loops;
+  for (const auto& loop : topology.loops) loops.push_back(loop_vertices(loop, vertices));
+  PlacedPatch placed;
+  place_patch<Scalar>(tet_, mesh_.patch, around_.vertices.position, placed);
+  auto before = mesh_.patch;
+  if (!untangle<Scalar>(tet_, level(), loops, placed, defects_of(placed, UpwardTest(tet_)),
+                        mesh_.patch))
+    return false;
+  const std::size_t defects = state_.defects;
+  if (are_proved_sheets(mesh_.patch.triangles, loops, topology.sheets)) {
+    if (!find_defects()) return true;
+    if (state_.defects <= defects) return false;
+  }
+  mesh_.patch = std::move(before);
+  find_defects();
+  return false;
+}
+
 /// Meshes in the present chart.
 /// @param rounds  of vertices that are added where triangles have defects
 template <class Scalar>
 bool CellMesher<Scalar>::mesh_without_defects(int rounds) {
-  return mesh_topology(rounds) && (!find_defects() || unfold());
+  return mesh_topology(rounds) && (!find_defects() || unfold() || untangle_few());
 }
 
 /// Other diagonals, the other chart, and further vertices inside; the boundary loops stay.
 /// @return whether no defect is left; else the patch is as before
 template <class Scalar>
 bool CellMesher<Scalar>::mend() {
-  if (unfold()) return true;
+  if (unfold() || untangle_few()) return true;
   const bool are_few = are_defects_few();
   auto before = std::move(mesh_.patch);
   const auto defects = state_.defects;
@@ -133,9 +164,12 @@ bool CellMesher<Scalar>::try_mesher() {
   if (!mesh_topology(0)) return false;
   if (mesh_.mesher == Mesher::cone || !input_.options.embedded) return true;
   // Surfaces of more digits are there for their topology: their triangles are not mended.
-  if (!std::is_same_v<Scalar, double> || state_.tried > kMostTried)
-    state_.must_be_embedded = false;
-  if (!find_defects() || !state_.must_be_embedded) return true;
+  if (!std::is_same_v<Scalar, double> || state_.tried > kMostTried) state_.must_be_embedded = false;
+  if (!find_defects()) return true;
+  if (!state_.must_be_embedded) {
+    if (std::is_same_v<Scalar, double> && !unfold()) untangle_few();
+    return true;
+  }
   state_.was_meshed = true;
   return mend();
 }
@@ -145,6 +179,7 @@ bool CellMesher<Scalar>::try_mesher() {
   template bool CellMesher<Scalar>::find_defects();            \
   template bool CellMesher<Scalar>::are_defects_few() const;   \
   template bool CellMesher<Scalar>::unfold();                  \
+  template bool CellMesher<Scalar>::untangle_few();            \
   template bool CellMesher<Scalar>::mesh_without_defects(int); \
   template bool CellMesher<Scalar>::mend();                    \
   template bool CellMesher<Scalar>::try_mesher();

@@ -76,11 +76,8 @@ template <class Scalar>
 class Sampler {
  public:
   Sampler(const std::array<Deviator<Scalar>, 3>& face, const Level<Scalar>& level,
-          const Sampling& sampling)
-      : face_(face),
-        level_(level),
-        turn_(std::cos(std::min(sampling.largest_turn(), 1.5))),
-        wide_turn_(std::cos(std::min(2 * sampling.largest_turn(), 0.5))) {}
+          const SampleTurns& turns)
+      : face_(face), level_(level), turn_(turns.medium), wide_turn_(turns.tensor) {}
 
   void sample(FaceArc<Scalar>& arc) {
     if (needs_none(arc)) return;
@@ -170,8 +167,8 @@ class Sampler {
 
 template <class Scalar>
 void sample_arc(FaceArc<Scalar>& arc, const std::array<Deviator<Scalar>, 3>& face,
-                const Level<Scalar>& level, const Sampling& sampling) {
-  Sampler<Scalar>(face, level, sampling).sample(arc);
+                const Level<Scalar>& level, const SampleTurns& turns) {
+  Sampler<Scalar>(face, level, turns).sample(arc);
 }
 
 template <class Scalar>
@@ -267,7 +264,7 @@ std::pair<int, Scalar> locate_on_arcs(std::span<const FaceArc<Scalar>> arcs,
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                            \
   template void sample_arc(FaceArc<Scalar>&, const std::array<Deviator<Scalar>, 3>&,              \
-                           const Level<Scalar>&, const Sampling&);                                \
+                           const Level<Scalar>&, const SampleTurns&);                             \
   template CurvePoint<Scalar> point_on_arc(const FaceArc<Scalar>&,                                \
                                            const std::array<Deviator<Scalar>, 3>&, const Scalar&, \
                                            const Level<Scalar>&);                                 \

@@ -2,14 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "extract/topology/boundary/face_curves.hpp"
 
 namespace tensortopo {
+
+/// Cosines of the largest angles between medium eigenvectors, and between tensors, of neighbouring
+/// samples.
+struct SampleTurns {
+  double medium, tensor;
+
+  explicit SampleTurns(const Sampling& sampling)
+      : medium(std::cos(std::min(sampling.largest_turn(), 1.5))),
+        tensor(std::cos(std::min(2 * sampling.largest_turn(), 0.5))) {}
+};
 
 /// Samples the arc so that neither the medium eigenvector nor the tensor turns too far from one
 /// sample to the next.
 template <class Scalar>
 void sample_arc(FaceArc<Scalar>& arc, const std::array<Deviator<Scalar>, 3>& face,
-                const Level<Scalar>& level, const Sampling& sampling);
+                const Level<Scalar>& level, const SampleTurns& turns);
 
 }  // namespace tensortopo

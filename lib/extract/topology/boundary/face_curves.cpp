@@ -220,15 +220,16 @@ std::optional<std::vector<FaceArc<Scalar>>> face_curves_by(
     const std::array<std::span<const EdgeCrossing<Scalar>>, 3>& crossings,
     const Level<Scalar>& level, const Sampling& sampling, Budget budget) {
   std::vector<FaceArc<Scalar>> arcs;
+  const SampleTurns turns(sampling);
   if (arcs_of_graph(triangle, crossings, level, arcs, known)) {
-    for (auto& arc : arcs) sample_arc(arc, triangle.tensors, level, sampling);
+    for (auto& arc : arcs) sample_arc(arc, triangle.tensors, level, turns);
     return arcs;
   }
   thread_local Refinement<Scalar, 3> refinement;
   refinement.reset(triangle, level);
   if (!refinement.run(face_cell_limit(budget, level.gap()))) return std::nullopt;
   if (!Assembly<Scalar>(refinement, crossings, level).build(arcs)) return std::nullopt;
-  for (auto& arc : arcs) sample_arc(arc, triangle.tensors, level, sampling);
+  for (auto& arc : arcs) sample_arc(arc, triangle.tensors, level, turns);
   return arcs;
 }
 

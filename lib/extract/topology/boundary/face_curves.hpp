@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <memory>
 #include <optional>
@@ -68,7 +70,7 @@ template <class Scalar>
 struct FaceArc {
   bool closed = false;
   ArcEnd begin, end;                        ///< unless closed
-  std::vector<ArcPiece<Scalar>> pieces;     ///< in order
+  boost::container::small_vector<ArcPiece<Scalar>, 1> pieces;  ///< in order; mostly one
   std::vector<CurvePoint<Scalar>> samples;  ///< inner samples, in order; closed: all samples
   const Level<Scalar>* level = nullptr;     ///< that it was traced at, if not the extraction's
 };

@@ -29,12 +29,24 @@ constexpr auto table = make_table();
 }  // namespace
 
 std::string from_base64(std::string_view text, bool prefix) {
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::string bytes(text.size() / 4 * 3 + 3, '\0');
+  char* out = bytes.data();
   std::uint32_t bits = 0;
   int digits = 0, pads = 0;
-  for (const char c : text) {
-    const std::int8_t value = table[static_cast<unsigned char>(c)];
+  const auto write = [&](int count) {
+    for (int i = 0; i < count; ++i) *out++ = static_cast<char>(bits >> (16 - 8 * i) & 0xff);
+  };
+  const auto value_at = [&](std::size_t i) { return table[static_cast<unsigned char>(text[i])]; };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    // Mostly there are four digits.
+    while (digits == 0 && text.size() - i > 4) {
+      const int a = value_at(i), b = value_at(i + 1), c = value_at(i + 2), d = value_at(i + 3);
+      if ((a | b | c | d) < 0) break;
+      bits = static_cast<std::uint32_t>(a << 18 | b << 12 | c << 6 | d);
+      write(3);
+      i += 4;
+    }
+    const int value = value_at(i);
     if (value == space) continue;
     if (value == other) {
       if (prefix) break;
@@ -48,10 +60,11 @@ std::string from_base64(std::string_view text, bool prefix) {
     bits = bits << 6 | static_cast<std::uint32_t>(value == padding ? 0 : value);
     if (++digits < 4) continue;
     if (pads > 2) throw FormatError("base64 has too much padding");
-    for (int i = 0; i < 3 - pads; ++i) bytes += static_cast<char>(bits >> (16 - 8 * i) & 0xff);
+    write(3 - pads);
     bits = 0, digits = pads = 0;
   }
   if (digits != 0 && !prefix) throw FormatError("base64 ends in the middle of a group");
+  bytes.resize(static_cast<std::size_t>(out - bytes.data()));
   return bytes;
 }
 

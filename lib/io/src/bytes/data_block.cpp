@@ -2,10 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bytes/data_block.hpp"
 
+#include <libdeflate.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstring>
-#include <vector>
+#include <memory>
+#include <new>
+#include <string>
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -13,7 +20,6 @@
 #include <vtkLZMADataCompressor.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
-#include <vtkZLibDataCompressor.h>
 
 #include "bytes/format_error.hpp"
 
@@ -49,18 +55,13 @@ std::string wrong_size(std::uint64_t is, std::uint64_t should) {
   return "holds " + std::to_string(is) + " bytes where " + std::to_string(should) + " belong";
 }
 
+/// Of another kind than zlib.
 vtkSmartPointer<vtkDataCompressor> make_decompressor(BlockFormat::Compressor kind) {
   vtkSmartPointer<vtkDataCompressor> result;
-  switch (kind) {
-    case BlockFormat::Compressor::lz4:
-      result = vtkSmartPointer<vtkLZ4DataCompressor>::New();
-      break;
-    case BlockFormat::Compressor::lzma:
-      result = vtkSmartPointer<vtkLZMADataCompressor>::New();
-      break;
-    default:
-      result = vtkSmartPointer<vtkZLibDataCompressor>::New();
-  }
+  if (kind == BlockFormat::Compressor::lz4)
+    result = vtkSmartPointer<vtkLZ4DataCompressor>::New();
+  else
+    result = vtkSmartPointer<vtkLZMADataCompressor>::New();
   // With a listener, an error is not printed; the number of bytes tells us all.
   vtkNew<vtkCallbackCommand> silence;
   silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
@@ -81,7 +82,8 @@ std::uint64_t greatest_ratio(BlockFormat::Compressor kind) {
   }
 }
 
-std::string decompress(std::string_view block, std::size_t expected, const BlockFormat& format) {
+PackedArray compressed_array(std::string_view block, std::size_t expected,
+                             const BlockFormat& format) {
   Header header(block, format);
   const std::uint64_t count = header.next(), size = header.next(), last = header.next();
   if (count > block.size() / format.header_word)
@@ -95,38 +97,75 @@ std::string decompress(std::string_view block, std::size_t expected, const Block
   std::vector<std::uint64_t> sizes(count);
   for (auto& s : sizes) s = header.next();
   std::string_view rest = header.rest();
-  const auto decompressor = make_decompressor(format.compressor);
-  std::string bytes;
-  // Room for all, but for no more than the block can hold.
   const std::uint64_t ratio = greatest_ratio(format.compressor);
-  bytes.reserve(total / ratio > block.size() ? 0 : total);
+  PackedArray array{format.compressor, expected, size, {}};
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t wanted = i + 1 == count && last != 0 ? last : size;
     if (sizes[i] > rest.size()) throw FormatError("ends within a compressed block");
     if (wanted / ratio > sizes[i] + 64)
       throw FormatError("promises more bytes than a compressed block can hold");
-    const std::size_t begin = bytes.size();
-    bytes.resize(begin + wanted);
-    const std::size_t got =
-        decompressor->Uncompress(reinterpret_cast<const unsigned char*>(rest.data()), sizes[i],
-                                 reinterpret_cast<unsigned char*>(bytes.data() + begin), wanted);
-    if (got != wanted) throw FormatError("has a damaged compressed block");
+    array.parts.push_back(rest.substr(0, sizes[i]));
     rest.remove_prefix(sizes[i]);
   }
-  return bytes;
+  return array;
 }
+
+/// Unpacks parts one after the other.
+class Unpacker {
+ public:
+  explicit Unpacker(BlockFormat::Compressor kind) {
+    if (kind == BlockFormat::Compressor::zlib) {
+      zlib_.reset(libdeflate_alloc_decompressor());
+      if (!zlib_) throw std::bad_alloc();
+    } else {
+      other_ = make_decompressor(kind);
+    }
+  }
+  /// Does the part hold exactly so many bytes?
+  bool operator()(std::string_view part, std::span<std::byte> bytes) const {
+    if (zlib_)
+      return libdeflate_zlib_decompress(zlib_.get(), part.data(), part.size(), bytes.data(),
+                                        bytes.size(), nullptr) == LIBDEFLATE_SUCCESS;
+    return other_->Uncompress(reinterpret_cast<const unsigned char*>(part.data()), part.size(),
+                              reinterpret_cast<unsigned char*>(bytes.data()),
+                              bytes.size()) == bytes.size();
+  }
+
+ private:
+  struct Free {
+    void operator()(libdeflate_decompressor* d) const { libdeflate_free_decompressor(d); }
+  };
+  std::unique_ptr<libdeflate_decompressor, Free> zlib_;
+  vtkSmartPointer<vtkDataCompressor> other_;
+};
 
 }  // namespace
 
-std::string decode_block(std::string_view block, std::size_t expected, const BlockFormat& format) {
+PackedArray packed_array(std::string_view block, std::size_t expected, const BlockFormat& format) {
   if (expected == 0) return {};
   if (format.compressor != BlockFormat::Compressor::none)
-    return decompress(block, expected, format);
+    return compressed_array(block, expected, format);
   Header header(block, format);
   const std::uint64_t size = header.next();
   if (size != expected) throw FormatError(wrong_size(size, expected));
   if (size > header.rest().size()) throw FormatError("ends within an array's bytes");
-  return std::string(header.rest().substr(0, expected));
+  return {BlockFormat::Compressor::none, expected, expected, {header.rest().substr(0, expected)}};
+}
+
+void unpack(const PackedArray& array, std::span<std::byte> bytes) {
+  if (array.size == 0) return;
+  if (array.compressor == BlockFormat::Compressor::none) {
+    std::memcpy(bytes.data(), array.parts.front().data(), array.size);
+    return;
+  }
+  tbb::enumerable_thread_specific<Unpacker> unpackers([&] { return Unpacker(array.compressor); });
+  std::atomic<bool> is_whole{true};
+  tbb::parallel_for(std::size_t{0}, array.parts.size(), [&](std::size_t i) {
+    const std::size_t begin = i * array.part;
+    const auto part = bytes.subspan(begin, std::min(array.part, array.size - begin));
+    if (!unpackers.local()(array.parts[i], part)) is_whole = false;
+  });
+  if (!is_whole) throw FormatError("has a damaged compressed block");
 }
 
 }  // namespace tensortopo::detail

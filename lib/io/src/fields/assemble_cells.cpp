@@ -63,7 +63,9 @@ class Assembly {
         report_(report),
         quadratic_(mesh) {}
 
-  void add(const RawGrid& grid, const std::vector<Index>& vertices) {
+  /// @param taken  of each cell, whether it is; empty for all
+  void add(const RawGrid& grid, const std::vector<Index>& vertices,
+           const std::vector<char>& taken) {
     const std::vector<char> ghosts = ghost_cells(grid);
     Refusals refusals;
     std::vector<Index> corners;
@@ -73,6 +75,8 @@ class Assembly {
         ++report_.skipped_ghost_cells;
       } else if (kind.use == Use::skip) {
         ++report_.skipped_cells_2d_1d;
+      } else if (!taken.empty() && taken[c] == 0) {
+        ++report_.cells_left_out;
       } else if (quadratic_kind(grid.types[c]).nodes > 0) {
         corners = vertices_of(grid, c, vertices);
         take_quadratic(grid, c, corners, static_cast<std::int64_t>(first_cell_ + c));
@@ -166,14 +170,15 @@ class Assembly {
 }  // namespace
 
 void assemble_cells(const std::vector<RawGrid>& pieces, const VertexMap& map,
-                    QuadraticCells quadratic, const ReadOptions& options, TetMesh& mesh,
-                    ReadReport& report) {
+                    const CellSelection& selection, QuadraticCells quadratic,
+                    const ReadOptions& options, TetMesh& mesh, ReadReport& report) {
   Assembly assembly(options, quadratic, mesh, report);
   std::size_t cells = 0;  // nearly always all of them tetrahedra
   for (const RawGrid& grid : pieces) cells += grid.cells();
   mesh.tets.reserve(cells);
   mesh.cell_ids.reserve(cells);
-  for (std::size_t k = 0; k < pieces.size(); ++k) assembly.add(pieces[k], map[k]);
+  for (std::size_t k = 0; k < pieces.size(); ++k) 
+    assembly.add(pieces[k], map[k], selection.empty() ? std::vector<char>() : selection[k]);
   assembly.count_vertices();
   assembly.orient();
 }

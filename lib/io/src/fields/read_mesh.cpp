@@ -16,16 +16,17 @@
 #include "bytes/printable.hpp"
 #include "fields/assemble_cells.hpp"
 #include "fields/cell_means.hpp"
+#include "fields/cells_where.hpp"
 #include "fields/merge_points.hpp"
-#include "grids/raw_grid.hpp"
-#include "formats/field_format.hpp"
 #include "fields/read_mesh_of.hpp"
 #include "fields/tensor_array.hpp"
+#include "fields/torn_faces.hpp"
+#include "formats/field_format.hpp"
+#include "grids/raw_grid.hpp"
 #include "tensortopo/hash/sha256.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/read_geometry.hpp"
 #include "tensortopo/mesh/validate.hpp"
-#include "fields/torn_faces.hpp"
 
 namespace tensortopo {
 namespace {
@@ -51,15 +52,19 @@ std::vector<RawGrid> read_grids(const std::shared_ptr<const InputFile>& file,
                   fmt::format("--mask: is for NIfTI images, not for a {}", extension));
   Sha256 sum;
   sum.add(file->bytes);
-  std::vector<RawGrid> grids =
-      entry.read(FieldSource{file, options, sum, result.report.notes});
+  std::vector<RawGrid> grids = entry.read(FieldSource{file, options, sum, result.report.notes});
   result.sha256 = sum.hex();
   return grids;
 }
 
 /// Refuses meshes that are unfit; else their outer faces.
-std::vector<OuterFace> check(const std::filesystem::path& file, const TetMesh& mesh) {
-  if (mesh.tets.empty()) throw IoError(IoError::Kind::invalid, file, "has no tetrahedra");
+/// @param left_out  cells that the caller did not want
+std::vector<OuterFace> check(const std::filesystem::path& file, const TetMesh& mesh,
+                             std::size_t left_out) {
+  if (mesh.tets.empty())
+    throw IoError(IoError::Kind::invalid, file,
+                  left_out > 0 ? fmt::format("--where leaves no cell ({} are left out)", left_out)
+                               : std::string("has no tetrahedra"));
   if (mesh.tets.size() > INT32_MAX)
     throw IoError(IoError::Kind::invalid, file, "has too many tetrahedra");
   std::vector<OuterFace> outer;
@@ -78,6 +83,9 @@ void write_notes(const ReadOptions& options, ReadReport& report) {
   };
   note(report.skipped_cells_2d_1d, "cells of dimension below 3 skipped");
   note(report.skipped_ghost_cells, "ghost cells skipped");
+  if (!options.where.empty())
+    report.notes.push_back(
+        fmt::format("{} cells left out, where not: {}", report.cells_left_out, options.where));
   note(report.split_cells, "cells split into tetrahedra");
   note(report.quadratic_cells, options.quadratic == QuadraticCells::split
                                    ? "quadratic cells split around their nodes"
@@ -107,15 +115,15 @@ void take_means(std::vector<RawGrid>& grids, VertexMap& map,
                   std::string(options.mean ? "--mean" : "--materials") +
                       ": no means are taken of tensors at points; with --merge-points --mean they "
                       "are, of points in the same place");
-  const Materials materials = choice.on_cells || means_of_points ? materials_of(grids, options)
-                                                                 : Materials{};
+  const Materials materials =
+      choice.on_cells || means_of_points ? materials_of(grids, options) : Materials{};
   if (options.merge_points)
     report.merged_points +=
         merge_vertices(grids, map, choice.on_cells ? Materials{} : materials, options.mean, mesh);
   if (!choice.on_cells) return;
   report.doubled_vertices = separate_materials(grids, map, materials, mesh);
-  report.averaged_vertices = average_cells(grids, map, tensors, choice,
-                                           options.mean.value_or(MeanWeights::plain), mesh);
+  report.averaged_vertices =
+      average_cells(grids, map, tensors, choice, options.mean.value_or(MeanWeights::plain), mesh);
 }
 
 /// What is left of a file's lists when the mesh is made: the cells that were split.
@@ -136,6 +144,14 @@ bool in_same_places(const TetMesh& mesh,
 
 enum class Reading { field, geometry };
 
+/// The cells that `options.where` takes; none if it says nothing.
+CellSelection selected(const std::vector<RawGrid>& grids, const ReadOptions& options,
+                       const TensorChoice* choice,
+                       const std::vector<std::vector<SymmetricTensor<double>>>& tensors) {
+  if (options.where.empty()) return {};
+  return cells_where(grids, options.where, choice, tensors);
+}
+
 /// Makes the mesh of what a file lists, but for its tensors.
 void assemble_geometry(std::vector<RawGrid>& grids, const ReadOptions& options,
                        ReadResult& result) {
@@ -152,7 +168,8 @@ void assemble_geometry(std::vector<RawGrid>& grids, const ReadOptions& options,
   if (options.merge_points)
     result.report.merged_points = merge_vertices(grids, map, {}, std::nullopt, result.mesh);
   result.mesh.tensors.assign(result.mesh.points.size(), {});
-  assemble_cells(grids, map, options.quadratic, options, result.mesh, result.report);
+  const CellSelection selection = selected(grids, options, nullptr, {});
+  assemble_cells(grids, map, selection, options.quadratic, options, result.mesh, result.report);
 }
 
 /// Makes the mesh of what a file lists.
@@ -179,14 +196,15 @@ SplitCells read_unchecked(const std::shared_ptr<const InputFile>& file, const Re
     naming_file(file->path, "", [&] { fill_lattice(grids[k]); });
   }
 
+  const CellSelection selection = selected(grids, options, &choice, tensors);
   const std::vector<std::vector<SymmetricTensor<double>>> none;
   VertexMap map = merge_points(grids, choice.on_cells ? none : tensors, mesh);
   report.merged_points = points - mesh.points.size();
   take_means(grids, map, tensors, choice, options, mesh, report);
   // A mean of cells is at their corners only.
   const bool at_corners = choice.on_cells && choice.values != CellValues::nodes;
-  assemble_cells(grids, map, at_corners ? QuadraticCells::corners : options.quadratic, options,
-                 mesh, report);
+  assemble_cells(grids, map, selection, at_corners ? QuadraticCells::corners : options.quadratic,
+                 options, mesh, report);
   if (report.split_cells == 0) return {};
   for (RawGrid& grid : grids) {
     grid.coordinates = std::vector<double>();
@@ -204,7 +222,8 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
   ReadResult result;
   const SplitCells split = read_unchecked(file, options, what, result);
   ReadReport& report = result.report;
-  report.torn_faces = torn_faces(split.grids, split.map, result.mesh, check(file->path, result.mesh));
+  const auto outer = check(file->path, result.mesh, report.cells_left_out);
+  report.torn_faces = torn_faces(split.grids, split.map, result.mesh, outer);
   report.unreferenced_points = count_unreferenced_points(result.mesh);
   write_notes(options, report);
   if (report.torn_faces.count > 0 && in_same_places(result.mesh, report.torn_faces.vertices))
@@ -215,8 +234,7 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
   return result;
 }
 
-ReadResult read_named(const std::filesystem::path& file, const ReadOptions& options,
-                      Reading what) {
+ReadResult read_named(const std::filesystem::path& file, const ReadOptions& options, Reading what) {
   try {
     format_of(file);  // before it is read
     return read_checked(load(file), options, what);
@@ -238,16 +256,18 @@ const char* ReadOptions::making_others() const {
   if (cell_to_point || cell_values != CellValues::one) return "--cell-to-point";
   if (tetrahedralize) return "--tetrahedralize";
   if (merge_points) return "--merge-points";
+  if (!where.empty()) return "--where";
   return nullptr;
 }
 
 std::vector<std::string> ReadReport::all_notes() const {
   std::vector<std::string> all = notes;
-  const bool is_plain = components.order == ComponentOrder::full ||
-                        (components.order == ComponentOrder::vtk &&
-                         components.source == ComponentSource::named);
+  const bool is_plain =
+      components.order == ComponentOrder::full ||
+      (components.order == ComponentOrder::vtk && components.source == ComponentSource::named);
   if (!is_plain)
-    all.insert(all.begin(), detail::printable("components of `" + tensor_name + "`: " + components.text()));
+    all.insert(all.begin(),
+               detail::printable("components of `" + tensor_name + "`: " + components.text()));
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "output/atomic_file.hpp"
@@ -56,6 +57,25 @@ void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
   out.close("Cells");
   out.close("Piece");
   out.close("UnstructuredGrid");
+  detail::write_atomically(file, out.finish());
+}
+
+void write_piece_list(const std::vector<std::filesystem::path>& pieces,
+                      const std::filesystem::path& file, const std::string& tensor_name) {
+  detail::XmlOutput out("PUnstructuredGrid");
+  const auto element = [&](std::string_view name, const detail::XmlOutput::Attributes& attributes) {
+    out.open(name, attributes);
+    out.close(name);
+  };
+  out.open("PUnstructuredGrid", {{"GhostLevel", "0"}});
+  out.open("PPointData", {{"Tensors", tensor_name}});
+  element("PDataArray", {{"type", "Float64"}, {"Name", tensor_name}, {"NumberOfComponents", "6"}});
+  out.close("PPointData");
+  out.open("PPoints");
+  element("PDataArray", {{"type", "Float64"}, {"Name", "Points"}, {"NumberOfComponents", "3"}});
+  out.close("PPoints");
+  for (const auto& piece : pieces) element("Piece", {{"Source", piece.filename().string()}});
+  out.close("PUnstructuredGrid");
   detail::write_atomically(file, out.finish());
 }
 

@@ -3,6 +3,9 @@
 #include "vtk/xml_document.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <span>
+#include <type_traits>
 #include <utility>
 
 #include "bytes/base64.hpp"
@@ -13,10 +16,11 @@ namespace tensortopo::detail {
 namespace {
 
 /// Parts the markup from the bytes after <AppendedData ...>_ and returns the markup, closed again.
-std::string separate(XmlDocument& document) {
+/// @param own  keeps what the view is of, if that is not the file
+std::string_view separate(XmlDocument& document, std::string& own) {
   const std::string_view bytes = document.file->bytes;
   const std::size_t tag = bytes.find("<AppendedData");
-  if (tag == std::string_view::npos) return std::string(bytes);
+  if (tag == std::string_view::npos) return bytes;
   const std::size_t close = bytes.find('>', tag);
   const std::size_t underscore = close == std::string_view::npos ? close : bytes.find('_', close);
   if (underscore == std::string_view::npos) throw FormatError("ends within the tag AppendedData");
@@ -25,7 +29,7 @@ std::string separate(XmlDocument& document) {
   if (end == std::string_view::npos || end <= underscore)
     throw FormatError("is cut off: the end of AppendedData is missing");
   document.appended = bytes.substr(underscore + 1, end - underscore - 1);
-  return std::string(bytes.substr(0, close + 1)) + "</AppendedData></VTKFile>";
+  return own = std::string(bytes.substr(0, close + 1)) + "</AppendedData></VTKFile>";
 }
 
 BlockFormat block_format(pugi::xml_node root) {
@@ -80,18 +84,21 @@ std::string_view appended_block(const XmlDocument& document, pugi::xml_node arra
 }
 
 /// The block of an array that is not written as numbers.
-std::string decoded(const XmlDocument& document, pugi::xml_node array, std::size_t bytes) {
+/// @param own  keeps what the view is of, if that is not the file
+std::string_view block_of(const XmlDocument& document, pugi::xml_node array, std::string& own) {
   const std::string_view format = array.attribute("format").value();
   if (format == "appended") {
     const std::string_view block = appended_block(document, array);
-    return document.appended_is_base64
-               ? decode_block(from_base64(block, true), bytes, document.format)
-               : decode_block(block, bytes, document.format);
+    if (!document.appended_is_base64) return block;
+    return own = from_base64(block, true);
   }
-  if (format == "binary")
-    return decode_block(from_base64(array.text().get()), bytes, document.format);
+  if (format == "binary") return own = from_base64(array.text().get());
   throw FormatError("has the unknown data format \"" + std::string(format) + "\"");
 }
+
+template <class Value>
+constexpr ElementType element_type =
+    std::is_floating_point_v<Value> ? ElementType::f64 : ElementType::i64;
 
 }  // namespace
 
@@ -99,7 +106,8 @@ std::shared_ptr<const XmlDocument> parse_xml(std::shared_ptr<const InputFile> fi
                                              std::string_view type) {
   auto document = std::make_shared<XmlDocument>();
   document->file = std::move(file);
-  const std::string markup = separate(*document);
+  std::string own;
+  const std::string_view markup = separate(*document, own);
   const pugi::xml_parse_result parsed = document->markup.load_buffer(
       markup.data(), markup.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!parsed)
@@ -152,7 +160,16 @@ std::vector<Value> read_array(const XmlDocument& document, pugi::xml_node array,
     if (document.decompressed > most)
       throw FormatError("promises more numbers than a file of its size holds");
   }
-  const std::string bytes = decoded(document, array, count * size_of(*type));
+  std::string own;
+  const PackedArray packed =
+      packed_array(block_of(document, array, own), count * size_of(*type), document.format);
+  if (*type == element_type<Value> && *document.format.order == std::endian::native) {
+    std::vector<Value> values(count);
+    unpack(packed, std::as_writable_bytes(std::span(values)));
+    return values;
+  }
+  std::string bytes(packed.size, '\0');
+  unpack(packed, std::as_writable_bytes(std::span(bytes)));
   return from_bytes<Value>(bytes, *type, *document.format.order);
 }
 

@@ -66,6 +66,9 @@ struct LevelReport {
   /// level's value; nothing if the triangles are not as claimed. Of surfaces.
   std::optional<double> residual;
   bool embedded = false;   ///< whether it is certified that the triangles are
+  std::size_t vertices = 0;  ///< of the surface
+  /// Arrays of eigenvectors and normals: at how many vertices they are shown to be that.
+  std::map<std::string, std::size_t> vectors;
   bool claims_isotopy = false;  ///< that triangles are isotopic to the level in tetrahedra
   std::size_t isotopic = 0;     ///< tetrahedra for which it is claimed and shown
   /// Tetrahedra with triangles for which it is not, by reason; not those left out.

@@ -39,7 +39,13 @@ struct LevelCase {
 
 /// Which vertex of the surface is which crossing, as the certificate claims.
 struct CrossingVertices {
-  std::map<MeshCrossing, Number> vertex;
+  struct Hash {
+    std::size_t operator()(const MeshCrossing& c) const {
+      const std::uint64_t key = std::uint64_t{c.edge[0]} << 32 | c.edge[1];
+      return (key ^ key >> 29) * 0x9e3779b97f4a7c15U + c.ordinal;
+    }
+  };
+  std::unordered_map<MeshCrossing, Number, Hash> vertex;
   std::unordered_map<Number, MeshCrossing> crossing;   ///< copies too
   std::unordered_map<Number, Number> original;         ///< of a copy: the crossing's first vertex
 };

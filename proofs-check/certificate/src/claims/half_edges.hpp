@@ -59,6 +59,7 @@ class HalfEdges {
 
  private:
   std::span<const Triangle> triangles_;
+  std::size_t vertices_ = 0;  ///< all have smaller numbers
   /// The triangles at the other sides of the edges (from corner i to the next), or kNone.
   std::vector<std::array<std::size_t, 3>> across_;
   std::optional<std::array<std::uint32_t, 2>> double_edge_;  ///< of two triangles in one direction

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "files/document.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -86,52 +87,95 @@ bool ascend(const Json& first, const Json& second, std::size_t count) {
   return count == 0;
 }
 
-/// Where a value is not of a shape, and how; or nothing.
-std::string misfit(const Json& value, const Json& shape) {
-  if (shape.is_string()) {
-    const auto& type = shape.get_ref<const std::string&>();
-    const bool fits = type == "natural"           ? is_natural(value)
-                      : type == "integer"         ? is_integer(value)
-                      : type == "boolean"         ? value.is_boolean()
-                      : type == "natural or text" ? is_natural(value) || value.is_string()
-                                                  : value.is_string();
-    return fits ? "" : ": no " + type;
+/// A shape, taken apart once.
+struct Shape {
+  enum class Kind { natural, integer, boolean, natural_or_text, text, object, array };
+  /// What belongs to a key of an object.
+  struct Member {
+    std::string key;
+    bool may_miss = false, may_be_null = false;
+    std::size_t shape = 0;  ///< among `inner`
+  };
+
+  explicit Shape(const Json& shape) {
+    if (shape.is_string()) {
+      name = shape.get<std::string>();
+      kind = name == "natural"           ? Kind::natural
+             : name == "integer"         ? Kind::integer
+             : name == "boolean"         ? Kind::boolean
+             : name == "natural or text" ? Kind::natural_or_text
+                                         : Kind::text;
+    } else if (shape.is_object()) {
+      kind = Kind::object;
+      for (const auto& [key, value] : shape.items()) {
+        members.push_back({key.substr(0, key.find(' ')), key.ends_with(" or none"),
+                           key.ends_with(" or null"), inner.size()});
+        inner.emplace_back(value);
+      }
+    } else {
+      kind = Kind::array;
+      for (const Json& item : shape) {
+        if (!item.is_string() || item.get_ref<const std::string&>()[0] != '*') {
+          inner.emplace_back(item);
+          continue;
+        }
+        is_open = true, fixed = inner.size();
+        ascending = static_cast<std::size_t>(item.get_ref<const std::string&>()[1] - '0');
+      }
+      if (!is_open) fixed = inner.size();
+    }
   }
-  if (shape.is_object()) {
+  const Shape& at(std::size_t i, const Json& value) const {
+    if (i < fixed) return inner[i];
+    const bool is_other = fixed + 1 < inner.size() && value.contains("invariant");
+    return inner[fixed + (is_other ? 1 : 0)];
+  }
+
+  Kind kind;
+  std::string name;             ///< of a number or text
+  std::vector<Shape> inner;     ///< of members, or of the fixed items and those that follow
+  std::vector<Member> members;  ///< of an object
+  std::size_t fixed = 0, ascending = 0;
+  bool is_open = false;  ///< items may follow the fixed ones
+};
+
+bool fits(const Json& value, Shape::Kind kind) {
+  switch (kind) {
+    case Shape::Kind::natural: return is_natural(value);
+    case Shape::Kind::integer: return is_integer(value);
+    case Shape::Kind::boolean: return value.is_boolean();
+    case Shape::Kind::natural_or_text: return is_natural(value) || value.is_string();
+    default: return value.is_string();
+  }
+}
+
+/// Where a value is not of a shape, and how; or nothing.
+std::string misfit(const Json& value, const Shape& shape) {
+  if (shape.kind == Shape::Kind::object) {
     if (!value.is_object()) return ": no object";
     std::size_t missing = 0;  // as they may
-    for (const auto& [name, inner] : shape.items()) {
-      const std::string key = name.substr(0, name.find(' '));
-      const auto found = value.find(key);
-      if (found == value.end() && name.ends_with(" or none")) {
+    for (const Shape::Member& member : shape.members) {
+      const auto found = value.find(member.key);
+      if (found == value.end() && member.may_miss) {
         ++missing;
         continue;
       }
-      if (found == value.end()) return ": no key '" + key + "'";
-      if (name.ends_with(" or null") && found->is_null()) continue;
-      if (const std::string wrong = misfit(*found, inner); !wrong.empty())
-        return "/" + key + wrong;
+      if (found == value.end()) return ": no key '" + member.key + "'";
+      if (member.may_be_null && found->is_null()) continue;
+      if (const std::string wrong = misfit(*found, shape.inner[member.shape]); !wrong.empty())
+        return "/" + member.key + wrong;
     }
-    return value.size() + missing == shape.size() ? "" : ": other keys";
+    return value.size() + missing == shape.members.size() ? "" : ": other keys";
   }
+  if (shape.kind != Shape::Kind::array) return fits(value, shape.kind) ? "" : ": no " + shape.name;
   if (!value.is_array()) return ": no array";
-  const auto is_star = [](const Json& s) {
-    return s.is_string() && s.get_ref<const std::string&>()[0] == '*';
-  };
-  std::size_t fixed = 0;
-  while (fixed < shape.size() && !is_star(shape[fixed])) ++fixed;
-  if (value.size() < fixed || (fixed == shape.size() && value.size() > fixed))
+  if (value.size() < shape.fixed || (!shape.is_open && value.size() > shape.fixed))
     return ": of another length";
   for (std::size_t i = 0; i < value.size(); ++i) {
-    const bool is_other = fixed + 2 < shape.size() && value[i].contains("invariant");
-    if (const std::string wrong =
-            misfit(value[i], shape[i < fixed ? i : fixed + (is_other ? 2 : 1)]);
-        !wrong.empty())
+    if (const std::string wrong = misfit(value[i], shape.at(i, value[i])); !wrong.empty())
       return "/" + std::to_string(i) + wrong;
-    if (i <= fixed) continue;
-    const auto count =
-        static_cast<std::size_t>(shape[fixed].get_ref<const std::string&>()[1] - '0');
-    if (count > 0 && !ascend(value[i - 1], value[i], count))
+    if (i > shape.fixed && shape.ascending > 0 &&
+        !ascend(value[i - 1], value[i], shape.ascending))
       return "/" + std::to_string(i) + ": not ascending";
   }
   return {};
@@ -174,7 +218,7 @@ Json read_document(const std::string& file) {
   } catch (const Malformed& error) {
     throw Malformed(file, error.problem());
   }
-  static const Json surface_shape = make_shape(), curve_shape = make_curve_shape();
+  static const Shape surface_shape(make_shape()), curve_shape(make_curve_shape());
   const bool is_of_curves = document.is_object() && document.contains("polylines");
   if (const std::string wrong = misfit(document, is_of_curves ? curve_shape : surface_shape);
       !wrong.empty())
@@ -286,12 +330,20 @@ std::string curve_reason_of(const Json& value) {
 Interval interval_of(const Json& crossing) {
   Interval result;
   const bool is_text = crossing[0].is_string();
-  const std::string digits = is_text ? text_of(crossing[0]) : crossing[0].dump();
-  if (crossing[1] > 2048 || is_text != (crossing[1] > 53) || result.i.set_str(digits, 10) != 0 ||
-      result.i.get_str() != digits)
+  const auto refuse = [&](const std::string& digits) {
     throw Malformed("", "no interval " + digits);
-  result.k = crossing[1].get<unsigned>();
-  if (result.i < 0 || result.i >= mpz_class(1) << result.k)
+  };
+  const auto k = crossing[1].get<std::uint64_t>();
+  if (k > 2048 || is_text != (k > 53)) refuse(crossing[0].dump());
+  if (is_text) {
+    const std::string& digits = text_of(crossing[0]);
+    if (result.i.set_str(digits, 10) != 0 || result.i.get_str() != digits) refuse(digits);
+  } else {
+    result.i = crossing[0].get<unsigned long>();
+  }
+  result.k = static_cast<unsigned>(k);
+  if (result.i < 0 || mpz_sizeinbase(result.i.get_mpz_t(), 2) > std::max(result.k, 1U) ||
+      (result.k == 0 && result.i != 0))
     throw Malformed("", "an interval that leaves the edge");
   return result;
 }

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "files/files.hpp"
 
+#include <openssl/evp.h>
 #include <openssl/sha.h>
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <stdexcept>
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/component_names.hpp"
@@ -60,6 +63,10 @@ void read_cells(const Named& file, const std::vector<std::uint64_t>& connectivit
 /// SHA-256 of numbers of 64 bits, little-endian as the machine is.
 class Digest {
  public:
+  Digest() {
+    if (context_ == nullptr || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1)
+      throw std::runtime_error("no SHA-256");
+  }
   Digest& add(std::uint64_t word) { return add(&word, 8); }
   template <std::size_t Count>
   Digest& add(const std::vector<std::array<double, Count>>& items) {
@@ -67,8 +74,14 @@ class Digest {
   }
   template <std::size_t Count>
   Digest& add(const std::vector<std::array<std::uint32_t, Count>>& items) {
-    for (const auto& item : items)
-      for (const std::uint64_t x : item) add(x);
+    constexpr std::size_t kTogether = 512;
+    std::array<std::uint64_t, kTogether * Count> words;
+    for (std::size_t first = 0; first < items.size(); first += kTogether) {
+      std::size_t n = 0;
+      for (std::size_t i = first; i < std::min(first + kTogether, items.size()); ++i)
+        for (const std::uint64_t x : items[i]) words[n++] = x;
+      add(words.data(), 8 * n);
+    }
     return *this;
   }
   Digest& add(const std::vector<std::uint64_t>& items) {
@@ -77,7 +90,7 @@ class Digest {
   Digest& add(const std::vector<double>& items) { return add(items.data(), 8 * items.size()); }
   std::string hex() const {
     std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
-    SHA256(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size(), digest.data());
+    EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr);
     std::string text;
     for (const unsigned char byte : digest)
       text += {"0123456789abcdef"[byte >> 4], "0123456789abcdef"[byte & 15]};
@@ -85,11 +98,14 @@ class Digest {
   }
 
  private:
+  struct Free {
+    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+  };
   Digest& add(const void* bytes, std::size_t size) {
-    bytes_.append(static_cast<const char*>(bytes), size);
+    EVP_DigestUpdate(context_.get(), bytes, size);
     return *this;
   }
-  std::string bytes_;
+  std::unique_ptr<EVP_MD_CTX, Free> context_{EVP_MD_CTX_new()};
 };
 
 }  // namespace

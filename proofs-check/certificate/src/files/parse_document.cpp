@@ -4,8 +4,10 @@
 
 #include <charconv>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "certificate_check/check_certificate.hpp"
 
@@ -59,9 +61,17 @@ class Reader {
     constexpr int kMaxDepth = 16;
     if (++depth_ > kMaxDepth) fail("nested too deeply");
   }
-  void add(Json& array, Json value) {
+  /// Puts a member of the innermost array aside.
+  void add(Json value) {
     spend(2 * sizeof(Json));
-    array.push_back(std::move(value));
+    members_.push_back(std::move(value));
+  }
+  /// The array of the members put aside since there were so many: made at once in its size.
+  Json array_from(std::size_t first) {
+    const auto begin = members_.begin() + static_cast<std::ptrdiff_t>(first);
+    Json::array_t array(std::make_move_iterator(begin), std::make_move_iterator(members_.end()));
+    members_.resize(first);
+    return array;
   }
   void add(Json& object, std::string key, Json value) {
     spend(96 + key.size());
@@ -77,6 +87,7 @@ class Reader {
   static constexpr std::size_t kArray = 48;
   std::string_view rest_;
   int depth_ = 0;
+  std::vector<Json> members_;  ///< of arrays that are not complete
 
  private:
   std::size_t budget_;
@@ -95,8 +106,8 @@ class JsonReader : public Reader {
 
  private:
   void skip_space() {
-    while (!rest_.empty() && std::string_view(" \t\r\n").find(rest_.front()) != rest_.npos)
-      rest_.remove_prefix(1);
+    const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+    while (!rest_.empty() && is_space(rest_.front())) rest_.remove_prefix(1);
   }
   /// The next character that is no space, which stays.
   char next() {
@@ -143,19 +154,20 @@ class JsonReader : public Reader {
   Json array() {
     deeper();
     spend(kArray);
-    Json result = Json::array();
     expect('[');
-    if (next() == ']') return rest_.remove_prefix(1), --depth_, result;
-    while (true) {
-      add(result, value());
-      if (next() == ']') return rest_.remove_prefix(1), --depth_, result;
-      expect(',');
+    const std::size_t first = members_.size();
+    for (bool is_first = true; next() != ']'; is_first = false) {
+      if (!is_first) expect(',');
+      add(value());
     }
+    rest_.remove_prefix(1), --depth_;
+    return array_from(first);
   }
   Json number() {
     const bool negative = rest_.front() == '-';
     const std::size_t first = negative ? 1 : 0;
-    const std::size_t end = std::min(rest_.find_first_not_of("0123456789", first), rest_.size());
+    std::size_t end = first;
+    while (end < rest_.size() && rest_[end] >= '0' && rest_[end] <= '9') ++end;
     if (end == first) fail("not well-formed");
     if (rest_[first] == '0' && end > first + 1) fail("a number that begins with zero");
     if (end < rest_.size() && std::string_view(".eE").find(rest_[end]) != rest_.npos)
@@ -257,9 +269,9 @@ class CborReader : public Reader {
       case 4: {
         deeper();
         spend(kArray);
-        Json result = Json::array();
-        for (std::size_t left = count(info); left > 0; --left) add(result, value());
-        return --depth_, result;
+        const std::size_t begin = members_.size();
+        for (std::size_t left = count(info); left > 0; --left) add(value());
+        return --depth_, array_from(begin);
       }
       case 5: {
         deeper();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
+#include "run/parallel.hpp"
 
 static_assert(std::endian::native == std::endian::little);
 
@@ -159,16 +161,15 @@ std::string XmlFile::take(std::string_view& text, std::size_t size, bool base64)
   if (size > text.size()) fail("data that end too early");
   const std::size_t length = base64 ? (size + 2) / 3 * 4 : size;
   if (length > text.size() || length > 0x7fffffff) fail("data that end too early");
-  std::string bytes(text.substr(0, length));
+  const std::string_view source = text.substr(0, length);
   text.remove_prefix(length);
-  if (base64) {
-    auto* place = reinterpret_cast<unsigned char*>(bytes.data());
-    const std::string source = bytes;
-    if (EVP_DecodeBlock(place, reinterpret_cast<const unsigned char*>(source.data()),
-                        static_cast<int>(length)) != static_cast<int>(length / 4 * 3))
-      fail("text that is no base64");
-    bytes.resize(size);
-  }
+  if (!base64) return std::string(source);
+  std::string bytes(length / 4 * 3, '\0');
+  if (EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
+                      reinterpret_cast<const unsigned char*>(source.data()),
+                      static_cast<int>(length)) != static_cast<int>(length / 4 * 3))
+    fail("text that is no base64");
+  bytes.resize(size);
   return bytes;
 }
 
@@ -194,28 +195,32 @@ std::string XmlFile::decode(std::string_view text, bool base64) const {
   if (!zlib_) return take(text, header_ + first, base64).substr(header_);
   if (first == 0) return {};
   const std::string header = take(text, (3 + first) * header_, base64);
-  std::string result;
-  std::uint64_t packed_size = 0;
-  for (std::uint64_t i = 0; i < first; ++i) {
-    if (word(header, 3 + i) > text.size()) fail("data that end too early");
-    packed_size += word(header, 3 + i);
-  }
-  const std::string packed = take(text, packed_size, base64);
-  const char* source = packed.data();
+  struct Block {
+    std::uint64_t source, size, place, target;
+  };
+  std::vector<Block> blocks;
+  std::uint64_t packed_size = 0, whole = 0;
   for (std::uint64_t i = 0; i < first; ++i) {
     const std::uint64_t size = word(header, 3 + i), last = word(header, 2);
+    if (size > text.size()) fail("data that end too early");
     const std::uint64_t target = i + 1 == first && last != 0 ? last : word(header, 1);
     if (target / 1100 > size) fail("a block that cannot hold so much");  // zlib: at most 1032:1
-    const std::size_t before = result.size();
     spend(target);
-    result.resize(before + target);
-    uLongf produced = target;
-    if (uncompress(reinterpret_cast<Bytef*>(result.data() + before), &produced,
-                   reinterpret_cast<const Bytef*>(source), size) != Z_OK ||
-        produced != target)
-      fail("a block that does not decompress");
-    source += size;
+    blocks.push_back({packed_size, size, whole, target});
+    packed_size += size, whole += target;
   }
+  const std::string packed = take(text, packed_size, base64);
+  std::string result(whole, '\0');
+  std::atomic<bool> fits{true};
+  parallel_for<1>(blocks.size(), [&](std::size_t i) {
+    const auto& [source, size, place, target] = blocks[i];
+    uLongf produced = target;
+    if (uncompress(reinterpret_cast<Bytef*>(result.data() + place), &produced,
+                   reinterpret_cast<const Bytef*>(packed.data() + source), size) != Z_OK ||
+        produced != target)
+      fits = false;
+  });
+  if (!fits) fail("a block that does not decompress");
   return result;
 }
 

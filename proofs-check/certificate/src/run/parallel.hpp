@@ -16,10 +16,9 @@
 namespace certificate {
 
 /// Calls f(0), ..., f(count - 1), some at the same time. Throws the first exception.
-template <class F>
+template <std::size_t kChunk = 16, class F>
 void parallel_for(std::size_t count, const F& f, const Progress& progress = {},
                   const char* what = "") {
-  constexpr std::size_t kChunk = 16;
   std::atomic<std::size_t> next{0};
   std::exception_ptr problem;
   std::mutex mutex;

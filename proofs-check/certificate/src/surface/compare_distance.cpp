@@ -196,19 +196,23 @@ void Distances::prove() const {
 
 }  // namespace
 
-void compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger) {
-  if (placed == nullptr)
-    return ledger.leave_open("distance", "it rests on claims that are not certified");
+bool compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger) {
+  if (placed == nullptr) {
+    ledger.leave_open("distance", "it rests on claims that are not certified");
+    return false;
+  }
   try {
     const Distances distances(c, *placed);
     distances.require_bounds();
     distances.prove();
     ledger.certify();
+    return true;
   } catch (const Unproved& why) {
     ledger.leave_open("distance", why.what());
   } catch (const Wrong& wrong) {
     ledger.refute("distance", "within " + c.claims["distance"]["bound"].dump(), wrong.what());
   }
+  return false;
 }
 
 }  // namespace certificate

@@ -11,6 +11,7 @@ namespace certificate {
 /// below; and if what is between covers the level: see the README.
 ///
 /// @param placed  null if the triangles or other things are not as claimed: then nothing is decided
-void compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger);
+/// @return whether it is certified
+bool compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger);
 
 }  // namespace certificate

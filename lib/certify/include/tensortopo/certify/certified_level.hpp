@@ -69,6 +69,10 @@ struct CertifiedLevel {
   /// Tetrahedra with triangles in which these are not claimed to be isotopic to the level,
   /// ascending; they are in all others that are not undecided. Nothing: that is claimed of none.
   std::optional<std::vector<TetMesh::Index>> not_isotopic;
+  /// Of a surface put together from pieces: the ids of vertices and tetrahedra of the mesh, in the
+  /// whole mesh, ascending; the file then names these. Empty: it has the numbers of the vertices,
+  /// and the mesh's own `cell_ids`.
+  std::vector<std::int64_t> vertex_ids, cell_ids;
 
   /// Entities claimed: crossed edges, faces and tetrahedra, components, distance, stable components.
   std::size_t claims() const {
@@ -80,7 +84,7 @@ struct CertifiedLevel {
 
 /// The claims that an extraction supports. Its topology is that of the extraction's own proofs;
 /// crossings get brackets whose ends are decided exactly, distances a proof in double with error
-/// bounds.
+/// bounds. Only the tetrahedra that the extraction names are looked at.
 /// @param extraction  made of `mesh` with `ExtractOptions::keep_topology`; its topology is moved
 ///                    out
 CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction);

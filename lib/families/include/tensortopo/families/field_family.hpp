@@ -39,6 +39,9 @@ struct FamilyRequest {
   int member = 0;              ///< which of its members
   int members = 1;             ///< size of the family, 0 <= member < members
   std::size_t tetrahedra = 0;  ///< at least so many where a mesh is made; 0: the kind's default
+  /// Of kelvin: one of so many slabs of its mesh across x, 0 <= slab < slabs. Points and tetrahedra
+  /// of all slabs in order, points that two have counted where they come first, are the whole's.
+  int slab = 0, slabs = 1;
 };
 
 /// A field of a family.

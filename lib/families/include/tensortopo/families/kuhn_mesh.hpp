@@ -26,6 +26,11 @@ TetMesh kuhn_mesh(const std::array<int, 3>& cells,
 TetMesh kuhn_box(const std::array<int, 3>& cells, const Vector3<double>& low,
                  const Vector3<double>& high);
 
+/// One of so many slabs of `kuhn_box` across x, of equal numbers of hexahedra but for rounding: its
+/// points have the same coordinates. Throws std::invalid_argument for more slabs than hexahedra.
+TetMesh kuhn_slab(const std::array<int, 3>& cells, const Vector3<double>& low,
+                  const Vector3<double>& high, int slab, int slabs);
+
 /// The multiple m times `proportions` whose lattice has at least `tetrahedra` tetrahedra, m >= 1 as
 /// small as can be.
 std::array<int, 3> cells_for(const std::array<int, 3>& proportions, std::size_t tetrahedra);

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +21,24 @@ namespace tensortopo {
 /// of points (64 bits), their coordinates (doubles), their tensors XX YY ZZ XY YZ XZ, the number of
 /// tetrahedra, and the vertices of each, ascending (64 bits each); all little-endian.
 std::string field_sha256(const TetMesh& mesh);
+
+/// The same, of a field that comes bit by bit: first all points, then all tensors, then all
+/// tetrahedra by the ids of their vertices.
+class FieldHash {
+ public:
+  /// @param points, tets  how many there will be
+  FieldHash(std::size_t points, std::size_t tets);
+  ~FieldHash();
+
+  void add(const Vector3<double>& point);
+  void add(const SymmetricTensor<double>& tensor);
+  void add(std::array<std::int64_t, 4> tet);
+  std::string hex();  ///< after all
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// The same of a surface: the number of vertices, their coordinates, the number of triangles, the
 /// vertices of each, and of each the id in the input of the tetrahedron that holds it.

@@ -68,6 +68,13 @@ struct ReadOptions {
   std::optional<std::size_t> step;
   /// Of NIfTI images: an image of the same voxels; cubes with a corner where it is 0 are left out.
   std::filesystem::path mask;
+  /// Which cells are taken: the name of an array, or an expression of arrays of one component, as
+  /// `FA > 0.2 and mask`; empty for all. A cell is taken where it is neither 0 nor NaN at all its
+  /// nodes (of arrays on cells: in the cell). `x`, `y`, `z` are the place of a node; `magnitude`,
+  /// `deviator_magnitude`, `anisotropy` and `mode` belong to its tensor, or to the cell's if tensors
+  /// are on cells. The syntax is that of ExprTk; a name that is no identifier stands between double
+  /// quotation marks. Means are taken over all cells.
+  std::string where;
   /// Refuse (inapplicable), before any array is read, what the checker of certificates does not
   /// read: other formats than .vtu and unstructured .vtk, several pieces, and arrays compressed
   /// with LZ4 or LZMA.
@@ -97,6 +104,7 @@ struct ReadReport {
   TensorComponents components;  ///< their order, and who said so
   std::size_t skipped_cells_2d_1d = 0;  ///< points, lines, faces
   std::size_t skipped_ghost_cells = 0;  ///< marked as another piece's by `vtkGhostType`
+  std::size_t cells_left_out = 0;       ///< by `ReadOptions::where`
   std::size_t split_cells = 0;          ///< cells that became several tetrahedra
   std::size_t quadratic_cells = 0;      ///< of these, or taken by their corners
   std::size_t added_vertices = 0;       ///< centres of faces and of quadratic cells

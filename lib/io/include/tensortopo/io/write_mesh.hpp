@@ -26,4 +26,9 @@ void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
                 const std::string& tensor_name = "stress",
                 const std::vector<PointArray>& more = {});
 
+/// Writes the list (.pvtu) of files of `write_mesh` that are the pieces of one field.
+/// @param pieces  in the same folder
+void write_piece_list(const std::vector<std::filesystem::path>& pieces,
+                      const std::filesystem::path& file, const std::string& tensor_name = "stress");
+
 }  // namespace tensortopo

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -31,7 +33,7 @@ struct PieceSurface {
   /// Of each side of each triangle (from a corner to the next one), if it lies on a face between a
   /// tetrahedron that the piece owns and a ghost, the ghost's id; else -1.
   std::vector<std::array<std::int64_t, 3>> ghost_across;
-  /// The owned tetrahedra that hold triangles, with `cell_ids` of the whole mesh.
+  /// The owned tetrahedra that hold triangles or have no proof, with `cell_ids` of the whole mesh.
   TetMesh cells;
   std::vector<std::int64_t> vertex_ids;         ///< of the points of `cells`
   std::vector<UnresolvedOwnedCell> unresolved;  ///< those without a proof
@@ -41,6 +43,12 @@ struct PieceSurface {
   /// and apart from each other.
   std::vector<std::array<std::int64_t, 2>> owned_ids;
   std::int64_t whole_tets = 0;  ///< tetrahedra of the whole mesh
+  /// With `ExtractOptions::keep_topology`, what was proved of the owned tetrahedra: in numbers of
+  /// `cells` and of the vertices of `surface`, which then has all that it names. `copies` is empty.
+  std::optional<LevelTopology> topology;
+  /// The ids of vertices whose mode is exactly the surface's, ascending: of those of owned
+  /// tetrahedra, and of those that no tetrahedron of the piece has.
+  std::vector<std::int64_t> on_level;
 };
 
 /// Extracts the mode surface in the tetrahedra that a piece owns.
@@ -52,7 +60,7 @@ struct PieceSurface {
 /// says so.
 ///
 /// @pre the contract of `MeshPiece`; the mode is not +-1
-/// @param options  `density` counts the tetrahedra of the piece; `keep_topology` is not looked at
+/// @param options  `density` counts the tetrahedra of the piece
 /// @throws std::invalid_argument as `require_sound`
 PieceSurface extract_piece(const MeshPiece& piece, const ModeValue& mode,
                            const ExtractOptions& options = {});
@@ -65,7 +73,14 @@ struct MergedSurface {
   std::vector<std::int64_t> cell_ids;                    ///< of each triangle
   std::vector<std::array<std::int64_t, 4>> carrier_ids;  ///< of each vertex; ascending, -1 fills up
   std::vector<UnresolvedOwnedCell> unresolved;           ///< by id
-  std::vector<std::int64_t> not_embedded;  ///< as those of the pieces, ascending
+  std::vector<std::int64_t> not_embedded;                ///< as those of the pieces, ascending
+  /// The tetrahedra that hold triangles or have no proof, ascending by id, with `cell_ids`.
+  TetMesh cells;
+  std::vector<std::int64_t> vertex_ids;  ///< of the points of `cells`, ascending
+  std::int64_t whole_tets = 0;           ///< tetrahedra of the whole mesh
+  /// Of pieces that all have one: in numbers of `cells` and `surface`.
+  std::optional<LevelTopology> topology;
+  std::size_t vertices_on_level = 0;  ///< as in `ExtractStatistics`
 };
 
 /// Pieces that do not agree where they meet: they need more layers of ghosts, or were extracted
@@ -80,12 +95,12 @@ class PiecesDiffer : public std::invalid_argument {
 /// Law       The result is the surface that the whole mesh gives, bit for bit and in the same
 ///           order.
 /// Proved    Every tetrahedron of the whole mesh is owned by exactly one of the pieces: the ids
-/// that
-///           they own are distinct, and as many as the whole mesh has tetrahedra.
+///           that they own are distinct, and as many as the whole mesh has tetrahedra.
 /// @throws std::invalid_argument if a piece is missing; with the place, if the pieces are not those
 ///         of one mesh: if a vertex has two places or tensors, or a tetrahedron two owners
-/// @throws PiecesDiffer with the place, if vertices with one key differ, or if a triangle's side on
-///         the seam of a piece has no partner in another piece
+/// @throws PiecesDiffer with the place, if vertices with one key differ, if what was proved of an
+///         edge or face differs, or if a triangle's side on the seam of a piece has no partner in
+///         another piece
 MergedSurface merge_pieces(std::span<const PieceSurface> pieces);
 
 }  // namespace tensortopo

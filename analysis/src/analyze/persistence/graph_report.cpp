@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "analyze/persistence/graph_command.hpp"
+#include "topology_json.hpp"
+
+namespace tensortopo {
+namespace {
+
+const char* kind_of(const ContourNode& node) {
+  if (node.maximum) return "maximum";
+  return node.minimum ? "minimum" : "saddle";
+}
+
+}  // namespace
+
+std::string to_json(const GraphReport& report) {
+  using Object = nlohmann::ordered_json;
+  Object json;
+  json["input"] = analyzed_mesh_json(report);
+  json["complete"] = report.tree.is_complete;
+  json["loops_in_mesh"] = report.tree.has_loops;
+  json["nodes"] = Object::array();
+  for (std::size_t i = 0; i < report.tree.nodes.size(); ++i) {
+    const ContourNode& node = report.tree.nodes[i];
+    Object row{{"kind", kind_of(node)}};
+    row["mode"] = node.mode.middle();
+    row["range"] = {node.mode.low, node.mode.high};
+    row["point"] = {node.place.x, node.place.y, node.place.z};
+    row["tet"] = node.tet < 0 ? Object(nullptr) : Object(report.cell_ids[as_size(node.tet)]);
+    const auto& curve = report.curve_of_node[i];
+    row["curve"] = curve ? Object(*curve) : Object(nullptr);
+    json["nodes"].push_back(std::move(row));
+  }
+  json["arcs"] = Object::array();
+  for (const auto& arc : report.tree.arcs) json["arcs"].push_back({arc[0], arc[1]});
+  const auto linear = static_cast<std::size_t>(
+      std::count_if(report.curves.begin(), report.curves.end(),
+                    [](const GraphCurve& curve) { return curve.mode > 0; }));
+  json["regions"] = Object::array();
+  for (const ModeRegion& region : report.regions.regions) {
+    Object row{{"sign", region.sign}};
+    row["curves"] = Object::array();
+    for (const std::size_t c : region.curves)
+      row["curves"].push_back(region.sign > 0 ? c : linear + c);
+    row["nodes"] = region.nodes.size();
+    json["regions"].push_back(std::move(row));
+  }
+  json["regions_complete"] = report.regions.is_complete;
+  json["borders"] = Object::array();
+  for (const RegionBorder& border : report.regions.borders)
+    json["borders"].push_back({border.positive, border.negative});
+  json["curves"] = Object::array();
+  for (const GraphCurve& curve : report.curves)
+    json["curves"].push_back({{"mode", curve.mode},
+                              {"component", curve.component},
+                              {"closed", curve.is_closed},
+                              {"length", curve.length},
+                              {"wedge_vertices", curve.wedges},
+                              {"trisector_vertices", curve.trisectors},
+                              {"transitions", curve.transitions}});
+  json["links"] = Object::array();
+  for (const CurveLink& link : report.links)
+    json["links"].push_back({{"curves", {link.first, link.second}}, {"number", link.number}});
+  json["pairs_of_closed_curves"] = report.pairs_of_closed;
+  json["links_not_known"] = report.not_linkable;
+  if (!report.output.empty()) json["output"] = report.output.string();
+  json["seconds"] = report.seconds;
+  return json.dump(2, ' ', false, Object::error_handler_t::replace);
+}
+
+std::string to_text(const GraphReport& report) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  std::size_t maxima = 0, minima = 0, positive = 0;
+  for (const ContourNode& node : report.tree.nodes) {
+    maxima += node.maximum.has_value();
+    minima += node.minimum.has_value();
+  }
+  for (const ModeRegion& region : report.regions.regions) positive += region.sign > 0;
+  fmt::format_to(out,
+                 "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, {} arcs{}\n",
+                 report.input.string(), report.tetrahedra, maxima, minima,
+                 report.tree.nodes.size() - maxima - minima, report.tree.arcs.size(),
+                 report.tree.has_loops     ? " (the mesh has loops: the Reeb graph may be no tree)"
+                 : report.tree.is_complete ? ""
+                                           : " (not complete: points or curves are not proved)");
+  fmt::format_to(out, "regions of the neutral surface: {} positive, {} negative, {} borders{}\n",
+                 positive, report.regions.regions.size() - positive, report.regions.borders.size(),
+                 report.regions.is_complete ? "" : " (not complete)");
+  for (const ModeRegion& region : report.regions.regions)
+    if (!region.curves.empty())
+      fmt::format_to(out, "  a {} region with {} degenerate curves\n",
+                     region.sign > 0 ? "positive" : "negative", region.curves.size());
+  std::size_t transitions = 0;
+  for (const GraphCurve& curve : report.curves) transitions += curve.transitions;
+  fmt::format_to(out, "degenerate curves: {}, with {} transitions between wedges and trisectors\n",
+                 report.curves.size(), transitions);
+  fmt::format_to(
+      out, "linked: {} of {} pairs of closed curves{}\n", report.links.size(),
+      report.pairs_of_closed,
+      report.not_linkable > 0 ? fmt::format(" ({} not known)", report.not_linkable) : "");
+  if (!report.output.empty()) fmt::format_to(out, "\n{}\n", report.output.string());
+  return text;
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "analyze/persistence/persistence_chart.hpp"
+
+#include <fmt/format.h>
+#include <vtkContext2D.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPen.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "render/charts/chart_item.hpp"
+#include "render/charts/context_picture.hpp"
+
+namespace tensortopo {
+namespace {
+
+constexpr int kPictureWidth = 1800, kPictureHeight = 1800;
+constexpr std::array<float, 2> kColumnLeft{140, 1040},
+    kColumnRight{860, 1760};  // of the two columns
+constexpr float kDiagramTop = 1640, kDiagramBottom = 920;
+constexpr float kBarcodeTop = 780, kBarcodeBottom = 110;
+constexpr std::size_t kMostBars = 220;
+constexpr std::array kNoiseLines{0.001, 0.01, 0.1};
+
+using namespace chart;
+
+Rgb colour_of(PairKind kind) {
+  if (kind == PairKind::superlevel) return kTeal;
+  return kind == PairKind::sublevel ? kGold : kInk;
+}
+
+/// A scale of values from -most to most.
+struct Scale {
+  const char* name;
+  double most;
+  double (*of_mode)(double);
+};
+
+double degrees(double mode) { return signed_lode_angle(mode) * 180 / std::numbers::pi; }
+
+constexpr std::array<Scale, 2> kScales{
+    {{"mode", 1, [](double m) { return m; }}, {"signed Lode angle (degrees)", 30, degrees}}};
+
+class PairsChart : public ChartItem {
+ public:
+  vtkTypeMacro(PairsChart, ChartItem) static PairsChart* New();
+
+  void show(const ModePersistence& persistence) {
+    for (const PersistencePair& pair : persistence.pairs)
+      if (pair.has_death) pairs_.push_back(&pair);
+    all_ = persistence.pairs.size();
+    std::stable_sort(pairs_.begin(), pairs_.end(), [](const auto* a, const auto* b) {
+      return angle_persistence(*a) > angle_persistence(*b);
+    });
+  }
+
+  bool Paint(vtkContext2D* painter) override {
+    painter_ = painter;
+    words(kColumnLeft[0], kPictureHeight - 40,
+          fmt::format("Persistence of the mode: {} pairs{}", all_,
+                      all_ > pairs_.size()
+                          ? fmt::format(", {} of them without a known death", all_ - pairs_.size())
+                          : ""),
+          30, true, VTK_TEXT_LEFT);
+    float x = kColumnLeft[0];
+    for (const PairKind kind : {PairKind::superlevel, PairKind::sublevel, PairKind::extended}) {
+      words(x, kPictureHeight - 80, std::string(name_of(kind)), 24, true, VTK_TEXT_LEFT,
+            colour_of(kind));
+      x += 180;
+    }
+    words(x, kPictureHeight - 80, "large: degenerate curves", 24, false, VTK_TEXT_LEFT);
+    for (std::size_t i = 0; i < 2; ++i) {
+      paint_diagram(kScales[i], kColumnLeft[i], kColumnRight[i]);
+      paint_bars(kScales[i], kColumnLeft[i], kColumnRight[i]);
+    }
+    return true;
+  }
+
+ private:
+  static float place(const Scale& scale, double value, float from, float to) {
+    return from + static_cast<float>((value + scale.most) / (2 * scale.most)) * (to - from);
+  }
+
+  void paint_axis(const Scale& scale, float left, float right, float bottom, float top,
+                  const std::string& title) {
+    for (const double v : axis_ticks(-scale.most, scale.most, 8, false)) {
+      const float x = place(scale, v, left, right);
+      pen(kPale, 1.5F);
+      painter_->DrawLine(x, bottom, x, top);
+      words(x, bottom - 22, fmt::format("{:g}", std::abs(v) < 1e-12 ? 0 : v), 20, false,
+            VTK_TEXT_CENTERED);
+    }
+    words((left + right) / 2, bottom - 58, title, 22, true, VTK_TEXT_CENTERED);
+  }
+
+  void paint_diagram(const Scale& scale, float left, float right) {
+    const auto x_of = [&](double v) { return place(scale, v, left, right); };
+    const auto y_of = [&](double v) { return place(scale, v, kDiagramBottom, kDiagramTop); };
+    words(left, kDiagramTop + 28, "diagram", 24, true, VTK_TEXT_LEFT);
+    paint_axis(scale, left, right, kDiagramBottom, kDiagramTop,
+               std::string("birth: ") + scale.name);
+    for (const double v : axis_ticks(-scale.most, scale.most, 8, false)) {
+      pen(kPale, 1.5F);
+      painter_->DrawLine(left, y_of(v), right, y_of(v));
+      words(left - 12, y_of(v), fmt::format("{:g}", std::abs(v) < 1e-12 ? 0 : v), 20, false,
+            VTK_TEXT_RIGHT);
+    }
+    words(left - 12, kDiagramTop + 28, "death", 22, true, VTK_TEXT_RIGHT);
+    pen(kInk, 1.5F);
+    painter_->DrawLine(left, kDiagramBottom, right, kDiagramTop);
+    if (scale.most > 1) paint_noise(scale, left, right);
+    // The least persistent ones first: the others lie on top.
+    for (std::size_t i = pairs_.size(); i-- > 0;) {
+      const PersistencePair& pair = *pairs_[i];
+      pen(colour_of(pair.kind), pair.curve ? 11 : 6, 170);
+      painter_->DrawPoint(x_of(scale.of_mode(pair.birth.middle())),
+                          y_of(scale.of_mode(pair.death.middle())));
+    }
+  }
+
+  /// Beside the diagonal: what lies outside survives so much relative noise.
+  void paint_noise(const Scale& scale, float left, float right) {
+    for (const double r : kNoiseLines) {
+      const double shift = 2 * std::asin(r) * 180 / std::numbers::pi;
+      pen(kViolet, 1.5F, 150);
+      for (const double sign : {1.0, -1.0}) {
+        const double from = -scale.most + (sign > 0 ? 0 : shift);
+        const double to = scale.most - (sign > 0 ? shift : 0);
+        painter_->DrawLine(place(scale, from, left, right),
+                           place(scale, from + sign * shift, kDiagramBottom, kDiagramTop),
+                           place(scale, to, left, right),
+                           place(scale, to + sign * shift, kDiagramBottom, kDiagramTop));
+      }
+      if (shift < 5) continue;
+      words(place(scale, 0, left, right), place(scale, shift, kDiagramBottom, kDiagramTop) + 24,
+            fmt::format("noise {:g}", r), 20, false, VTK_TEXT_RIGHT, kViolet);
+    }
+  }
+
+  void paint_bars(const Scale& scale, float left, float right) {
+    const std::size_t count = std::min(pairs_.size(), kMostBars);
+    words(left, kBarcodeTop + 28,
+          count < pairs_.size() ? fmt::format("barcode: the {} most persistent pairs", count)
+                                : std::string("barcode"),
+          24, true, VTK_TEXT_LEFT);
+    paint_axis(scale, left, right, kBarcodeBottom, kBarcodeTop, scale.name);
+    const float step = (kBarcodeTop - kBarcodeBottom) / static_cast<float>(std::max(count, 12UL));
+    for (std::size_t i = 0; i < count; ++i) {
+      const PersistencePair& pair = *pairs_[i];
+      const float y = kBarcodeTop - (static_cast<float>(i) + 0.5F) * step;
+      pen(colour_of(pair.kind), std::clamp(0.6F * step, 1.2F, 10.0F));
+      painter_->DrawLine(place(scale, scale.of_mode(pair.birth.middle()), left, right), y,
+                         place(scale, scale.of_mode(pair.death.middle()), left, right), y);
+    }
+  }
+
+  std::vector<const PersistencePair*> pairs_;  ///< with a known death, the longest first
+  std::size_t all_ = 0;
+};
+
+vtkStandardNewMacro(PairsChart)
+
+}  // namespace
+
+std::string persistence_chart(const ModePersistence& persistence) {
+  vtkNew<PairsChart> chart;
+  chart->show(persistence);
+  return picture_of(*chart, kPictureWidth, kPictureHeight);
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "analyze/persistence/persistence_command.hpp"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "analyze/persistence/persistence_chart.hpp"
+#include "analyze/persistence/persistence_output.hpp"
+#include "require_folder.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
+#include "tensortopo/io/write_text.hpp"
+
+namespace tensortopo {
+namespace {
+
+void require_name(const std::filesystem::path& file, const char* extension) {
+  if (file.empty()) return;
+  if (lower_extension(file) != extension)
+    throw UsageError(file.string() + ": the name must end in " + extension);
+  require_folder(file);
+}
+
+void draw(const ModePersistence& persistence, const std::filesystem::path& file) {
+  try {
+    write_text(file, persistence_chart(persistence));
+  } catch (const IoError&) {
+    throw;
+  } catch (const std::runtime_error& problem) {
+    throw IoError(IoError::Kind::unwritable, file, problem.what());
+  }
+}
+
+}  // namespace
+
+bool PersistenceReport::is_complete() const {
+  for (std::size_t side = 0; side < 2; ++side)
+    if (!persistence.not_proved[side].empty() || persistence.unresolved_curve_cells[side] > 0)
+      return false;
+  return true;
+}
+
+PersistenceReport run_persistence(const PersistenceCommand& command, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  require_name(command.output, ".vtp");
+  require_name(command.picture, ".png");
+  if (progress) progress("reading", 0);
+  ReadResult read = read_mesh(command.input, command.read);
+  PersistenceReport report;
+  report.input = command.input;
+  report.sha256 = read.sha256;
+  report.components = read.report.components;
+  report.vertices = read.mesh.points.size();
+  report.tetrahedra = read.mesh.tets.size();
+  report.notes = read.report.all_notes();
+  report.persistence = mode_persistence(read.mesh, persistence_input(read.mesh, progress));
+  report.cell_ids = std::move(read.mesh.cell_ids);
+  if (!command.output.empty()) write_pairs(report.persistence, command.output);
+  if (!command.picture.empty()) draw(report.persistence, command.picture);
+  report.output = command.output;
+  report.picture = command.picture;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+}  // namespace tensortopo

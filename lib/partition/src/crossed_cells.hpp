@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "tensortopo/partition/piece_surface.hpp"
+
+namespace tensortopo {
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+/// `PieceSurface::cells` of all pieces as one mesh.
+struct CrossedCells {
+  TetMesh mesh;
+  std::vector<std::int64_t> vertex_ids;                ///< ascending
+  std::vector<std::vector<TetMesh::Index>> vertex_of;  ///< of each piece: of its vertices
+  std::vector<std::size_t> first_tet;                  ///< of each piece
+
+  /// Of each tetrahedron how many have a smaller id.
+  std::vector<TetMesh::Index> ranks_by_id() const;
+  /// With the tetrahedra in the order of their ids.
+  TetMesh sorted() const;
+};
+
+/// @throws std::invalid_argument if a vertex has two places or tensors
+CrossedCells crossed_cells(std::span<const PieceSurface> pieces);
+
+/// The pieces own each tetrahedron of the whole mesh once, and what they say is about tetrahedra
+/// that they own.
+/// @throws std::invalid_argument
+void require_all_cells(std::span<const PieceSurface> pieces);
+
+}  // namespace tensortopo

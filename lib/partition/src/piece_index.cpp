@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "piece_index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+
+namespace tensortopo {
+
+namespace {
+
+using Index = TetMesh::Index;
+
+struct Hash {
+  std::size_t operator()(const Vector3<double>& p) const {
+    std::size_t h = 0;
+    for (const double c : {p.x, p.y, p.z}) {
+      h ^= std::hash<double>{}(c);  // equal for both zeros
+      h *= 0x9e3779b97f4a7c15u;
+      h ^= h >> 29;
+    }
+    return h;
+  }
+};
+
+/// A point on the boundary of a piece.
+struct BoundaryPoint {
+  std::int64_t id = 0;
+  SymmetricTensor<double> tensor;
+  std::vector<std::int32_t> pieces;  ///< that have it, ascending
+  bool is_double = false;            ///< its first piece has another in the same place
+};
+
+/// Of each point whether other pieces may have it, too.
+std::vector<char> may_be_shared(const TetMesh& mesh) {
+  std::vector<std::array<Index, 3>> faces;
+  faces.reserve(4 * mesh.tets.size());
+  std::vector<char> result(mesh.points.size(), 1);
+  for (auto v : mesh.tets) {
+    std::sort(v.begin(), v.end());
+    for (std::size_t i = 0; i < 4; ++i) {
+      faces.push_back({v[i == 0 ? 1 : 0], v[i < 2 ? 2 : 1], v[i < 3 ? 3 : 2]});
+      result[as_size(v[i])] = 0;
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const bool is_inner =
+        (i > 0 && faces[i - 1] == faces[i]) || (i + 1 < faces.size() && faces[i + 1] == faces[i]);
+    if (is_inner) continue;
+    for (const Index v : faces[i]) result[as_size(v)] = 1;
+  }
+  return result;
+}
+
+[[noreturn]] void refuse(std::int32_t piece, Index point, const std::string& problem) {
+  throw std::invalid_argument("piece " + std::to_string(piece) + ": " + problem + " (point " +
+                              std::to_string(point) + ")");
+}
+
+void insert(std::vector<std::int32_t>& list, std::int32_t piece) {
+  const auto at = std::lower_bound(list.begin(), list.end(), piece);
+  if (at == list.end() || *at != piece) list.insert(at, piece);
+}
+
+}  // namespace
+
+std::vector<std::int64_t> IndexedPiece::point_ids() const {
+  std::vector<std::int64_t> ids(points);
+  std::int64_t next = first_point;
+  for_each_new_point([&](std::size_t v) { ids[v] = next++; });
+  for (const auto& [v, id] : known) ids[as_size(v)] = id;
+  return ids;
+}
+
+PieceIndex::PieceIndex(const PieceSource& source) {
+  std::unordered_map<Vector3<double>, BoundaryPoint, Hash> boundary;
+  for (std::int32_t p = 0; p < source.pieces; ++p) {
+    const TetMesh mesh = source.read(p);
+    const auto is_open = may_be_shared(mesh);
+    IndexedPiece piece;
+    piece.first_point = points, piece.first_tet = tets;
+    piece.points = mesh.points.size(), piece.tets = mesh.tets.size();
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+      const auto v = static_cast<Index>(i);
+      if (is_open[i] == 0) {
+        ++points;
+        continue;
+      }
+      const auto [found, is_new] =
+          boundary.try_emplace(mesh.points[i], BoundaryPoint{points, mesh.tensors[i], {p}, false});
+      BoundaryPoint& point = found->second;
+      if (is_new) {
+        ++points;
+        continue;
+      }
+      if (point.pieces.back() == p) {
+        if (point.pieces.size() > 1)
+          refuse(p, v, "two points of a piece coincide where pieces meet");
+        point.is_double = true;
+        ++points;
+        continue;
+      }
+      if (point.is_double) refuse(p, v, "two points of a piece coincide where pieces meet");
+      if (point.tensor != mesh.tensors[i])
+        refuse(p, v, "pieces give different tensors at the same point");
+      for (const std::int32_t other : point.pieces) {
+        insert(piece.neighbours, other);
+        insert(pieces[as_size(other)].neighbours, p);
+      }
+      point.pieces.push_back(p);
+      piece.known.emplace_back(v, point.id);
+    }
+    tets += static_cast<std::int64_t>(mesh.tets.size());
+    pieces.push_back(std::move(piece));
+  }
+}
+
+}  // namespace tensortopo

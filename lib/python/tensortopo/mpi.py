@@ -1,0 +1,309 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+"""Mode surfaces of fields in pieces, on the ranks of MPI.
+
+::
+
+    mpirun -n 4 python3 -m tensortopo.mpi field.pvtu -o surface.vtp --mode 1/2 --certify surface.json
+
+Each rank reads its share of the pieces, gets from the others the cells around it, and extracts; the first rank
+puts the surfaces together and writes. The files have the same bytes on any number of ranks. Needs mpi4py.
+"""
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, Optional, Sequence
+from xml.etree import ElementTree
+
+import numpy as np
+
+from ._errors import FileError
+from ._field import Field
+from ._files import grid_of, output_bytes
+from ._modes import mode_texts
+from ._partition import (
+    CertifiedField,
+    FieldHash,
+    MergedSurface,
+    PieceSurface,
+    PiecesDiffer,
+    extract_piece,
+    merge_pieces,
+)
+from ._ranks import Array, Cells, RankError, number_points, together, with_ghosts
+from ._vtk_xml import read_piece, write_whole
+
+_MOST_LAYERS = 8
+
+
+@dataclass
+class Part:
+    """The pieces of one rank.
+
+    Attributes
+    ----------
+    points, tensors : ndarray, shapes (n, 3), (n, 6)
+    piece : ndarray of int64, shape (n,)
+        Which of all pieces has the point.
+    tets : ndarray of int64, shape (m, 4)
+    tensor_name : str
+    """
+
+    points: Array
+    tensors: Array
+    piece: Array
+    tets: Array
+    tensor_name: str = ""
+
+
+def piece_files(inputs: Sequence[Path]) -> list[Path]:
+    """The files that a .pvtu names, in its order, or the files given.
+
+    Raises
+    ------
+    FileError
+    """
+    if len(inputs) != 1 or inputs[0].suffix.lower() != ".pvtu":
+        return list(inputs)
+    (path,) = inputs
+    try:
+        root = ElementTree.parse(path).getroot()
+    except OSError as error:
+        raise FileError(f"{path}: {error.strerror or error}") from error
+    except ElementTree.ParseError as error:
+        raise FileError(f"{path}: is no XML ({error})") from error
+    sources = [piece.get("Source") for piece in root.iterfind("PUnstructuredGrid/Piece")]
+    if not sources or not all(sources):
+        raise FileError(f"{path}: names no pieces")
+    if len(set(sources)) < len(sources):
+        raise FileError(f"{path}: names a piece twice")
+    return [path.parent / str(source) for source in sources]
+
+
+def read_part(
+    files: Sequence[Path], rank: int, ranks: int, tensor: Optional[str], components: Optional[str]
+) -> Part:
+    """A rank's share of the pieces: those that follow the share of the rank before."""
+    begin, end = (len(files) * r // ranks for r in (rank, rank + 1))
+    part = Part(np.empty((0, 3)), np.empty((0, 6)), np.empty(0, np.int64), np.empty((0, 4), np.int64))
+    for number in range(begin, end):
+        path = files[number]
+        if path.suffix.lower() != ".vtu":
+            raise FileError(f"{path}: the pieces must be .vtu files")
+        grid = grid_of(path, read_piece(path), tensor, components, False)
+        points = np.asarray(grid.points, np.float64)
+        tets = np.asarray(grid.tets, np.int64)
+        if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
+            raise FileError(f"{path}: a coordinate is missing or not finite")
+        if tets.size and not 0 <= tets.min() <= tets.max() < len(points):
+            raise FileError(f"{path}: a cell has a vertex that is not there")
+        part = Part(
+            np.concatenate([part.points, points]),
+            np.concatenate([part.tensors, grid.tensors]),
+            np.concatenate([part.piece, np.full(len(points), number)]),
+            np.concatenate([part.tets, tets + len(part.points)]),
+            grid.tensor_name,
+        )
+    return part
+
+
+def _field_hash(comm: Any, owned: Cells, first: Cells, starts: Array, cells: int) -> Optional[str]:
+    """On the first rank: the hash of the whole field, from what the ranks send one after the other."""
+
+    def in_turn(value: Array) -> Any:
+        if comm.rank != 0:
+            comm.send(value, 0)
+            return
+        yield value
+        for rank in range(1, comm.size):
+            yield comm.recv(source=rank)
+
+    total = FieldHash(int(starts[-1]), cells)
+    for points in in_turn(first.points):
+        total.add_points(points)
+    for tensors in in_turn(first.tensors):
+        total.add_tensors(tensors)
+    total.begin_cells()
+    for tets in in_turn(owned.tets):
+        total.add_cells(tets)
+    return total.sha256() if comm.rank == 0 else None
+
+
+def mode_surface(
+    comm: Any,
+    part: Part,
+    mode: Any,
+    *,
+    certify: bool = False,
+    resolution: float = 4,
+    all_samples: bool = False,
+    cells: Optional[int] = None,
+) -> Optional[MergedSurface]:
+    """The mode surface of a mesh whose pieces lie on the ranks. All ranks call it.
+
+    It is what `Field.mode_surface` gives for the whole mesh, bit for bit, and so is the certificate. Points are
+    numbered as if the pieces were read one after the other: those of different pieces in one place become one.
+
+    Parameters
+    ----------
+    comm : mpi4py.MPI.Comm
+    part : Part
+        The pieces of this rank, which follow those of the rank before.
+    mode, resolution, all_samples, certify
+        As for `extract_piece`.
+    cells : int, optional
+        How many cells the whole mesh has, if that is known: then a piece that is missing is noticed.
+
+    Returns
+    -------
+    MergedSurface or None
+        None but on the first rank.
+
+    Raises
+    ------
+    RankError
+        On all ranks, if something is wrong on one.
+    """
+    numbered = number_points(comm, part.points, part.tensors, part.piece)
+    counts = comm.allgather(len(part.tets))
+    whole = sum(counts)
+    if cells is not None and cells != whole:
+        raise RankError(f"the pieces have {whole} of the {cells} cells of the whole mesh: a piece is missing")
+    if whole == 0:
+        raise RankError("the pieces have no cells")
+    vertex_ids, at = np.unique(numbered.ids, return_index=True)
+    own_ids = sum(counts[: comm.rank]) + np.arange(counts[comm.rank])
+    owned = Cells(own_ids, numbered.ids[part.tets], vertex_ids, part.points[at], part.tensors[at])
+    names = {name for name in comm.allgather(part.tensor_name) if name}
+    if len(names) > 1:
+        raise RankError(f"the pieces' tensors have several names: {', '.join(sorted(names))}")
+    certified = None
+    if certify:
+        is_first = numbered.is_first
+        first = Cells(own_ids, owned.tets, owned.vertex_ids, part.points[is_first], part.tensors[is_first])
+        sha256 = _field_hash(comm, owned, first, numbered.starts, whole)
+        if sha256 is not None:
+            certified = CertifiedField(int(numbered.starts[-1]), sha256, names.pop())
+
+    for layers in range(1, _MOST_LAYERS + 1):
+        held = with_ghosts(comm, owned, numbered, layers)
+
+        def extract(held: Cells = held) -> Optional[PieceSurface]:
+            is_owned = np.isin(held.ids, own_ids, assume_unique=True)
+            if not is_owned.any():
+                return None
+            local = np.searchsorted(held.vertex_ids, held.tets)
+            field = Field(held.points, held.tensors, local, vertex_ids=held.vertex_ids, cell_ids=held.ids)
+            return extract_piece(field, mode, is_owned, held.vertex_ids, whole, resolution=resolution,
+                                 all_samples=all_samples, certify=certify)  # fmt: skip
+
+        gathered = comm.gather(together(comm, extract))
+        merged, differ = together(comm, partial(_merged, gathered, certified, mode))
+        differ = comm.bcast(differ)
+        if differ is None:
+            return merged
+    raise RankError(f"{differ} (with {_MOST_LAYERS} layers)")
+
+
+def _merged(
+    gathered: Optional[list[Optional[PieceSurface]]], certified: Optional[CertifiedField], mode: Any
+) -> tuple[Optional[MergedSurface], Optional[str]]:
+    """The whole surface where the pieces were gathered, or why they need more layers."""
+    if gathered is None:
+        return None, None
+    pieces = [piece for piece in gathered if piece is not None]
+    try:
+        return merge_pieces(pieces, certify=certified, mode=mode), None
+    except PiecesDiffer as error:
+        return None, str(error)
+
+
+def _options(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="tensortopo.mpi", description="The mode surface of a field in pieces, on the ranks of MPI"
+    )
+    parser.add_argument("input", nargs="+", type=Path, help="a .pvtu, or its pieces (.vtu) in order")
+    parser.add_argument("-o", "--output", required=True, type=Path, help="the surface (.vtp)")
+    parser.add_argument("--mode", required=True, help="strictly between -1 and 1: 0.5 or 1/2")
+    parser.add_argument("--certify", type=Path, metavar="CERT", help="also write a certificate (.json)")
+    parser.add_argument("--tensor", help="the array of the points, if there are several")
+    parser.add_argument("--components", help="the order of six components, if the files do not name it")
+    parser.add_argument("--resolution", type=float, default=4, help="samples per radian of turning")
+    parser.add_argument("--all-samples", action="store_true", help="keep all samples of face curves")
+    parser.add_argument("--cells", type=int, help="how many cells the whole mesh has: notices missing pieces")
+    return parser.parse_args(arguments)
+
+
+def _require_names(options: argparse.Namespace) -> None:
+    if options.output.suffix.lower() != ".vtp":
+        raise ValueError(f"{options.output}: the name of the surface must end in .vtp")
+    if options.certify is not None and options.certify.suffix.lower() != ".json":
+        raise ValueError(f"{options.certify}: the name of the certificate must end in .json")
+    if len(mode_texts(options.mode)) != 1:
+        raise ValueError("mode: one is extracted at a time")
+
+
+def run(comm: Any, options: argparse.Namespace) -> None:
+    """All of it; files appear together or not at all."""
+    together(comm, lambda: _require_names(options))
+    files = together(comm, lambda: piece_files(options.input))
+    part = together(
+        comm, lambda: read_part(files, comm.rank, comm.size, options.tensor, options.components)
+    )
+    surface = mode_surface(
+        comm,
+        part,
+        options.mode,
+        certify=options.certify is not None,
+        resolution=options.resolution,
+        all_samples=options.all_samples,
+        cells=options.cells,
+    )
+
+    def write() -> None:
+        if surface is None:
+            return
+        outputs = {options.output: output_bytes(surface)}
+        if options.certify is not None:
+            outputs[options.certify] = surface.certificate or b""
+        write_whole(outputs)
+        if surface.unresolved:
+            cell, reason = surface.unresolved[0]
+            print(
+                f"tensortopo.mpi: {len(surface.unresolved)} cells are left out, the first is cell "
+                f"{cell}: {reason}",
+                file=sys.stderr,
+            )
+
+    together(comm, write)
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """The command; its exit status."""
+    options = _options(arguments)
+    try:
+        from mpi4py import MPI
+    except ImportError:
+        print("tensortopo.mpi: needs mpi4py (Debian: python3-mpi4py)", file=sys.stderr)
+        return 3
+    comm = MPI.COMM_WORLD
+    try:
+        run(comm, options)
+    except RankError as error:
+        if comm.rank == 0:
+            print(f"tensortopo.mpi: {error}", file=sys.stderr)
+        return 3
+    except BaseException as error:
+        # The other ranks wait for this one.
+        print(f"tensortopo.mpi: rank {comm.rank}: {error!r}", file=sys.stderr, flush=True)
+        comm.Abort(4)
+        raise
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "isotopy/apart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "curves/conics.hpp"
+
+namespace certificate {
+namespace {
+
+using Vector = Vector3<double>;
+
+template <class N>
+std::array<N, 3> minus(const std::array<N, 3>& a, const std::array<N, 3>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Vector plus(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+bool is_on_side(const Vector& direction, std::span<const BallPoint> vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [&](const BallPoint& v) {
+    Ball product = 0;
+    for (std::size_t k = 0; k < 3; ++k) product += Ball(direction[k], 0) * v[k];
+    return product.value > product.error;
+  });
+}
+
+}  // namespace
+
+bool have_common_side(std::span<const BallPoint> vectors) {
+  std::vector<Vector> units;
+  Vector sum{};
+  for (const BallPoint& v : vectors) {
+    Vector u{v[0].value, v[1].value, v[2].value};
+    const double length = std::hypot(u[0], u[1], u[2]);
+    for (double& x : u) x /= length;
+    sum = plus(sum, u);
+    units.push_back(u);
+  }
+  if (is_on_side(sum, vectors)) return true;
+  Vector best{};
+  double largest = 0;
+  const auto consider = [&](Vector d) {
+    const double length = std::hypot(d[0], d[1], d[2]);
+    if (!(length > 0)) return;
+    double least = HUGE_VAL;
+    for (double& x : d) x /= length;
+    for (const Vector& u : units) least = std::min(least, dot(d, u));
+    if (least > largest) largest = least, best = d;
+  };
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    consider(units[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      consider(plus(units[i], units[j]));
+      for (std::size_t k = 0; k < j; ++k) {
+        const Vector normal =
+            cross(minus(units[j], units[i]), minus(units[k], units[i]));
+        consider(normal);
+        consider({-normal[0], -normal[1], -normal[2]});
+      }
+    }
+  }
+  return largest > 0 && is_on_side(best, vectors);
+}
+
+bool has_area(const BallPoint& a, const BallPoint& b, const BallPoint& c) {
+  return have_common_side(std::array<BallPoint, 1>{cross(minus(b, a), minus(c, a))});
+}
+
+/// Closed convex sets that meet in a common vertex at most are parted by a plane (through it), so
+/// what is looked for is its normal. Two triangles with a common edge overlap if, seen along it,
+/// their other corners are in one direction: if the products of the edge with both are positive
+/// multiples of each other.
+bool are_apart(std::span<const BallPoint> points, const std::array<std::uint32_t, 3>& first,
+               const std::array<std::uint32_t, 3>& second) {
+  auto a = first, b = second;
+  std::size_t shared = 0;  // moved to the front
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = shared; j < 3; ++j)
+      if (a[j] == second[i]) {
+        std::swap(a[shared], a[j]);
+        std::swap(b[shared], *std::find(b.begin(), b.end(), second[i]));
+        ++shared;
+        break;
+      }
+  const auto from = [&](std::uint32_t p, std::uint32_t q) { return minus(points[q], points[p]); };
+  if (shared == 0) {
+    std::array<BallPoint, 9> all;
+    for (std::size_t i = 0; i < 9; ++i) all[i] = from(b[i % 3], a[i / 3]);
+    return have_common_side(all);
+  }
+  if (shared == 1)
+    return have_common_side(std::array{from(a[0], a[1]), from(a[0], a[2]), from(b[1], b[0]),
+                                       from(b[2], b[0])});
+  if (shared == 3) return false;
+  const BallPoint edge = from(a[0], a[1]);
+  return have_common_side(
+      std::array{cross(edge, from(a[0], a[2])), cross(from(a[0], b[2]), edge)});
+}
+
+}  // namespace certificate

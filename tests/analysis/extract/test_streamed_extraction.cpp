@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// A field in pieces that is extracted without being in memory as a whole.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "analysis/run_program.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+class StreamedExtraction : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(run_program({"generate", "kelvin", "--tets", "5000", "--pieces", "4", "--field-only",
+                           "-o", pieces_, "--quiet"})
+                  .status,
+              0);
+  }
+  Outcome extract(const std::string& field, const std::string& name,
+                  std::vector<std::string> more) const {
+    std::vector<std::string> words{"extract", field, "-o",     folder_ / (name + ".vtp"),
+                                   "--mode",  "1/2", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words);
+  }
+  /// Leaves no file.
+  void expect_refused(const std::string& text, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"--stream"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome run = extract(pieces_, "none", words);
+    EXPECT_NE(run.status, 0);
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "none.vtp"));
+  }
+
+  const Folder folder_;
+  const std::string pieces_ = folder_ / "field.pvtu", whole_ = folder_ / "whole.vtu";
+};
+
+TEST_F(StreamedExtraction, GivesTheBytesOfTheWhole) {
+  ASSERT_EQ(run_program({"convert", pieces_, "-o", whole_, "--quiet"}).status, 0);
+  const std::string at_once = folder_ / "at_once.vtu";
+  ASSERT_EQ(run_program(
+                {"generate", "kelvin", "--tets", "5000", "--field-only", "-o", at_once, "--quiet"})
+                .status,
+            0);
+  const std::string a = folder_ / "a.json", b = folder_ / "b.json";
+  ASSERT_LE(extract(whole_, "converted", {"--certify", a}).status, 1);
+  ASSERT_LE(extract(pieces_, "whole", {}).status, 1);
+  const Outcome run = extract(pieces_, "streamed", {"--stream", "--certify", b});
+  ASSERT_LE(run.status, 1) << run.err;
+  const std::string bytes = contents(folder_ / "whole.vtp");
+  EXPECT_GT(bytes.size(), 10000u);
+  EXPECT_TRUE(bytes == contents(folder_ / "streamed.vtp"));
+  EXPECT_TRUE(contents(a) == contents(b));
+  EXPECT_LE(run_program({"check", whole_, folder_ / "streamed.vtp", b}).status, 1);
+  ASSERT_LE(extract(at_once, "at_once", {"--certify", a}).status, 1);
+  EXPECT_TRUE(contents(a) == contents(b));
+}
+
+TEST_F(StreamedExtraction, RefusesWhatNeedsTheWholeField) {
+  expect_refused("--max-error: needs the whole field", {"--max-error", "1"});
+  expect_refused("one mode at a time", {"--generalized"});
+  expect_refused("does not go with reading piece by piece", {"--merge-points"});
+}
+
+TEST_F(StreamedExtraction, NoticesAPieceThatIsMissingOrOfAnotherField) {
+  const std::string other = folder_ / "other.pvtu";
+  ASSERT_EQ(run_program({"generate", "kelvin", "--tets", "5000", "--pieces", "4", "--seed", "2",
+                         "--field-only", "-o", other, "--quiet"})
+                .status,
+            0);
+  const std::string piece = folder_ / "field-0002.vtu";
+  std::filesystem::copy_file(folder_ / "other-0002.vtu", piece,
+                             std::filesystem::copy_options::overwrite_existing);
+  expect_refused("different tensors at the same point");
+  std::filesystem::remove(piece);
+  expect_refused("field-0002.vtu");
+}
+
+}  // namespace
+}  // namespace tensortopo::test

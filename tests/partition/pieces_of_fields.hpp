@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Random fields of all kinds, and their surfaces in pieces.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/random_fields.hpp"
+#include "tensortopo/partition/mesh_piece.hpp"
+#include "tensortopo/partition/piece_surface.hpp"
+
+namespace tensortopo::test {
+
+inline TetMesh random_field(Random& random, int cubes) {
+  TetMesh mesh = cube_mesh(cubes);
+  const auto seed = static_cast<std::uint64_t>(random.integer(0, 1 << 30));
+  const int kind = random.integer(0, 3);
+  if (kind == 0)
+    fill_with_normal_tensors(mesh, seed);
+  else
+    fill_with_smooth_tensors(mesh, seed);
+  if (kind == 2)
+    for (auto& t : mesh.tensors) t = rounded(t, 1);
+  if (kind == 3)
+    for (auto& t : mesh.tensors)
+      if (random.integer(0, 19) == 0) t = {2, 2, 2, 0, 0, 0};
+  return mesh;
+}
+
+inline std::vector<std::int32_t> random_owners(const TetMesh& mesh, int pieces, Random& random) {
+  std::vector<std::int32_t> owner(mesh.tets.size());
+  for (auto& o : owner) o = random.integer(0, pieces - 1);
+  return owner;
+}
+
+/// By halving the longer side of the box around a part's centres again and again.
+inline std::vector<std::int32_t> bisected(const TetMesh& mesh, int pieces) {
+  std::vector<std::int32_t> owner(mesh.tets.size(), 0);
+  const auto centre = [&](std::size_t t) {
+    Vector3<double> sum{};
+    for (const auto v : mesh.tets[t]) sum += mesh.points[static_cast<std::size_t>(v)];
+    return sum;
+  };
+  const auto split = [&](const auto& self, std::vector<std::size_t> tets, int first,
+                         int count) -> void {
+    if (count == 1 || tets.empty()) {
+      for (const std::size_t t : tets) owner[t] = first;
+      return;
+    }
+    const std::array<double Vector3<double>::*, 3> axes{&Vector3<double>::x, &Vector3<double>::y,
+                                                        &Vector3<double>::z};
+    const auto extent = [&](double Vector3<double>::*axis) {
+      double low = centre(tets[0]).*axis, high = low;
+      for (const std::size_t t : tets)
+        low = std::min(low, centre(t).*axis), high = std::max(high, centre(t).*axis);
+      return high - low;
+    };
+    const auto axis = *std::max_element(axes.begin(), axes.end(),
+                                        [&](auto a, auto b) { return extent(a) < extent(b); });
+    std::stable_sort(tets.begin(), tets.end(), [&](std::size_t s, std::size_t t) {
+      return centre(s).*axis < centre(t).*axis;
+    });
+    const auto middle =
+        tets.begin() + static_cast<std::ptrdiff_t>(tets.size()) * (count / 2) / count;
+    self(self, {tets.begin(), middle}, first, count / 2);
+    self(self, {middle, tets.end()}, first + count / 2, count - count / 2);
+  };
+  std::vector<std::size_t> all(mesh.tets.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  split(split, std::move(all), 0, pieces);
+  return owner;
+}
+
+inline std::vector<PieceSurface> extract_pieces(const TetMesh& mesh,
+                                                const std::vector<std::int32_t>& owner, int pieces,
+                                                const ModeValue& mode,
+                                                const ExtractOptions& options = {}) {
+  std::vector<PieceSurface> surfaces;
+  for (int p = 0; p < pieces; ++p)
+    surfaces.push_back(extract_piece(cut_piece(mesh, owner, p), mode, options));
+  return surfaces;
+}
+
+/// The modes at which fields are extracted here.
+inline constexpr std::array kModes{"0",    "1/10",  "-1/10",  "1/2",        "-1/2",
+                                   "9/10", "-9/10", "99/100", "-9999/10000"};
+
+inline ModeValue random_mode(Random& random) {
+  return ModeValue::parse(
+      kModes[static_cast<std::size_t>(random.integer(0, static_cast<int>(kModes.size()) - 1))]);
+}
+
+}  // namespace tensortopo::test
