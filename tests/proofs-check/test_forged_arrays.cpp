@@ -155,13 +155,22 @@ TEST(ForgedArrays, ModesValuesAndComponentsAreDerived) {
   expect_refuted(forged, "mode at vertex 0");
 }
 
-/// Of the others the hashes say only that they are what was written.
-TEST(ForgedArrays, OthersAreBoundButNotProved) {
+/// Of the residual the hash says only that it is what was written.
+TEST(ForgedArrays, TheResidualIsBoundButNotProved) {
   Court court("array_bound");
+  Exhibit e = exhibits_with_arrays()[0];
+  e.surface.residual[0] = 1;
+  e.rehash();
+  EXPECT_EQ(court.verdict(e), "certified") << court.report();
+}
+
+TEST(ForgedArrays, NormalsOfModesAreDerived) {
+  Court court("array_normal");
   Exhibit e = exhibits_with_arrays()[0];
   e.surface.normal[0] = {0, 0, 1};
   e.rehash();
-  EXPECT_EQ(court.verdict(e), "certified") << court.report();
+  EXPECT_EQ(court.verdict(e), "refuted");
+  EXPECT_NE(court.report().find("normal at vertex 0"), std::string::npos) << court.report();
 }
 
 }  // namespace

@@ -131,7 +131,6 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
       {"--pieces", "--mode", "1", "--pieces", "2"},
       {"--pieces", "--mode", "0.5", "--method", "marching", "--pieces", "2"},
       {"--pieces", "--mode", "0.5", "--max-error", "0.1", "--pieces", "2"},
-      {"--pieces", "--mode", "0.5", "--pieces", "2", "--certify", "c.json"},
       {"--all-samples", "--mode", "0.5", "--method", "marching", "--all-samples"},
       {"--all-samples", "--invariant", "magnitude", "--value", "1", "--all-samples"},
       {"--resolution", "--mode", "0.5", "--resolution", "1e9"}};

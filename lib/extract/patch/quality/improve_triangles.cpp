@@ -237,13 +237,13 @@ class Improver {
   /// Says anew what is known at a vertex that moved.
   void describe(std::size_t v) {
     const Vector& x = surface_.points[v];
+    std::vector<Index> tets;
+    for (const Index i : triangles_at_[v]) tets.push_back(surface_.tet[as_size(i)]);
+    std::sort(tets.begin(), tets.end());
+    tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
     Vector sum{0, 0, 0};
-    Index least = surface_.tet[as_size(triangles_at_[v][0])];
-    for (const Index i : triangles_at_[v]) {
-      sum += unit_or_zero(level_in(surface_.tet[as_size(i)])->gradient(x));
-      least = std::min(least, surface_.tet[as_size(i)]);
-    }
-    const auto level = *level_in(least);
+    for (const Index t : tets) sum += unit_or_zero(level_in(t)->gradient(x));
+    const auto level = *level_in(tets.front());
     const auto t = level.tensor(x);
     surface_.normal[v] = unit_or_zero(sum);
     surface_.residual[v] = level.residual(x);

@@ -24,6 +24,9 @@ namespace {
 /// Longer expressions are refused: the parser calls itself for each parenthesis.
 constexpr std::size_t most_characters = 4096;
 
+/// Of an expression in a message.
+constexpr std::size_t most_shown = 200;
+
 /// Keeps the first message of the parser, which would print it.
 class FirstError : public vtkCommand {
  public:
@@ -184,7 +187,9 @@ class Condition {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw IoError(IoError::Kind::inapplicable, grid_.file, "--where '" + text_ + "': " + what);
+    const std::string shown =
+        text_.size() <= most_shown ? text_ : text_.substr(0, most_shown) + "...";
+    throw IoError(IoError::Kind::inapplicable, grid_.file, "--where '" + shown + "': " + what);
   }
 
   const RawGrid& grid_;

@@ -80,12 +80,10 @@ class Vectors {
                        [&](Vertex i) { return c_.field.is_zero(i); });
   }
   Point3 rounding_at(std::size_t field) const;
-  Ball increase_along(const Tensor<Ball>& m, const Tensor<Ball>& change) const;
   std::optional<Vector> gradient_at(std::size_t field, const Point3& x) const;
 
   const LevelCase& c_;
   const PlacedSurface& placed_;
-  std::optional<Invariant> invariant_;
   std::vector<std::size_t> names_;  ///< of `fields_`: tetrahedra, ascending
   std::vector<LinearField> fields_;
   std::vector<Around> around_;     ///< each vertex
@@ -94,7 +92,6 @@ class Vectors {
 
 Vectors::Vectors(const LevelCase& c, const PlacedSurface& placed)
     : c_(c), placed_(placed), names_(placed.tets), around_(placed.carriers.size()) {
-  if (!c.claims.contains("mode")) invariant_ = invariant_of(c.claims["invariant"]);
   std::sort(names_.begin(), names_.end());
   names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
   fields_.reserve(names_.size());
@@ -139,17 +136,9 @@ Shown Vectors::show_eigenvector(const Array& array, std::size_t v, Eigenvalue wh
   return is_eigenvector(m, vector, which);
 }
 
-/// Of the level's function, up to a positive factor, if the tetrahedron's volume is positive.
-Ball Vectors::increase_along(const Tensor<Ball>& m, const Tensor<Ball>& change) const {
-  const Ball p = trace(m, m), dp = Ball(2) * trace(m, change);
-  if (!invariant_) {
-    const Forms<Ball, 2> forms({&m, &change});
-    return increase(forms, std::array<int, 2>{0, 1}).coefficients[0];
-  }
-  const Ball dt = Ball(6) * m[6] * change[6];
-  if (*invariant_ == Invariant::magnitude) return dp + dt;
-  if (*invariant_ == Invariant::deviator_magnitude) return dp;
-  return dp * (p + Ball(3) * m[6] * m[6]) - p * (dp + dt);
+/// Of the mode, up to a positive factor, if the tetrahedron's volume is positive.
+Ball increase_along(const Tensor<Ball>& m, const Tensor<Ball>& change) {
+  return increase(Forms<Ball, 2>({&m, &change}), std::array<int, 2>{0, 1}).coefficients[0];
 }
 
 /// As long as one, if that is shown.
@@ -196,15 +185,13 @@ Shown Vectors::show_normal(const Array& array, std::size_t v) const {
 
 void compare_vectors(const LevelCase& c, const PlacedSurface& placed, Ledger& ledger) {
   std::optional<Vectors> vectors;
-  const bool of_mode = c.claims.contains("mode");
-  const Eigenvalue dominant = of_mode && c.claims["mode"].get<std::string>()[0] == '-'
-                                  ? Eigenvalue::smallest
-                                  : Eigenvalue::largest;
+  if (!c.claims.contains("mode")) return;
+  const Eigenvalue dominant =
+      c.claims["mode"].get<std::string>()[0] == '-' ? Eigenvalue::smallest : Eigenvalue::largest;
   for (const Array& array : c.surface.arrays) {
     const bool is_medium = array.name == "medium_eigenvector", is_normal = array.name == "normal",
                is_dominant = array.name == "dominant_eigenvector";
-    if (array.of != "points" || array.components != 3 ||
-        !(is_normal || (of_mode && (is_medium || is_dominant))))
+    if (array.of != "points" || array.components != 3 || !(is_normal || is_medium || is_dominant))
       continue;
     if (!vectors) vectors.emplace(c, placed);
     std::vector<Shown> shown(placed.carriers.size());

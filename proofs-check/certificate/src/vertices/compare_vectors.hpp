@@ -6,7 +6,7 @@
 
 namespace certificate {
 
-/// Vectors at the vertices of a level, by their arrays' names: medium and dominant eigenvectors,
+/// Vectors at the vertices of a level of the mode, by their arrays' names: medium and dominant eigenvectors,
 /// and normals. Counts at how many vertices each is shown to be what its name says, up to the
 /// accuracy that FORMAT.md states, and refutes one that is certainly not. Where neither is shown it
 /// is as written.
