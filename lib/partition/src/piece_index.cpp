@@ -5,28 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+
+#include "tensortopo/mesh/point_hash.hpp"
 
 namespace tensortopo {
 
 namespace {
 
 using Index = TetMesh::Index;
-
-struct Hash {
-  std::size_t operator()(const Vector3<double>& p) const {
-    std::size_t h = 0;
-    for (const double c : {p.x, p.y, p.z}) {
-      h ^= std::hash<double>{}(c);  // equal for both zeros
-      h *= 0x9e3779b97f4a7c15u;
-      h ^= h >> 29;
-    }
-    return h;
-  }
-};
 
 /// A point on the boundary of a piece.
 struct BoundaryPoint {
@@ -79,7 +68,7 @@ std::vector<std::int64_t> IndexedPiece::point_ids() const {
 }
 
 PieceIndex::PieceIndex(const PieceSource& source) {
-  std::unordered_map<Vector3<double>, BoundaryPoint, Hash> boundary;
+  std::unordered_map<Vector3<double>, BoundaryPoint, PointHash> boundary;
   for (std::int32_t p = 0; p < source.pieces; ++p) {
     const TetMesh mesh = source.read(p);
     const auto is_open = may_be_shared(mesh);

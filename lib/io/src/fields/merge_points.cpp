@@ -4,28 +4,16 @@
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <unordered_map>
 
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/mesh/point_hash.hpp"
 
 namespace tensortopo::detail {
 namespace {
 
 using Index = TetMesh::Index;
-
-struct Hash {
-  std::size_t operator()(const Vector3<double>& p) const {
-    std::size_t h = 0;
-    for (const double c : {p.x, p.y, p.z}) {
-      h ^= std::hash<double>{}(c);  // equal for both zeros
-      h *= 0x9e3779b97f4a7c15u;
-      h ^= h >> 29;
-    }
-    return h;
-  }
-};
 
 /// The vertex at a position, and the last piece that brought a point there.
 struct Entry {
@@ -61,7 +49,7 @@ VertexMap merge_points(const std::vector<RawGrid>& pieces,
   if (!tensors.empty()) mesh.tensors.reserve(total);
 
   VertexMap map(pieces.size());
-  std::unordered_map<Vector3<double>, Entry, Hash> at;
+  std::unordered_map<Vector3<double>, Entry, PointHash> at;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const RawGrid& grid = pieces[k];
     map[k].reserve(grid.points());
