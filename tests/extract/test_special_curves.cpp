@@ -285,6 +285,26 @@ TEST(SpecialCurves, OfUniaxialFieldsAreNamedWithoutCountingFaces) {
   EXPECT_TRUE(extract_degenerate_curves(mesh, Degeneracy::planar).unresolved.empty());
 }
 
+// Rounded to a few digits such a field has curves of its rounding, which doubles find.
+TEST(SpecialCurves, OfRoundedUniaxialFieldsNeedNoMoreDigits) {
+  const Point e{0.32145, 0.54723, 0.77279};
+  for (const double size : {1e-6, 1e-9}) {
+    const TetMesh mesh = sampled(cube_mesh(3), [&](const Point& p) {
+      const double s = 1 + 0.3 * p.x + 0.2 * std::sin(3 * p.y) + 0.1 * p.z * p.z;
+      SymmetricTensor<double> t =
+          s * SymmetricTensor<double>{e.x * e.x, e.y * e.y, e.z * e.z,
+                                      e.x * e.y, e.y * e.z, e.x * e.z};
+      for (double* x : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz}) *x = size * std::round(*x / size);
+      return t;
+    });
+    const auto extraction = extract_degenerate_curves(mesh, Degeneracy::linear);
+    EXPECT_TRUE(extraction.unresolved.empty());
+    EXPECT_EQ(flaws(extraction, mesh, mode_of(Degeneracy::linear), CurveEnds::free), "");
+    EXPECT_GT(extraction.statistics.face_points, 20u);
+    EXPECT_LT(extraction.statistics.faces_exact * 20, extraction.statistics.faces);
+  }
+}
+
 // Beside a uniaxial part the curves of the other part are found as before.
 TEST(SpecialCurves, BesideAUniaxialPartOnlyItsOwnCellsAreThroughout) {
   const TetMesh mesh = sampled(cube_mesh(4), [](const Point& p) {

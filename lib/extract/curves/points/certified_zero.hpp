@@ -101,8 +101,10 @@ std::optional<std::array<std::array<Real, 2>, 2>> inverse_of(
 }
 
 /// Newton's method for two forms in a chart, in rounded arithmetic; it ends where it gets stuck.
+/// @param least  no step follows one that is shorter
 template <class Real>
-std::array<Real, 2> newton_zero(const ChartForms<Real>& forms, std::array<Real, 2> x, int steps) {
+std::array<Real, 2> newton_zero(const ChartForms<Real>& forms, std::array<Real, 2> x, int steps,
+                                const Real& least = Real(0.0)) {
   for (int i = 0; i < steps; ++i) {
     const auto inverse = inverse_of(forms.jacobian(x));
     if (!inverse) break;
@@ -111,6 +113,7 @@ std::array<Real, 2> newton_zero(const ChartForms<Real>& forms, std::array<Real, 
     const Real dv = (*inverse)[1][0] * f + (*inverse)[1][1] * g;
     if (!(du * du + dv * dv < Real(1.0))) break;
     x = {x[0] - du, x[1] - dv};
+    if (du * du + dv * dv < least * least) break;
   }
   return x;
 }

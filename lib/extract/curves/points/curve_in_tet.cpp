@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/curves/points/curve_in_tet.hpp"
 
+#include "extract/curves/points/cell_rows.hpp"
 #include "extract/curves/points/conic_order.hpp"
 #include "extract/curves/points/conic_samples.hpp"
 #include "extract/curves/points/exact_face_points.hpp"
@@ -43,17 +44,28 @@ std::vector<OrderedPoint> order_of(const FieldForms<E, 4>& forms, Verdict conic_
   return result;
 }
 
-std::vector<OrderedPoint> order_in_doubles(const std::array<ScaledTensor, 4>& tensors,
-                                           const std::array<std::size_t, 5>& columns,
-                                           const ConicFrame& frame,
+/// The conic of a tetrahedron, rounded, with a form of negative determinant.
+struct Conic {
+  explicit Conic(const CellRows<4>& cell)
+      : columns(best_columns(cell.rows<long double>())), forms(cell.forms<long double>(columns)) {
+    if (determinant(forms.across[0]) > 0) forms.across[0] = -1.0L * forms.across[0];
+    frame = frame_of(unit_form<double>(forms.across[0]));
+  }
+
+  std::array<std::size_t, 5> columns;
+  FieldForms<long double, 4> forms;
+  ConicFrame frame;
+};
+
+std::vector<OrderedPoint> order_in_doubles(const CellRows<4>& cell, const Conic& conic,
                                            const std::vector<BoundaryPoint>& boundary) {
   const FastIntervalScope scope;
-  const auto forms = field_forms(coordinate_rows<FastInterval>(tensors), columns);
+  const auto forms = cell.forms<FastInterval>(conic.columns);
   const Verdict sign = sign_in(determinant(forms.across[0]));
   if (!is_strict(sign)) return {};
   std::vector<Vector3<FastInterval>> directions;
   for (const auto& p : boundary) directions.push_back(directions_in<FastInterval>(p.point.box));
-  return order_of(forms, sign, frame, boundary, directions);
+  return order_of(forms, sign, conic.frame, boundary, directions);
 }
 
 /// Why 150 digits do not settle a tetrahedron.
@@ -66,10 +78,9 @@ CurveObstacle obstacle_of(const std::array<ScaledTensor, 4>& tensors) {
 }
 
 std::vector<OrderedPoint> order_in_multiprecision(const std::array<ScaledTensor, 4>& tensors,
-                                                  const std::array<std::size_t, 5>& columns,
-                                                  const ConicFrame& frame,
+                                                  const Conic& conic,
                                                   const std::vector<BoundaryPoint>& boundary) {
-  const auto forms = field_forms(coordinate_rows<MultiprecisionInterval>(tensors), columns);
+  const auto forms = field_forms(coordinate_rows<MultiprecisionInterval>(tensors), conic.columns);
   const Verdict sign = sign_in(determinant(forms.across[0]));
   if (!is_strict(sign)) return {};
   std::vector<Vector3<MultiprecisionInterval>> directions;
@@ -78,7 +89,7 @@ std::vector<OrderedPoint> order_in_multiprecision(const std::array<ScaledTensor,
         {tensors[p.corners[0]], tensors[p.corners[1]], tensors[p.corners[2]]});
     directions.push_back(refined(face, p.point.box));
   }
-  return order_of(forms, sign, frame, boundary, directions);
+  return order_of(forms, sign, conic.frame, boundary, directions);
 }
 
 }  // namespace
@@ -89,19 +100,17 @@ CurveInTet degenerate_curve_in_tet(const std::array<ScaledTensor, 4>& tensors,
   CurveInTet result;
   if (boundary.empty()) return result;
   const FloatingPointEnvironment environment;
-  const auto rows = coordinate_rows<long double>(tensors);
-  const auto columns = best_columns(rows);
-  auto forms = field_forms(rows, columns);
-  if (determinant(forms.across[0]) > 0) forms.across[0] = -1.0L * forms.across[0];
-  const auto frame = frame_of(unit_form<double>(forms.across[0]));
-
-  auto seen = order_in_doubles(tensors, columns, frame, boundary);
+  CellRows<4> cell(tensors);
+  Conic conic(cell);
+  auto seen = order_in_doubles(cell, conic, boundary);
+  if (seen.empty() && cell.reduce()) {
+    conic = Conic(cell);
+    seen = order_in_doubles(cell, conic, boundary);
+  }
+  if (seen.empty()) seen = order_in_multiprecision(tensors, conic, boundary);
   if (seen.empty()) {
-    seen = order_in_multiprecision(tensors, columns, frame, boundary);
-    if (seen.empty()) {
-      result.obstacle = obstacle_of(tensors);
-      return result;
-    }
+    result.obstacle = obstacle_of(tensors);
+    return result;
   }
   const std::size_t count = seen.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -109,7 +118,7 @@ CurveInTet degenerate_curve_in_tet(const std::array<ScaledTensor, 4>& tensors,
       result.obstacle = CurveObstacle::points_not_told_apart;
       return result;
     }
-  const ConicSampler sampler(forms, frame.inside, frame.first, frame.second);
+  const ConicSampler sampler(conic.forms, conic.frame.inside, conic.frame.first, conic.frame.second);
   for (std::size_t i = 0; i < count; ++i) {
     if (!seen[i].entering) continue;
     const auto &begin = seen[i], &end = seen[(i + 1) % count];

@@ -4,11 +4,12 @@
 
 #include <cmath>
 
+#include "extract/curves/points/cell_rows.hpp"
 #include "extract/curves/points/certified_zero.hpp"
 #include "extract/curves/points/degenerate_forms.hpp"
+#include "extract/curves/points/dominant_direction.hpp"
 #include "extract/curves/points/enclosures.hpp"
 #include "extract/curves/points/exact_face_points.hpp"
-#include "tensortopo/field/planar_critical_points.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
@@ -28,17 +29,6 @@ std::array<SymmetricTensor<Real>, 2> middle_of(
                  middle(f.xy), middle(f.yz), middle(f.xz)};
   }
   return result;
-}
-
-/// The eigenvector of a tensor near s (e e^T - I / 3): from a column of what adding the right
-/// multiple of I leaves.
-Vector3<double> dominant_direction(const PlanarCriticalPoint<double>& point) {
-  const auto t = thrice((point.mode < 0 ? -1.0 : 1.0) * point.tensor);
-  const double shift = std::sqrt(inner(t, t) / 6);
-  const double x = t.xx + shift, y = t.yy + shift, z = t.zz + shift;
-  if (x >= y && x >= z) return {x, t.xy, t.xz};
-  if (y >= z) return {t.xy, y, t.yz};
-  return {t.xz, t.yz, z};
 }
 
 /// A box of the size at which doubles end, around the zero near e.
@@ -83,11 +73,11 @@ Verdict place_of(const std::array<SymmetricTensor<FastInterval>, 3>& weight, Ver
 using Starts = std::array<Vector3<double>, 4>;
 
 /// By intervals of doubles: nothing if these leave anything open.
-std::optional<FacePoints> points_in_doubles(const std::array<ScaledTensor, 3>& tensors,
+std::optional<FacePoints> points_in_doubles(const CellRows<3>& cell,
                                             const std::array<std::size_t, 5>& columns,
                                             const Starts& starts, std::size_t count) {
   const FastIntervalScope scope;
-  const auto forms = field_forms(coordinate_rows<FastInterval>(tensors), columns);
+  const auto forms = cell.forms<FastInterval>(columns);
   const Verdict orientation = sign_in(forms.determinant);
   if (!is_strict(orientation)) return std::nullopt;
   // Two conics with four simple common points have no others.
@@ -122,9 +112,9 @@ std::optional<FacePoints> points_in_doubles(const std::array<ScaledTensor, 3>& t
 }
 
 /// Direction and weights, rounded, from a box.
-void locate(FacePoints& face, const std::array<ScaledTensor, 3>& tensors,
+void locate(FacePoints& face, const CellRows<3>& cell,
             const std::array<std::size_t, 5>& columns) {
-  const auto forms = field_forms(coordinate_rows<long double>(tensors), columns);
+  const auto forms = cell.forms<long double>(columns);
   for (FacePoint& point : face.points) {
     const auto& box = point.box;
     const DirectionChart chart{box.centre, box.first, box.second};
@@ -142,25 +132,29 @@ void locate(FacePoints& face, const std::array<ScaledTensor, 3>& tensors,
   }
 }
 
+/// All of it by the rows at hand, in doubles.
+std::optional<FacePoints> points_from(const CellRows<3>& cell) {
+  const auto columns = best_columns(cell.rows<double>());
+  Starts starts;
+  std::size_t count = 0;
+  for (const auto& point : degenerate_points(field_of(cell)).points)
+    if (count < 4) starts[count++] = dominant_direction(point);
+  auto result = points_in_doubles(cell, columns, starts, count);
+  if (result && !result->points.empty()) locate(*result, cell, columns);
+  return result;
+}
+
 }  // namespace
 
 FacePoints degenerate_points_on_face(const std::array<ScaledTensor, 3>& tensors) {
   const FloatingPointEnvironment environment;
-  const auto rows = coordinate_rows<double>(tensors);
-  const auto columns = best_columns(rows);
-  TriangleField<double> field;
-  for (std::size_t i = 0; i < 3; ++i) field.vertex[i] = exact_deviator<double>(tensors[i]);
-  Starts starts;
-  std::size_t count = 0;
-  for (const auto& point : degenerate_points(field).points)
-    if (count < 4) starts[count++] = dominant_direction(point);
-  if (auto result = points_in_doubles(tensors, columns, starts, count)) {
-    if (!result->points.empty()) locate(*result, tensors, columns);
-    return *result;
-  }
+  CellRows<3> cell(tensors);
+  if (auto result = points_from(cell)) return *result;
+  if (cell.reduce())
+    if (auto result = points_from(cell)) return *result;
   FacePoints result = exact_face_points(tensors);
   result.exact = true;
-  if (!result.points.empty()) locate(result, tensors, columns);
+  if (!result.points.empty()) locate(result, cell, best_columns(cell.rows<double>()));
   return result;
 }
 

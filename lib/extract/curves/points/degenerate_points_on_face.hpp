@@ -15,8 +15,9 @@ namespace tensortopo {
 /// discriminant tells. Each is found in floating point and then proved: Krawczyk's operator maps a
 /// box around it into itself, so that it holds exactly one zero of the two quadratic forms e.M e
 /// and e.N e. The boxes are disjoint and as many as counted, and in them the three weights have
-/// strict signs. First in intervals of doubles; what these leave open goes to 100 digits and
-/// intervals of 150.
+/// strict signs. First in intervals of doubles; then, where the tensors are nearly dependent, in these
+/// of rows reduced by each other (`CellRows`); what both leave open goes to 100 digits and intervals
+/// of 150.
 ///
 /// Laws      (1) of a kind that no obstacle concerns, the points are exactly those in the triangle,
 ///           none on its sides; (2) changing all signs exchanges linear and planar points; (3) the

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "extract/curves/points/dominant_direction.hpp"
 #include "extract/curves/points/exact_direction.hpp"
 #include "extract/level/proofs/screen.hpp"
 #include "tensortopo/field/planar_critical_points.hpp"
@@ -16,6 +17,9 @@ namespace tensortopo {
 namespace {
 
 using Corners = std::array<Deviator<double>, 3>;
+
+/// The next step of Newton's method would be below 100 digits.
+const Real100 kLastStep = ldexp(Real100(1), -200);
 
 /// Halvings of the sides after which a triangle is no longer cut to exclude points in it.
 constexpr int kDepth = 6;
@@ -66,22 +70,13 @@ CurveObstacle obstacle_of(const FieldForms<Rational, 3>& forms, const std::array
   return CurveObstacle::degenerate_conic_on_face;
 }
 
-/// The dominant eigenvector of a degenerate point; see the same in doubles.
-Vector3<Real100> dominant_direction(const PlanarCriticalPoint<Real100>& point) {
-  const auto t = thrice(Real100(point.mode < 0 ? -1 : 1) * point.tensor);
-  const Real100 shift = sqrt(Real100(inner(t, t) / 6));
-  const Real100 x = t.xx + shift, y = t.yy + shift, z = t.zz + shift;
-  if (x >= y && x >= z) return {x, t.xy, t.xz};
-  if (y >= z) return {t.xy, y, t.yz};
-  return {t.xz, t.yz, z};
-}
-
 /// The coordinates of a direction in a chart whose vectors are orthonormal up to rounding: good
 /// enough for Newton's method.
-std::array<double, 2> coordinates_in(const DirectionChart& chart, const Vector3<Real100>& e) {
-  const Real100 along = dot(widened<Real100>(chart.centre), e);
-  return {static_cast<double>(Real100(dot(widened<Real100>(chart.first), e) / along)),
-          static_cast<double>(Real100(dot(widened<Real100>(chart.second), e) / along))};
+template <class Real>
+std::array<double, 2> coordinates_in(const DirectionChart& chart, const Vector3<Real>& e) {
+  const Real along = dot(widened<Real>(chart.centre), e);
+  return {static_cast<double>(Real(dot(widened<Real>(chart.first), e) / along)),
+          static_cast<double>(Real(dot(widened<Real>(chart.second), e) / along))};
 }
 
 }  // namespace
@@ -89,13 +84,14 @@ std::array<double, 2> coordinates_in(const DirectionChart& chart, const Vector3<
 MultiprecisionFace::MultiprecisionFace(const std::array<ScaledTensor, 3>& input)
     : tensors(input),
       columns(best_columns(coordinate_rows<Real100>(input))),
-      forms(field_forms(coordinate_rows<MultiprecisionInterval>(input), columns)) {}
+      forms(field_forms(coordinate_rows<MultiprecisionInterval>(input), columns)),
+      rounded(field_forms(coordinate_rows<Real100>(input), columns)) {}
 
 std::optional<std::array<MultiprecisionInterval, 2>> MultiprecisionFace::zero_near(
     const DirectionChart& chart, const std::array<double, 2>& at) const {
-  const auto rounded = field_forms(coordinate_rows<Real100>(tensors), columns);
   const ChartForms<Real100> approximate(rounded.across, chart);
-  const auto place = newton_zero<Real100>(approximate, {Real100(at[0]), Real100(at[1])}, 8);
+  const auto place = newton_zero<Real100>(approximate, {Real100(at[0]), Real100(at[1])}, 8,
+                                          kLastStep);
   const auto inverse = inverse_of(approximate.jacobian(place));
   if (!inverse) return std::nullopt;
   std::array<MultiprecisionInterval, 2> centre;
@@ -109,9 +105,12 @@ std::optional<std::array<MultiprecisionInterval, 2>> MultiprecisionFace::zero_ne
       ldexp(MultiprecisionInterval::End(1), -300));
 }
 
-std::vector<IsolatedZero> isolated_zeros(const MultiprecisionFace& face) {
-  TriangleField<Real100> field;
-  for (std::size_t i = 0; i < 3; ++i) field.vertex[i] = exact_deviator<Real100>(face.tensors[i]);
+namespace {
+
+/// The zeros near the dominant eigenvectors of these points; none if one is not proved.
+template <class Real>
+std::vector<IsolatedZero> zeros_near(const MultiprecisionFace& face,
+                                     const TriangleField<Real>& field) {
   std::vector<IsolatedZero> found;
   for (const auto& start : degenerate_points(field).points) {
     const auto e = dominant_direction(start);
@@ -125,6 +124,18 @@ std::vector<IsolatedZero> isolated_zeros(const MultiprecisionFace& face) {
     found.push_back({chart, *zero, box});
   }
   return found;
+}
+
+}  // namespace
+
+std::vector<IsolatedZero> isolated_zeros(const MultiprecisionFace& face, std::size_t expected) {
+  CellRows<3> cell(face.tensors);
+  cell.reduce();
+  auto found = zeros_near(face, field_of(cell));
+  if (found.size() == expected) return found;
+  TriangleField<Real100> field;
+  for (std::size_t i = 0; i < 3; ++i) field.vertex[i] = exact_deviator<Real100>(face.tensors[i]);
+  return zeros_near(face, field);
 }
 
 namespace {
@@ -172,7 +183,7 @@ FacePoints exact_face_points(const std::array<ScaledTensor, 3>& tensors) {
   const Verdict orientation = sign_in(face.forms.determinant);
   if (!is_strict(orientation)) return with(CurveObstacle::points_not_told_apart);
 
-  const auto zeros = isolated_zeros(face);
+  const auto zeros = isolated_zeros(face, static_cast<std::size_t>(counted.points));
   if (static_cast<int>(zeros.size()) != counted.points)
     return with(CurveObstacle::points_not_told_apart);
   for (const auto& [chart, zero, direction] : zeros) {

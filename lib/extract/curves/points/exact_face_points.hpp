@@ -21,6 +21,7 @@ struct MultiprecisionFace {
   std::array<ScaledTensor, 3> tensors;
   std::array<std::size_t, 5> columns{};
   FieldForms<MultiprecisionInterval, 3> forms;
+  FieldForms<Real100, 3> rounded;
 };
 
 /// A common zero of the forms of a face, in a box of a chart that holds no other.
@@ -30,9 +31,10 @@ struct IsolatedZero {
   Vector3<MultiprecisionInterval> direction;
 };
 
-/// The degenerate directions of a face's plane that 100 digits find and 150 prove, each apart from
-/// the others: all of them, if as many as counted.
-std::vector<IsolatedZero> isolated_zeros(const MultiprecisionFace& face);
+/// The degenerate directions of a face's plane that are found and that 150 digits prove, each apart
+/// from the others: all of them, if as many as counted. They are sought in doubles, and with 100
+/// digits if these do not find as many as expected.
+std::vector<IsolatedZero> isolated_zeros(const MultiprecisionFace& face, std::size_t expected);
 
 /// Degenerate points by 100 digits, intervals of 150 and, where it is about zero, rationals; see
 /// `degenerate_points_on_face`.

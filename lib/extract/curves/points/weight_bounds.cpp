@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "extract/curves/points/cell_rows.hpp"
 #include "extract/curves/points/exact_face_points.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 
@@ -72,10 +73,15 @@ std::optional<WeightBounds> weight_bounds(const std::array<ScaledTensor, 3>& ten
     std::array<FastInterval, 3> powers;
     for (std::size_t i = 0; i < 3; ++i)
       powers[i] = FastInterval(std::ldexp(1.0, tensors[i].exponent - largest));
-    const auto columns = best_columns(coordinate_rows<double>(tensors));
-    const auto bounds = bounds_in(field_forms(coordinate_rows<FastInterval>(tensors), columns),
-                                  directions_in<FastInterval>(point.box), powers);
-    if (bounds && width_of(*bounds) < kNarrow) return bounds;
+    CellRows<3> cell(tensors);
+    const auto in_doubles = [&]() -> std::optional<WeightBounds> {
+      const auto bounds = bounds_in(cell.forms<FastInterval>(best_columns(cell.rows<double>())),
+                                    directions_in<FastInterval>(point.box), powers);
+      return bounds && width_of(*bounds) < kNarrow ? bounds : std::nullopt;
+    };
+    if (const auto bounds = in_doubles()) return bounds;
+    if (cell.reduce())
+      if (const auto bounds = in_doubles()) return bounds;
   }
   const MultiprecisionFace face(tensors);
   std::array<MultiprecisionInterval, 3> powers;

@@ -62,9 +62,10 @@ PlaneDirections plane_directions(const std::array<ScaledTensor, 3>& tensors) {
   const auto cubic = pencil_cubic(forms.across[0], forms.across[1]);
   const Rational discriminant = cubic_discriminant(cubic);
   if (discriminant != 0) {
-    for (const auto& zero : isolated_zeros(MultiprecisionFace(tensors)))
+    const std::size_t count = discriminant > 0 ? 4 : 2;
+    for (const auto& zero : isolated_zeros(MultiprecisionFace(tensors), count))
       result.points.push_back(normalized(zero.direction));
-    result.settled = result.points.size() == (discriminant > 0 ? 4u : 2u);
+    result.settled = result.points.size() == count;
     return result;
   }
   for (const Rational& c : cubic)
