@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "arrays.hpp"
 #include "mesh.hpp"
+#include "tensortopo/mesh/nodal_average.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 #include "tensortopo/tensor/mode.hpp"
@@ -96,6 +102,40 @@ py::tuple eigensystems(const Input<double>& tensors) {
   return py::make_tuple(values, vectors);
 }
 
+template <class To, class From>
+std::vector<To> list_of(const Input<From>& array) {
+  return {array.data(), array.data() + array.size()};
+}
+
+py::tuple nodal_averages(std::size_t node_count, const Input<std::int64_t>& nodes,
+                         const Input<double>& tensors, std::size_t tensors_per_cell, bool at_nodes,
+                         const std::optional<Input<double>>& weights,
+                         const std::optional<Input<std::int64_t>>& materials) {
+  if (nodes.ndim() != 2) throw py::value_error("nodes: expected two dimensions");
+  // Numbers of nodes below `node_count` fit into the library's.
+  if (node_count > std::numeric_limits<TetMesh::Index>::max())
+    throw py::value_error("points: too many");
+  CellTensors cells;
+  cells.nodes_per_cell = static_cast<std::size_t>(nodes.shape(1));
+  cells.nodes = list_of<TetMesh::Index>(nodes);
+  cells.tensors_per_cell = tensors_per_cell;
+  cells.tensors = python::rows_of<Tensor>(tensors, "tensors");
+  cells.at_nodes = at_nodes;
+  NodalAverageOptions options;
+  if (weights) options.weights = list_of<double>(*weights);
+  if (materials) options.materials = list_of<std::int64_t>(*materials);
+  NodalAverage result;
+  {
+    const py::gil_scoped_release unlocked;
+    result = nodal_average(node_count, cells, options);
+  }
+  const auto wide = [](const std::vector<TetMesh::Index>& numbers) {
+    return array_of<std::int64_t>(std::vector<std::int64_t>(numbers.begin(), numbers.end()));
+  };
+  return py::make_tuple(array_of<double>(std::move(result.tensors)), wide(result.nodes),
+                        wide(result.origin));
+}
+
 }  // namespace
 
 void define_tensors(py::module_& m) {
@@ -113,6 +153,9 @@ void define_tensors(py::module_& m) {
       py::arg("tensors"));
   m.def("deviator", &deviators, py::arg("tensors"));
   m.def("eigen", &eigensystems, py::arg("tensors"));
+  m.def("nodal_average", &nodal_averages, py::arg("node_count"), py::arg("nodes"),
+        py::arg("tensors"), py::arg("tensors_per_cell"), py::arg("at_nodes"), py::arg("weights"),
+        py::arg("materials"));
 }
 
 }  // namespace tensortopo::python

@@ -28,6 +28,7 @@ from ._families import Generated, field_kinds, generate
 from ._field import Field
 from ._files import read, write
 from ._modes import exact_mode
+from ._nodal import NodalAverage, nodal_average
 from ._partition import (
     CertifiedField,
     FieldHash,
@@ -71,6 +72,7 @@ __all__ = [
     "Generated",
     "MergedSurface",
     "MeshError",
+    "NodalAverage",
     "Persistence",
     "PersistencePair",
     "PieceSurface",
@@ -100,6 +102,7 @@ __all__ = [
     "lode_angle",
     "merge_pieces",
     "mode",
+    "nodal_average",
     "read",
     "register_pyvista",
     "to_meshio",

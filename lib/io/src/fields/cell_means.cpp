@@ -7,11 +7,13 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "fields/solid_cells.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/mesh/as_size.hpp"
+#include "tensortopo/mesh/nodal_average.hpp"
 
 namespace tensortopo::detail {
 namespace {
@@ -35,14 +37,6 @@ const ArraySource* find_array(const RawGrid& grid, const std::string& name) {
   for (const ArraySource& source : grid.cell_data)
     if (source.name == name && source.components == 1) return &source;
   return nullptr;
-}
-
-/// The mean of tensors.
-Tensor mean_of(const Tensor* first, std::size_t count) {
-  Tensor sum{};
-  for (std::size_t i = 0; i < count; ++i) sum = sum + first[i];
-  const auto n = static_cast<double>(count);
-  return {sum.xx / n, sum.yy / n, sum.zz / n, sum.xy / n, sum.yz / n, sum.xz / n};
 }
 
 }  // namespace
@@ -126,8 +120,7 @@ std::size_t separate_materials(std::vector<RawGrid>& pieces, VertexMap& map,
 std::size_t average_cells(const std::vector<RawGrid>& pieces, const VertexMap& map,
                           const std::vector<std::vector<Tensor>>& tensors,
                           const TensorChoice& choice, MeanWeights weights, TetMesh& mesh) {
-  mesh.tensors.assign(mesh.points.size(), {});
-  std::vector<double> sums(mesh.points.size(), 0);  // of weights
+  NodalSums sums(mesh.points.size());
   for (std::size_t k = 0; k < pieces.size(); ++k)
     for (const std::size_t c : solid_cells(pieces[k])) {
       const RawGrid& grid = pieces[k];
@@ -135,32 +128,25 @@ std::size_t average_cells(const std::vector<RawGrid>& pieces, const VertexMap& m
       const double weight = weights == MeanWeights::plain
                                 ? 1
                                 : cell_volume(mesh, grid.types[c], nodes);
-      const Tensor* const own = tensors[k].data() + c * choice.per_cell;
-      const bool at_nodes = choice.values == CellValues::nodes;
-      if (at_nodes && nodes.size() != choice.per_cell)
-        throw IoError(IoError::Kind::invalid, grid.file,
-                      "a cell has " + std::to_string(nodes.size()) + " nodes and `" + choice.name +
-                          "` " + std::to_string(choice.per_cell) + " tensors for each (cell " +
-                          std::to_string(c) + ")");
-      const Tensor mean = at_nodes ? Tensor{} : mean_of(own, choice.per_cell);
-      if (!at_nodes) nodes.resize(corners_of(grid, c));
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        // A node listed twice counts once.
-        if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(i), nodes[i]) !=
-            nodes.begin() + static_cast<std::ptrdiff_t>(i))
-          continue;
-        Tensor& sum = mesh.tensors[as_size(nodes[i])];
-        const Tensor& t = at_nodes ? own[i] : mean;
-        sum = weights == MeanWeights::plain ? sum + t : sum + weight * t;
-        sums[as_size(nodes[i])] += weight;
+      const std::span<const Tensor> own(tensors[k].data() + c * choice.per_cell, choice.per_cell);
+      if (choice.values == CellValues::nodes) {
+        if (nodes.size() != choice.per_cell)
+          throw IoError(IoError::Kind::invalid, grid.file,
+                        "a cell has " + std::to_string(nodes.size()) + " nodes and `" +
+                            choice.name + "` " + std::to_string(choice.per_cell) +
+                            " tensors for each (cell " + std::to_string(c) + ")");
+        sums.add(nodes, own, weight);
+      } else {
+        nodes.resize(corners_of(grid, c));
+        const Tensor mean = plain_mean(own);
+        sums.add(nodes, {&mean, 1}, weight);
       }
     }
+  mesh.tensors = sums.means();
   std::size_t averaged = 0;
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    if (sums[v] == 0) continue;
-    Tensor& t = mesh.tensors[v];
-    const double n = sums[v];
-    t = {t.xx / n, t.yy / n, t.zz / n, t.xy / n, t.yz / n, t.xz / n};
+  for (std::size_t v = 0; v < mesh.tensors.size(); ++v) {
+    if (!sums.has(v)) continue;
+    const Tensor& t = mesh.tensors[v];
     for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
       if (!std::isfinite(x))
         throw IoError(IoError::Kind::invalid, pieces.front().file,
