@@ -8,7 +8,7 @@ import tensortopo as tt
 
 
 def mesh_of(seed=3):
-    field = tt.generate("linear").field
+    field = tt.generate("complex").field
     stresses = np.random.default_rng(seed).normal(size=(len(field.tets), 4, 6))
     return np.array(field.points), np.array(field.tets, dtype=np.int64), stresses
 
