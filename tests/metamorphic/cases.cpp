@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 
 #include "support/special_meshes.hpp"
 #include "support/strata_fields.hpp"
+#include "tensortopo/quadric/invariant_level.hpp"
+#include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -30,18 +33,24 @@ TetTensors integers(int bound, bool sparse, Random& random) {
   return result;
 }
 
-/// R T R^T for the rotation of a random unit quaternion.
-Tensor rotated(const Tensor& t, const std::array<double, 4>& q) {
+using Rotation = std::array<std::array<double, 3>, 3>;
+
+/// The rotation of a unit quaternion.
+Rotation rotation_of(const std::array<double, 4>& q) {
   const auto [w, x, y, z] = q;
-  const double r[3][3]{{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-                       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-                       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+  return {{{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+           {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+           {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
+}
+
+/// R T R^T.
+Tensor rotated(const Tensor& t, const Rotation& r) {
   const double m[3][3]{{t.xx, t.xy, t.xz}, {t.xy, t.yy, t.yz}, {t.xz, t.yz, t.zz}};
   double s[3][3]{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l) s[i][j] += r[i][k] * m[k][l] * r[j][l];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t l = 0; l < 3; ++l) s[i][j] += r[i][k] * m[k][l] * r[j][l];
   return {s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[0][2]};
 }
 
@@ -73,6 +82,49 @@ TetMesh long_tet(const TetTensors& tensors, Random& random) {
   return single_tet_mesh({{{0, 0, 0}, {1, width, 0}, {0, width, 0}, {0.5, 0, width}}}, tensors);
 }
 
+TetMesh turned_flat_tet(const TetTensors& tensors, Random& random) {
+  TetMesh mesh = flat_tet(tensors, random);
+  const Rotation r = rotation_of(unit_quaternion(random));
+  const double far = random.integer(0, 1) ? 0 : std::ldexp(1.0, random.integer(0, 8));
+  const auto row = [&](std::size_t i, const Vector3<double>& p) {
+    return far + r[i][0] * p.x + r[i][1] * p.y + r[i][2] * p.z;
+  };
+  for (auto& p : mesh.points) p = {row(0, p), row(1, p), row(2, p)};
+  return mesh;
+}
+
+/// 17 digits of a number.
+std::string digits_of(double x) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.17g", x);
+  return text;
+}
+
+/// A tensor and rests, and its mode.
+FieldCase nearly_uniform(Random& random) {
+  const Tensor base = random.tensor();
+  const double rest = std::ldexp(1.0, -random.integer(20, 50));
+  TetTensors tensors;
+  for (Tensor& t : tensors) t = base + rest * random.tensor();
+  return {reference_tet_mesh(tensors), digits_of(mode(deviator(base))), ""};
+}
+
+/// The level of an invariant that is between its values at the mesh's vertices, if there is one.
+std::string any_level(const TetMesh& mesh, Random& random) {
+  constexpr std::array kInvariants{Invariant::magnitude, Invariant::deviator_magnitude,
+                                   Invariant::anisotropy};
+  const Invariant invariant = kInvariants[static_cast<std::size_t>(random.integer(0, 2))];
+  double low = HUGE_VAL, high = 0;
+  for (const Tensor& t : mesh.tensors) {
+    low = std::min(low, invariant_of(invariant, t));
+    high = std::max(high, invariant_of(invariant, t));
+  }
+  const double share = random.uniform();
+  const double value = std::max(low + share * (high - low), 1e-300);
+  const bool is_in_range = invariant != Invariant::anisotropy || value < 1;
+  return std::string(name_of(invariant)) + ' ' + digits_of(is_in_range ? value : 0.5);
+}
+
 TetTensors tensors_of(Family family, Random& random) {
   TetTensors result = random.tet_tensors();
   switch (family) {
@@ -95,8 +147,8 @@ TetTensors tensors_of(Family family, Random& random) {
       return result;
     case Family::rotated: {
       result = integers(2, false, random);
-      const auto q = unit_quaternion(random);
-      for (Tensor& t : result) t = rotated(t, q);
+      const Rotation r = rotation_of(unit_quaternion(random));
+      for (Tensor& t : result) t = rotated(t, r);
       return result;
     }
     case Family::nearly_rank_one:
@@ -117,7 +169,7 @@ const std::vector<Family>& all_families() {
       Family::rotated,         Family::nearly_rank_one, Family::nearly_rank_two,
       Family::nearly_special,  Family::slivers,        Family::needles,
       Family::cut,             Family::cut_integers,   Family::meshes,
-      Family::special_meshes};
+      Family::special_meshes,  Family::turned_slivers, Family::nearly_uniform};
   return all;
 }
 
@@ -126,7 +178,8 @@ std::string name_of(Family family) {
       "general",         "small_integers",  "sparse_integers", "powers_of_two",
       "scales",          "large_trace",     "rotated",         "nearly_rank_one",
       "nearly_rank_two", "nearly_special",  "slivers",         "needles",
-      "cut",             "cut_integers",    "meshes",          "special_meshes"};
+      "cut",             "cut_integers",    "meshes",          "special_meshes",
+      "turned_slivers",  "nearly_uniform"};
   return kNames.at(static_cast<std::size_t>(family));
 }
 
@@ -195,6 +248,12 @@ FieldCase field_case(Family family, int number) {
     case Family::needles:
       result.mesh = long_tet(random.tet_tensors(), random);
       break;
+    case Family::turned_slivers:
+      result.mesh = turned_flat_tet(random.tet_tensors(), random);
+      break;
+    case Family::nearly_uniform:
+      result = nearly_uniform(random);
+      break;
     case Family::cut:
     case Family::cut_integers:
       result.mesh = reference_tet_mesh(family == Family::cut ? short_tensors(random)
@@ -229,6 +288,7 @@ FieldCase field_case(Family family, int number) {
       if (family == Family::nearly_rank_one && random.integer(0, 3))
         result.mode = random.integer(0, 1) ? "97/100" : "-97/100";
   }
+  result.invariant = any_level(result.mesh, random);
   return result;
 }
 

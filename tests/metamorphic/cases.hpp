@@ -29,15 +29,17 @@ enum class Family {
   cut_integers,         ///< the same of small integers
   meshes,               ///< cubes of six tetrahedra each, normal tensors
   special_meshes,       ///< cubes with what is special about tensors: see `MeshKind`
+  turned_slivers,       ///< flat tetrahedra in general position, far from the origin or not
+  nearly_uniform,       ///< one tensor and a rest between 2^-20 and 2^-50; the mode is that tensor's
 };
 
 const std::vector<Family>& all_families();
 std::string name_of(Family family);
 
-/// A field and a mode of it.
+/// A field, a mode of it, and the level of another invariant: "magnitude 3/2".
 struct FieldCase {
   TetMesh mesh;
-  std::string mode;
+  std::string mode, invariant;
 };
 
 /// The case of a number in its family, the same on every machine.

@@ -36,6 +36,9 @@ HonestVerdict HonestCourt::judge(const Exhibit& e) const {
     result.status = report.status();
     result.claims = report.claims();
     result.report = to_text(report);
+    for (const auto& level : report.levels)
+      for (const auto& [name, shown] : level.vectors)
+        result.vectors += level.vertices, result.vectors_shown += shown;
     for (const auto& kind : report.kinds)
       if (kind.undecided > 0 && kind.kind != "left out")
         result.open["checker: " + kind.kind] += static_cast<int>(kind.undecided);

@@ -18,6 +18,7 @@ struct HonestVerdict {
   std::map<std::string, int> open;
   std::string report;
   std::size_t triangles = 0, claims = 0;
+  std::size_t vectors = 0, vectors_shown = 0;  ///< eigenvectors and normals
 };
 
 /// Extracts surfaces with certificates and has them checked by files in a folder of its own.
@@ -29,7 +30,7 @@ class HonestCourt {
   HonestCourt& operator=(const HonestCourt&) = delete;
 
   HonestVerdict judge(const Exhibit& exhibit) const;
-  HonestVerdict judge(const FieldCase& c) const { return judge(exhibit(c.mesh, {c.mode})); }
+  HonestVerdict judge(const FieldCase& c) const { return judge(exhibit_with_arrays(c.mesh, {c.mode})); }
 
  private:
   std::filesystem::path folder_;

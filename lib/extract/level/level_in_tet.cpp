@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "extract/level/mode_forms.hpp"
 #include "extract/level/position.hpp"
 
 namespace tensortopo {
@@ -22,6 +23,13 @@ std::array<Value, 4> at_corners(const std::vector<Value>& values,
 
 }  // namespace
 
+SymmetricTensor<double> mode_slope(const Deviator<double>& t) {
+  // P dQ - (3/2) Q dP with Q = det m, P = |m|^2 / 3, dQ = <adj m, dm> and dP = (2/3) <m, dm>.
+  const auto m = thrice(t);
+  const auto adjugate = detail::polar_adjugate(m, m);  // twice the adjugate
+  return (norm_form(t) / 2) * adjugate - (inner(adjugate, m) / 6) * m;
+}
+
 LevelInTet::LevelInTet(const TetMesh& mesh, const ScaledField<double>& field, TetMesh::Index tet,
                        const Level<double>& level)
     : points_(at_corners(mesh.points, mesh.tets[as_size(tet)])),
@@ -33,8 +41,8 @@ Deviator<double> LevelInTet::tensor(const Vector3<double>& x) const {
   return geometry_.tensor(x, tensors_);
 }
 
-Vector3<double> LevelInTet::gradient(const Vector3<double>& x) const {
-  return geometry_.gradient(level_slope(tensor(x), *level_).slope, tensors_);
+Vector3<double> LevelInTet::mode_gradient(const Vector3<double>& x) const {
+  return geometry_.gradient(mode_slope(geometry_.balanced_tensor(x, tensors_)), tensors_);
 }
 
 double LevelInTet::distance(const Vector3<double>& x) const {

@@ -19,6 +19,11 @@ inline double mode_difference(const Deviator<double>& t, const Level<double>& le
   return p > 0 ? level_function(t, level) / (p * std::sqrt(p)) : 0;
 }
 
+/// The slope of the mode at a tensor that is not zero, up to a positive factor. As the mode does not
+/// depend on the tensor's size, neither does the slope's direction on how far the mode is from a
+/// level's, as that of the level function does.
+SymmetricTensor<double> mode_slope(const Deviator<double>& t);
+
 /// The level of a tetrahedron's linear field as a function of the place, in double: for meshing.
 class LevelInTet {
  public:
@@ -26,8 +31,8 @@ class LevelInTet {
   LevelInTet(const TetMesh& mesh, const ScaledField<double>& field, TetMesh::Index tet,
              const Level<double>& level);
 
-  /// The gradient of the level function.
-  Vector3<double> gradient(const Vector3<double>& x) const;
+  /// The gradient of the mode, up to a positive factor.
+  Vector3<double> mode_gradient(const Vector3<double>& x) const;
   /// The distance to the level, to first order; infinite where the gradient vanishes.
   double distance(const Vector3<double>& x) const;
   /// The mode less the level's.

@@ -12,46 +12,11 @@
 #include "extract/level/proofs/simple_simplex.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
+#include "tensortopo/mesh/complete_normals.hpp"
 
 namespace tensortopo {
 
 namespace {
-
-bool is_zero(const Vector3<double>& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
-/// Where triangles have no area either (a sheet smaller than coordinates tell), vertices without a
-/// normal take that of a vertex next to them, in as many rounds as it takes.
-void take_normals_of_neighbours(SurfaceMesh& surface) {
-  for (bool has_changed = true; has_changed;) {
-    has_changed = false;
-    for (const auto& triangle : surface.triangles)
-      for (const auto v : triangle)
-        for (const auto w : triangle) {
-          if (!is_zero(surface.normal[as_size(v)]) || is_zero(surface.normal[as_size(w)])) continue;
-          surface.normal[as_size(v)] = surface.normal[as_size(w)];
-          has_changed = true;
-        }
-  }
-}
-
-/// Where gradients cancel, or rounding hides them (the mode is constant but for that), the normal
-/// is the mean of those of the triangles around, by their areas.
-void normals_of_triangles(SurfaceMesh& surface) {
-  std::vector<char> unknown(surface.normal.size());
-  std::transform(surface.normal.begin(), surface.normal.end(), unknown.begin(), is_zero);
-  if (std::find(unknown.begin(), unknown.end(), 1) == unknown.end()) return;
-  for (const auto& triangle : surface.triangles)
-    for (const auto v : triangle) {
-      if (!unknown[as_size(v)]) continue;
-      const auto& [a, b, c] = triangle;
-      const auto& p = surface.points;
-      surface.normal[as_size(v)] +=
-          cross(p[as_size(b)] - p[as_size(a)], p[as_size(c)] - p[as_size(a)]);
-    }
-  for (std::size_t v = 0; v < unknown.size(); ++v)
-    if (unknown[v]) surface.normal[v] = unit_or_zero(surface.normal[v]);
-  take_normals_of_neighbours(surface);
-}
 
 /// The field and its gradient at vertices of the triangles of one tetrahedron after the other.
 template <class Scalar>
@@ -97,8 +62,7 @@ class GradientsInTet {
     vertices_[place] = v;
     At& result = kept_[place];
     result.tensor = space_->balanced_tensor(x, tensors_);
-    const auto slope = level_slope(result.tensor, level_).slope;
-    result.gradient = unit_or_zero(space_->gradient(slope, tensors_));
+    result.gradient = unit_or_zero(space_->gradient(mode_slope(result.tensor), tensors_));
     return result;
   }
 
@@ -171,7 +135,7 @@ void describe_vertices(const SurfaceInput<Scalar>& input, const std::vector<char
   }
   parallel_stage(input.options, "stitch", count, 1024,
                  [&](std::size_t v) { surface.normal[v] = unit_or_zero(surface.normal[v]); });
-  normals_of_triangles(surface);
+  complete_normals(surface);
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                   \

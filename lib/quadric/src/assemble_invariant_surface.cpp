@@ -8,7 +8,9 @@
 #include <limits>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
+#include "tensortopo/mesh/complete_normals.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo {
@@ -32,11 +34,6 @@ struct Use {
 std::size_t corners_of(const VertexKey& key) {
   return static_cast<std::size_t>(
       std::count_if(key.ids.begin(), key.ids.end(), [](Index id) { return id >= 0; }));
-}
-
-double twice_area(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) {
-  const auto normal = cross(b - a, c - a);
-  return length(normal);
 }
 
 }  // namespace
@@ -76,22 +73,33 @@ SurfaceMesh assemble_invariant_surface(std::span<const CellLevel> cells,
     number[uses[i].slot] = static_cast<Index>(surface.points.size() - 1);
   }
   surface.value.assign(surface.points.size(), value);
-  surface.normal.assign(surface.points.size(), {});
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (const auto& triangle : cells[c].triangles) {
       std::array<Index, 3> ids;
       for (std::size_t k = 0; k < 3; ++k) ids[k] = number[first[c] + triangle[k]];
       surface.triangles.push_back(ids);
       surface.tet.push_back(tets[c]);
-      const double weight =
-          twice_area(surface.points[as_size(ids[0])], surface.points[as_size(ids[1])],
-                     surface.points[as_size(ids[2])]);
-      for (std::size_t k = 0; k < 3; ++k)
-        surface.normal[as_size(ids[k])] += weight * cells[c].vertices[triangle[k]].normal;
     }
-  for (auto& normal : surface.normal) normal = unit_or_zero(normal);
   surface.component = surface_components(surface);
   return surface;
+}
+
+void add_normals(std::span<const CellLevel> cells, SurfaceMesh& surface) {
+  surface.normal.assign(surface.points.size(), {});
+  constexpr auto kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> last_cell(surface.points.size(), kNone);
+  std::size_t t = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const auto& triangle : cells[c].triangles) {
+      const auto& corners = surface.triangles[t++];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto v = as_size(corners[k]);
+        if (std::exchange(last_cell[v], c) != c)
+          surface.normal[v] += cells[c].vertices[triangle[k]].normal;
+      }
+    }
+  for (auto& normal : surface.normal) normal = unit_or_zero(normal);
+  complete_normals(surface);
 }
 
 }  // namespace tensortopo

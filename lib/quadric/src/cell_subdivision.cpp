@@ -32,16 +32,17 @@ constexpr std::array<Tet, 6> kEdgeFront{
 class Marching {
  public:
   Marching(const ConvexLevel& level, Invariant invariant, const TetMesh& mesh,
-           const std::array<TetMesh::Index, 4>& nodes, int pieces)
+           const std::array<TetMesh::Index, 4>& nodes, bool is_even, int pieces)
       : level_(level),
         invariant_(invariant),
         nodes_(nodes),
+        is_even_(is_even),
         pieces_(pieces),
         tensors_(tensors_of(mesh, nodes)),
         form_(level, tensors_),
-        geometry_(level, tensors_, points_of(mesh, nodes)) {}
+        geometry_(level, tensors_, points_of(mesh, nodes), is_even) {}
 
-  CellLevel run(bool is_even) {
+  CellLevel run() {
     const GridPoint whole[4]{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     if (is_empty(whole)) return finish();
     if (level_.nappe != 0 && form_.holds_zero()) {
@@ -65,7 +66,7 @@ class Marching {
               within &= n >= x[0] && x[0] >= x[1] && x[1] >= x[2];
               corners[k] = {n - x[0], x[0] - x[1], x[1] - x[2], x[2]};
             }
-            if (within) march(corners, even_axes == is_even);
+            if (within) march(corners, even_axes == is_even_);
           }
     } while (std::next_permutation(axes.begin(), axes.end()));
     return finish();
@@ -306,6 +307,7 @@ class Marching {
   const ConvexLevel& level_;
   Invariant invariant_;
   std::array<TetMesh::Index, 4> nodes_;
+  bool is_even_;
   int pieces_;
   std::array<const SymmetricTensor<double>*, 4> tensors_;
   CellForm form_;
@@ -320,7 +322,7 @@ class Marching {
 
 CellLevel level_in_cell(const ConvexLevel& level, Invariant invariant, const TetMesh& mesh,
                         const std::array<TetMesh::Index, 4>& nodes, bool is_even, int pieces) {
-  return Marching(level, invariant, mesh, nodes, pieces).run(is_even);
+  return Marching(level, invariant, mesh, nodes, is_even, pieces).run();
 }
 
 }  // namespace tensortopo

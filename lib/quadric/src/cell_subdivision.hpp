@@ -27,7 +27,7 @@ struct VertexKey {
 struct CellVertex {
   VertexKey key;
   Vector3<double> position;
-  Vector3<double> normal;  ///< the field's derivative is not the same in all tetrahedra
+  Vector3<double> normal;  ///< the unit gradient, which is not the same in all tetrahedra
   double value;            ///< of the invariant
 };
 

@@ -110,6 +110,7 @@ InvariantExtraction extract_invariant_surface(const TetMesh& mesh, const Invaria
     result.copies = separate_fans(result.surface);
     result.surface.component = surface_components(result.surface);
   }
+  add_normals(cells, result.surface);
   result.statistics.seconds_stitch = seconds_since(start);
   return result;
 }

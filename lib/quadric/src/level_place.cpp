@@ -43,7 +43,7 @@ void solve(const std::array<std::array<double, 3>, 3>& h, const std::array<doubl
 
 CellGeometry::CellGeometry(const ConvexLevel& level,
                            const std::array<const SymmetricTensor<double>*, 4>& tensors,
-                           const std::array<Vector3<double>, 4>& points)
+                           const std::array<Vector3<double>, 4>& points, bool is_positive)
     : points_(points) {
   const CellScale scale(tensors);
   const double value = std::ldexp(level.value, scale.exponent);
@@ -54,26 +54,34 @@ CellGeometry::CellGeometry(const ConvexLevel& level,
     deviators_[i] = deviator(t);
     traces_[i] = trace(t);
   }
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto &a = points[(i + 1) % 4], &b = points[(i + 2) % 4], &c = points[(i + 3) % 4];
-    const auto across = cross(b - a, c - a);
-    const double volume = dot(across, points[i] - a);
-    inward_[i] = (1 / volume) * across;
+  std::array<Vector3<double>, 3> edges;
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    edges[i] = points[i + 1] - points[0];
+    size = std::max({size, std::abs(edges[i].x), std::abs(edges[i].y), std::abs(edges[i].z)});
   }
+  const double unit = std::ldexp(1.0, -std::ilogb(size));
+  for (auto& edge : edges) edge = unit * edge;
+  for (std::size_t i = 0; i < 3; ++i)
+    inward_[i] = (is_positive ? 1.0 : -1.0) * cross(edges[(i + 1) % 3], edges[(i + 2) % 3]);
 }
 
-double CellGeometry::form(const Weights& u, const Weights& v) const {
+double CellGeometry::form_of_tensors(const Weights& u, const Weights& v) const {
   Deviator<double> s{}, t{};
-  double s_trace = 0, t_trace = 0, u_sum = 0, v_sum = 0;
+  double s_trace = 0, t_trace = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     s = s + u[i] * deviators_[i];
     t = t + v[i] * deviators_[i];
     s_trace += u[i] * traces_[i];
     t_trace += v[i] * traces_[i];
-    u_sum += u[i];
-    v_sum += v[i];
   }
-  return norm_form(s, t) + tau_ * s_trace * t_trace - gamma_ * u_sum * v_sum;
+  return norm_form(s, t) + tau_ * s_trace * t_trace;
+}
+
+double CellGeometry::form(const Weights& u, const Weights& v) const {
+  double u_sum = 0, v_sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) u_sum += u[i], v_sum += v[i];
+  return form_of_tensors(u, v) - gamma_ * u_sum * v_sum;
 }
 
 Weights CellGeometry::inner_place(std::span<const Weights> corners) const {
@@ -122,10 +130,10 @@ Vector3<double> CellGeometry::position(const Weights& w) const {
 
 Vector3<double> CellGeometry::normal(const Weights& w) const {
   Vector3<double> sum{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    Weights corner{};
-    corner[i] = 1;
-    sum += form(w, corner) * inward_[i];
+  for (std::size_t i = 0; i < 3; ++i) {
+    Weights along{-1, 0, 0, 0};
+    along[i + 1] = 1;
+    sum += form_of_tensors(w, along) * inward_[i];
   }
   return std::isfinite(length(sum)) ? unit_or_zero(sum) : Vector3<double>{};
 }

@@ -16,9 +16,10 @@ using Weights = std::array<double, 4>;
 /// Where the level is, in double arithmetic: nothing here decides topology.
 class CellGeometry {
  public:
+  /// @param is_positive  the tetrahedron's volume, in this order of its points
   CellGeometry(const ConvexLevel& level,
                const std::array<const SymmetricTensor<double>*, 4>& tensors,
-               const std::array<Vector3<double>, 4>& points);
+               const std::array<Vector3<double>, 4>& points, bool is_positive);
 
   /// A place of the body in the simplex with these two to four corners, all of them outside: where
   /// q is least, kept off the boundary.
@@ -34,9 +35,12 @@ class CellGeometry {
 
  private:
   double form(const Weights& u, const Weights& v) const;
+  /// The same without what is constant on the tetrahedron.
+  double form_of_tensors(const Weights& u, const Weights& v) const;
 
   std::array<Vector3<double>, 4> points_;
-  std::array<Vector3<double>, 4> inward_;  ///< gradients of the coordinates
+  /// Gradients of the coordinates 1 to 3, times the volume, in a unit of the tetrahedron's size.
+  std::array<Vector3<double>, 3> inward_;
   std::array<Deviator<double>, 4> deviators_;
   std::array<double, 4> traces_;
   double tau_, gamma_;

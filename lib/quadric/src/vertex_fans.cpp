@@ -45,7 +45,6 @@ std::vector<std::array<Index, 2>> separate_fans(SurfaceMesh& surface) {
       append_copy(surface.carrier, i);
       append_copy(surface.carrier_id, i);
       append_copy(surface.carrier_vertices, i);
-      append_copy(surface.normal, i);
       append_copy(surface.residual, i);
       append_copy(surface.value, i);
       for (const std::size_t t : around[f])

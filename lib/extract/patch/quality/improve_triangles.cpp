@@ -242,7 +242,7 @@ class Improver {
     std::sort(tets.begin(), tets.end());
     tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
     Vector sum{0, 0, 0};
-    for (const Index t : tets) sum += unit_or_zero(level_in(t)->gradient(x));
+    for (const Index t : tets) sum += unit_or_zero(level_in(t)->mode_gradient(x));
     const auto level = *level_in(tets.front());
     const auto t = level.tensor(x);
     surface_.normal[v] = unit_or_zero(sum);

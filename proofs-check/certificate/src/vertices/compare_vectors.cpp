@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "run/parallel.hpp"
 #include "vertices/linear_field.hpp"
@@ -18,6 +19,11 @@ enum class Shown : char { neither, yes, no };
 
 /// Squares of what vectors may be off, and of what they certainly are if they are refuted.
 constexpr double kNear = 0x1p-32, kFar = 0x1p-12, kNormalNear = 0x1p-20, kNormalFar = 0x1p-6;
+/// Squares of the largest radius of an enclosure, in parts of what it encloses, by which a vector is
+/// refuted. A vector that was computed in doubles is off by rounding of the same sums and products
+/// as are enclosed here, so by a multiple of that radius. Sixteen times 2^-11 is half of 2^-6, the
+/// root of `kFar`, and sixteen times 2^-8 half of 2^-3, that of `kNormalFar`.
+constexpr double kKnown = 0x1p-22, kNormalKnown = 0x1p-16;
 /// Of squares of eigenvalues: two of them may be as near as to exchange their order.
 constexpr double kEqual = 0x1p-16;
 
@@ -29,11 +35,23 @@ Vector vector_at(const Array& array, std::size_t v) {
           Ball(array.numbers[3 * v + 2], 0)};
 }
 
-/// Is its length one, about?
+/// The zero vector says nothing.
+bool is_zero(const Vector& v) { return v[0].value == 0 && v[1].value == 0 && v[2].value == 0; }
+
+/// Is its length one, about? What is divided by its length in doubles is off by less than 2^-48.
 Shown has_unit_length(const Vector& v) {
   const Ball off = dot(v, v) - Ball(1);
   if (std::abs(off.value) + off.error < 0x1p-30) return Shown::yes;
   return std::abs(off.value) - off.error > 0x1p-10 ? Shown::no : Shown::neither;
+}
+
+/// Is the radius of the enclosures small beside the least length that they allow?
+/// @param known  for squares
+template <class Entries>
+bool is_known(const Entries& entries, const Ball& square, double known) {
+  double radius = 0;
+  for (const Ball& x : entries) radius += 2 * x.error * x.error;  // some entries count twice
+  return radius <= known * (square.value - square.error);
 }
 
 /// Whose eigenvector, of a tensor's three eigenvalues.
@@ -49,7 +67,9 @@ Shown is_eigenvector(const Tensor<Ball>& m, const Vector& v, Eigenvalue which) {
   Vector r;
   for (std::size_t k = 0; k < 3; ++k) r[k] = length * w[k] - value * v[k];
   const Ball square = dot(r, r), six = Ball(6) * value * value;
-  if (is_positive(square - Ball(kFar, 0) * size)) return Shown::no;
+  const Shown otherwise =
+      is_known(std::span(m).first<6>(), size, kKnown) ? Shown::no : Shown::neither;
+  if (is_positive(square - Ball(kFar, 0) * size)) return otherwise;
   const bool is_medium = which == Eigenvalue::medium;
   const Ball beyond =
       is_medium ? Ball(1 + kEqual, 0) * size - six : six - Ball(1 - kEqual, 0) * size;
@@ -57,7 +77,7 @@ Shown is_eigenvector(const Tensor<Ball>& m, const Vector& v, Eigenvalue which) {
       is_medium || is_positive(which == Eigenvalue::largest ? value : Ball(-1) * value);
   const bool has_other_sign =
       !is_medium && is_negative(which == Eigenvalue::largest ? value : Ball(-1) * value);
-  if (is_negative(beyond + Ball(kFar, 0) * size) || has_other_sign) return Shown::no;
+  if (is_negative(beyond + Ball(kFar, 0) * size) || has_other_sign) return otherwise;
   const bool is_near = is_negative(square - Ball(kNear, 0) * size);
   return is_near && is_positive(beyond) && has_sign ? Shown::yes : Shown::neither;
 }
@@ -65,7 +85,8 @@ Shown is_eigenvector(const Tensor<Ball>& m, const Vector& v, Eigenvalue which) {
 /// A level's vectors.
 class Vectors {
  public:
-  Vectors(const LevelCase& c, const PlacedSurface& placed);
+  /// @param invariant  of which the level is; nothing: the mode
+  Vectors(const LevelCase& c, const PlacedSurface& placed, std::optional<Invariant> invariant);
   Shown show_eigenvector(const Array& array, std::size_t v, Eigenvalue which) const;
   Shown show_normal(const Array& array, std::size_t v) const;
 
@@ -84,14 +105,16 @@ class Vectors {
 
   const LevelCase& c_;
   const PlacedSurface& placed_;
+  std::optional<Invariant> invariant_;
   std::vector<std::size_t> names_;  ///< of `fields_`: tetrahedra, ascending
   std::vector<LinearField> fields_;
   std::vector<Around> around_;     ///< each vertex
   std::vector<std::size_t> tets_;  ///< places in `fields_`
 };
 
-Vectors::Vectors(const LevelCase& c, const PlacedSurface& placed)
-    : c_(c), placed_(placed), names_(placed.tets), around_(placed.carriers.size()) {
+Vectors::Vectors(const LevelCase& c, const PlacedSurface& placed,
+                 std::optional<Invariant> invariant)
+    : c_(c), placed_(placed), invariant_(invariant), names_(placed.tets), around_(placed.carriers.size()) {
   std::sort(names_.begin(), names_.end());
   names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
   fields_.reserve(names_.size());
@@ -125,6 +148,7 @@ Shown Vectors::show_eigenvector(const Array& array, std::size_t v, Eigenvalue wh
   if (is_apex(v) || around_[v].count == 0) return Shown::neither;
   const std::size_t field = tets_[around_[v].first];
   const Vector vector = vector_at(array, c_.vertices.first + v);
+  if (is_zero(vector)) return Shown::neither;
   const Shown unit = has_unit_length(vector);
   if (unit != Shown::yes) return unit;
   Tensor<Ball> m = fields_[field].at(c_.surface.points[c_.vertices.first + v], rounding_at(field));
@@ -136,9 +160,18 @@ Shown Vectors::show_eigenvector(const Array& array, std::size_t v, Eigenvalue wh
   return is_eigenvector(m, vector, which);
 }
 
-/// Of the mode, up to a positive factor, if the tetrahedron's volume is positive.
-Ball increase_along(const Tensor<Ball>& m, const Tensor<Ball>& change) {
-  return increase(Forms<Ball, 2>({&m, &change}), std::array<int, 2>{0, 1}).coefficients[0];
+/// Of the mode or another invariant, at a positive multiple of the tensor m, as long as the change
+/// goes from one place to another: up to a positive factor and what is the same for all changes.
+Ball increase_along(const std::optional<Invariant>& invariant, const Tensor<Ball>& m,
+                    const Tensor<Ball>& change) {
+  if (!invariant)
+    return increase(Forms<Ball, 2>({&m, &change}), std::array<int, 2>{0, 1}).coefficients[0];
+  // With P = tr(M^2) and the trace t: 9 |D|^2 = P, 9 |T|^2 = P + 3 t^2, and the anisotropy increases
+  // with P / t^2.
+  const Ball of_p = trace(m, change), of_trace = m[6] * change[6];
+  if (*invariant == Invariant::deviator_magnitude) return of_p;
+  if (*invariant == Invariant::magnitude) return of_p + Ball(3) * of_trace;
+  return m[6] * (m[6] * of_p - trace(m, m) * change[6]);
 }
 
 /// As long as one, if that is shown.
@@ -151,7 +184,7 @@ std::optional<Vector> Vectors::gradient_at(std::size_t field, const Point3& x) c
     for (Ball& entry : m) entry = Ball(-1) * entry;
   scale_to_one(m);
   std::array<Ball, 4> values;
-  for (std::size_t i = 0; i < 4; ++i) values[i] = increase_along(m, inside.corner(i));
+  for (std::size_t i = 0; i < 4; ++i) values[i] = increase_along(invariant_, m, inside.corner(i));
   Vector g = inside.gradient(values);
   const Ball length = square_root(dot(g, g));
   if (!(length.error < length.value)) return std::nullopt;
@@ -163,6 +196,7 @@ std::optional<Vector> Vectors::gradient_at(std::size_t field, const Point3& x) c
 Shown Vectors::show_normal(const Array& array, std::size_t v) const {
   if (is_apex(v) || around_[v].count == 0) return Shown::neither;
   const Vector vector = vector_at(array, c_.vertices.first + v);
+  if (is_zero(vector)) return Shown::neither;
   const Shown unit = has_unit_length(vector);
   if (unit != Shown::yes) return unit;
   Vector sum{};
@@ -176,7 +210,8 @@ Shown Vectors::show_normal(const Array& array, std::size_t v) const {
   const Vector across = cross(sum, vector);
   const Ball off = dot(across, across);
   if (!is_positive(square - Ball(0x1p-10, 0))) return Shown::neither;
-  if (is_negative(along) || is_positive(off - Ball(kNormalFar, 0) * square)) return Shown::no;
+  if (is_negative(along) || is_positive(off - Ball(kNormalFar, 0) * square))
+    return is_known(sum, square, kNormalKnown) ? Shown::no : Shown::neither;
   return is_positive(along) && is_negative(off - Ball(kNormalNear, 0) * square) ? Shown::yes
                                                                                 : Shown::neither;
 }
@@ -185,15 +220,20 @@ Shown Vectors::show_normal(const Array& array, std::size_t v) const {
 
 void compare_vectors(const LevelCase& c, const PlacedSurface& placed, Ledger& ledger) {
   std::optional<Vectors> vectors;
-  if (!c.claims.contains("mode")) return;
-  const Eigenvalue dominant =
-      c.claims["mode"].get<std::string>()[0] == '-' ? Eigenvalue::smallest : Eigenvalue::largest;
+  std::optional<Invariant> invariant;
+  bool is_negative_mode = false;
+  if (const auto mode = c.claims.find("mode"); mode != c.claims.end())
+    is_negative_mode = mode->get<std::string>()[0] == '-';
+  else
+    invariant = invariant_of(c.claims["invariant"]);
+  const Eigenvalue dominant = is_negative_mode ? Eigenvalue::smallest : Eigenvalue::largest;
   for (const Array& array : c.surface.arrays) {
-    const bool is_medium = array.name == "medium_eigenvector", is_normal = array.name == "normal",
-               is_dominant = array.name == "dominant_eigenvector";
+    const bool is_normal = array.name == "normal",
+               is_medium = !invariant && array.name == "medium_eigenvector",
+               is_dominant = !invariant && array.name == "dominant_eigenvector";
     if (array.of != "points" || array.components != 3 || !(is_normal || is_medium || is_dominant))
       continue;
-    if (!vectors) vectors.emplace(c, placed);
+    if (!vectors) vectors.emplace(c, placed, invariant);
     std::vector<Shown> shown(placed.carriers.size());
     parallel_for(shown.size(), [&](std::size_t v) {
       shown[v] = is_normal ? vectors->show_normal(array, v)

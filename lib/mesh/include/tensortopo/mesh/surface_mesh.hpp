@@ -40,7 +40,7 @@ struct SurfaceMesh {
   std::vector<std::array<Index, 4>> carrier_vertices;
   std::vector<Vector3<double>> medium_eigenvector;     ///< unit, sign arbitrary
   std::vector<Vector3<double>> dominant_eigenvector;   ///< unit, sign arbitrary
-  /// Unit gradient of the mode; where gradients cancel, the mean of the triangles around.
+  /// Unit: along the sum of unit gradients, one for each tetrahedron with triangles there (or these).
   std::vector<Vector3<double>> normal;
   std::vector<double> mode;                            ///< the mode asked for
   std::vector<double> residual;  ///< mode (or other invariant) of the field there less `mode`
