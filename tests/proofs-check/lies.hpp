@@ -35,6 +35,8 @@ struct LieRow {
 
 /// About what the certificate's fields say.
 std::vector<LieRow> lies_of_claims();
+/// About claims that may be left out: embedded, isotopic, stable, near.
+std::vector<LieRow> lies_of_optional_claims();
 /// About points, triangles and the field, with counts, components and hashes made right again.
 std::vector<LieRow> lies_of_files();
 /// Several fields at once, so that they agree with each other.
@@ -46,6 +48,10 @@ std::vector<LieRow> lies_of_shapes();
 
 /// Any level of the certificate.
 nlohmann::json& any_level(Exhibit& e, Pick& pick);
+/// Adds to an integer of a document.
+inline void add(nlohmann::json& number, std::int64_t step) {
+  number = number.get<std::int64_t>() + step;
+}
 /// No distance is claimed, nor what rests on it: what is left are claims about topology and places.
 void drop_distances(Exhibit& e);
 /// Makes the last level's ranges, the counts, the components and the hashes fit the triangles.

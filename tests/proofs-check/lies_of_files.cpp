@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lies.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 
 namespace tensortopo::test {
 
@@ -285,6 +286,30 @@ bool change_vector(Exhibit& e, Pick& pick) {
   return e.rehash(), true;
 }
 
+/// An array of a vector's name that is of the triangles, or has one number each; its hash is listed.
+bool misplace_vector(Exhibit& e, Pick& pick) {
+  if (!e.certificate["surface"].contains("arrays")) return false;
+  constexpr std::array kVectors{"normal", "medium_eigenvector", "dominant_eigenvector"};
+  const std::string name = kVectors[pick.below(3)];
+  const bool is_of_triangles = pick.coin();
+  Json& hashes = e.certificate["surface"]["arrays"];
+  if (!is_of_triangles) {
+    const auto is_it = [&](const auto& a) { return a.of == "points" && a.name == name; };
+    std::erase_if(e.arrays, is_it);
+    for (std::size_t i = hashes.size(); i-- > 0;)
+      if (hashes[i][0] == "points" && hashes[i][1] == name) hashes.erase(i);
+  }
+  const std::string of = is_of_triangles ? "triangles" : "points";
+  const int width = is_of_triangles && pick.coin() ? 3 : 1;
+  const std::size_t count =
+      is_of_triangles ? e.surface.triangles.size() : e.surface.points.size();
+  const std::vector<double> numbers(static_cast<std::size_t>(width) * count, 0.25);
+  e.arrays.push_back({of, "Float64", name, width, numbers});
+  hashes.push_back({of, name, width, numbers_sha256(numbers)});
+  std::sort(hashes.begin(), hashes.end());
+  return true;
+}
+
 }  // namespace
 
 std::vector<LieRow> lies_of_files() {
@@ -298,6 +323,7 @@ std::vector<LieRow> lies_of_files() {
       {"surface: a triangle otherwise", turn_triangle},
       {"surface: arrays mode, value, component", change_array},
       {"surface: eigenvectors, normals", change_vector},
+      {"surface: vectors of triangles, or of one number", misplace_vector},
       {"field: a number", change_field},
       {"field: two tensors", exchange_tensors},
   };

@@ -13,7 +13,7 @@
 namespace tensortopo::test {
 namespace {
 
-/// Honest ones, two with arrays.
+/// Honest ones, three with arrays.
 const std::vector<Exhibit>& exhibits() {
   static const std::vector<Exhibit> all = [] {
     std::vector<Exhibit> result = honest_exhibits();
@@ -21,6 +21,7 @@ const std::vector<Exhibit>& exhibits() {
     fill_with_normal_tensors(mesh, 5);
     result.push_back(exhibit_with_arrays(mesh, {"1/4", "-1/2"}));
     result.push_back(exhibit_with_arrays(mesh, {"magnitude 2"}));
+    result.push_back(exhibit_with_arrays(mesh, {"anisotropy 4/5"}));
     return result;
   }();
   return all;
@@ -28,7 +29,8 @@ const std::vector<Exhibit>& exhibits() {
 
 TEST(DirectedForgeries, NoneIsCertified) {
   std::vector<LieRow> rows = lies_of_claims();
-  for (auto more : {lies_of_files(), lies_across(), lies_of_forms(), lies_of_shapes()})
+  for (auto more : {lies_of_optional_claims(), lies_of_files(), lies_across(), lies_of_forms(),
+                    lies_of_shapes()})
     rows.insert(rows.end(), more.begin(), more.end());
   Court court("lies");
   std::map<std::string, std::size_t> told;

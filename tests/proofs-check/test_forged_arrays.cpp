@@ -164,13 +164,77 @@ TEST(ForgedArrays, TheResidualIsBoundButNotProved) {
   EXPECT_EQ(court.verdict(e), "certified") << court.report();
 }
 
-TEST(ForgedArrays, NormalsOfModesAreDerived) {
+TEST(ForgedArrays, NormalsAreDerived) {
   Court court("array_normal");
+  std::vector<Exhibit> all = exhibits_with_arrays();
+  TetMesh mesh = cube_mesh(1);
+  fill_with_normal_tensors(mesh, 5);
+  for (const char* level : {"magnitude 2", "deviator-magnitude 3/2"})
+    all.push_back(exhibit_with_arrays(mesh, {level}));
+  for (const Exhibit& honest : all) {
+    EXPECT_EQ(court.verdict(honest), "certified") << court.report();
+    EXPECT_NE(court.report().find("normal shown at "), std::string::npos) << court.report();
+    EXPECT_NE(court.report().find("not derived: 'residual'\n"), std::string::npos) << court.report();
+    const std::size_t v = honest.surface.points.size() / 2;
+    const Vector3<double> n = honest.surface.normal[v];
+    const Vector3<double> across = unit(cross(n, Vector3<double>{n.y, n.z, -n.x}));
+    for (const Vector3<double>& other : {-1.0 * n, across, unit(n + 0.2 * across), 2.0 * n}) {
+      Exhibit e = honest;
+      e.surface.normal[v] = other;
+      e.rehash();
+      EXPECT_EQ(court.verdict(e), "refuted");
+      EXPECT_NE(court.report().find("normal at vertex " + std::to_string(v)), std::string::npos)
+          << court.report();
+    }
+  }
+}
+
+/// The zero vector says nothing, and is not counted as shown.
+TEST(ForgedArrays, ZeroVectorsAreNotShown) {
+  Court court("array_zero");
+  for (Exhibit e : exhibits_with_arrays()) {
+    std::fill(e.surface.normal.begin(), e.surface.normal.end(), Vector3<double>{});
+    e.rehash();
+    EXPECT_EQ(court.verdict(e), "certified") << court.report();
+    EXPECT_NE(court.report().find("normal shown at 0 of "), std::string::npos) << court.report();
+  }
+}
+
+/// Names are shown such that they are seen as they are, and on one line.
+TEST(ForgedArrays, NamesDoNotWriteIntoTheVerdict) {
+  Court court("array_names_shown");
+  for (const std::string name : {"x&#10;certified: 9 claims", "x\xe2\x80\xae", "x\xef\xbb\xbf"}) {
+    Exhibit e = exhibits_with_arrays()[0];
+    e.in_surface.push_back({"Name=\"residual\"", "Name=\"" + name + "\""});
+    EXPECT_EQ(court.verdict(e), "refuted");
+    EXPECT_NE(court.report().find("not derived: 'x?"), std::string::npos) << court.report();
+    EXPECT_EQ(court.report().find("\ncertified: 9"), std::string::npos) << court.report();
+  }
+}
+
+/// Tensors of nine components that are not symmetric: what is certified is of another field than a
+/// reader of the file may think.
+TEST(ForgedArrays, SymmetrizedTensorsAreCounted) {
+  Court court("symmetrized");
   Exhibit e = exhibits_with_arrays()[0];
-  e.surface.normal[0] = {0, 0, 1};
-  e.rehash();
-  EXPECT_EQ(court.verdict(e), "refuted");
-  EXPECT_NE(court.report().find("normal at vertex 0"), std::string::npos) << court.report();
+  e.certificate["input"]["components"] = "full";
+  std::string old = "NumberOfComponents=\"6\" format=\"ascii\">", text = old;
+  text[text.find('6')] = '9';
+  for (std::size_t v = 0; v < e.mesh.tensors.size(); ++v) {
+    const auto& t = e.mesh.tensors[v];
+    const double off = v < 2 ? 0.5 : 0;  // exact
+    auto& xy = e.mesh.tensors[v].xy;
+    xy = std::ldexp(std::round(std::ldexp(t.xy, 20)), -20);
+    for (const double x : {t.xx, xy + off, t.xz, xy - off, t.yy, t.yz, t.xz, t.yz, t.zz})
+      text += Json(x).dump() + ' ';
+  }
+  e = exhibit_with_arrays(e.mesh, {"1/4", "-9/10"});
+  e.certificate["input"]["components"] = "full";
+  const std::string field = e.field_text();
+  const std::size_t first = field.find(old), end = field.find("</DataArray>", first);
+  e.in_field.push_back({field.substr(first, end - first), text, true});
+  EXPECT_EQ(court.verdict(e), "certified") << court.report();
+  EXPECT_NE(court.report().find(", 2 tensors symmetrized"), std::string::npos) << court.report();
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ class Checking {
     s.tensor = certificate["input"]["tensor"], s.order = certificate["input"]["components"];
     s.listing = listing_of(s.order), s.names = input_.names;
     s.points = input_.points.size(), s.tetrahedra = input_.tets.size();
-    s.other_cells = input_.other_cells;
+    s.other_cells = input_.other_cells, s.symmetrized = input_.symmetrized;
   }
 
   Report of_surface(const std::string& file, const Triangles& surface) {

@@ -47,7 +47,7 @@ std::string stability_text(const LevelReport& level) {
          "are in every field whose deviators differ by at most " + radius +
          (level.radius_of_deviator ? " of themselves" : "") + " at the vertices" +
          (level.radius_array.empty() ? ""
-                                     : ", at each by at most what '" + level.radius_array + "' says") +
+                                     : ", at each by at most what '" + printable(level.radius_array) + "' says") +
          "\n";
 }
 
@@ -64,7 +64,8 @@ std::string text_of(const LevelReport& level, bool of_curves) {
   for (const auto& [reason, tets] : level.left_out) text += listed(reason, tets) + ' ';
   text += '\n';
   if (level.claims_stability) text += stability_text(level);
-  if (of_curves) return text;
+  if (of_curves)
+    return text + "  of lines the ends and tetrahedra are claimed, but no distance\n";
   text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
                          : "  that the triangles are embedded is not claimed\n";
   char bound[32];
@@ -93,12 +94,21 @@ std::string text_of(const LevelReport& level, bool of_curves) {
 }  // namespace
 
 std::string printable(std::string text) {
+  const auto byte_at = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
+    const unsigned byte = byte_at(i), next = byte_at(i + 1), last = byte_at(i + 2);
     if (byte < 0x20 || byte == 0x7f) text[i] = '?';
-    const bool is_c1 = byte == 0xc2 && i + 1 < text.size() &&
-                       static_cast<unsigned char>(text[i + 1]) < 0xa0;
-    if (is_c1) text.replace(i, 2, "?");
+    // U+0080 to U+009F.
+    if (byte == 0xc2 && next >= 0x80 && next < 0xa0) text.replace(i, 2, "?");
+    // U+200B to U+200F and U+2028 to U+202E, U+2060 to U+206F, U+FEFF.
+    const bool is_unseen =
+        (byte == 0xe2 && next == 0x80 &&
+         ((last >= 0x8b && last <= 0x8f) || (last >= 0xa8 && last <= 0xae))) ||
+        (byte == 0xe2 && next == 0x81 && last >= 0xa0 && last <= 0xaf) ||
+        (byte == 0xef && next == 0xbb && last == 0xbf);
+    if (is_unseen) text.replace(i, 3, "?");
   }
   return text;
 }
@@ -147,16 +157,17 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
   std::string text =
       report.status() + ": " + std::to_string(report.claims()) + " claims, " + counts(report);
   for (const std::string& demand : unmet) text += "not as demanded: " + demand + '\n';
-  text += "input: " + s.input + ", tensor '" + s.tensor + "', components " + s.listing + " (" +
+  text += "input: " + s.input + ", tensor '" + printable(s.tensor) + "', components " + s.listing + " (" +
           s.order + "), " + counted(s.points, "point") + ", " + std::to_string(s.tetrahedra) +
           " tetrahedra" +
+          (s.symmetrized > 0 ? ", " + counted(s.symmetrized, "tensor") + " symmetrized" : "") +
           (s.other_cells > 0 ? ", " + counted(s.other_cells, "other cell") + " skipped" : "") +
           "\noutput: " + s.output + ", " + std::to_string(s.vertices) + " vertices, " +
           counted(s.cells, s.of_curves ? "line" : "triangle") + '\n';
   for (const LevelReport& level : report.levels) text += text_of(level, s.of_curves);
   if (!s.bound_only.empty()) {
     text += "arrays that are as written, but not derived:";
-    for (const std::string& name : s.bound_only) text += ' ' + name;
+    for (const std::string& name : s.bound_only) text += " '" + printable(name) + '\'';
     text += '\n';
   }
   for (const Finding& f : report.refutations)
@@ -241,6 +252,7 @@ std::string to_json(const Report& report, const std::vector<std::string>& unmet)
                      {"points", s.points},
                      {"tetrahedra", s.tetrahedra},
                      {"other_cells", s.other_cells},
+                     {"symmetrized_tensors", s.symmetrized},
                      {"sha256", s.sha256}}},
                    {"output",
                     {{"path", s.output},

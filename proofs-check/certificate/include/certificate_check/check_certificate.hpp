@@ -14,8 +14,9 @@
 
 namespace certificate {
 
-/// The text with `?` for each control character (up to U+001F, U+007F to U+009F): names in files
-/// are anything, and a terminal obeys them.
+/// The text with `?` for each character that is not seen, or changes how others are: names in files
+/// are anything, and a terminal obeys them. These are U+0000 to U+001F, U+007F to U+009F, U+200B to
+/// U+200F, U+2028 to U+202E, U+2060 to U+206F and U+FEFF.
 std::string printable(std::string text);
 
 /// A file that cannot be read as what it should be; what() is "FILE: what is wrong", in one line.
@@ -92,6 +93,7 @@ struct Subject {
   std::string sha256;           ///< of the field's numbers, as derived
   std::size_t points = 0, tetrahedra = 0;
   std::size_t other_cells = 0;  ///< of the input: neither tetrahedra nor faces, lines or points
+  std::size_t symmetrized = 0;  ///< tensors of nine components, of which two differ that should not
   bool of_curves = false;
   std::size_t vertices = 0, cells = 0;  ///< of the output
   std::vector<std::string> bound_only;  ///< arrays of which only the hash is compared

@@ -101,20 +101,27 @@ void compare_hashes(const Json& file_claims, const std::vector<Array>& arrays, L
 
 namespace {
 
-/// Arrays whose names are claims have one number each and belong where they mean something, so
-/// that whoever reads the file finds in them what was compared.
+bool is_name_of_vectors(const std::string& name) {
+  return name == "medium_eigenvector" || name == "dominant_eigenvector" || name == "normal";
+}
+
+/// Arrays whose names are claims have one number each, or are vectors, and belong where they mean
+/// something, so that whoever reads the file finds in them what was compared.
 /// @param kind  of the cells
 void compare_shapes(const std::vector<Array>& arrays, const std::string& kind, bool of_modes,
                     Ledger& ledger) {
   for (const Array& array : arrays) {
     const bool is_number = array.name == "mode" || array.name == "value";
-    if (!is_number && array.name != "component") continue;
-    const std::string of = is_number ? "points" : kind;
+    const bool is_vector = is_name_of_vectors(array.name);
+    if (!is_number && !is_vector && array.name != "component") continue;
+    const std::string of = array.name == "component" ? kind : "points";
+    const std::size_t components = is_vector ? 3 : 1;
     if (array.of != of)
       ledger.refute(text_of({array.of, array.name}), "of the " + array.of, "of the " + of);
-    else if (array.components != 1)
+    else if (array.components != components)
       ledger.refute(text_of({array.of, array.name}),
-                    std::to_string(array.components) + " components", "1 component");
+                    std::to_string(array.components) + " components",
+                    std::to_string(components) + (is_vector ? " components" : " component"));
     else if (is_number && (array.name == "mode") != of_modes)
       ledger.refute(text_of({array.of, array.name}), "a number of each level",
                     "the levels have another");

@@ -214,12 +214,16 @@ InputFile read_input(const std::string& name, const std::string& tensor,
   const auto read = [&]<std::size_t Width>() {
     for (const auto& t : grouped<Width>(file, grid.tensors, input.points.size())) {
       std::array<double, 6>& result = input.tensors.emplace_back();
+      bool is_symmetric = true;
       for (std::size_t k = 0; k < 6; ++k) {
         const std::size_t i = order->second[k];
         result[k] = t[i];
         const double mirrored = Width == 9 ? t[i % 3 * 3 + i / 3] : t[i];
-        if (mirrored != t[i]) result[k] = t[i] / 2 + mirrored / 2;
+        if (mirrored == t[i]) continue;
+        result[k] = t[i] / 2 + mirrored / 2;
+        is_symmetric = false;
       }
+      if (!is_symmetric) ++input.symmetrized;
     }
   };
   if (width == 9)
@@ -269,16 +273,16 @@ void require_no_cells(const XmlFile& file, const std::array<const char*, 3>& oth
 
 /// What triangles and polylines have alike: points, arrays and the tetrahedra of the cells.
 /// @return how many cells; if none, there may be no array of tetrahedra
-template <class Drawn>
+template <class Output>
 std::size_t read_common(const XmlFile& file, const std::string& name, const char* counted,
-                        const char* kind, Drawn& drawn) {
-  drawn.points = grouped<3>({name}, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
+                        const char* kind, Output& output) {
+  output.points = grouped<3>({name}, file.numbers("Points", "", 3), file.count("NumberOfPoints"));
   const std::size_t cells = file.count(counted);
-  add_arrays(file, "PointData", "points", drawn.points.size(), drawn.arrays);
-  add_arrays(file, "CellData", kind, cells, drawn.arrays);
+  add_arrays(file, "PointData", "points", output.points.size(), output.arrays);
+  add_arrays(file, "CellData", kind, cells, output.arrays);
   if (cells == 0) return 0;
-  drawn.cells = file.naturals("CellData", "tet");
-  if (drawn.cells.size() != cells) file.fail("not the " + std::string(kind) + " that it declares");
+  output.cells = file.naturals("CellData", "tet");
+  if (output.cells.size() != cells) file.fail("not the " + std::string(kind) + " that it declares");
   return cells;
 }
 
