@@ -12,6 +12,7 @@
 
 #include "certify_case.hpp"
 #include "support/compared.hpp"
+#include "support/field_of_any_kind.hpp"
 #include "support/renumbered_mesh.hpp"
 #include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
@@ -146,20 +147,9 @@ std::string difference(const CertifiedLevel& a, const CertifiedLevel& b,
   return coarse == a.distance.coarse ? "" : "coarse";
 }
 
-/// Fields of all kinds: independent or smooth tensors, few bits, isotropic vertices.
-TetMesh random_field(Random& random, int most_cubes = 3) {
-  TetMesh mesh = cube_mesh(random.integer(1, most_cubes));
-  const auto seed = static_cast<std::uint64_t>(random.integer(0, 1 << 30));
-  const int kind = random.integer(0, 3);
-  if (kind == 0)
-    fill_with_normal_tensors(mesh, seed);
-  else
-    fill_with_smooth_tensors(mesh, seed);
-  if (kind == 2)
-    for (auto& t : mesh.tensors) t = rounded(t, 1);
-  if (kind == 3)
-    for (auto& t : mesh.tensors)
-      if (random.integer(0, 9) == 0) t = {2, 2, 2, 0, 0, 0};
+/// A field of any kind on cubes whose vertices are moved a little.
+TetMesh moved_field(Random& random, int most_cubes = 3) {
+  TetMesh mesh = field_of_any_kind(random, random.integer(1, most_cubes), 10);
   const auto shift = [&] { return 0.2 * random.uniform() - 0.1; };
   for (auto& p : mesh.points) p = {p.x + shift(), p.y + shift(), p.z + shift()};
   return mesh;
@@ -172,7 +162,7 @@ std::string arbitrary_mode() {
 
 RC_GTEST_PROP(CanonicalOrder, IsAnOrderOfTheSameMesh, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const TetMesh mesh = random_field(random);
+  const TetMesh mesh = moved_field(random);
   const CanonicalMesh canonical = canonical_mesh(mesh);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     const auto given = as_size(canonical.vertices[v]);
@@ -192,7 +182,7 @@ RC_GTEST_PROP(CanonicalOrder, IsAnOrderOfTheSameMesh, ()) {
 
 RC_GTEST_PROP(CanonicalOrder, IsTheSameFromAnyOther, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const TetMesh mesh = random_field(random);
+  const TetMesh mesh = moved_field(random);
   const RenumberedMesh other = renumbered_mesh(mesh, random);
   const CanonicalMesh a = canonical_mesh(mesh), b = canonical_mesh(other.mesh);
   RC_ASSERT(same_bits(a.mesh.points, b.mesh.points));
@@ -202,7 +192,7 @@ RC_GTEST_PROP(CanonicalOrder, IsTheSameFromAnyOther, ()) {
 
 RC_GTEST_PROP(AnyNumbering, GivesTheSameSurfaceAndTheSameClaims, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const TetMesh mesh = random_field(random);
+  const TetMesh mesh = moved_field(random);
   const RenumberedMesh other = renumbered_mesh(mesh, random);
   const std::string mode = arbitrary_mode();
   const Certified a = certified(mesh, mode), b = certified(other.mesh, mode);
@@ -214,7 +204,7 @@ RC_GTEST_PROP(AnyNumbering, GivesTheSameSurfaceAndTheSameClaims, ()) {
 
 RC_GTEST_PROP(AnyNumbering, GivesTheSameSurfaceWithDenserCellsAndImprovedTriangles, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const TetMesh mesh = random_field(random, 2);
+  const TetMesh mesh = moved_field(random, 2);
   const RenumberedMesh other = renumbered_mesh(mesh, random);
   const ModeValue mode = ModeValue::parse(arbitrary_mode());
   ExtractOptions options, moved;
@@ -231,7 +221,7 @@ RC_GTEST_PROP(AnyNumbering, GivesTheSameSurfaceWithDenserCellsAndImprovedTriangl
 
 RC_GTEST_PROP(AnyNumbering, GivesTheSameCurves, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const TetMesh mesh = random_field(random);
+  const TetMesh mesh = moved_field(random);
   const RenumberedMesh other = renumbered_mesh(mesh, random);
   const auto kind = *rc::gen::element(Degeneracy::linear, Degeneracy::planar);
   const auto a = extract_degenerate_curves(mesh, kind);
@@ -249,7 +239,7 @@ RC_GTEST_PROP(AnyNumbering, GivesTheSameCurves, ()) {
 
 RC_GTEST_PROP(AnyNumbering, GivesTheSameCriticalValues, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const TetMesh mesh = random_field(random);
+  const TetMesh mesh = moved_field(random);
   const RenumberedMesh other = renumbered_mesh(mesh, random);
   const auto a = mesh_critical_values(mesh, -1, 1), b = mesh_critical_values(other.mesh, -1, 1);
   RC_ASSERT(a.looked_at == b.looked_at);

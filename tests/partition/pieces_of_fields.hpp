@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-// Random fields of all kinds, and their surfaces in pieces.
+// Surfaces of fields in pieces.
 #pragma once
 
 #include <algorithm>
@@ -12,27 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "support/random_fields.hpp"
+#include "support/field_of_any_kind.hpp"
 #include "tensortopo/partition/mesh_piece.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 
 namespace tensortopo::test {
-
-inline TetMesh random_field(Random& random, int cubes) {
-  TetMesh mesh = cube_mesh(cubes);
-  const auto seed = static_cast<std::uint64_t>(random.integer(0, 1 << 30));
-  const int kind = random.integer(0, 3);
-  if (kind == 0)
-    fill_with_normal_tensors(mesh, seed);
-  else
-    fill_with_smooth_tensors(mesh, seed);
-  if (kind == 2)
-    for (auto& t : mesh.tensors) t = rounded(t, 1);
-  if (kind == 3)
-    for (auto& t : mesh.tensors)
-      if (random.integer(0, 19) == 0) t = {2, 2, 2, 0, 0, 0};
-  return mesh;
-}
 
 inline std::vector<std::int32_t> random_owners(const TetMesh& mesh, int pieces, Random& random) {
   std::vector<std::int32_t> owner(mesh.tets.size());

@@ -42,7 +42,7 @@ TEST(AnyNumberingAndPartition, GivesTheSameBits) {
   Compared surfaces("surfaces with triangles", static_cast<std::size_t>(fields));
   for (int field = 0; field < fields; ++field) {
     Random random(20261124u + static_cast<unsigned>(field));
-    TetMesh mesh = random_field(random, random.integer(1, 3));
+    TetMesh mesh = field_of_any_kind(random, random.integer(1, 3));
     for (std::size_t t = 0; t < mesh.tets.size(); ++t)
       mesh.cell_ids[t] = static_cast<std::int64_t>(t);
     const RenumberedMesh other = renumbered_mesh(mesh, random);

@@ -40,7 +40,7 @@ std::string difference(const SurfaceMesh& a, const SurfaceMesh& b) {
 
 RC_GTEST_PROP(Pieces, GiveTheSurfaceOfTheWholeMesh, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const TetMesh mesh = random_field(random, *rc::gen::inRange(1, 5));
+  const TetMesh mesh = field_of_any_kind(random, *rc::gen::inRange(1, 5));
   const int pieces = *rc::gen::inRange(1, 9);
   const bool is_slabs = *rc::gen::arbitrary<bool>();
   const auto owner = is_slabs ? slabs(mesh, pieces) : random_owners(mesh, pieces, random);
@@ -64,7 +64,7 @@ RC_GTEST_PROP(Pieces, GiveTheSurfaceOfTheWholeMesh, ()) {
 RC_GTEST_PROP(Pieces, NumberTheirVerticesAsTheyLike, ()) {
   constexpr std::int64_t kFar = std::int64_t{1} << 40;
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const TetMesh mesh = random_field(random, 2);
+  const TetMesh mesh = field_of_any_kind(random, 2);
   const auto owner = random_owners(mesh, 3, random);
   const ModeValue mode = random_mode(random);
   const Extraction whole = extract_mode_surface<double>(mesh, mode);
@@ -99,7 +99,7 @@ RC_GTEST_PROP(Pieces, NumberTheirVerticesAsTheyLike, ()) {
 TEST(ExtractInPieces, GivesTheSameSurfaceWithDenserCells) {
   Random random(20261125);
   for (const char* text : {"0", "1/2", "-99/100"}) {
-    const TetMesh mesh = random_field(random, 4);
+    const TetMesh mesh = field_of_any_kind(random, 4);
     const ModeValue mode = ModeValue::parse(text);
     ExtractOptions options;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t)
@@ -113,7 +113,7 @@ TEST(ExtractInPieces, GivesTheSameSurfaceWithDenserCells) {
       EXPECT_EQ(whole.not_embedded, again.not_embedded) << text << ' ' << pieces;
     }
   }
-  const TetMesh mesh = random_field(random, 1);
+  const TetMesh mesh = field_of_any_kind(random, 1);
   EXPECT_THROW(extract_in_pieces(mesh, ModeValue::parse("0"), 0), std::invalid_argument);
 }
 

@@ -78,7 +78,7 @@ PieceSource source_of(const std::vector<TetMesh>& files) {
 void require_bits_of_whole(std::uint64_t seed, Compared& compared) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  const TetMesh mesh = random_field(random, random.integer(1, 3));
+  const TetMesh mesh = field_of_any_kind(random, random.integer(1, 3));
   const int pieces = random.integer(1, 7);
   const auto owner =
       random.integer(0, 1) == 0 ? slabs(mesh, pieces) : random_owners(mesh, pieces, random);
@@ -123,7 +123,7 @@ std::string refusal(const std::vector<TetMesh>& files) {
 
 TEST(StreamedPieces, HaveToBeOfOneField) {
   Random random(20261124);
-  const TetMesh mesh = random_field(random, 2);
+  const TetMesh mesh = field_of_any_kind(random, 2);
   const auto files = files_of(mesh, slabs(mesh, 2), 2);
   EXPECT_EQ(refusal(files), "");
   auto other = files;
