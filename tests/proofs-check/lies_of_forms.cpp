@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -80,9 +81,13 @@ bool leave_range_of_value(Exhibit& e, Pick& pick) {
   return true;
 }
 
+/// No lie of tensors that are their deviators.
 bool exchange_invariants(Exhibit& e, Pick& pick) {
   Json& level = any_level(e, pick);
   if (level.contains("mode") || level["edges"].empty()) return false;
+  if (std::all_of(e.mesh.tensors.begin(), e.mesh.tensors.end(),
+                  [](const auto& t) { return trace(t) == 0; }))
+    return false;
   const char* const other = level["invariant"] == "magnitude" ? "deviator-magnitude" : "magnitude";
   return level["invariant"] = other, true;
 }

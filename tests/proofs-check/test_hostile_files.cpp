@@ -89,6 +89,10 @@ TEST(HostileFiles, HaveOneReading) {
       replaced(surface, "Name=\"offsets\"", "Name=\"offsets\" offset=\"0\""),
       replaced(surface, "format=\"ascii\"", "format=\"text\""),
       replaced(surface, "format=\"ascii\"", ""),
+      replaced(surface, "<Polys>",  // a line that is not counted
+               "<Lines><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1"
+               "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">2"
+               "</DataArray></Lines><Polys>"),
       replaced(surface, "<Polys>", "<Polys><DataArray type=\"Int64\" Name=\"more\" format=\"ascii\">"
                                    "</DataArray>"),
       replaced(surface, "<Points>", "<Points><DataArray type=\"Float64\" Name=\"p\" "

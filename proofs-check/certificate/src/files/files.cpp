@@ -265,10 +265,17 @@ void add_arrays(const XmlFile& file, const char* section, const char* of, std::s
             [](const Array& a, const Array& b) { return a.name < b.name; });
 }
 
+/// Cells of other kinds are neither counted nor there, so that whoever goes by the sections finds
+/// the same as whoever goes by the counts.
+/// @param others  their sections
 void require_no_cells(const XmlFile& file, const std::array<const char*, 3>& others,
                       const std::string& kind) {
-  for (const char* other : others)
-    if (file.count(other) != 0) file.fail("holds more than " + kind);
+  for (const std::string section : others) {
+    bool has_cells = file.count(("NumberOf" + section).c_str()) != 0;
+    for (const auto& [name, components] : file.arrays(section.c_str()))
+      has_cells = has_cells || !file.numbers(section.c_str(), name, components).empty();
+    if (has_cells) file.fail("holds more than " + kind);
+  }
 }
 
 /// What triangles and polylines have alike: points, arrays and the tetrahedra of the cells.
@@ -292,7 +299,7 @@ const std::vector<std::string_view> kSections{"Verts", "Lines", "Strips", "Polys
 
 Triangles read_triangles(const std::string& name) {
   const XmlFile file(name, "PolyData", kSections);
-  require_no_cells(file, {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"}, "triangles");
+  require_no_cells(file, {"Verts", "Lines", "Strips"}, "triangles");
   file.require_only("Polys", {"connectivity", "offsets"});
   Triangles result;
   const std::size_t cells = read_common(file, name, "NumberOfPolys", "triangles", result);
@@ -308,7 +315,7 @@ Triangles read_triangles(const std::string& name) {
 
 Polylines read_polylines(const std::string& name) {
   const XmlFile file(name, "PolyData", kSections);
-  require_no_cells(file, {"NumberOfVerts", "NumberOfStrips", "NumberOfPolys"}, "lines");
+  require_no_cells(file, {"Verts", "Strips", "Polys"}, "lines");
   file.require_only("Lines", {"connectivity", "offsets"});
   Polylines result;
   const std::size_t cells = read_common(file, name, "NumberOfLines", "lines", result);
