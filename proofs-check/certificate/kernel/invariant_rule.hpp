@@ -17,9 +17,7 @@ struct Multiples {
   bool trace = false;
   mpz_class one = 0;
 
-  friend bool operator==(const Multiples& a, const Multiples& b) {
-    return a.tensor == b.tensor && a.trace == b.trace && a.one == b.one;
-  }
+  friend bool operator==(const Multiples&, const Multiples&) = default;
 };
 
 /// p tr(M^2) + t^2 (trace) + h^2 (one), on a simplex.
@@ -58,17 +56,14 @@ class InvariantRule {
 
   template <class N, std::size_t V>
   QuadraticForm<N, V> forms(const std::array<const Tensor<N>*, V>& tensors) const {
-    const auto with = [&](const auto& factor) {
-      return quadratic<N, V>(tensors, [&](const Tensor<N>& m, const Tensor<N>& k) {
-        return N(N(factor(0)) * trace(m, k) + N(factor(1)) * m[6] * k[6] +
-                 N(factor(2)) * m[7] * k[7]);
-      });
+    const auto factor = [&](std::size_t i) -> N {
+      if constexpr (std::is_same_v<N, mpz_class>) return exact_[i];
+      else if constexpr (std::is_same_v<N, Ball>) return balls_[i];
+      else return balls_[i].value;
     };
-    if constexpr (std::is_same_v<N, mpz_class>)
-      return {with([&](std::size_t i) { return exact_[i]; })};
-    else if constexpr (std::is_same_v<N, Ball>)
-      return {with([&](std::size_t i) { return balls_[i]; })};
-    else return {with([&](std::size_t i) { return balls_[i].value; })};
+    return {quadratic<N, V>(tensors, [&](const Tensor<N>& m, const Tensor<N>& k) {
+      return N(factor(0) * trace(m, k) + factor(1) * m[6] * k[6] + factor(2) * m[7] * k[7]);
+    })};
   }
   /// Is all of the simplex on this side? Points exactly on the level are below.
   template <class N, std::size_t V>

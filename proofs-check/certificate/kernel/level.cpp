@@ -34,6 +34,9 @@ class Level::Simplex {
   bool lies(bool above) {
     return is_true([&](const auto& f) { return rule_.lies(above, f); });
   }
+  bool is_on() {
+    return is_true([&](const auto& f) { return rule_.is_on(f); });
+  }
   /// By the form of lower degree first, which mostly does.
   bool is_on_side(bool up) { return rule_.lies_by_norm(up, tensors_, balls_) || lies(up); }
 
@@ -65,14 +68,14 @@ Multiples Level::multiples() const {
   return rule == nullptr ? Multiples{} : rule->multiples();
 }
 
+template <std::size_t V, class Question>
+bool Level::ask(const std::array<Corner, V>& corners, const Question& question) const {
+  return std::visit([&](const auto& rule) { return question(Simplex(*this, rule, corners)); }, rule_);
+}
+
 template <std::size_t V>
 bool Level::is_one_sided(const std::array<Corner, V>& corners) const {
-  return std::visit(
-      [&](const auto& rule) {
-        Simplex simplex(*this, rule, corners);
-        return simplex.is_on_side(corners[0].above);
-      },
-      rule_);
+  return ask(corners, [&](auto simplex) { return simplex.is_on_side(corners[0].above); });
 }
 
 template bool Level::is_one_sided<1>(const std::array<Corner, 1>&) const;
@@ -109,18 +112,11 @@ template Proved<3> Level::prove<3>(const std::array<Corner, 3>&) const;
 template Proved<4> Level::prove<4>(const std::array<Corner, 4>&) const;
 
 bool Level::above(const Corner& corner) const {
-  return std::visit(
-      [&](const auto& rule) { return Simplex(*this, rule, std::array{corner}).lies(true); }, rule_);
+  return ask(std::array{corner}, [](auto simplex) { return simplex.lies(true); });
 }
 
 bool Level::on_level(const Corner& corner) const {
-  return std::visit(
-      [&](const auto& rule) {
-        return Simplex(*this, rule, std::array{corner}).is_true([&](const auto& f) {
-          return rule.is_on(f);
-        });
-      },
-      rule_);
+  return ask(std::array{corner}, [](auto simplex) { return simplex.is_on(); });
 }
 
 double Level::slope(const Tensor<double>& m, const Tensor<double>& change) const {

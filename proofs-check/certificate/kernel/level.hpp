@@ -82,6 +82,8 @@ class Level {
  private:
   template <class Rule, std::size_t V>
   class Simplex;
+  template <std::size_t V, class Question>
+  bool ask(const std::array<Corner, V>& corners, const Question& question) const;
 
   std::variant<ModeRule, InvariantRule> rule_;
   mutable std::atomic<std::uint64_t> by_balls_{0}, by_integers_{0};

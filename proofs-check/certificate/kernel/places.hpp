@@ -5,6 +5,7 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 
 namespace certificate {
@@ -21,11 +22,8 @@ mpz_class determinant(const std::array<Place<N>, N>& rows) {
     for (std::size_t i = 0; i < N; ++i) {
       if (rows[i][0] == 0) continue;
       std::array<Place<N - 1>, N - 1> minor;
-      for (std::size_t r = 0, n = 0; r < N; ++r) {
-        if (r == i) continue;
-        for (std::size_t k = 1; k < N; ++k) minor[n][k - 1] = rows[r][k];
-        ++n;
-      }
+      for (std::size_t r = 0; r < N; ++r)
+        if (r != i) std::copy(rows[r].begin() + 1, rows[r].end(), minor[r - (r > i)].begin());
       const mpz_class part = rows[i][0] * determinant(minor);
       if (i % 2 == 0) sum += part; else sum -= part;
     }
@@ -46,11 +44,12 @@ Place<N> weights_at(const std::array<Place<N>, N>& corners, const Place<N>& poin
   return result;
 }
 
-/// All of a point's coordinates but one.
-inline Place<3> without(const Place<4>& place, std::size_t opposite) {
-  Place<3> result;
+/// All but one of a point's coordinates, or of a tetrahedron's corners.
+template <class T>
+std::array<T, 3> without(const std::array<T, 4>& all, std::size_t opposite) {
+  std::array<T, 3> result;
   for (std::size_t i = 0, n = 0; i < 4; ++i)
-    if (i != opposite) result[n++] = place[i];
+    if (i != opposite) result[n++] = all[i];
   return result;
 }
 

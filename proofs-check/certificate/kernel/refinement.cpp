@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cut_length.hpp"
+#include "field.hpp"
+
 namespace certificate {
 namespace {
 
@@ -18,16 +21,6 @@ constexpr std::size_t kMaxByIntegers = 2000;
 /// at most this large nearly vanishes.
 constexpr double kNearlyOpposite = -1 + 0x1p-9, kNearlyVanishing = 0x1p-10;
 
-double entry_weight(std::size_t i) { return i < 3 || i > 5 ? 1 : 2; }
-
-/// The largest exponent of the numbers, as doubles have them.
-long largest_exponent(const Tensor<mpz_class>& t) {
-  std::size_t bits = 0;
-  for (const mpz_class& x : t)
-    if (x != 0) bits = std::max(bits, mpz_sizeinbase(x.get_mpz_t(), 2));
-  return static_cast<long>(bits);
-}
-
 }  // namespace
 
 Refinement::Refinement(const Level& level, std::span<const Corner> roots)
@@ -40,6 +33,12 @@ Refinement::Refinement(const Level& level, std::span<const Corner> roots)
     points_.push_back(std::move(point));
     cell.points[i] = static_cast<Id>(i);
   }
+  cells_at_.resize(roots.size());
+  add_cell(cell);
+}
+
+void Refinement::add_cell(const Cell& cell) {
+  for (std::size_t i = 0; i < corners(); ++i) cells_at_[cell.points[i]].push_back(cells_.size());
   cells_.push_back(cell);
 }
 
@@ -116,39 +115,34 @@ bool Refinement::is_open(const Cell& cell) {
   return known(a, b) == Proof::open || known(b, c) == Proof::open || known(a, c) == Proof::open;
 }
 
-/// The cosine of the angle between two tensors, or so.
-double Refinement::closeness(Id a, Id b) const {
-  const Tensor<Ball>&m = points_[a].ball, &k = points_[b].ball;
-  double dot = 0;
-  for (std::size_t i = 0; i < m.size(); ++i) dot += entry_weight(i) * m[i].value * k[i].value;
-  return dot / (points_[a].length * points_[b].length);
+Tensor<double> Refinement::unit(Id a) const {
+  Tensor<double> result;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = points_[a].ball[i].value / points_[a].length;
+  return result;
 }
 
 void Refinement::wait(std::size_t c, Waiting& waiting) const {
-  Longest longest{HUGE_VAL, c, {}};
+  Longest longest{-1, c, {}};
   for_subsets(corners(), 2, [&](const auto& members) {
     const Id a = cells_[c].points[members[0]], b = cells_[c].points[members[1]];
-    const double cosine = closeness(a, b);
-    if (!(cosine >= longest.cosine)) longest = {cosine, c, {a, b}};
+    const double length = cut_length(unit(a), unit(b));
+    if (!(length <= std::get<double>(longest))) longest = {length, c, {a, b}};
   });
   waiting.push(longest);
 }
 
 /// So much of each point, in whole numbers: the finer, the smaller the sum of the tensors is.
 void Refinement::round(Place& place) const {
-  double square = 0, total = 0, all = 0;
-  for (std::size_t k = 0; k < points_[0].ball.size(); ++k) {
-    double sum = 0;
-    for (std::size_t i = 0; i < place.size; ++i)
-      sum += place.shares[i] * points_[place.points[i]].ball[k].value /
-             points_[place.points[i]].length;
-    square += entry_weight(k) * sum * sum;
-  }
+  Tensor<double> sum{};
+  double total = 0, all = 0;
   for (std::size_t i = 0; i < place.size; ++i) {
+    const Tensor<double> m = unit(place.points[i]);
+    for (std::size_t k = 0; k < m.size(); ++k) sum[k] += place.shares[i] * m[k];
     total += place.shares[i];
     all += place.shares[i] /= points_[place.points[i]].length;
   }
-  place.smallness = std::sqrt(square) / total;
+  place.smallness = std::sqrt(product(sum, sum)) / total;
   const int bits = 6 - std::ilogb(std::max(place.smallness, 0x1p-44));
   for (double& share : place.shares) share = std::round(std::ldexp(share / all, bits));
 }
@@ -160,7 +154,7 @@ void Refinement::round(Place& place) const {
 /// edge of each cell anew.
 Refinement::Place Refinement::place_on(Id a, Id b) const {
   Place place{2, {a, b}, {17, 15}};
-  const double cosine = closeness(a, b);
+  const double cosine = product(unit(a), unit(b));
   if (!(cosine < kNearlyOpposite)) return place;
   const double off = std::sqrt(std::max(1 + cosine, 0x1p-88)) / 32;
   place.shares = {0.5 + off, 0.5 - off};
@@ -179,8 +173,8 @@ std::optional<Refinement::Place> Refinement::small_field(std::span<const Id> par
   std::array<std::array<double, 4>, 3> rows{};
   for (std::size_t i = 0; i < others; ++i) {
     for (std::size_t j = 0; j < others; ++j)
-      rows[i][j] = i == j ? 1 : closeness(part[i + 1], part[j + 1]);
-    rows[i][3] = -closeness(part[i + 1], part[0]);
+      rows[i][j] = i == j ? 1 : product(unit(part[i + 1]), unit(part[j + 1]));
+    rows[i][3] = -product(unit(part[i + 1]), unit(part[0]));
   }
   double determinant = 1, sum = 0, least = 1;
   for (std::size_t i = 0; i < others; ++i) {
@@ -221,12 +215,10 @@ Refinement::Id Refinement::add_point(const Place& place) {
   m.shift = shift + scale_to_one(m.ball);
   const Id id = static_cast<Id>(points_.size());
   points_.push_back(std::move(m));
+  cells_at_.emplace_back();
   Point& stored = points_.back();
-  if (all > 32) {  // errors of doubles are not small compared with such a sum
-    const Tensor<mpz_class> sum = exact(id);
-    stored.shift = largest_exponent(sum);
-    for (std::size_t k = 0; k < sum.size(); ++k) stored.ball[k] = ball_of(sum[k], stored.shift);
-  }
+  // Errors of doubles are not small compared with such a sum.
+  if (all > 32) stored.ball = enclosure(exact(id), stored.shift);
   stored.length = std::sqrt(product(stored.ball, stored.ball).value);
   stored.above = level_.above({&stored.ball, stored.shift, this, id});
   return id;
@@ -241,34 +233,38 @@ void Refinement::cut(const Place& place, Waiting& waiting) {
     const Proof proof = known->second;  // holds for the parts as well
     for (const Id end : part) proofs_[key(end, m)] = proof;
   }
-  const std::size_t before = cells_.size();
-  for (std::size_t c = 0; c < before; ++c) {
-    if (!has(cells_[c], part)) continue;
+  for (const std::size_t c : cells_around(part)) {
     const Cell cell = cells_[c];
     cells_[c].cut = true;
     for (const Id old : part) {
       Cell child = cell;
       std::replace(child.points.begin(),
                    child.points.begin() + static_cast<std::ptrdiff_t>(corners()), old, m);
-      cells_.push_back(child);
+      add_cell(child);
       wait(cells_.size() - 1, waiting);
     }
   }
 }
 
-/// Is it to be cut with this edge, face or cell?
-bool Refinement::has(const Cell& cell, std::span<const Id> part) const {
-  if (cell.cut || cell.proof == Proof::empty) return false;
-  const auto end = cell.points.begin() + static_cast<std::ptrdiff_t>(corners());
-  return std::all_of(part.begin(), part.end(),
-                     [&](Id id) { return std::find(cell.points.begin(), end, id) != end; });
+/// Those that are to be cut with this edge, face or cell.
+std::vector<std::size_t> Refinement::cells_around(std::span<const Id> part) {
+  auto& around = cells_at_[part[0]];
+  std::erase_if(around, [&](std::size_t c) { return !is_left(cells_[c]); });
+  std::vector<std::size_t> result;
+  for (const std::size_t c : around) {
+    const auto end = cells_[c].points.begin() + static_cast<std::ptrdiff_t>(corners());
+    if (std::all_of(part.begin(), part.end(),
+                    [&](Id id) { return std::find(cells_[c].points.begin(), end, id) != end; }))
+      result.push_back(c);
+  }
+  return result;
 }
 
 /// Cuts an edge, or first a cell or a face around it in which the field nearly vanishes.
 void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
-  for (const Cell& cell : cells_) {
+  for (const std::size_t c : cells_around(edge)) {
     if (corners() == 2) break;
-    if (!has(cell, edge)) continue;
+    const Cell& cell = cells_[c];
     if (const auto place = small_field(std::span(cell.points.begin(), corners())))
       return cut(*place, waiting);
     if (corners() == 3) continue;
@@ -283,13 +279,11 @@ void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
 
 /// The cell with the longest edge of all comes first: so each open cell is cut through its own
 /// longest edge only, which keeps parts from getting long and thin, in angles.
-std::optional<std::size_t> Refinement::longest(Waiting& waiting, std::array<Id, 2>& edge) const {
+std::optional<Refinement::Longest> Refinement::longest(Waiting& waiting) const {
   while (!waiting.empty()) {
     const Longest next = waiting.top();
     waiting.pop();
-    if (cells_[next.cell].cut || cells_[next.cell].proof == Proof::empty) continue;
-    edge = next.edge;
-    return next.cell;
+    if (is_left(cells_[std::get<1>(next)])) return next;
   }
   return std::nullopt;
 }
@@ -297,11 +291,11 @@ std::optional<std::size_t> Refinement::longest(Waiting& waiting, std::array<Id, 
 bool Refinement::run() {
   Waiting waiting;
   wait(0, waiting);
-  std::array<Id, 2> edge;
-  while (const auto c = longest(waiting, edge)) {
+  while (const auto next = longest(waiting)) {
+    const auto& [length, c, edge] = *next;
     // A part of a monotone cell may be empty all the same.
-    if (cells_[*c].proof == Proof::open || !is_crossed(cells_[*c])) prove(cells_[*c]);
-    if (cells_[*c].proof == Proof::empty || !is_open(cells_[*c])) continue;
+    if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) prove(cells_[c]);
+    if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
     if (cells_.size() > kMaxCells || by_integers_ > kMaxByIntegers) return false;
     bisect(edge, waiting);
   }
@@ -311,12 +305,12 @@ bool Refinement::run() {
 bool Refinement::is_one_sided() {
   Waiting waiting;
   wait(0, waiting);
-  std::array<Id, 2> edge;
-  while (const auto c = longest(waiting, edge)) {
-    const auto& [i, j, k, none] = cells_[*c].points;
+  while (const auto next = longest(waiting)) {
+    const auto& [length, c, edge] = *next;
+    const auto& [i, j, k, none] = cells_[c].points;
     if (corners() == 2 ? level_.is_one_sided(corners_at(std::array{i, j}))
                        : level_.is_one_sided(corners_at(std::array{i, j, k}))) {
-      cells_[*c].proof = Proof::empty;
+      cells_[c].proof = Proof::empty;
       continue;
     }
     if (cells_.size() > kMaxCells / 12) return false;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <queue>
 #include <span>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -68,13 +69,8 @@ class Refinement : public ExactTensors {
   static std::uint64_t key(Id a, Id b) { return key(std::array{a, b}); }
 
  private:
-  /// The longest edge of a cell.
-  struct Longest {
-    double cosine;
-    std::size_t cell;
-    std::array<Id, 2> edge;
-    bool operator<(const Longest& other) const { return cosine > other.cosine; }
-  };
+  /// The longest edge of a cell: its length, the cell, the edge.
+  using Longest = std::tuple<double, std::size_t, std::array<Id, 2>>;
   using Waiting = std::priority_queue<Longest>;
   /// Where to put a point into an edge, a face or a cell: so much of each of its points.
   struct Place {
@@ -89,14 +85,16 @@ class Refinement : public ExactTensors {
   void prove(Cell& cell);
   Proof known(Id a, Id b);
   bool is_open(const Cell& cell);
-  std::optional<std::size_t> longest(Waiting& waiting, std::array<Id, 2>& edge) const;
+  std::optional<Longest> longest(Waiting& waiting) const;
   void wait(std::size_t cell, Waiting& waiting) const;
-  double closeness(Id a, Id b) const;
+  Tensor<double> unit(Id a) const;
   void round(Place& place) const;
   Place place_on(Id a, Id b) const;
   std::optional<Place> small_field(std::span<const Id> part) const;
   Id add_point(const Place& place);
-  bool has(const Cell& cell, std::span<const Id> part) const;
+  void add_cell(const Cell& cell);
+  static bool is_left(const Cell& cell) { return !cell.cut && cell.proof != Proof::empty; }
+  std::vector<std::size_t> cells_around(std::span<const Id> part);
   void cut(const Place& place, Waiting& waiting);
   void bisect(const std::array<Id, 2>& edge, Waiting& waiting);
 
@@ -104,6 +102,7 @@ class Refinement : public ExactTensors {
   std::vector<Corner> roots_;
   std::vector<Point> points_;
   std::vector<Cell> cells_;
+  std::vector<std::vector<std::size_t>> cells_at_;  ///< for each point those with it
   std::unordered_map<std::uint64_t, Proof> proofs_;
   std::size_t by_integers_ = 0;  ///< proofs asked for that doubles did not decide
 };

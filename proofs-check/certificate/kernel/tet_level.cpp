@@ -42,12 +42,7 @@ Sides beside_curve(const FacePart& part, const std::vector<CrossedEdge>& curve) 
   return part.level.refinement->points()[curve[0][0]].above ? Sides{b, a} : Sides{a, b};
 }
 
-std::array<Id, 3> face_of(const Corners& c, std::size_t opposite) {
-  std::array<Id, 3> face{};
-  for (std::size_t i = 0, n = 0; i < 4; ++i)
-    if (i != opposite) face[n++] = c[i];
-  return face;
-}
+bool is_inside(const Place<3>& p) { return p[0] >= 0 && p[1] >= 0 && p[2] >= 0; }
 
 class Regions {
  public:
@@ -168,7 +163,7 @@ bool Regions::add_cell(const Refinement::Cell& cell) {
       crossings.push_back(beside(part, corners[m[0]], k));
   });
   for (std::size_t f = 0; f < 4 && decided; ++f) {
-    const FacePart& part = face(face_of(corners, f));
+    const FacePart& part = face(without(corners, f));
     decided = part.level.decided;
     for (const Join& nodes : part.joins) join(nodes);
     for (const auto& curve : part.level.loops) crossings.push_back(beside_curve(part, curve));
@@ -206,7 +201,7 @@ bool Regions::join_along(const Refinement::Weights& direction, const Corners& co
   };
   std::vector<Moving> all;
   for (std::size_t f = 0; f < 4; ++f) {
-    const FacePart& part = face(face_of(corners, f));
+    const FacePart& part = face(without(corners, f));
     const auto add = [&](const auto& weights, bool above, std::size_t node) {
       Moving& m = all.emplace_back();
       m.above = above, m.node = node;
@@ -242,7 +237,7 @@ bool Regions::join_along(const Refinement::Weights& direction, const Corners& co
     Place<4> exit;
     for (std::size_t i = 0; i < 4; ++i)
       exit[i] = m.place[i] * speed(m, out) - m.place[out] * speed(m, i);
-    const auto node = find(face(face_of(corners, out)), without(exit, out), m.above);
+    const auto node = find(face(without(corners, out)), without(exit, out), m.above);
     if (!node) return false;
     joins.push_back({m.node, *node});
   }
@@ -263,8 +258,7 @@ std::optional<std::size_t> Regions::find(const FacePart& part, const Place<3>& p
     if (cell.cut) continue;
     std::array<Place<3>, 3> tile;
     for (std::size_t i = 0; i < 3; ++i) tile[i] = without(points[cell.points[i]].weights, 3);
-    const Place<3> inside = weights_at(tile, place);
-    if (inside[0] < 0 || inside[1] < 0 || inside[2] < 0) continue;
+    if (!is_inside(weights_at(tile, place))) continue;
     for (std::size_t i = 0; i < 3; ++i)
       if (points[cell.points[i]].above == above) return part.first + cell.points[i];
     return std::nullopt;
@@ -279,7 +273,7 @@ std::optional<std::size_t> Regions::find(std::size_t opposite, const Place<3>& p
     Corners corners = cell.points;
     std::sort(corners.begin(), corners.end());
     for (std::size_t f = 0; f < 4; ++f) {
-      const auto ids = face_of(corners, f);
+      const auto ids = without(corners, f);
       unsigned support = 0;
       std::array<Place<3>, 3> tile;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -288,7 +282,7 @@ std::optional<std::size_t> Regions::find(std::size_t opposite, const Place<3>& p
       }
       if ((support >> opposite & 1U) != 0) continue;
       const Place<3> inside = weights_at(tile, place);
-      if (inside[0] < 0 || inside[1] < 0 || inside[2] < 0) continue;
+      if (!is_inside(inside)) continue;
       if (cell.proof != Proof::empty) return find(face(ids), inside, above);
       return is_above(ids[0]) == above ? std::optional<std::size_t>(ids[0]) : std::nullopt;
     }

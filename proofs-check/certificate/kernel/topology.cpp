@@ -80,7 +80,7 @@ bool Derivation::trace_rim(const std::array<Vertex, 4>& tet, int turn,
                            std::vector<MeshLoop>& loops, std::vector<RimCurve>& curves) const {
   std::map<MeshCrossing, std::pair<MeshCrossing, Vertex>> next;
   for (std::size_t i = 0; i < 4; ++i) {
-    const FaceTopology& face = *out_.face(face_of(tet, i));
+    const FaceTopology& face = *out_.face(without(tet, i));
     for (auto [from, to] : face.arcs) {
       if ((i % 2 == 1) != (turn < 0)) std::swap(from, to);
       if (!next.try_emplace(from, to, tet[i]).second) return false;
@@ -116,7 +116,7 @@ void Derivation::settle(TetTopology& tet) const {
   for_subsets(4, 2, [&](const auto& m) {
     boundary.edges[n++] = &out_.edge({vertices[m[0]], vertices[m[1]]})->level;
   });
-  for (std::size_t i = 0; i < 4; ++i) boundary.faces[i] = &out_.face(face_of(vertices, i))->level;
+  for (std::size_t i = 0; i < 4; ++i) boundary.faces[i] = &out_.face(without(vertices, i))->level;
   for (const EdgeLevel* edge : boundary.edges) decided = decided && edge->decided;
   for (const FaceLevel* face : boundary.faces) decided = decided && face->decided;
   std::vector<MeshLoop> loops;
@@ -235,7 +235,7 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
     tet.tet = t, tet.proved = proofs[t];
     const std::array<Vertex, 4>& v = input.tets[t];
     for_subsets(4, 2, [&](const auto& m) { edges.push_back({v[m[0]], v[m[1]]}); });
-    for (std::size_t i = 0; i < 4; ++i) faces.push_back(face_of(v, i));
+    for (std::size_t i = 0; i < 4; ++i) faces.push_back(without(v, i));
   }
   out.edges = listed<EdgeTopology>(std::move(edges));
   out.faces = listed<FaceTopology>(std::move(faces));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "field.hpp"
+#include "places.hpp"
 #include "tet_level.hpp"
 
 namespace certificate {
@@ -103,14 +104,6 @@ struct Topology {
 /// @param left_out tetrahedra of which nothing is asked
 Topology derive_topology(const Input& input, const Field& field, const Level& level,
                          const std::vector<bool>& left_out, const ForAll& for_all);
-
-/// The vertices of a tetrahedron without that at place i.
-inline std::array<Vertex, 3> face_of(const std::array<Vertex, 4>& tet, std::size_t i) {
-  std::array<Vertex, 3> face{};
-  for (std::size_t k = 0, n = 0; k < 4; ++k)
-    if (k != i) face[n++] = tet[k];
-  return face;
-}
 
 /// The sign of the volume of a tetrahedron in the order of its vertices.
 int orientation(const Input& input, const std::array<Vertex, 4>& tet);

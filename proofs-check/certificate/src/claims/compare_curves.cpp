@@ -186,7 +186,7 @@ void compare_pieces(const CurveCase& c, const PointVertices& vertices, Ledger& l
     std::string text;
     for (std::size_t i = 0; t != Input::kNone && i < 4; ++i) {
       std::array<Number, 3> face{};
-      const auto corners = face_of(c.input.tets[t], i);
+      const auto corners = without(c.input.tets[t], i);
       std::copy(corners.begin(), corners.end(), face.begin());
       text += (i == 0 ? "" : "; ") + places_in(c, face);
     }

@@ -154,7 +154,7 @@ bool has_sheets(const Json& claim, const std::vector<NamedSheet>& sheets) {
 /// Are there closed curves on the boundary that their places do not separate?
 bool has_uncertain_curves(const LevelCase& c, std::size_t tet) {
   for (std::size_t i = 0; i < 4; ++i)
-    if (c.curves.uncertain.contains(face_of(c.input.tets[tet], i))) return true;
+    if (c.curves.uncertain.contains(without(c.input.tets[tet], i))) return true;
   return false;
 }
 
@@ -167,7 +167,7 @@ Json without_curves(const LevelCase& c, const Json& sheets) {
       Json& loop = result[s][l];
       for (std::size_t i = 0; i < 4 && loop.size() == 2; ++i)
         if (loop[1] == c.input.tets[tet][i] &&
-            c.curves.uncertain.contains(face_of(c.input.tets[tet], i)))
+            c.curves.uncertain.contains(without(c.input.tets[tet], i)))
           loop[0] = 0;
     }
     std::sort(result[s].begin() + 1, result[s].end());

@@ -195,7 +195,7 @@ CurveNames name_curves(const LevelCase& c) {
   std::set<std::size_t> tets;
   const auto add = [&](std::size_t tet) {
     for (std::size_t i = 0; i < 4; ++i)
-      if (several.contains(face_of(c.input.tets[tet], i))) tets.insert(tet);
+      if (several.contains(without(c.input.tets[tet], i))) tets.insert(tet);
   };
   for (const TetTopology& tet : c.topology.tets) add(tet.tet);
   for (const ConeTopology& cone : c.topology.cones) add(cone.tet);

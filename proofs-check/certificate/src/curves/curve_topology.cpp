@@ -33,7 +33,7 @@ CurveTet derive_tet(const CurveTopology& known, const Input& input, const Field&
   std::vector<BoundaryPoint> boundary;
   std::vector<MeshPoint> names;
   for (std::size_t i = 0; i < 4; ++i) {
-    const CurveFace* const face = known.face(face_of(input.tets[t], i));
+    const CurveFace* const face = known.face(without(input.tets[t], i));
     if (face == nullptr) continue;
     if (!face->is_decided()) return result;
     for (std::size_t n = 0; n < face->level.points.size(); ++n) {
@@ -69,7 +69,7 @@ CurveTopology derive_curves(const Input& input, const Field& field, Kind kind,
   std::vector<std::array<Vertex, 3>> keys;
   for (std::size_t t = 0; t < count; ++t)
     for (std::size_t i = 0; i < 4 && is_open[t] != 0; ++i)
-      keys.push_back(face_of(input.tets[t], i));
+      keys.push_back(without(input.tets[t], i));
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 
@@ -96,7 +96,7 @@ CurveTopology derive_curves(const Input& input, const Field& field, Kind kind,
   for (std::size_t t = 0; t < count; ++t) {
     bool is_met = false;
     for (std::size_t i = 0; i < 4 && is_open[t] != 0 && !is_met; ++i)
-      is_met = result.face(face_of(input.tets[t], i)) != nullptr;
+      is_met = result.face(without(input.tets[t], i)) != nullptr;
     if (is_met) tets.push_back(static_cast<std::uint32_t>(t));
   }
   result.tets.resize(tets.size());

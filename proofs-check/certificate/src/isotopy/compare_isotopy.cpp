@@ -100,7 +100,7 @@ const char* Isotopy::reason_in_topology(Tet tet) const {
   for (const MeshSheet& sheet : found->sheets)
     if (sheet.euler_characteristic != 1 || sheet.loops.size() != 1) return "sheet_is_no_disc";
   for (std::size_t i = 0; i < 4; ++i) {
-    const FaceTopology* const face = c_.topology.face(face_of(c_.input.tets[tet], i));
+    const FaceTopology* const face = c_.topology.face(without(c_.input.tets[tet], i));
     if (face == nullptr || face->level.loops.empty()) continue;
     if (face->level.loops.size() > 1 || !face->arcs.empty()) return "closed_curves_on_face";
   }

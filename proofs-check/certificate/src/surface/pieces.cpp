@@ -32,7 +32,7 @@ void Pieces::group() {
   first_.push_back(count);
 
   const auto add = [&](std::size_t tet) {
-    for (std::size_t i = 0; i < 4; ++i) tets_at_.emplace_back(face_of(c_.input.tets[tet], i), tet);
+    for (std::size_t i = 0; i < 4; ++i) tets_at_.emplace_back(without(c_.input.tets[tet], i), tet);
   };
   for (const TetTopology& tet : c_.topology.tets) add(tet.tet);
   for (const ConeTopology& cone : c_.topology.cones)
@@ -70,7 +70,7 @@ void Pieces::add_chain(std::size_t tet, const Json& opposite, std::span<const Bo
   if (i == vertices.end())
     throw Wrong("a loop through the face opposite vertex " + opposite.dump() +
                 ", which is no corner");
-  const Face face = face_of(vertices, static_cast<std::size_t>(i - vertices.begin()));
+  const Face face = without(vertices, static_cast<std::size_t>(i - vertices.begin()));
   std::size_t neighbour = kNone;
   for (const auto& [same, other] : tets_at(face))
     if (other != tet) neighbour = other;

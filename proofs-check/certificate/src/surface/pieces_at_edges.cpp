@@ -77,7 +77,7 @@ void Pieces::compare_fans() const {
       for (std::size_t i = 0; i < 4; ++i) {
         const Vertex opposite = c_.input.tets[tet][i];
         if (opposite == crossing.edge[0] || opposite == crossing.edge[1]) continue;
-        for (const auto& [face, other] : tets_at(face_of(c_.input.tets[tet], i)))
+        for (const auto& [face, other] : tets_at(without(c_.input.tets[tet], i)))
           if (const auto there = by_tet.find(other); there != by_tet.end() && there->second != v)
             throw Wrong("vertices " + std::to_string(v) + " and " + std::to_string(there->second) +
                         " of a crossing beside one face of the mesh");
