@@ -189,7 +189,7 @@ std::string certificate_part(const ReportCommand& command, const ReadResult& rea
   const auto surface = folder.file("surface.vtp"), certificate = folder.file("certificate.json");
   // There now, for the checker, whatever becomes of the page.
   FileGroup files(FileGroup::Bond::apart);
-  write_surface(made.surface, read.mesh, surface, {.mode_surfaces = true});
+  write_surface(made.surface, {}, read.mesh, surface, {.mode_surfaces = true}, {}, made.more);
   write_text(certificate, made.certificate);
   files.commit();
   CheckDemands demands;
