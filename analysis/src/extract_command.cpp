@@ -17,10 +17,10 @@
 
 #include "certificate.hpp"
 #include "component_filter.hpp"
+#include "extract_checks.hpp"
 #include "overall_progress.hpp"
 #include "read_field.hpp"
 #include "reports_of.hpp"
-#include "require_folder.hpp"
 #include "short_text.hpp"
 #include "spare_memory.hpp"
 #include "stability.hpp"
@@ -33,6 +33,7 @@
 #include "tensortopo/io/surface_formats.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/append_surface.hpp"
+#include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/partition/extract_in_pieces.hpp"
 
@@ -60,30 +61,6 @@ void tell(const Progress& progress, std::string_view stage, double fraction) {
 }
 
 using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vector<ModeValue>>;
-
-/// Throws UsageError for surfaces that no proof is about, and for surfaces and curves in one file.
-void require_proofs(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
-  if (command.other)
-    throw UsageError(
-        "--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
-  if (std::any_of(modes.begin(), modes.end(), is_degenerate) &&
-      !std::all_of(modes.begin(), modes.end(), is_degenerate))
-    throw UsageError(
-        "--certify: a certificate is of surfaces or of degenerate curves (--mode 1 or "
-        "-1); extract them to files of their own");
-}
-
-/// Throws UsageError for options that do nothing for degenerate curves.
-void require_no_surface_options(const ExtractCommand& command) {
-  const char* const option = command.improve                           ? "--improve"
-                             : command.all_samples                     ? "--all-samples"
-                             : command.max_error > 0                   ? "--max-error"
-                             : command.drawing == MeshingMethod::graph ? "--method graph"
-                             : command.pieces > 1                      ? "--pieces"
-                                                                       : nullptr;
-  if (option != nullptr)
-    throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
-}
 
 constexpr std::size_t kMostTetrahedra = 100'000'000;
 
@@ -125,6 +102,221 @@ void keep_crossed(const SurfaceMesh& surface, std::vector<TetMesh::Index>& tets)
   });
 }
 
+/// One run of the command, mode after mode.
+class ExtractRun {
+ public:
+  ExtractRun(const ExtractCommand& command, std::vector<ModeValue> modes, const Progress& progress)
+      : command_(command),
+        modes_(std::move(modes)),
+        progress_(progress),
+        uncertainty_(requested_uncertainty(command.uncertainty)),
+        filter_(command, modes_),
+        overall_(progress, modes_.size()),
+        other_(command) {
+    report_.input = command.input;
+    report_.output = command.output;
+    options_.sampling = command.sampling;
+    options_.meshing = command.meshing;
+    options_.keep_samples = command.all_samples;
+    options_.keep_topology = is_certifying();
+    if (overall_) options_.progress = std::ref(overall_);
+  }
+
+  ExtractReport run() {
+    const PredicateCounts before = predicate_counts();
+    read();
+    surfaces_left_ = std::count_if(modes_.begin(), modes_.end(),
+                                   [](const auto& mode) { return !is_degenerate(mode); });
+    for (const ModeValue& mode : modes_) {
+      if (!streamed_) overall_.begin("mode " + short_text(mode) + ": ");
+      if (is_degenerate(mode))
+        add_curves(mode);
+      else
+        add_surface(mode);
+    }
+    report_.predicates = predicate_counts() - before;
+    for (auto& [key, which] : unresolved_)
+      report_.unresolved.push_back({key.first, key.second, std::move(which)});
+    if (!command_.strict || report_.unresolved.empty()) write();
+    return std::move(report_);
+  }
+
+ private:
+  bool is_certifying() const { return !command_.certificate.empty(); }
+
+  void read() {
+    if (command_.stream) {
+      const Clock clock;
+      overall_.begin("mode " + short_text(modes_[0]) + ": ");
+      streamed_ = stream_field(command_, modes_, options_, report_);
+      report_.seconds_extract += clock.seconds();
+      read_ = std::move(streamed_->read);
+    } else {
+      tell(progress_, "reading", 0);
+      read_ = read_field(command_, report_);
+    }
+    if (!uncertainty_) return;
+    read_radii(command_.input, command_.read, read_, *uncertainty_);
+    stability_.emplace(read_.mesh, *uncertainty_);
+  }
+
+  void leave_out(TetMesh::Index tet, std::string_view reason, const ModeValue& mode) {
+    const std::int64_t id = read_.mesh.cell_ids[as_size(tet)];
+    unresolved_[{id, std::string(reason)}].push_back(mode);
+  }
+
+  void add_curves(const ModeValue& mode) {
+    const Clock clock;
+    const auto kind = mode.approx() > 0 ? Degeneracy::linear : Degeneracy::planar;
+    CurveExtraction extraction = extract_degenerate_curves(read_.mesh, kind, options_);
+    report_.seconds_extract += clock.seconds();
+    for (const UnresolvedCurve& cell : extraction.unresolved)
+      leave_out(cell.tet, name_of(cell.obstacle), mode);
+    const auto filtered = filter_.apply(read_.mesh, mode, extraction.curves);
+    CurveReport& known = report_.curves.emplace_back(curve_report(mode, extraction));
+    known.filter = filtered;
+    if (stability_)
+      known.stability =
+          report_stability(*stability_, command_.uncertainty, kind, options_, extraction);
+    if (is_certifying()) {
+      overall_("certificate", 0);
+      const Clock certify_clock;
+      auto& claims = certified_curves_.emplace_back(certify(read_.mesh, kind, extraction));
+      if (stability_) claims.stability = stability_->claim(known.stability->summary);
+      seconds_certify_ += certify_clock.seconds();
+    }
+    append_curves(curves_, std::move(extraction.curves));
+  }
+
+  /// The surface of a mode by the method asked for. With a bound on its distance also what is proved
+  /// of it, and the tetrahedra that are farther.
+  Extraction extract(const ModeValue& mode, std::optional<CertifiedLevel>& level,
+                     std::vector<TetMesh::Index>& farther) {
+    if (streamed_) return std::move(streamed_->extraction);
+    if (command_.other) return other_(read_.mesh, mode);
+    if (command_.max_error > 0) {
+      auto within = extract_within(read_.mesh, mode, command_.max_error, options_);
+      level = std::move(within.level);
+      farther = std::move(within.farther);
+      return std::move(within.extraction);
+    }
+    if (command_.pieces > 1)
+      return extract_in_pieces(read_.mesh, mode, command_.pieces, options_);
+    using Use = PreparedField<double>::Use;
+    if (!prepared_)
+      prepared_.emplace(read_.mesh, surfaces_left_ > 1 ? Use::several_modes : Use::one_mode);
+    return --surfaces_left_ > 0 || is_certifying()
+               ? extract_mode_surface(*prepared_, mode, options_)
+               : extract_mode_surface(std::move(*prepared_), mode, options_);
+  }
+
+  void add_surface(const ModeValue& mode) {
+    const Clock clock;
+    std::optional<CertifiedLevel> level;
+    std::vector<TetMesh::Index> farther;
+    Extraction extraction = extract(mode, level, farther);
+    if (command_.improve) {
+      improve_triangles(read_.mesh, mode, extraction.surface);
+      extraction.not_embedded = tets_not_embedded(read_.mesh, extraction.surface);
+    }
+    report_.seconds_extract += clock.seconds();
+    for (const UnresolvedCell& cell : extraction.unresolved)
+      leave_out(cell.tet, name_of(cell.reason), mode);
+    const auto filtered = filter_.apply(read_.mesh, mode, extraction.surface);
+    if (filtered) keep_crossed(extraction.surface, extraction.not_embedded);
+    const Clock invariants_clock;
+    SurfaceReport& known =
+        report_.surfaces.emplace_back(surface_report(read_.mesh, mode, extraction));
+    known.filter = filtered;
+    if (!command_.other) known.not_embedded = extraction.not_embedded.size();
+    report_.seconds_invariants += invariants_clock.seconds();
+    if (stability_)
+      known.stability =
+          report_stability(*stability_, command_.uncertainty, mode, options_, extraction);
+    if (is_certifying() && !level) {
+      overall_("certificate", 0);
+      const Clock certify_clock;
+      level = prepared_ ? certify(*prepared_, mode, extraction)
+                        : certify(read_.mesh, mode, extraction);
+      seconds_certify_ += certify_clock.seconds();
+    }
+    if (level) tell_distance(known, level->distance, extraction.surface, farther);
+    if (is_certifying()) {
+      if (streamed_) level->vertex_ids = streamed_->vertex_ids;
+      if (stability_) level->stability = stability_->claim(known.stability->summary);
+      certified_.push_back(std::move(*level));
+    }
+    append_surface(surface_, std::move(extraction.surface));
+  }
+
+  void tell_distance(SurfaceReport& known, const DistanceClaim& distance,
+                     const SurfaceMesh& surface, const std::vector<TetMesh::Index>& farther) {
+    known.distance_bound = distance.coarse.empty()
+                               ? distance.bound
+                               : std::max(distance.bound, distance.coarse_bound);
+    known.tets_farther = farther.size();
+    known.area_within = share_outside(surface, farther);
+    if (!farther.empty()) known.first_farther = read_.mesh.cell_ids[as_size(farther.front())];
+  }
+
+  void write() {
+    overall_.finish("writing");
+    // The writer needs half as much again, in large arrays that do not fit between what is left.
+    prepared_.reset();
+    give_back_memory();
+    FileGroup files;
+    const Clock clock;
+    OutputKinds kinds;
+    for (const ModeValue& mode : modes_)
+      (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
+    auto notes = file_notes(report_, texts_of(modes_));
+    if (stability_) notes.push_back({"instability_names", stability_names()});
+    const auto more = stability_ ? stability_->arrays() : std::vector<CellArray>{};
+    report_.bytes =
+        write_surface(surface_, curves_, read_.mesh, command_.output, kinds, notes, more).bytes;
+    report_.written = true;
+    report_.seconds_write = clock.seconds();
+    if (is_certifying()) write_claims(more);
+    files.commit();
+  }
+
+  void write_claims(const std::vector<CellArray>& more) {
+    const Clock clock;
+    report_.certificate =
+        certified_curves_.empty()
+            ? write_certificate(command_.certificate, read_, surface_, more, certified_,
+                                streamed_ ? &streamed_->subject : nullptr)
+            : write_certificate(command_.certificate, read_, curves_, more, certified_curves_);
+    report_.certificate->seconds = seconds_certify_ + clock.seconds();
+    report_.certificate->counts_beyond_checker = command_.pieces == 1 && !streamed_;
+    for (const SurfaceReport& s : report_.surfaces) {
+      report_.certificate->tubes += s.statistics.sheets_tubes;
+      report_.certificate->at_critical += s.statistics.tets_nearby;
+    }
+  }
+
+  const ExtractCommand& command_;
+  const std::vector<ModeValue> modes_;
+  const Progress& progress_;
+  std::optional<Uncertainty> uncertainty_;
+  ComponentFilter filter_;
+  OverallProgress overall_;
+  OtherMethod other_;
+  ExtractOptions options_;
+  std::optional<StreamedField> streamed_;
+  ReadResult read_;
+  std::optional<StabilityRun> stability_;
+  std::optional<PreparedField<double>> prepared_;  ///< what the modes have in common
+  std::ptrdiff_t surfaces_left_ = 0;
+  SurfaceMesh surface_;
+  CurveMesh curves_;
+  std::vector<CertifiedLevel> certified_;
+  std::vector<CertifiedCurves> certified_curves_;
+  double seconds_certify_ = 0;
+  UnresolvedModes unresolved_;
+  ExtractReport report_;
+};
+
 }  // namespace
 
 ModeValue parse_mode(std::string_view text) {
@@ -165,205 +357,9 @@ void require_surface_extension(const std::filesystem::path& output, bool curves)
 }
 
 ExtractReport run_extract(const ExtractCommand& command, const Progress& progress) {
-  const std::vector<ModeValue> modes = modes_to_extract(command.modes, command.generalized);
-  require_surface_extension(command.output, std::any_of(modes.begin(), modes.end(), is_degenerate));
-  if (!(command.sampling.resolution > 0) || command.sampling.resolution > kLargestResolution) {
-    throw UsageError(
-        fmt::format("--resolution: must be a positive number, at most {}", kLargestResolution));
-  }
-  if (std::all_of(modes.begin(), modes.end(), is_degenerate)) require_no_surface_options(command);
-  if (command.other && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
-    throw UsageError("--method: degenerate curves (--mode 1 or -1) have no other method");
-  }
-  if (command.only_neutral &&
-      std::any_of(modes.begin(), modes.end(), [](const auto& mode) { return mode.sign() != 0; })) {
-    throw UsageError("--method hybrid: extracts neutral surfaces (--mode 0) only");
-  }
-  if (command.other && command.max_error > 0) {
-    throw UsageError("--max-error: only surfaces of the method `manifold` come with proofs");
-  }
-  if (command.improve && (command.other || command.max_error > 0)) {
-    throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
-  }
-  auto uncertainty = requested_uncertainty(command);
-  ComponentFilter filter(command, modes);
-  require_folder(command.output);
-  const bool certifying = !command.certificate.empty();
-  if (certifying) {
-    require_certifiable(command.read, command.output, command.certificate);
-    require_proofs(command, modes);
-    require_folder(command.certificate);
-  }
-
-  ExtractReport report;
-  report.input = command.input;
-  report.output = command.output;
-
-  const PredicateCounts before = predicate_counts();
-  OverallProgress overall(progress, modes.size());
-  ExtractOptions options;
-  options.sampling = command.sampling;
-  options.meshing = command.drawing;
-  options.keep_samples = command.all_samples;
-  options.keep_topology = certifying;
-  if (overall) options.progress = std::ref(overall);
-  std::optional<StreamedField> streamed;
-  if (command.stream) {
-    const Clock stream_clock;
-    overall.begin("mode " + short_text(modes[0]) + ": ");
-    streamed = stream_field(command, modes, options, report);
-    report.seconds_extract += stream_clock.seconds();
-  } else {
-    tell(progress, "reading", 0);
-  }
-  const ReadResult read = streamed ? std::move(streamed->read) : read_field(command, report);
-
-  SurfaceMesh surface;
-  CurveMesh curves;
-  UnresolvedModes unresolved;
-  std::vector<CertifiedLevel> certified;
-  std::vector<CertifiedCurves> certified_curves;
-  double seconds_certify = 0;
-  OtherMethod other(command);
-  std::optional<StabilityRun> stability;
-  if (uncertainty) read_radii(command, read, *uncertainty);
-  if (uncertainty) stability.emplace(read.mesh, *uncertainty);
-  const auto more = [&] { return stability ? stability->arrays() : std::vector<CellArray>{}; };
-  // What the modes have in common.
-  std::optional<PreparedField<double>> prepared;
-  auto surfaces_left = std::count_if(modes.begin(), modes.end(),
-                                     [](const auto& mode) { return !is_degenerate(mode); });
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (!streamed) overall.begin("mode " + short_text(modes[i]) + ": ");
-    const Clock extract_clock;
-    if (is_degenerate(modes[i])) {
-      const auto kind = modes[i].approx() > 0 ? Degeneracy::linear : Degeneracy::planar;
-      CurveExtraction extraction = extract_degenerate_curves(read.mesh, kind, options);
-      report.seconds_extract += extract_clock.seconds();
-      for (const UnresolvedCurve& cell : extraction.unresolved) {
-        const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];
-        unresolved[{id, std::string(name_of(cell.obstacle))}].push_back(modes[i]);
-      }
-      const auto filtered = filter.apply(read.mesh, modes[i], extraction.curves);
-      CurveReport& known = report.curves.emplace_back(curve_report(modes[i], extraction));
-      known.filter = filtered;
-      if (stability)
-        known.stability =
-            report_stability(*stability, command.uncertainty, kind, options, extraction);
-      if (certifying) {
-        overall("certificate", 0);
-        const Clock certify_clock;
-        auto& claims = certified_curves.emplace_back(certify(read.mesh, kind, extraction));
-        if (stability) claims.stability = stability->claim(known.stability->summary);
-        seconds_certify += certify_clock.seconds();
-      }
-      append_curves(curves, std::move(extraction.curves));
-      continue;
-    }
-    Extraction extraction;
-    std::optional<CertifiedLevel> level;
-    std::vector<TetMesh::Index> farther;
-    if (streamed) {
-      extraction = std::move(streamed->extraction);
-    } else if (command.other) {
-      extraction = other(read.mesh, modes[i]);
-    } else if (command.max_error > 0) {
-      auto within = extract_within(read.mesh, modes[i], command.max_error, options);
-      extraction = std::move(within.extraction);
-      level = std::move(within.level);
-      farther = std::move(within.farther);
-    } else if (command.pieces > 1) {
-      extraction = extract_in_pieces(read.mesh, modes[i], command.pieces, options);
-    } else {
-      using Use = PreparedField<double>::Use;
-      if (!prepared)
-        prepared.emplace(read.mesh, surfaces_left > 1 ? Use::several_modes : Use::one_mode);
-      extraction = --surfaces_left > 0 || certifying
-                       ? extract_mode_surface(*prepared, modes[i], options)
-                       : extract_mode_surface(std::move(*prepared), modes[i], options);
-    }
-    if (command.improve) {
-      improve_triangles(read.mesh, modes[i], extraction.surface);
-      extraction.not_embedded = tets_not_embedded(read.mesh, extraction.surface);
-    }
-    report.seconds_extract += extract_clock.seconds();
-    for (const UnresolvedCell& cell : extraction.unresolved) {
-      const std::int64_t id = read.mesh.cell_ids[static_cast<std::size_t>(cell.tet)];
-      unresolved[{id, std::string(name_of(cell.reason))}].push_back(modes[i]);
-    }
-    const auto filtered = filter.apply(read.mesh, modes[i], extraction.surface);
-    if (filtered) keep_crossed(extraction.surface, extraction.not_embedded);
-    const Clock invariants_clock;
-    report.surfaces.push_back(surface_report(read.mesh, modes[i], extraction));
-    report.surfaces.back().filter = filtered;
-    if (!command.other) report.surfaces.back().not_embedded = extraction.not_embedded.size();
-    report.seconds_invariants += invariants_clock.seconds();
-    if (stability)
-      report.surfaces.back().stability =
-          report_stability(*stability, command.uncertainty, modes[i], options, extraction);
-    if (certifying) {
-      overall("certificate", 0);
-      const Clock certify_clock;
-      if (!level)
-        level = prepared ? certify(*prepared, modes[i], extraction)
-                         : certify(read.mesh, modes[i], extraction);
-      seconds_certify += certify_clock.seconds();
-    }
-    if (level) {
-      const DistanceClaim& distance = level->distance;
-      report.surfaces.back().distance_bound = distance.coarse.empty()
-                                                  ? distance.bound
-                                                  : std::max(distance.bound, distance.coarse_bound);
-      report.surfaces.back().tets_farther = farther.size();
-      report.surfaces.back().area_within = share_outside(extraction.surface, farther);
-      if (!farther.empty())
-        report.surfaces.back().first_farther =
-            read.mesh.cell_ids[static_cast<std::size_t>(farther.front())];
-    }
-    if (certifying) {
-      if (streamed) level->vertex_ids = streamed->vertex_ids;
-      if (stability) level->stability = stability->claim(report.surfaces.back().stability->summary);
-      certified.push_back(std::move(*level));
-    }
-    append_surface(surface, std::move(extraction.surface));
-  }
-  report.predicates = predicate_counts() - before;
-  for (auto& [key, which] : unresolved) {
-    report.unresolved.push_back({key.first, key.second, std::move(which)});
-  }
-
-  if (command.strict && !report.unresolved.empty()) return report;
-  overall.finish("writing");
-  // The writer needs half as much again, in large arrays that do not fit between what is left.
-  prepared.reset();
-  give_back_memory();
-  FileGroup files;
-  const Clock write_clock;
-  OutputKinds kinds;
-  for (const ModeValue& mode : modes)
-    (is_degenerate(mode) ? kinds.degenerate_curves : kinds.mode_surfaces) = true;
-  auto notes = file_notes(report, texts_of(modes));
-  if (stability) notes.push_back({"instability_names", stability_names()});
-  report.bytes =
-      write_surface(surface, curves, read.mesh, command.output, kinds, notes, more()).bytes;
-  report.written = true;
-  report.seconds_write = write_clock.seconds();
-  if (certifying) {
-    const Clock certify_clock;
-    report.certificate =
-        certified_curves.empty()
-            ? write_certificate(command.certificate, read, surface, more(), certified,
-                                streamed ? &streamed->subject : nullptr)
-            : write_certificate(command.certificate, read, curves, more(), certified_curves);
-    report.certificate->seconds = seconds_certify + certify_clock.seconds();
-    report.certificate->counts_beyond_checker = command.pieces == 1 && !streamed;
-    for (const SurfaceReport& s : report.surfaces) {
-      report.certificate->tubes += s.statistics.sheets_tubes;
-      report.certificate->at_critical += s.statistics.tets_nearby;
-    }
-  }
-  files.commit();
-  return report;
+  std::vector<ModeValue> modes = modes_to_extract(command.modes, command.generalized);
+  require_sense(command, modes);
+  return ExtractRun(command, std::move(modes), progress).run();
 }
 
 }  // namespace tensortopo

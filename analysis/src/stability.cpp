@@ -19,13 +19,9 @@ constexpr std::string_view kArray = "array:";
 
 }  // namespace
 
-std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command) {
-  if (command.uncertainty.empty()) return std::nullopt;
-  if (command.other)
-    throw UsageError(
-        "--uncertainty: only surfaces of the methods `manifold` and `graph` come with "
-        "proofs");
-  if (const std::string_view text = command.uncertainty; text.starts_with(kArray)) {
+std::optional<Uncertainty> requested_uncertainty(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  if (text.starts_with(kArray)) {
     Uncertainty result;
     result.kind = Uncertainty::Kind::per_vertex;
     result.array = text.substr(kArray.size());
@@ -33,19 +29,20 @@ std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command) 
     return result;
   }
   try {
-    return parse_uncertainty(command.uncertainty);
+    return parse_uncertainty(text);
   } catch (const std::invalid_argument& problem) {
     throw UsageError(std::string("--uncertainty: ") + problem.what() +
                      ", nor array: with the name of an array of radii");
   }
 }
 
-void read_radii(const ExtractCommand& command, const ReadResult& read, Uncertainty& uncertainty) {
+void read_radii(const std::filesystem::path& input, const ReadOptions& options,
+                const ReadResult& read, Uncertainty& uncertainty) {
   if (uncertainty.array.empty()) return;
-  uncertainty.radii = read_point_numbers(command.input, uncertainty.array, command.read, read);
+  uncertainty.radii = read_point_numbers(input, uncertainty.array, options, read);
   for (std::size_t v = 0; v < uncertainty.radii.size(); ++v)
     if (uncertainty.radii[v] < 0)
-      throw IoError(IoError::Kind::invalid, command.input,
+      throw IoError(IoError::Kind::invalid, input,
                     "array `" + uncertainty.array + "`: a radius is negative (point " +
                         std::to_string(v) + ")");
   uncertainty.radii_sha256 = numbers_sha256(uncertainty.radii);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -12,12 +13,13 @@
 
 namespace tensortopo {
 
-/// What the command asks for; nothing if it says nothing of uncertainty. Throws UsageError if that
-/// cannot be read, or if the method has no proofs that it could apply to.
-std::optional<Uncertainty> requested_uncertainty(const ExtractCommand& command);
+/// What --uncertainty asks for; nothing if it is empty. Throws UsageError if it cannot be read.
+std::optional<Uncertainty> requested_uncertainty(const std::string& text);
 
-/// Reads the radii, if the command names an array of them. Throws IoError, also if one is negative.
-void read_radii(const ExtractCommand& command, const ReadResult& read, Uncertainty& uncertainty);
+/// Reads the radii, if an array of them is named, of the file that `read` came from. Throws IoError,
+/// also if one is negative.
+void read_radii(const std::filesystem::path& input, const ReadOptions& options,
+                const ReadResult& read, Uncertainty& uncertainty);
 
 /// The stability of the next level's surface, or of the next kind's degenerate curves, for its
 /// report.

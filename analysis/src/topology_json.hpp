@@ -42,18 +42,6 @@ nlohmann::ordered_json input_json(const Report& report) {
           {"torn_faces", torn_faces_json(report.torn_faces)}};
 }
 
-/// What the report of an analysis says of its mesh.
-template <class Report>
-nlohmann::ordered_json analyzed_mesh_json(const Report& report) {
-  nlohmann::ordered_json json{{"path", report.input.string()},
-                              {"sha256", report.sha256},
-                              {"vertices", report.vertices},
-                              {"tetrahedra", report.tetrahedra},
-                              {"components", name_of(report.components.order)}};
-  if (!report.notes.empty()) json["notes"] = report.notes;
-  return json;
-}
-
 /// Begins the report of an extraction: its kind, what made it, and its field.
 template <class Report>
 nlohmann::ordered_json begin_json(const char* schema, const Report& report) {

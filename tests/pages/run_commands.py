@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-"""run_commands.py SOURCE BUILD PAGE [HEADING]: the commands of a page run as they stand.
+"""run_commands.py SOURCE BUILD PAGE [HEADING] [--before COMMANDS]: the commands of a page run as they stand.
 
 Blocks marked `sh` and `python` run one after the other, in a folder that looks like the project after
 a build; what one exports or defines the next ones have. A block marked `text` after one of these is what
 that one prints: its lines must be there in this order, where `...` stands for anything. Blocks marked
-otherwise are not run. With a HEADING, the first `sh` block below it alone. Fails with the first command
+otherwise are not run. With a HEADING, the first `sh` block below it alone. What the page takes for
+given (`stress.vtu`) is made by the commands before. Fails with the first command
 that fails, and if nothing ran.
 """
 import contextlib
@@ -63,10 +64,14 @@ class Page:
 
 def main():
     source, build = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-    text = (source / sys.argv[3]).read_text()
+    arguments, before = sys.argv[3:], ""
+    if "--before" in arguments:
+        before = arguments.pop(arguments.index("--before") + 1)
+        arguments.remove("--before")
+    text = (source / arguments[0]).read_text()
     blocks = BLOCK.findall(text)
-    if len(sys.argv) > 4:
-        blocks = [("sh", BLOCK.search(text.split(f"## {sys.argv[4]}\n", 1)[1]).group(2))]
+    if len(arguments) > 1:
+        blocks = [("sh", BLOCK.search(text.split(f"## {arguments[1]}\n", 1)[1]).group(2))]
     counts = {"sh": 0, "python": 0, "text": 0}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -74,7 +79,11 @@ def main():
             (folder / part).symlink_to(source / part)
         (folder / "build").mkdir()
         (folder / "build/release").symlink_to(build)
-        page, before = Page(folder, build), ""
+        page = Page(folder, build)
+        page.sh(before)
+        if page.status:
+            sys.exit(f"exit status {page.status} of:\n{before}")
+        given, before = {p.name for p in folder.iterdir()}, ""
         for kind, block in blocks:
             if kind in ("sh", "python"):
                 getattr(page, kind)(block)
@@ -84,7 +93,7 @@ def main():
                 sys.exit(f"what is printed:\n{page.output}")
             counts[kind] = counts.get(kind, 0) + 1
             before = kind
-        written = sorted(p.name for p in folder.iterdir() if p.is_file() and p != page.state)
+        written = sorted(p.name for p in folder.iterdir() if p.is_file() and p.name not in given)
         os.chdir(source)
     print(", ".join(f"{kind} {count}" for kind, count in counts.items()), "- written:", ", ".join(written))
     sys.exit(0 if counts["sh"] + counts["python"] and (written or counts["text"]) else 1)

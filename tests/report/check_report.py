@@ -129,5 +129,40 @@ with Browser() as browser:
         document.body.append(s); setTimeout(() => answer('no event'), 2000); })""")
     assert inline == "script-src-elem" and browser.evaluate("window.foreign === undefined")
 
+# An uncertain field: what is not stable is faded, and counted by reason.
+uncertain = out / "uncertain.html"
+options = [field, "--mode", "0.3", "--uncertainty", "2%", "--json", "--quiet"]
+done = subprocess.run([program, "report", *options, "--no-sweep", "-o", uncertain], capture_output=True, text=True)
+assert done.returncode == 0, done.stderr
+summary = json.loads(done.stdout)
+extracts = [
+    json.loads(subprocess.run([program, "extract", *options, *more, "-o", out / "s.vtp"],
+                              capture_output=True, text=True, check=True).stdout)
+    for more in ([], ["--mode", "1", "--mode=-1"])
+]  # fmt: skip
+stable = [level["stability"] for level in extracts[1]["surfaces"] + extracts[1]["curves"]]
+assert summary["stable_components"] == sum(s["stable_components"] for s in stable), summary
+with Browser() as browser:
+    browser.open(uncertain.resolve().as_uri(), "window.report && window.report.ready")
+    assert browser.evaluate("report.error") == ""
+    shown = browser.evaluate("report.scene.drawn")
+    assert shown["triangles"] == extracts[0]["surfaces"][0]["triangles"]
+    assert 0 < shown["faded"] < shown["triangles"], shown
+    light = "(() => { report.scene.draw(); const g = report.scene.gl; " \
+            "const w = g.drawingBufferWidth, h = g.drawingBufferHeight, a = new Uint8Array(4 * w * h); " \
+            "g.readPixels(0, 0, w, h, g.RGBA, g.UNSIGNED_BYTE, a); return a.reduce((s, x) => s + x, 0); })()"
+    faded = browser.evaluate(light)
+    browser.picture(out / "uncertain.png")
+    browser.evaluate("document.getElementById('fade-unstable').click()")
+    assert browser.evaluate("report.scene.drawn")["faded"] == 0
+    assert browser.evaluate(light) < faded
+    rows = browser.evaluate("[...document.querySelectorAll('#stability-table tr')].map("
+                            "r => [...r.children].map(c => c.textContent))")  # fmt: skip
+    assert len(rows) == 4 and len(stable) == 3
+    for row, s in zip(rows[1:], stable):
+        assert int(row[3]) == s["unstable_tets"]
+        seen = {name.replace(" ", "_"): int(n) for name, n in zip(rows[0][4:], row[4:]) if int(n)}
+        assert seen == s["reasons"], (seen, s["reasons"])
+
 print(f"report of {len(first)} bytes: {sum(t['triangles'] for t in truth.values())} triangles, "
       f"{len(seen)} modes, all shown and counted; nothing left the page")  # fmt: skip

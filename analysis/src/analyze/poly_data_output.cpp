@@ -41,6 +41,8 @@ void write_poly_data(vtkPolyData& data, const std::filesystem::path& file) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(&data);
   writer->WriteToOutputStringOn();
+  // ParaView 5.11 with a recent expat reads no appended data.
+  writer->SetDataModeToBinary();
   if (writer->Write() == 0)
     throw IoError(IoError::Kind::unwritable, file, "VTK could not write it");
   write_text(file, writer->GetOutputString());

@@ -67,7 +67,8 @@ PageArrays::Json PageArrays::put_all(char kind, const std::vector<T>& values) {
 
 PageArrays::Json PageArrays::add(const SurfaceMesh& s, std::size_t first_vertex,
                                  std::size_t vertices, std::size_t first_triangle,
-                                 std::size_t triangles) {
+                                 std::size_t triangles,
+                                 std::span<const std::int32_t> stable) {
   Json arrays;
   const std::size_t offset = bytes_.size();
   std::vector<std::int8_t> normals, medium, dominant;
@@ -94,13 +95,20 @@ PageArrays::Json PageArrays::add(const SurfaceMesh& s, std::size_t first_vertex,
   }
   arrays["triangles"] = put_all('u', corners);
   arrays["component"] = put_all('u', components);
+  if (!stable.empty()) {
+    const auto own = stable.subspan(first_triangle, triangles);
+    arrays["stable"] = put_all('i', std::vector<std::int8_t>(own.begin(), own.end()));
+  }
   return arrays;
 }
 
-PageArrays::Json PageArrays::add(const CurveMesh& curves, double mode) {
+PageArrays::Json PageArrays::add(const CurveMesh& curves, double mode,
+                                 std::span<const std::int32_t> stable, bool is_stable) {
   const std::size_t offset = bytes_.size();
-  for (const auto& line : curves.lines) {
+  for (std::size_t l = 0; l < curves.lines.size(); ++l) {
+    const auto& line = curves.lines[l];
     if (curves.mode[as_size(line.front())] != mode) continue;
+    if (!stable.empty() && (stable[l] != 0) != is_stable) continue;
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
       put(curves.points[as_size(line[i])]), put(curves.points[as_size(line[i + 1])]);
   }

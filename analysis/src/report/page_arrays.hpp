@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,10 +26,14 @@ class PageArrays {
   explicit PageArrays(const TetMesh& mesh);
 
   /// The part of a surface from a vertex and a triangle on.
+  /// @param stable  of all triangles, 1 or 0; empty if nothing is known
   Json add(const SurfaceMesh& surface, std::size_t first_vertex, std::size_t vertices,
-           std::size_t first_triangle, std::size_t triangles);
-  /// The lines of one mode, as segments.
-  Json add(const CurveMesh& curves, double mode);
+           std::size_t first_triangle, std::size_t triangles,
+           std::span<const std::int32_t> stable);
+  /// The lines of one mode, as segments: all, or those of this stability.
+  /// @param stable  of all lines, 1 or 0; empty if nothing is known
+  Json add(const CurveMesh& curves, double mode, std::span<const std::int32_t> stable,
+           bool is_stable);
   /// The edges of these tetrahedra, as segments.
   Json add(const std::vector<LeftOut>& cells);
   /// Edges at which the mesh's boundary bends, as segments.

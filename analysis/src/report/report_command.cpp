@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 
 #include "check/check_command.hpp"
 #include "report/page.hpp"
 #include "report/page_arrays.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
+#include "stability.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/hash/number_hash.hpp"
@@ -57,7 +60,33 @@ std::string no_certificate(const ReportCommand& command) {
   return "";
 }
 
+/// Of triangles or lines, whether they are the same in all fields within the radii.
+const CellArray* stability_array(const std::vector<CellArray>& arrays) {
+  const auto found = std::find_if(arrays.begin(), arrays.end(),
+                                  [](const CellArray& a) { return a.name == "stable"; });
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+/// What of a surface, or of curves, is in all fields within the radii; adds to the summary.
+Json stability_facts(const std::string& name, std::size_t components, const ModePart& part,
+                     ReportSummary& summary) {
+  const StabilitySummary& s = *part.stability;
+  summary.stable_components = summary.stable_components.value_or(0) + s.components.size();
+  summary.components = summary.components.value_or(0) + components;
+  Json reasons = Json::object();
+  for (const auto& [reason, count] : s.reasons) reasons[reason] = count;
+  return {{"of", name},
+          {"stable_components", s.components.size()},
+          {"components", components},
+          {"crossed_stable_tets", s.crossed_stable_tets},
+          {"crossings", s.crossings},
+          {"stable_crossings", s.stable_crossings},
+          {"unstable_tets", s.unstable_tets},
+          {"reasons", std::move(reasons)}};
+}
+
 Json surface_facts(const ModeSurfaces& made, PageArrays& arrays) {
+  const CellArray* const stable = stability_array(made.more);
   std::map<std::string, std::size_t> left_out;
   for (const LeftOut& cell : made.unresolved) ++left_out[cell.mode.text()];
   Json list = Json::array();
@@ -81,14 +110,16 @@ Json surface_facts(const ModeSurfaces& made, PageArrays& arrays) {
                      part.distance_bound ? Json(*part.distance_bound) : Json(nullptr)},
                     {"unresolved", left_out[part.mode.text()]},
                     {"parts", std::move(parts)},
-                    {"arrays", arrays.add(made.surface, vertex, part.vertices, triangle,
-                                          part.cells)}});
+                    {"arrays", arrays.add(made.surface, vertex, part.vertices, triangle, part.cells,
+                                          stable ? std::span(stable->values)
+                                                 : std::span<const std::int32_t>())}});
     vertex += part.vertices, triangle += part.cells;
   }
   return list;
 }
 
 Json curve_facts(const DegenerateCurves& made, Json& lines, PageArrays& arrays) {
+  const CellArray* const stable = stability_array(made.more);
   Json list = Json::array();
   for (const ModePart& part : made.parts) {
     const char* const kind = part.mode.sign() > 0 ? "linear" : "planar";
@@ -102,7 +133,13 @@ Json curve_facts(const DegenerateCurves& made, Json& lines, PageArrays& arrays) 
                                                  [&](const LeftOut& cell) {
                                                    return cell.mode == part.mode;
                                                  })}});
-    lines[kind] = arrays.add(made.curves, part.mode.approx());
+    if (stable != nullptr) {
+      lines[kind] = arrays.add(made.curves, part.mode.approx(), stable->line_values, true);
+      lines[std::string(kind) + "_unstable"] =
+          arrays.add(made.curves, part.mode.approx(), stable->line_values, false);
+    } else {
+      lines[kind] = arrays.add(made.curves, part.mode.approx(), {}, true);
+    }
   }
   return list;
 }
@@ -152,7 +189,7 @@ std::string certificate_part(const ReportCommand& command, const ReadResult& rea
   const auto surface = folder.file("surface.vtp"), certificate = folder.file("certificate.json");
   // There now, for the checker, whatever becomes of the page.
   FileGroup files(FileGroup::Bond::apart);
-  write_surface(made.surface, read.mesh, surface, {.mode_surfaces = true});
+  write_surface(made.surface, {}, read.mesh, surface, {.mode_surfaces = true}, {}, made.more);
   write_text(certificate, made.certificate);
   files.commit();
   CheckDemands demands;
@@ -171,6 +208,7 @@ std::string certificate_part(const ReportCommand& command, const ReadResult& rea
   };
   std::string flags;
   for (const ModePart& part : made.parts) flags += " --mode " + part.mode.text();
+  if (!command.uncertainty.empty()) flags += " --uncertainty '" + command.uncertainty + "'";
   const std::string file = html_text(command.input.filename().string());
   return fmt::format(
              "<p><span class=\"verdict {0}\" id=\"verdict\">{0}</span> {1} of {2} claims derived "
@@ -217,8 +255,11 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
   options.for_certificate = no_certificate(command).empty();
   const ReadResult read = read_mesh(command.input, options);
   const TetMesh& mesh = read.mesh;
+  auto uncertainty = requested_uncertainty(command.uncertainty);
+  if (uncertainty) read_radii(command.input, command.read, read, *uncertainty);
   const ModeExtractor extractor(mesh);
   SurfaceRequest surfaces;
+  surfaces.uncertainty = uncertainty;
   surfaces.modes = modes_of(command);
   surfaces.resolution = command.resolution;
   surfaces.certify = options.for_certificate;
@@ -226,23 +267,39 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
   surfaces.progress = progress;
   const ModeSurfaces made = extractor.surfaces(surfaces);
 
+  ReportSummary summary;
+  summary.output = command.output;
   PageArrays arrays(mesh);
-  Json facts, lines = Json::object();
+  Json facts, lines = Json::object(), stability = Json::array();
   facts["surfaces"] = surface_facts(made, arrays);
+  if (uncertainty)
+    for (const ModePart& part : made.parts)
+      stability.push_back(stability_facts(short_text(part.mode), part.invariants.parts.size(), part,
+                                          summary));
   std::vector<LeftOut> left_out = made.unresolved;
   facts["curves"] = Json::array();
   if (command.curves) {
     CurveRequest request;
     request.planar = true;
+    request.uncertainty = uncertainty;
     request.resolution = command.resolution;
     request.progress = progress;
     const DegenerateCurves curves = extractor.curves(request);
     facts["curves"] = curve_facts(curves, lines, arrays);
+    if (uncertainty)
+      for (const ModePart& part : curves.parts)
+        stability.push_back(
+            stability_facts(part.mode.sign() > 0 ? "linear degenerate curves"
+                                                 : "planar degenerate curves",
+                            part.curve_invariants.components, part, summary));
     left_out.insert(left_out.end(), curves.unresolved.begin(), curves.unresolved.end());
   }
   if (!left_out.empty()) lines["unresolved"] = arrays.add(left_out);
   lines["outline"] = arrays.add_outline();
   facts["lines"] = std::move(lines);
+  facts["uncertainty"] = uncertainty ? Json{{"radius", command.uncertainty},
+                                            {"levels", std::move(stability)}}
+                                     : Json(nullptr);
   facts["unresolved"] = left_out_facts(left_out, mesh);
   facts["unresolved_count"] = left_out.size();
 
@@ -257,8 +314,6 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
     facts["sweep"] = nullptr;
   }
 
-  ReportSummary summary;
-  summary.output = command.output;
   const std::string certificate = certificate_part(command, read, made, summary, progress);
   tell("writing");
   const std::string page = page_of(
@@ -277,10 +332,14 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
 }
 
 std::string to_json(const ReportSummary& s) {
-  const Json json{{"output", s.output.string()}, {"bytes", s.bytes},
-                  {"surfaces", s.surfaces},      {"triangles", s.triangles},
-                  {"unresolved", s.unresolved},  {"certificate", s.verdict},
-                  {"certified", s.certified},    {"claims", s.claims}};
+  Json json{{"output", s.output.string()}, {"bytes", s.bytes},
+            {"surfaces", s.surfaces},      {"triangles", s.triangles},
+            {"unresolved", s.unresolved},  {"certificate", s.verdict},
+            {"certified", s.certified},    {"claims", s.claims}};
+  if (s.components) {
+    json["components"] = *s.components;
+    json["stable_components"] = *s.stable_components;
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -288,8 +347,13 @@ std::string to_text(const ReportSummary& s) {
   const std::string verdict =
       s.verdict == "none" ? "no certificate"
                           : fmt::format("{}: {} of {} claims", s.verdict, s.certified, s.claims);
-  return fmt::format("{}: {} bytes, {} surfaces of {} triangles, {} cells left out; {}\n",
-                     s.output.string(), s.bytes, s.surfaces, s.triangles, s.unresolved, verdict);
+  const std::string stable =
+      s.components
+          ? fmt::format("; {} of {} components stable", *s.stable_components, *s.components)
+          : "";
+  return fmt::format("{}: {} bytes, {} surfaces of {} triangles, {} cells left out; {}{}\n",
+                     s.output.string(), s.bytes, s.surfaces, s.triangles, s.unresolved, verdict,
+                     stable);
 }
 
 }  // namespace tensortopo

@@ -26,6 +26,7 @@ struct ReportCommand {
   bool curves = true;            ///< degenerate curves of both kinds
   bool certify = true;           ///< and have it checked
   double resolution = 4;
+  std::string uncertainty;  ///< of the field, as in `ExtractCommand`; empty for none
   std::optional<SweepOptions> sweep;
 };
 
@@ -36,6 +37,8 @@ struct ReportSummary {
   std::size_t surfaces = 0, triangles = 0, unresolved = 0;
   std::string verdict;  ///< "certified", "refuted", "undecided" or "none"
   std::size_t certified = 0, claims = 0;
+  /// Of an uncertain field: components that all fields within the radii have, and all there are.
+  std::optional<std::size_t> stable_components, components;
 };
 
 /// Laws      (1) the page depends on the input's bytes and the command only; (2) it holds all that it

@@ -3,7 +3,9 @@
 #include "analyze/persistence/graph_command.hpp"
 
 #include <vtkCellArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -94,15 +96,14 @@ void write_tree(const ContourTree& tree, const std::filesystem::path& file) {
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetLines(lines);
-  const auto add = [&](const char* name, const auto& value) {
-    add_array(*data, name, 1, tree.nodes.size(), [&](std::size_t i) {
-      return std::array<double, 3>{value(tree.nodes[i]), 0, 0};
-    });
-  };
-  add("mode", [](const ContourNode& node) { return node.mode.middle(); });
-  add("kind", [](const ContourNode& node) {
-    return node.maximum ? 1.0 : node.minimum ? -1.0 : 0.0;
+  add_array(*data, "mode", 1, tree.nodes.size(), [&](std::size_t i) {
+    return std::array<double, 3>{tree.nodes[i].mode.middle(), 0, 0};
   });
+  vtkNew<vtkIntArray> kinds;
+  kinds->SetName("kind");
+  for (const ContourNode& node : tree.nodes)
+    kinds->InsertNextValue(node.maximum ? 1 : node.minimum ? -1 : 0);
+  data->GetPointData()->AddArray(kinds);
   write_poly_data(*data, file);
 }
 
@@ -116,15 +117,9 @@ GraphReport run_graph(const GraphCommand& command, const Progress& progress) {
     require_folder(command.output);
   }
   if (progress) progress("reading", 0);
-  ReadResult read = read_mesh(command.input, command.read);
   GraphReport report;
-  report.input = command.input;
+  ReadResult read = read_analyzed(command.input, command.read, report);
   report.output = command.output;
-  report.sha256 = read.sha256;
-  report.components = read.report.components;
-  report.vertices = read.mesh.points.size();
-  report.tetrahedra = read.mesh.tets.size();
-  report.notes = read.report.all_notes();
   const PersistenceInput input = persistence_input(read.mesh, progress);
   report.tree = contour_tree(read.mesh, input);
   report.regions = mode_regions(report.tree, input);

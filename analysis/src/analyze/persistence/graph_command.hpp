@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analyze/analyzed_mesh.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/persistence/mode_regions.hpp"
@@ -37,12 +38,8 @@ struct CurveLink {
   int number = 0;
 };
 
-struct GraphReport {
-  std::filesystem::path input, output;
-  std::string sha256;
-  std::size_t vertices = 0, tetrahedra = 0;
-  TensorComponents components;     ///< in the input
-  std::vector<std::string> notes;  ///< of reading
+struct GraphReport : AnalyzedMesh {
+  std::filesystem::path output;
   std::vector<std::int64_t> cell_ids;
   ContourTree tree;
   ModeRegions regions;

@@ -47,14 +47,8 @@ PersistenceReport run_persistence(const PersistenceCommand& command, const Progr
   require_name(command.output, ".vtp");
   require_name(command.picture, ".png");
   if (progress) progress("reading", 0);
-  ReadResult read = read_mesh(command.input, command.read);
   PersistenceReport report;
-  report.input = command.input;
-  report.sha256 = read.sha256;
-  report.components = read.report.components;
-  report.vertices = read.mesh.points.size();
-  report.tetrahedra = read.mesh.tets.size();
-  report.notes = read.report.all_notes();
+  ReadResult read = read_analyzed(command.input, command.read, report);
   report.persistence = mode_persistence(read.mesh, persistence_input(read.mesh, progress));
   report.cell_ids = std::move(read.mesh.cell_ids);
   if (!command.output.empty()) write_pairs(report.persistence, command.output);

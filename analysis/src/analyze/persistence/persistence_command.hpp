@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analyze/analyzed_mesh.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/persistence/mode_persistence.hpp"
@@ -22,12 +23,7 @@ struct PersistenceCommand {
   std::filesystem::path picture;  ///< .png; may be empty
 };
 
-struct PersistenceReport {
-  std::filesystem::path input;
-  std::string sha256;
-  std::size_t vertices = 0, tetrahedra = 0;
-  TensorComponents components;     ///< in the input
-  std::vector<std::string> notes;  ///< of reading
+struct PersistenceReport : AnalyzedMesh {
   std::vector<std::int64_t> cell_ids;
   ModePersistence persistence;
   std::filesystem::path output, picture;

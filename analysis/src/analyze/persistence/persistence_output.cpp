@@ -5,11 +5,11 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <functional>
 #include <limits>
 #include <string>
 
@@ -18,7 +18,7 @@
 namespace tensortopo {
 namespace {
 
-double number_of_kind(PairKind kind) {
+int number_of_kind(PairKind kind) {
   return kind == PairKind::superlevel ? 1 : kind == PairKind::sublevel ? -1 : 0;
 }
 
@@ -46,22 +46,28 @@ void write_pairs(const ModePersistence& persistence, const std::filesystem::path
     const PersistencePair& pair = pairs[i / 2];
     return std::array{i % 2 == 0 ? pair.birth.middle() : death_of(pair), 0.0, 0.0};
   });
-  const auto add = [&](const char* name,
-                       const std::function<double(const PersistencePair&)>& value) {
-    vtkNew<vtkDoubleArray> array;
+  const auto fill = [&](auto& array, const char* name, const auto& value) {
     array->SetName(name);
     for (const PersistencePair& pair : pairs) array->InsertNextValue(value(pair));
     data->GetCellData()->AddArray(array);
   };
-  add("kind", [](const auto& pair) { return number_of_kind(pair.kind); });
+  const auto add = [&](const char* name, const auto& value) {
+    vtkNew<vtkDoubleArray> array;
+    fill(array, name, value);
+  };
+  const auto add_integers = [&](const char* name, const auto& value) {
+    vtkNew<vtkIntArray> array;
+    fill(array, name, value);
+  };
+  add_integers("kind", [](const auto& pair) { return number_of_kind(pair.kind); });
   add("birth", [](const auto& pair) { return pair.birth.middle(); });
   add("death", death_of);
   add("angle_persistence", [](const auto& pair) { return angle_persistence(pair); });
   add("survives", [](const auto& pair) { return survived_noise(pair); });
-  add("curve",
-      [](const auto& pair) { return pair.curve ? static_cast<double>(*pair.curve) : -1.0; });
-  add("tie", [](const auto& pair) { return pair.is_tie ? 1.0 : 0.0; });
-  add("certain", [](const auto& pair) { return pair.is_certain ? 1.0 : 0.0; });
+  add_integers("curve",
+               [](const auto& pair) { return pair.curve ? static_cast<int>(*pair.curve) : -1; });
+  add_integers("tie", [](const auto& pair) { return pair.is_tie ? 1 : 0; });
+  add_integers("certain", [](const auto& pair) { return pair.is_certain ? 1 : 0; });
   write_poly_data(*data, file);
 }
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyze/persistence/persistence_command.hpp"
-#include "topology_json.hpp"
+#include "tensortopo/mesh/as_size.hpp"
 
 namespace tensortopo {
 namespace {

@@ -64,14 +64,8 @@ SweepReport run_sweep(const SweepCommand& command, const Progress& progress) {
   if (command.check_modes > 0) require_certifiable(command.read, "surface.vtp", "certificate.cbor");
   ReadOptions options = command.read;
   options.for_certificate = command.check_modes > 0;
-  const ReadResult read = read_mesh(command.input, options);
   SweepReport report;
-  report.input = command.input;
-  report.sha256 = read.sha256;
-  report.components = read.report.components;
-  report.vertices = read.mesh.points.size();
-  report.tetrahedra = read.mesh.tets.size();
-  report.notes = read.report.all_notes();
+  const ReadResult read = read_analyzed(command.input, options, report);
   report.options = command.sweep;
   // Checking takes most of the time.
   const double sweep_ends = command.check_modes > 0 ? 0.2 : 0.95;

@@ -9,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "tensortopo/sweep/sweep.hpp"
+#include "analyze/analyzed_mesh.hpp"
 #include "analyze/sweep/sweep_check.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/sweep/sweep.hpp"
 
 namespace tensortopo {
 
@@ -25,12 +26,7 @@ struct SweepCommand {
   std::filesystem::path picture;  ///< .png; may be empty
 };
 
-struct SweepReport {
-  std::filesystem::path input;
-  std::string sha256;
-  std::size_t vertices = 0, tetrahedra = 0;
-  TensorComponents components;     ///< in the input
-  std::vector<std::string> notes;  ///< of reading
+struct SweepReport : AnalyzedMesh {
   SweepOptions options;
   Sweep sweep;
   std::optional<SweepCheck> check;  ///< if asked for

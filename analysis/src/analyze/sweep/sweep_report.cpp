@@ -11,7 +11,6 @@
 
 #include "analyze/sweep/sweep_command.hpp"
 #include "short_text.hpp"
-#include "topology_json.hpp"
 
 namespace tensortopo {
 namespace {

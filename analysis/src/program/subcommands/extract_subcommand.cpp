@@ -108,7 +108,7 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
   require_effect(options);
   command.modes = parse_modes(options.modes);
-  if (options.method == "graph") command.drawing = MeshingMethod::graph;
+  if (options.method == "graph") command.meshing = MeshingMethod::graph;
   command.other = other_method(options);
   command.only_neutral = options.method == "hybrid";
 

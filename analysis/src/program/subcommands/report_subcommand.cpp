@@ -62,6 +62,10 @@ void add_report_subcommand(CLI::App& program, CommonOptions& common, Action& act
                                "The diagram: modes from A to B, with N levels extracted at least")
                     ->type_name("A:B:N")
                     ->capture_default_str();
+  app.add_option("--uncertainty", command.uncertainty,
+                 "Show what is the same for all fields whose deviators differ by at most E: in "
+                 "units of the tensor, E%, or array:NAME (see extract); what is not is faded")
+      ->type_name("E");
   app.add_flag("--no-sweep", options->no_sweep, "No diagram")->excludes(sweep);
   app.add_flag("--no-curves", options->no_curves, "No degenerate curves");
   app.add_flag("--no-certificate", options->no_certificate, "No certificate, no verdict");

@@ -71,15 +71,16 @@ const colourings = {
 };
 
 // --- The scene. ---------------------------------------------------------------------------------
-// Triangles in the order of components, so that those shown are ranges.
-function sorted(triangles, component) {
-  const order = [...component.keys()].sort((a, b) => component[a] - component[b] || a - b);
+// Triangles in the order of components, stable ones first, so that those shown are ranges
+// [first, count, whether they are stable].
+function sorted(triangles, component, stable) {
+  const order = [...component.keys()].sort((a, b) => component[a] - component[b] || stable[b] - stable[a] || a - b);
   const result = {triangles: new Uint32Array(triangles.length), component: new Uint32Array(component.length), ranges: []};
   order.forEach((t, i) => {
     result.triangles.set(triangles.subarray(3 * t, 3 * t + 3), 3 * i);
     result.component[i] = component[t];
-    const last = result.ranges[component[t]];
-    if (last) ++last[1]; else result.ranges[component[t]] = [i, 1];
+    const own = result.ranges[component[t]] ||= [], last = own[own.length - 1];
+    if (last && last[2] === Boolean(stable[t])) ++last[1]; else own.push([i, 1, Boolean(stable[t])]);
   });
   return result;
 }
@@ -90,13 +91,16 @@ async function build() {
   report.surfaces = facts.surfaces.map(level => {
     const a = level.arrays, surface = {hidden: new Set()};
     for (const name of ['points', 'normals', 'medium', 'dominant', 'residual']) surface[name] = array(a[name]);
-    Object.assign(surface, sorted(array(a.triangles), array(a.component)));
+    const component = array(a.component);
+    const stable = a.stable ? array(a.stable) : new Int8Array(component.length).fill(1);
+    Object.assign(surface, sorted(array(a.triangles), component, stable));
     surface.item = scene.addSurface(surface.points, surface.normals, surface.triangles);
     return surface;
   });
   const ink = {outline: [.55, .55, .55], linear: [.80, .10, .15], planar: [.05, .25, .80], unresolved: [.85, .1, .85]};
   report.lines = {};
-  for (const [name, place] of Object.entries(facts.lines)) report.lines[name] = scene.addLines(array(place), ink[name]);
+  for (const [name, place] of Object.entries(facts.lines))
+    report.lines[name] = scene.addLines(array(place), ink[name.replace('_unstable', '')]);
   colour();
   show(report.mode);
 }
@@ -110,11 +114,16 @@ function colour() {
 
 function update() {
   if (!report.surfaces) return;
+  const fading = Boolean(facts.uncertainty) && byId('fade-unstable').checked;
   report.surfaces.forEach((surface, i) => {
     surface.item.shown = i === report.mode && byId('show-surface').checked;
-    surface.item.ranges = surface.ranges.filter((range, c) => range && !surface.hidden.has(c));
+    surface.item.ranges = surface.ranges.filter((own, c) => !surface.hidden.has(c)).flat();
+    surface.item.fading = fading;
   });
-  for (const [name, item] of Object.entries(report.lines)) item.shown = byId('show-' + name).checked;
+  for (const [name, item] of Object.entries(report.lines)) {
+    item.shown = byId('show-' + name.replace('_unstable', '')).checked;
+    item.fading = fading && name.endsWith('_unstable');
+  }
   report.scene.draw();
   const {triangles, segments} = report.scene.drawn;
   byId('state').textContent = `${triangles} triangles and ${segments} segments shown`;
@@ -160,6 +169,7 @@ function tables() {
   if (facts.curves.length)
     byId('curves').append(table(['curves', 'components', 'closed', 'length', 'vertices', 'unresolved cells'],
       facts.curves.map(c => [c.kind, c.components, c.closed, number(c.length), c.vertices, c.unresolved]), 'curve-table'));
+  uncertainty();
   if (facts.unresolved.length) {
     byId('unresolved').append(table(['cell', 'reason', 'mode', 'centre'],
       facts.unresolved.map(u => [u.cell, u.reason, u.mode, u.centre.map(number).join(', ')]), 'unresolved-table'));
@@ -168,6 +178,18 @@ function tables() {
   } else {
     byId('unresolved').append(element('p', {}, 'No cell is left out.'));
   }
+}
+
+function uncertainty() {
+  const known = facts.uncertainty;
+  if (!known) { byId('uncertainty-section').remove(); byId('fade-unstable').parentElement.remove(); return; }
+  byId('radius').textContent = known.radius;
+  byId('fade-unstable').onchange = update;
+  const reasons = [...new Set(known.levels.flatMap(level => Object.keys(level.reasons)))];
+  byId('uncertainty').append(table(
+    ['mode', 'stable components', 'stable crossings', 'tetrahedra not stable', ...reasons.map(r => r.replaceAll('_', ' '))],
+    known.levels.map(l => [l.of, `${l.stable_components} of ${l.components}`, `${l.stable_crossings} of ${l.crossings}`,
+                           l.unstable_tets, ...reasons.map(r => l.reasons[r] || 0)]), 'stability-table'));
 }
 
 // --- The diagram. -------------------------------------------------------------------------------

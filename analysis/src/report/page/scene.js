@@ -3,18 +3,19 @@
 'use strict';
 // Triangles and lines in WebGL 2, turned by the pointer. Positions are in the unit ball.
 const Scene = (() => {
+  const kFaded = .7;  // the share of white in what is faded
   const surfaceShader = [`#version 300 es
     in vec3 position; in vec3 normal; in vec3 colour;
     uniform mat4 view; uniform mat3 turn;
     out vec3 n; out vec3 c;
     void main() { n = turn * normal; c = colour; gl_Position = view * vec4(position, 1.); }`,
   `#version 300 es
-    precision highp float;
+    precision highp float; uniform float fade;
     in vec3 n; in vec3 c; out vec4 result;
     void main() {
       float l = length(n), light = l > 0. ? abs(n.z) / l : .6;
       vec3 shade = gl_FrontFacing ? c : mix(c, vec3(.35), .35);
-      result = vec4(shade * (.3 + .7 * light), 1.);
+      result = vec4(mix(shade * (.3 + .7 * light), vec3(1.), fade), 1.);
     }`];
   const lineShader = [`#version 300 es
     in vec3 position; uniform mat4 view;
@@ -138,7 +139,7 @@ const Scene = (() => {
       gl.clearColor(1, 1, 1, 1);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       gl.enable(gl.DEPTH_TEST);
-      this.drawn = {triangles: 0, segments: 0};
+      this.drawn = {triangles: 0, segments: 0, faded: 0};
       for (const item of this.items) {
         if (!item.shown) continue;
         gl.bindVertexArray(item.vao);
@@ -146,14 +147,19 @@ const Scene = (() => {
           gl.useProgram(this.surfaces);
           gl.uniformMatrix4fv(gl.getUniformLocation(this.surfaces, 'view'), false, view);
           gl.uniformMatrix3fv(gl.getUniformLocation(this.surfaces, 'turn'), false, turn);
-          for (const [start, count] of item.ranges) {
+          const fade = gl.getUniformLocation(this.surfaces, 'fade');
+          for (const [start, count, stable] of item.ranges) {
+            const faded = item.fading && !stable;
+            gl.uniform1f(fade, faded ? kFaded : 0);
             gl.drawElements(gl.TRIANGLES, 3 * count, gl.UNSIGNED_INT, 12 * start);
+            if (faded) this.drawn.faded += count;
             this.drawn.triangles += count;
           }
         } else {
           gl.useProgram(this.lines);
           gl.uniformMatrix4fv(gl.getUniformLocation(this.lines, 'view'), false, view);
-          gl.uniform3fv(gl.getUniformLocation(this.lines, 'ink'), item.ink);
+          gl.uniform3fv(gl.getUniformLocation(this.lines, 'ink'),
+                         item.fading ? item.ink.map(x => x + kFaded * (1 - x)) : item.ink);
           gl.drawArrays(gl.LINES, 0, item.count);
           this.drawn.segments += item.count / 2;
         }

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "extract_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "certificate.hpp"
+#include "require_folder.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
+
+namespace tensortopo {
+namespace {
+
+/// Throws UsageError for surfaces that no proof is about, and for surfaces and curves in one file.
+void require_proofs(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
+  if (command.other)
+    throw UsageError(
+        "--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
+  if (std::any_of(modes.begin(), modes.end(), is_degenerate) &&
+      !std::all_of(modes.begin(), modes.end(), is_degenerate))
+    throw UsageError(
+        "--certify: a certificate is of surfaces or of degenerate curves (--mode 1 or "
+        "-1); extract them to files of their own");
+}
+
+/// Throws UsageError for options that do nothing for degenerate curves.
+void require_no_surface_options(const ExtractCommand& command) {
+  const char* const option = command.improve                           ? "--improve"
+                             : command.all_samples                     ? "--all-samples"
+                             : command.max_error > 0                   ? "--max-error"
+                             : command.meshing == MeshingMethod::graph ? "--method graph"
+                             : command.pieces > 1                      ? "--pieces"
+                                                                       : nullptr;
+  if (option != nullptr)
+    throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
+}
+
+}  // namespace
+
+void require_sense(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
+  require_surface_extension(command.output, std::any_of(modes.begin(), modes.end(), is_degenerate));
+  if (!(command.sampling.resolution > 0) || command.sampling.resolution > kLargestResolution) {
+    throw UsageError(
+        fmt::format("--resolution: must be a positive number, at most {}", kLargestResolution));
+  }
+  if (std::all_of(modes.begin(), modes.end(), is_degenerate)) require_no_surface_options(command);
+  if (command.other && std::any_of(modes.begin(), modes.end(), is_degenerate)) {
+    throw UsageError("--method: degenerate curves (--mode 1 or -1) have no other method");
+  }
+  if (command.only_neutral &&
+      std::any_of(modes.begin(), modes.end(), [](const auto& mode) { return mode.sign() != 0; })) {
+    throw UsageError("--method hybrid: extracts neutral surfaces (--mode 0) only");
+  }
+  if (command.other && command.max_error > 0) {
+    throw UsageError("--max-error: only surfaces of the method `manifold` come with proofs");
+  }
+  if (command.improve && (command.other || command.max_error > 0)) {
+    throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
+  }
+  if (!command.uncertainty.empty() && command.other)
+    throw UsageError(
+        "--uncertainty: only surfaces of the methods `manifold` and `graph` come with proofs");
+  require_folder(command.output);
+  if (!command.certificate.empty()) {
+    require_certifiable(command.read, command.output, command.certificate);
+    require_proofs(command, modes);
+    require_folder(command.certificate);
+  }
+}
+
+}  // namespace tensortopo
