@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
@@ -244,6 +245,11 @@ std::vector<double> XmlFile::read(pugi::xml_node array) const {
                            ? static_cast<double>(std::strtof(place, &end))
                            : std::strtod(place, &end);
       if (end == place) break;
+      if constexpr (std::is_integral_v<Stored>) {  // another reader would take them as such
+        constexpr auto low = static_cast<double>(std::numeric_limits<Stored>::min()),
+                       high = static_cast<double>(std::numeric_limits<Stored>::max());
+        if (!(x >= low && x <= high) || x != std::floor(x)) fail("an integer that is none");
+      }
       result.push_back(x);
     }
     if (!trim(place).empty()) fail("text that is no number");
