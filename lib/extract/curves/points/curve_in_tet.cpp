@@ -5,6 +5,7 @@
 #include "extract/curves/points/conic_order.hpp"
 #include "extract/curves/points/conic_samples.hpp"
 #include "extract/curves/points/exact_face_points.hpp"
+#include "tensortopo/scalar/extended.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 #include "tensortopo/scalar/rational.hpp"
 
@@ -89,10 +90,10 @@ CurveInTet degenerate_curve_in_tet(const std::array<ScaledTensor, 4>& tensors,
   CurveInTet result;
   if (boundary.empty()) return result;
   const FloatingPointEnvironment environment;
-  const auto rows = coordinate_rows<long double>(tensors);
+  const auto rows = coordinate_rows<Extended>(tensors);
   const auto columns = best_columns(rows);
   auto forms = field_forms(rows, columns);
-  if (determinant(forms.across[0]) > 0) forms.across[0] = -1.0L * forms.across[0];
+  if (determinant(forms.across[0]) > 0) forms.across[0] = Extended(-1) * forms.across[0];
   const auto frame = frame_of(unit_form<double>(forms.across[0]));
 
   auto seen = order_in_doubles(tensors, columns, frame, boundary);
