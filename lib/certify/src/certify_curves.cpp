@@ -8,12 +8,13 @@
 #include <set>
 #include <string>
 
-#include "extract/curves/points/weight_bounds.hpp"
 #include "extract/curves/points/degenerate_points_on_face.hpp"
+#include "extract/curves/points/weight_bounds.hpp"
 #include "for_each.hpp"
 #include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -101,10 +102,9 @@ class FaceClaims {
       claims.clear();
       for (const FacePoint& point : found.points) {
         const auto bounds = weight_bounds(tensors, point);
-        const auto box =
-            bounds ? box_around(in_order(*bounds, place),
-                                permuted(coordinates(tensors, point), place), depth)
-                   : std::nullopt;
+        const auto box = bounds ? box_around(in_order(*bounds, place),
+                                             permuted(coordinates(tensors, point), place), depth)
+                                : std::nullopt;
         if (!box) return std::nullopt;
         claims.push_back(*box);
       }
@@ -125,10 +125,10 @@ class FaceClaims {
                                            const FacePoint& point) {
     int largest = tensors[0].exponent;
     for (const auto& t : tensors) largest = std::max(largest, t.exponent);
-    std::array<long double, 3> w;
+    std::array<Extended, 3> w;
     for (std::size_t i = 0; i < 3; ++i)
       w[i] = std::ldexp(point.weights[i], tensors[i].exponent - largest);
-    const long double sum = w[0] + w[1] + w[2];
+    const Extended sum = w[0] + w[1] + w[2];
     return {static_cast<double>(w[0] / sum), static_cast<double>(w[1] / sum),
             static_cast<double>(w[2] / sum)};
   }

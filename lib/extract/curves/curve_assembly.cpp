@@ -8,6 +8,7 @@
 #include "extract/curves/curve_vertex.hpp"
 #include "extract/level/position.hpp"
 #include "extract/run/parallel_stage.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -43,9 +44,9 @@ class CurveAssembler {
 
  private:
   template <std::size_t Count>
-  Vector3<double> position(const std::array<long double, 4>& weights,
+  Vector3<double> position(const std::array<Extended, 4>& weights,
                            const SimplexVertices& vertices) const {
-    std::array<long double, Count> w;
+    std::array<Extended, Count> w;
     std::array<int, Count> exponents;
     std::array<Vector3<double>, Count> points;
     for (std::size_t i = 0; i < Count; ++i) {
@@ -56,7 +57,7 @@ class CurveAssembler {
     return position_at(w, exponents, points);
   }
 
-  void add_point(const std::array<long double, 4>& weights, const Vector3<long double>& dominant,
+  void add_point(const std::array<Extended, 4>& weights, const Vector3<Extended>& dominant,
                  const SimplexVertices& vertices) {
     constexpr std::array<Carrier, 4> carriers{Carrier::vertex, Carrier::edge, Carrier::face,
                                               Carrier::tet};

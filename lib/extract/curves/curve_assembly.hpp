@@ -8,6 +8,7 @@
 #include "extract/curves/points/curve_in_tet.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -17,8 +18,8 @@ using SimplexVertices = std::array<TetMesh::Index, 4>;
 /// A place where pieces of curves end and meet, found once for all cells around it.
 struct CurvePlace {
   SimplexVertices vertices{-1, -1, -1, -1};  ///< of the simplex whose interior holds it, ascending
-  std::array<long double, 4> weights{};      ///< of these
-  Vector3<long double> dominant{};           ///< zero where the deviator vanishes
+  std::array<Extended, 4> weights{};         ///< of these
+  Vector3<Extended> dominant{};              ///< zero where the deviator vanishes
 };
 
 /// A piece of a curve in the interior of a simplex.

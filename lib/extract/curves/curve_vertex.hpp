@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "tensortopo/extract/scaled_field.hpp"
+#include "tensortopo/scalar/extended.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
@@ -23,15 +24,15 @@ class FieldInSpace {
   double separation(const Vector3<double>& x, const Vector3<double>& dominant) const;
 
  private:
-  using Vector = Vector3<long double>;
+  using Vector = Vector3<Extended>;
 
-  Deviator<long double> at(const Vector3<double>& x) const;
+  Deviator<Extended> at(const Vector3<double>& x) const;
   /// The derivative of the field along a direction.
-  Deviator<long double> along(const Vector& direction) const;
+  Deviator<Extended> along(const Vector& direction) const;
 
   Vector origin_{};
   std::array<Vector, 4> gradient_{};  ///< of the barycentric coordinates
-  std::array<Deviator<long double>, 4> tensors_{};
+  std::array<Deviator<Extended>, 4> tensors_{};
 };
 
 }  // namespace tensortopo

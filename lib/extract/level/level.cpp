@@ -6,6 +6,7 @@
 
 #include "extract/level/level_slope.hpp"
 #include "extract/run/extractor_scalars.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
@@ -26,7 +27,7 @@ Level<Scalar> make_level(const ModeValue& value) {
     for (auto& lambda : level.eigenvalues) lambda = -lambda;
   }
   level.parameter = mode_parameter<double>(value);
-  level.lode_angle = std::acos(value.approx()) / 3;
+  level.lode_angle = elementary::acos(value.approx()) / 3;
   return level;
 }
 

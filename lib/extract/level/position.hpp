@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "tensortopo/scalar/extended.hpp"
 #include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo {
@@ -21,7 +22,7 @@ template <class Scalar, std::size_t Vertices>
 Vector3<double> position_at(const std::array<Scalar, Vertices>& weights,
                             const std::array<int, Vertices>& exponents,
                             const std::array<Vector3<double>, Vertices>& points) {
-  using Wide = std::conditional_t<std::is_same_v<Scalar, double>, long double, Scalar>;
+  using Wide = std::conditional_t<std::is_same_v<Scalar, double>, Extended, Scalar>;
   using std::ldexp;
   const int largest = *std::max_element(exponents.begin(), exponents.end());
   Wide total(0), x(0), y(0), z(0);

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "extract/run/extractor_scalars.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -21,7 +22,7 @@ ScaledField<Scalar>::ScaledField(const TetMesh& m)
   tbb::parallel_for(std::size_t{0}, m.tensors.size(), [&](std::size_t v) {
     using std::ilogb, std::ldexp, std::max;
     // Wider exponents than double's: no difference or scaling can overflow or underflow.
-    using Wide = std::conditional_t<std::is_same_v<Scalar, double>, long double, Scalar>;
+    using Wide = std::conditional_t<std::is_same_v<Scalar, double>, Extended, Scalar>;
     const auto d = deviator(tensor_cast<Wide>(m.tensors[v]));
     const auto size = [](const Wide& x) { return x < Wide(0) ? Wide(-x) : x; };
     const Wide largest = max({size(d.a), size(d.b), size(d.xy), size(d.yz), size(d.xz)});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/instantiations.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -35,10 +36,10 @@ Cubic<Scalar> rotated(const Cubic<Scalar>& f, const Scalar& c, const Scalar& s) 
 /// Real zeros of the monic t^3 + a t^2 + b t + c.
 template <class Scalar>
 std::vector<Scalar> monic_zeros(const Scalar& a, const Scalar& b, const Scalar& c) {
+  using elementary::atan2;
+  using elementary::cbrt;
+  using elementary::cos;
   using std::abs;
-  using std::atan2;
-  using std::cos;
-  using std::pow;
   using std::sqrt;
   const Scalar three(3), two(2);
   const Scalar shift = a / three;
@@ -54,7 +55,7 @@ std::vector<Scalar> monic_zeros(const Scalar& a, const Scalar& b, const Scalar& 
   }
   const Scalar larger = abs(q) + sqrt(discriminant);
   if (larger == Scalar(0)) return {-shift};
-  const Scalar magnitude = pow(larger, Scalar(1) / three);
+  const Scalar magnitude = cbrt(larger);
   const Scalar u =
       q > Scalar(0) ? Scalar(p / magnitude - magnitude) : Scalar(magnitude - p / magnitude);
   return {u - shift};

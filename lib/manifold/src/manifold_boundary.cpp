@@ -4,6 +4,7 @@
 
 #include "tangents.hpp"
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/instantiations.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -18,8 +19,8 @@ Vector3<Scalar> MediumEigenvectorManifold<Scalar>::in_frame(const Vector3<Scalar
 template <RealScalar Scalar>
 Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(const Scalar& theta,
                                                                 const Scalar& eta) const {
-  using std::cos;
-  using std::sin;
+  using elementary::cos;
+  using elementary::sin;
   return sphere_point(Scalar(sin(theta)), Scalar(cos(theta)), Scalar(sin(eta)), Scalar(cos(eta)));
 }
 
@@ -53,7 +54,7 @@ Scalar nonnegative_root(const Scalar& k, const Scalar& g, const Scalar& h, const
 template <RealScalar Scalar>
 SpheroConal<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal(
     const Vector3<Scalar>& v) const {
-  using std::atan2;
+  using elementary::atan2;
   using std::sqrt;
   const Vector3<Scalar> w = in_frame(v);
   const Scalar zero(0), one(1), two(2);
@@ -82,16 +83,16 @@ SpheroConal<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal(
 
 template <RealScalar Scalar>
 Scalar MediumEigenvectorManifold<Scalar>::F(const Scalar& theta, const Scalar& eta) const {
-  using std::sin;
+  using elementary::sin;
   return p_ * squared(Scalar(sin(theta))) + q_ * squared(Scalar(sin(eta))) - c_;
 }
 
 template <RealScalar Scalar>
 Vector3<Scalar> MediumEigenvectorManifold<Scalar>::boundary_point(int loop,
                                                                   const Scalar& phi) const {
-  using std::asin;
-  using std::cos;
-  using std::sin;
+  using elementary::asin;
+  using elementary::cos;
+  using elementary::sin;
   using std::sqrt;
   const Scalar zero(0), one(1), two(2);
   if (single_loop()) {
@@ -110,8 +111,8 @@ Vector3<Scalar> MediumEigenvectorManifold<Scalar>::boundary_point(int loop,
 template <RealScalar Scalar>
 BoundaryPosition<Scalar> MediumEigenvectorManifold<Scalar>::boundary_position(
     const Vector3<Scalar>& v) const {
-  using std::atan2;
-  using std::sin;
+  using elementary::atan2;
+  using elementary::sin;
   using std::sqrt;
   const Scalar zero(0), two(2);
   BoundaryPosition<Scalar> position;

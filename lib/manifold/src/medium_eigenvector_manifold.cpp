@@ -6,6 +6,7 @@
 
 #include "tangents.hpp"
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/instantiations.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -112,9 +113,9 @@ Scalar MediumEigenvectorManifold<Scalar>::sigma(const Vector3<Scalar>& v,
 template <RealScalar Scalar>
 Vector3<Scalar> MediumEigenvectorManifold<Scalar>::dominant_eigenvector(
     const Vector3<Scalar>& v) const {
-  using std::atan2;
-  using std::cos;
-  using std::sin;
+  using elementary::atan2;
+  using elementary::cos;
+  using elementary::sin;
   using std::sqrt;
   const Tangents t = tangents(v);
   const Scalar half_difference = t.half_gap * t.product;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tensortopo/mesh/curve_mesh.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
@@ -25,7 +26,7 @@ CurveInvariants curve_invariants(const CurveMesh& curves) {
         throw std::invalid_argument("curve_invariants: a line names a point that does not exist");
       const auto u = static_cast<std::size_t>(line[i]), v = static_cast<std::size_t>(line[i + 1]);
       const auto d = curves.points[v] - curves.points[u];
-      result.length += std::hypot(d.x, d.y, d.z);
+      result.length += elementary::hypot(d.x, d.y, d.z);
       ++degree[u], ++degree[v];
       leader[find(u)] = find(v);
     }

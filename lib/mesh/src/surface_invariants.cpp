@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/mesh/surface_invariants.hpp"
-#include "tensortopo/mesh/union_find.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
+
+#include "tensortopo/mesh/union_find.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 namespace {
@@ -24,7 +26,7 @@ struct Side {
 
 double area(const Vector3<double>& p, const Vector3<double>& q, const Vector3<double>& r) {
   const Vector3<double> n = cross(q - p, r - p);
-  return std::hypot(n.x, n.y, n.z) / 2;
+  return elementary::hypot(n.x, n.y, n.z) / 2;
 }
 
 /// Unites the vertices of each triangle, and numbers the classes in the order of the triangles.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tensortopo/scalar/elementary.hpp"
+
 namespace tensortopo::persistence {
 namespace {
 
@@ -85,7 +87,7 @@ bool Ascent::is_above(Index tet, const TetWeights& from, const TetWeights& to, d
 
 Ascent::Reached Ascent::maximum_in_sight(const TetPlace& place, const std::vector<Index>& star,
                                          double level) const {
-  const double most = std::acos(std::clamp(level, -1.0, 1.0)) / 3;
+  const double most = elementary::acos(std::clamp(level, -1.0, 1.0)) / 3;
   for (const Index tet : star) {
     const auto marks = landmarks_.in(tet);
     if (marks.empty()) continue;
@@ -122,7 +124,7 @@ Ascent::Reached Ascent::vertex_in_sight(const TetPlace& place, const std::vector
   std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
     return std::tie(a.angle, a.vertex, a.tet) < std::tie(b.angle, b.vertex, b.tet);
   });
-  const double most = std::acos(std::clamp(level, -1.0, 1.0)) / 3;
+  const double most = elementary::acos(std::clamp(level, -1.0, 1.0)) / 3;
   int tries = 0;
   for (std::size_t i = 0; i < seen.size() && tries < kMostTries; ++i) {
     if (i > 0 && seen[i].vertex == seen[i - 1].vertex) continue;
@@ -139,7 +141,7 @@ std::vector<Ascent::Move> Ascent::moves(const TetPlace& place, const std::vector
                                         double level) const {
   constexpr int kHalvings = 24;
   constexpr double kClose = 1e-2;  // of weights whose sum is about 1
-  const double most = std::acos(std::clamp(level, -1.0, 1.0)) / 3;
+  const double most = elementary::acos(std::clamp(level, -1.0, 1.0)) / 3;
   std::vector<Move> found;
   for (const Index tet : star) {
     const auto corners = deviators_of(mesh_, tet);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ascent.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
@@ -18,7 +19,7 @@ using namespace persistence;
 using Index = TetMesh::Index;
 
 double distance(const Vector3<double>& a, const Vector3<double>& b) {
-  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+  return elementary::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
 /// One maximum for each component, in order.

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "tensortopo/mesh/union_find.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 namespace {
@@ -148,7 +149,7 @@ std::string_view name_of(PairKind kind) {
   return "extended";
 }
 
-double signed_lode_angle(double mode) { return std::asin(std::clamp(mode, -1.0, 1.0)) / 3; }
+double signed_lode_angle(double mode) { return elementary::asin(std::clamp(mode, -1.0, 1.0)) / 3; }
 
 double angle_persistence(const PersistencePair& pair) {
   const bool falls = pair.kind != PairKind::sublevel;
@@ -157,7 +158,9 @@ double angle_persistence(const PersistencePair& pair) {
   return std::max(0.0, signed_lode_angle(from) - signed_lode_angle(to));
 }
 
-double survived_noise(const PersistencePair& pair) { return std::sin(angle_persistence(pair) / 2); }
+double survived_noise(const PersistencePair& pair) {
+  return elementary::sin(angle_persistence(pair) / 2);
+}
 
 PersistenceInput persistence_input(const TetMesh& mesh,
                                    const std::function<void(std::string_view, double)>& progress) {

@@ -57,8 +57,8 @@ TetWeights newton_direction(const Deviators& corners, const TetWeights& weights,
   };
   const auto gradient = [&](const Deviator<double>& at) {
     Eigen::VectorXd g(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      g(i) = derivative(at, side(i)) / std::pow(norm_form(at), 2.5);
+    const double p = norm_form(at), power = p * p * std::sqrt(p);
+    for (Eigen::Index i = 0; i < n; ++i) g(i) = derivative(at, side(i)) / power;
     return g;
   };
   Eigen::MatrixXd second(n, n);

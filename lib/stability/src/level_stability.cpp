@@ -7,6 +7,7 @@
 
 #include "stable_cells.hpp"
 #include "stable_simplex.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
@@ -56,7 +57,7 @@ LevelStability level_stability(const UncertainField& field, const ModeValue& mu,
     throw std::invalid_argument("stability of a level: the mode must be between -1 and 1, not " +
                                 mu.text());
   CellTests tests;
-  tests.lode_angle = std::acos(mode) / 3;
+  tests.lode_angle = elementary::acos(mode) / 3;
   tests.vertex = [&](const stability::Traceless& tensor, std::size_t v) {
     return stability::side_is_stable(tensor, field.radii[v], mode);
   };

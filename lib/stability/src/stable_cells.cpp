@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tensortopo/mesh/tet_complex.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo::stability {
@@ -41,8 +42,8 @@ bool screen_excludes(const UncertainField& field, const std::array<Index, 4>& te
     reach[i] = std::max(reach[i], field.turns[v]);
     for (std::size_t j = i + 1; j < 4; ++j) {
       const auto w = as_size(tet[j]);
-      const double angle =
-          std::acos(std::clamp(inner(tensors[v], tensors[w]) / (norms[v] * norms[w]), -1.0, 1.0));
+      const double angle = elementary::acos(
+          std::clamp(inner(tensors[v], tensors[w]) / (norms[v] * norms[w]), -1.0, 1.0));
       reach[i] = std::max(reach[i], angle + field.turns[w]);
       reach[j] = std::max(reach[j], angle + field.turns[v]);
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 
 namespace tensortopo::stability {
@@ -27,7 +28,8 @@ double cone_angle(const Part<Vertices, Corners>& part, const Traceless& unit) {
                  sine = radius / (part.norms[a] - rounding);
     if (!(along > rounding) || !(sine < 1) || !(sine >= 0))
       return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, std::atan2(across, along - rounding) + std::asin(sine));
+    largest =
+        std::max(largest, elementary::atan2(across, along - rounding) + elementary::asin(sine));
   }
   return largest < 1.57 ? largest * (1 + kRounding) : std::numeric_limits<double>::infinity();
 }
@@ -49,15 +51,16 @@ bool exceed_unit_disc(const std::array<Column, Count>& columns) {
     for (std::size_t j = i + 1; j < Count; ++j)
       for (const double sign : {1.0, -1.0}) {
         const Column side{columns[i].x + sign * columns[j].x, columns[i].y + sign * columns[j].y};
-        const double length = std::hypot(side.x, side.y),
-                     sizes = std::hypot(columns[i].x, columns[i].y) +
-                             std::hypot(columns[j].x, columns[j].y);
+        const double length = elementary::hypot(side.x, side.y),
+                     sizes = elementary::hypot(columns[i].x, columns[i].y) +
+                             elementary::hypot(columns[j].x, columns[j].y);
         if (!(sizes > 0)) return false;
         if (length == 0) continue;  // equal in all directions
         // The direction is off by a few roundings of the columns.
         const double error = 0x1p-48 * sizes / length;
         const bool one_exceeds = std::any_of(columns.begin(), columns.end(), [&](const Column& c) {
-          return std::abs(cross(side, c)) / length > 1 + error * std::hypot(c.x, c.y) + kRounding;
+          return std::abs(cross(side, c)) / length >
+                 1 + error * elementary::hypot(c.x, c.y) + kRounding;
         });
         if (!one_exceeds) return false;
       }
@@ -94,7 +97,7 @@ bool is_beside(const Part<Vertices, Corners>& part, const Frame& frame, double a
     mean.x += places[a].x, mean.y += places[a].y;
   }
   const auto separates = [&](Column y) {
-    const double length = std::hypot(y.x, y.y);
+    const double length = elementary::hypot(y.x, y.y);
     if (!(length > 0)) return false;
     y.x /= length, y.y /= length;
     for (std::size_t a = 0; a < Corners; ++a)
@@ -118,7 +121,8 @@ bool crosses(const BoxSimplex<Vertices>& simplex, const Frame& frame, double ang
   for (std::size_t i = 0; i < Vertices; ++i) {
     const Traceless& t = simplex.tensors[i];
     const Vector3<double> along = t * frame.axis;
-    const double across = std::hypot(dot(frame.p, along), dot(frame.q, along)), size = norm(t),
+    const double across = elementary::hypot(dot(frame.p, along), dot(frame.q, along)),
+                 size = norm(t),
                  change = std::min(angle * size,
                                    std::sqrt(2.0) * angle * across + angle * angle * size) +
                           simplex.radii[i] + 0x1p6 * kRounding;
@@ -138,7 +142,7 @@ bool is_transverse(const BoxSimplex<Vertices>& simplex, const Part<Vertices, Cor
   if (!(size > 0)) return false;
   const Traceless unit = (1 / size) * centre;
   const double mode = std::sqrt(6.0) * inner(product(unit, unit), unit),
-               lode_angle = std::acos(std::clamp(mode, -1.0, 1.0)) / 3;
+               lode_angle = elementary::acos(std::clamp(mode, -1.0, 1.0)) / 3;
   if (kMargin * cone_angle(part, unit) + kAngleError < lode_angle) return true;
   const auto eigen = eigen_decomposition(unit);
   const Frame frame{eigen.vectors[1], eigen.vectors[2], eigen.vectors[0]};
@@ -150,8 +154,9 @@ bool is_transverse(const BoxSimplex<Vertices>& simplex, const Part<Vertices, Cor
   const double cone = cone_angle(part, degenerate);
   if (!(cone < 0.8)) return false;
   const double angle =
-      std::asin(2 / std::sqrt(3.0) * std::sin(cone / 2)) * (1 + kRounding) + kRounding;
-  if (is_beside(part, frame, angle, std::sin(cone) + kRounding)) return true;
+      elementary::asin(2 / std::sqrt(3.0) * elementary::sin(cone / 2)) * (1 + kRounding) +
+      kRounding;
+  if (is_beside(part, frame, angle, elementary::sin(cone) + kRounding)) return true;
   return Vertices > 2 && crosses(simplex, frame, angle);
 }
 

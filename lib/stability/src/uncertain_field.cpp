@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tensortopo/scalar/elementary.hpp"
 #include "traceless.hpp"
 
 namespace tensortopo {
@@ -87,8 +88,8 @@ UncertainField::UncertainField(const TetMesh& m, std::span<const double> given)
     if (may_vanish[v]) continue;
     const double mode =
         std::sqrt(6.0) * inner(stability::product(tensor, tensor), tensor) / (size * size * size);
-    lode_angles[v] = std::acos(std::clamp(mode, -1.0, 1.0)) / 3;
-    turns[v] = std::asin(radii[v] / size);
+    lode_angles[v] = elementary::acos(std::clamp(mode, -1.0, 1.0)) / 3;
+    turns[v] = elementary::asin(radii[v] / size);
   }
 }
 

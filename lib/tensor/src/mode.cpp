@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/instantiations.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -47,7 +48,7 @@ std::optional<Scalar> mode_if_defined(const Deviator<Scalar>& d) {
 
 template <RealScalar Scalar>
 Scalar lode_angle(const Deviator<Scalar>& d) {
-  using std::atan2;
+  using elementary::atan2;
   using std::sqrt;
   const Deviator<Scalar> t = scaled_to_one(d);
   const Scalar sine = sqrt(Scalar(27) * discriminant_form(t));
@@ -71,7 +72,7 @@ Deviator<Scalar> from_orthonormal_coordinates(const std::array<Scalar, 5>& x) {
 
 template <RealScalar Scalar>
 Scalar angle_between(const Deviator<Scalar>& s, const Deviator<Scalar>& t) {
-  using std::atan2;
+  using elementary::atan2;
   using std::sqrt;
   // Kahan: 2 atan(|u - v| / |u + v|) of the unit vectors.
   const auto unit = [](const Deviator<Scalar>& d) {

@@ -3,6 +3,7 @@
 #include "tensortopo/tensor/mode_parameter.hpp"
 
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/instantiations.hpp"
 #include "tensortopo/scalar/nearest.hpp"
 #include "tensortopo/scalar/rational.hpp"
@@ -14,7 +15,7 @@ namespace {
 /// The fields that depend on s and cos^2(theta) only.
 template <class Scalar>
 void complete(ModeParameter<Scalar>& m) {
-  using std::atan2;
+  using elementary::atan2;
   using std::sqrt;
   m.theta = atan2(m.s, Scalar(sqrt(m.cos_theta_squared)));
   const Scalar norm = sqrt(Scalar(18) + Scalar(6) * m.s_squared);
@@ -25,10 +26,10 @@ void complete(ModeParameter<Scalar>& m) {
 
 template <RealScalar Scalar>
 ModeParameter<Scalar> mode_parameter(const ModeValue& mode) {
-  using std::atan2;
-  using std::cos;
+  using elementary::atan2;
+  using elementary::cos;
+  using elementary::tan;
   using std::sqrt;
-  using std::tan;
   const Rational exact = to_scalar<Rational>(mode);
   ModeParameter<Scalar> m;
   m.mu = nearest<Scalar>(exact);
@@ -49,7 +50,7 @@ ModeParameter<Scalar> mode_parameter(const ModeValue& mode) {
 
 template <RealScalar Scalar>
 ModeParameter<Scalar> mode_parameter_from_s(const Scalar& s, int sign) {
-  using std::atan2;
+  using elementary::atan2;
   using std::sqrt;
   const Scalar one(1);
   ModeParameter<Scalar> m;

@@ -10,6 +10,7 @@
 
 #include "analyze/curvature/each_corner.hpp"
 #include "analyze/curvature/recovered_derivatives.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 namespace {
@@ -23,7 +24,7 @@ Vector3<double> twice_area(const SurfaceMesh& surface, std::size_t triangle) {
 }
 
 double angle(const Vector3<double>& u, const Vector3<double>& v) {
-  return std::atan2(length(cross(u, v)), dot(u, v));
+  return elementary::atan2(length(cross(u, v)), dot(u, v));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 
 #include "render/charts/chart_item.hpp"
 #include "render/charts/context_picture.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 namespace {
@@ -128,7 +129,7 @@ class PairsChart : public ChartItem {
   /// Beside the diagonal: what lies outside survives so much relative noise.
   void paint_noise(const Scale& scale, float left, float right) {
     for (const double r : kNoiseLines) {
-      const double shift = 2 * std::asin(r) * 180 / std::numbers::pi;
+      const double shift = 2 * elementary::asin(r) * 180 / std::numbers::pi;
       pen(kViolet, 1.5F, 150);
       for (const double sign : {1.0, -1.0}) {
         const double from = -scale.most + (sign > 0 ? 0 : shift);

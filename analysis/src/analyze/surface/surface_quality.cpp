@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 namespace {
@@ -31,7 +34,8 @@ std::array<double, 2> quality_of(const std::array<Vector3<double>, 3>& triangle)
   const double a = length(r - q), b = length(p - r), c = length(q - p);
   double smallest = 180;
   for (const auto& [u, v] : {std::array{q - p, r - p}, {r - q, p - q}, {p - r, q - r}})
-    smallest = std::min(smallest, std::atan2(length(cross(u, v)), dot(u, v)) * 180 / std::acos(-1));
+    smallest = std::min(
+        smallest, elementary::atan2(length(cross(u, v)), dot(u, v)) * 180 / std::numbers::pi);
   // abc / (4 area) over twice 2 area / (a + b + c).
   const double ratio = area > 0 ? a * b * c * (a + b + c) / (16 * area * area) : kInfinity;
   return {smallest, std::max(ratio, 1.0)};

@@ -101,7 +101,7 @@ FieldForms<E, Vertices> CellRows<Vertices>::forms(
 #define TENSORTOPO_ROWS(Vertices)            \
   template class CellRows<Vertices>;         \
   TENSORTOPO_ROWS_AS(Vertices, double)       \
-  TENSORTOPO_ROWS_AS(Vertices, long double)  \
+  TENSORTOPO_ROWS_AS(Vertices, Extended)     \
   TENSORTOPO_ROWS_AS(Vertices, FastInterval)
 TENSORTOPO_ROWS(3)
 TENSORTOPO_ROWS(4)

@@ -8,6 +8,7 @@
 
 #include "extract/curves/points/degenerate_forms.hpp"
 #include "extract/curves/points/enclosures.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -34,7 +35,7 @@ class CellRows {
   /// this leaves no row much smaller, or one that 150 digits do not tell from zero.
   bool reduce();
 
-  /// The rows, reduced or not: for E = double and long double rounded.
+  /// The rows, reduced or not: for E = double and Extended rounded.
   template <class E>
   std::array<Covector<E>, Vertices> rows() const;
 

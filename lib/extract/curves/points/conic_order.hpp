@@ -9,6 +9,7 @@
 #include "extract/curves/points/certified_zero.hpp"
 #include "extract/curves/points/degenerate_forms.hpp"
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 
 namespace tensortopo {
@@ -46,7 +47,8 @@ inline double reference_angle(const std::vector<double>& angles) {
   for (int k = 0; k < kCandidates; ++k) {
     const double candidate = pi<double>() * k / kCandidates;
     double nearest = 2;
-    for (const double a : angles) nearest = std::min(nearest, std::abs(std::sin(a - candidate)));
+    for (const double a : angles)
+      nearest = std::min(nearest, std::abs(elementary::sin(a - candidate)));
     if (nearest > farthest) farthest = nearest, best = candidate;
   }
   return best;
@@ -75,10 +77,11 @@ ConicOrder<E> order_around(const SymmetricTensor<E>& form, Verdict conic_sign,
     const auto middle = [](const E& x) { return EnclosureOf<E>::middle(x); };
     const Vector3<double> m{middle(turned.back().x), middle(turned.back().y),
                             middle(turned.back().z)};
-    angles.push_back(std::atan2(dot(m, frame.second), dot(m, frame.first)));
+    angles.push_back(elementary::atan2(dot(m, frame.second), dot(m, frame.first)));
   }
   const double start = reference_angle(angles);
-  const Vector3<double> reference = std::cos(start) * frame.first + std::sin(start) * frame.second;
+  const Vector3<double> reference =
+      elementary::cos(start) * frame.first + elementary::sin(start) * frame.second;
   const auto half_plane = cross(c, widened<E>(reference));
 
   std::vector<SeenPoint> seen(directions.size());

@@ -6,6 +6,7 @@
 #include "extract/curves/points/conic_order.hpp"
 #include "extract/curves/points/conic_samples.hpp"
 #include "extract/curves/points/exact_face_points.hpp"
+#include "tensortopo/scalar/extended.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 #include "tensortopo/scalar/rational.hpp"
 
@@ -47,13 +48,13 @@ std::vector<OrderedPoint> order_of(const FieldForms<E, 4>& forms, Verdict conic_
 /// The conic of a tetrahedron, rounded, with a form of negative determinant.
 struct Conic {
   explicit Conic(const CellRows<4>& cell)
-      : columns(best_columns(cell.rows<long double>())), forms(cell.forms<long double>(columns)) {
+      : columns(best_columns(cell.rows<Extended>())), forms(cell.forms<Extended>(columns)) {
     if (determinant(forms.across[0]) > 0) forms.across[0] = -1.0L * forms.across[0];
     frame = frame_of(unit_form<double>(forms.across[0]));
   }
 
   std::array<std::size_t, 5> columns;
-  FieldForms<long double, 4> forms;
+  FieldForms<Extended, 4> forms;
   ConicFrame frame;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tensortopo/extract/curve_points.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -20,8 +21,8 @@ struct BoundaryPoint {
 
 /// A place on the curve inside a tetrahedron.
 struct CurveSample {
-  std::array<long double, 4> weights{};  ///< sum 1; rounded
-  Vector3<long double> dominant{};       ///< about unit
+  std::array<Extended, 4> weights{};  ///< sum 1; rounded
+  Vector3<Extended> dominant{};       ///< about unit
 };
 
 /// A stretch of the degenerate curve through a tetrahedron, from boundary loop point to boundary

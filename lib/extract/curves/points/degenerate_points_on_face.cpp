@@ -9,6 +9,7 @@
 #include "extract/curves/points/degenerate_forms.hpp"
 #include "extract/curves/points/dominant_direction.hpp"
 #include "extract/curves/points/enclosures.hpp"
+#include "tensortopo/scalar/extended.hpp"
 #include "extract/curves/points/exact_face_points.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 
@@ -114,16 +115,16 @@ std::optional<FacePoints> points_in_doubles(const CellRows<3>& cell,
 /// Direction and weights, rounded, from a box.
 void locate(FacePoints& face, const CellRows<3>& cell,
             const std::array<std::size_t, 5>& columns) {
-  const auto forms = cell.forms<long double>(columns);
+  const auto forms = cell.forms<Extended>(columns);
   for (FacePoint& point : face.points) {
     const auto& box = point.box;
     const DirectionChart chart{box.centre, box.first, box.second};
-    std::array<long double, 2> x;
-    for (std::size_t k = 0; k < 2; ++k) x[k] = (0.5L * box.low[k]) + 0.5L * box.high[k];
+    std::array<Extended, 2> x;
+    for (std::size_t k = 0; k < 2; ++k) x[k] = Extended(box.low[k]) / 2 + Extended(box.high[k]) / 2;
     // A box from the other tier is already narrower than this would get.
-    if (!face.exact) x = newton_zero<long double>({forms.across, chart}, x, 2);
+    if (!face.exact) x = newton_zero<Extended>({forms.across, chart}, x, 2);
     point.dominant = direction_at(chart, x[0], x[1]);
-    long double sum = 0;
+    Extended sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       point.weights[i] = polar(forms.weight[i], point.dominant, point.dominant);
       sum += point.weights[i];

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "extract/curves/points/certified_zero.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -40,14 +41,14 @@ ExactDirection normalized(const ExactDirection& e) {
   return {scaled(e.x), scaled(e.y), scaled(e.z)};
 }
 
-Vector3<long double> rounded_direction(const ExactDirection& e) {
+Vector3<Extended> rounded_direction(const ExactDirection& e) {
   using End = MultiprecisionInterval::End;
   const ExactDirection n = normalized(e);
   const auto middle = [](const MultiprecisionInterval& x) { return End((x.low + x.high) / 2); };
   const Vector3<End> m{middle(n.x), middle(n.y), middle(n.z)};
   const End scale = 1 / sqrt(dot(m, m));
-  return {static_cast<long double>(End(scale * m.x)), static_cast<long double>(End(scale * m.y)),
-          static_cast<long double>(End(scale * m.z))};
+  return {to_extended(End(scale * m.x)), to_extended(End(scale * m.y)),
+          to_extended(End(scale * m.z))};
 }
 
 bool is_zero(const Vector3<Rational>& v) { return v.x == 0 && v.y == 0 && v.z == 0; }

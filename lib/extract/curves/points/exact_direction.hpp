@@ -6,6 +6,7 @@
 #include <span>
 
 #include "extract/curves/points/enclosures.hpp"
+#include "tensortopo/scalar/extended.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
@@ -24,7 +25,7 @@ MultiprecisionInterval sqrt_of(const MultiprecisionInterval& x);
 ExactDirection normalized(const ExactDirection& e);
 
 /// The middle, rounded, of length about one.
-Vector3<long double> rounded_direction(const ExactDirection& e);
+Vector3<Extended> rounded_direction(const ExactDirection& e);
 
 bool is_zero(const Vector3<Rational>& v);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "extract/curves/points/certified_zero.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -177,8 +178,7 @@ std::optional<std::vector<PencilPoint>> degenerate_points_between(const Deviator
     point.direction = dominant_direction(t);
     using End = MultiprecisionInterval::End;
     const End x = w[0].low + w[0].high, y = w[1].low + w[1].high;
-    point.weights = {static_cast<long double>(End(x / (x + y))),
-                     static_cast<long double>(End(y / (x + y)))};
+    point.weights = {to_extended(End(x / (x + y))), to_extended(End(y / (x + y)))};
     result.push_back(std::move(point));
   }
   return result;

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "extract/curves/points/exact_direction.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
 /// A degenerate tensor x A + y B with positive x and y.
 struct PencilPoint {
-  std::array<long double, 2> weights{};  ///< x and y over their sum, rounded
+  std::array<Extended, 2> weights{};  ///< x and y over their sum, rounded
   bool linear = true;
   ExactDirection direction;
 };

@@ -9,6 +9,7 @@
 #include "extract/curves/special/pencil_points.hpp"
 #include "extract/curves/special/plane_directions.hpp"
 #include "extract/curves/special/special_full_cell.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -69,7 +70,7 @@ std::optional<SpecialPoint> zero_point(const Row<Vertices>& kernel) {
   SpecialPoint point;
   point.support = kAllVertices<Vertices>;
   for (std::size_t i = 0; i < Vertices; ++i)
-    point.weights[i] = static_cast<long double>(Rational(kernel[i] / sum));
+    point.weights[i] = to_extended(Rational(kernel[i] / sum));
   return point;
 }
 

@@ -9,6 +9,7 @@
 
 #include "extract/curves/points/curve_in_tet.hpp"
 #include "extract/curves/points/exact_direction.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 /// \file
 /// Degenerate curves in special position, cell by cell: an edge, a face or a tetrahedron is given
@@ -25,8 +26,8 @@ namespace tensortopo {
 /// A degenerate point, or one isotropic, in the interior of a cell.
 struct SpecialPoint {
   unsigned support = 0;                     ///< the vertices of positive weight, one bit each
-  std::array<long double, 4> weights{};     ///< of these vertices, with sum 1; rounded
-  Vector3<long double> dominant{};          ///< rounded; zero isotropic
+  std::array<Extended, 4> weights{};        ///< of these vertices, with sum 1; rounded
+  Vector3<Extended> dominant{};             ///< rounded; zero isotropic
   std::optional<ExactDirection> direction;  ///< of the dominant eigenvector; none isotropic
 };
 

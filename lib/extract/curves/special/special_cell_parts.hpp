@@ -6,6 +6,7 @@
 #include "extract/curves/points/degenerate_forms.hpp"
 #include "extract/curves/special/special_cell.hpp"
 #include "extract/curves/special/turning_arcs.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 /// \file
 /// What `special_cell` is made of; see there.
@@ -27,13 +28,13 @@ struct SpecialForms {
   /// The signs of the weights there, as far as certain.
   std::array<Verdict, Vertices> signs(const ExactDirection& e) const;
   /// The weights, with sum 1, rounded.
-  CurveSample sample(const Vector3<long double>& e) const;
+  CurveSample sample(const Vector3<Extended>& e) const;
   SpecialPoint point(const ExactDirection& e) const;
 
   std::array<std::size_t, 5> columns{};
   FieldForms<Rational, Vertices> exact;
   FieldForms<MultiprecisionInterval, Vertices> enclosed;
-  FieldForms<long double, Vertices> rounded;
+  FieldForms<Extended, Vertices> rounded;
   bool positive = true;  ///< a form of a positive weight is positive
 };
 extern template struct SpecialForms<3>;

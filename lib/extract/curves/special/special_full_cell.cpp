@@ -8,6 +8,8 @@
 #include "extract/curves/points/conic_order.hpp"
 #include "extract/curves/special/line_pair.hpp"
 #include "extract/curves/special/plane_directions.hpp"
+#include "tensortopo/scalar/elementary.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -18,7 +20,7 @@ SpecialForms<Vertices>::SpecialForms(const std::array<ScaledTensor, Vertices>& t
   columns = best_columns(rows);
   exact = field_forms(rows, columns);
   enclosed = field_forms(coordinate_rows<MultiprecisionInterval>(tensors), columns);
-  rounded = field_forms(coordinate_rows<long double>(tensors), columns);
+  rounded = field_forms(coordinate_rows<Extended>(tensors), columns);
   positive = (exact.determinant > 0) == linear;
 }
 
@@ -43,10 +45,10 @@ Verdict SpecialForms<Vertices>::inside(const ExactDirection& e) const {
 }
 
 template <std::size_t Vertices>
-CurveSample SpecialForms<Vertices>::sample(const Vector3<long double>& e) const {
+CurveSample SpecialForms<Vertices>::sample(const Vector3<Extended>& e) const {
   CurveSample result;
   result.dominant = e;
-  long double sum = 0;
+  Extended sum = 0;
   for (std::size_t i = 0; i < Vertices; ++i) {
     result.weights[i] = polar(rounded.weight[i], e, e);
     sum += result.weights[i];
@@ -125,8 +127,8 @@ struct ConicArcs {
       const Verdict verdict =
           verdict_at(is_short ? MultiprecisionInterval(1 - part) * first +
                                     MultiprecisionInterval(part) * second
-                              : widened<MultiprecisionInterval>(std::cos(a) * frame.first +
-                                                                std::sin(a) * frame.second));
+                              : widened<MultiprecisionInterval>(elementary::cos(a) * frame.first +
+                                                                elementary::sin(a) * frame.second));
       if (is_strict(verdict)) return verdict;
     }
     return Verdict::unknown;
@@ -135,7 +137,7 @@ struct ConicArcs {
     const auto u = rounded_direction(e);
     const Vector3<double> m{static_cast<double>(u.x), static_cast<double>(u.y),
                             static_cast<double>(u.z)};
-    return std::atan2(dot(m, frame.second), dot(m, frame.first));
+    return elementary::atan2(dot(m, frame.second), dot(m, frame.first));
   }
 };
 
@@ -147,7 +149,7 @@ SpecialCell curve_on_conic(const SpecialForms<4>& forms, bool negated,
   auto rounded = forms.rounded;
   auto form = forms.enclosed.across[0];
   if (negated) {
-    rounded.across[0] = -1.0L * rounded.across[0];
+    rounded.across[0] = Extended(-1) * rounded.across[0];
     form = MultiprecisionInterval(-1.0) * form;
   }
   const auto frame = frame_of(unit_form<double>(rounded.across[0]));

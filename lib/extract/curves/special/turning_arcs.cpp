@@ -7,6 +7,8 @@
 
 #include "extract/curves/points/certified_zero.hpp"
 #include "tensortopo/scalar/constants.hpp"
+#include "tensortopo/scalar/elementary.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -94,22 +96,24 @@ std::optional<std::vector<TurningArc>> arcs_inside(const ExactDirection& normal,
     arc.end = order->order[last ? 0 : i + 1];
     arc.first = rounded_direction(first);
     const auto to = rounded_direction(second);
-    arc.turn = count == 1 ? pi<double>()
-                          : static_cast<double>(std::abs(
-                                std::atan2(dot(cross(n, arc.first), to), dot(arc.first, to))));
+    arc.turn = count == 1
+                   ? pi<double>()
+                   : std::abs(elementary::atan2(static_cast<double>(dot(cross(n, arc.first), to)),
+                                                static_cast<double>(dot(arc.first, to))));
     result.push_back(arc);
   }
   return result;
 }
 
-std::vector<Vector3<long double>> directions_along(const ExactDirection& normal,
-                                                   const TurningArc& arc, double largest_turn) {
-  std::vector<Vector3<long double>> result;
+std::vector<Vector3<Extended>> directions_along(const ExactDirection& normal, const TurningArc& arc,
+                                                double largest_turn) {
+  std::vector<Vector3<Extended>> result;
   const auto side = cross(rounded_direction(normal), arc.first);
   const int parts = static_cast<int>(std::ceil(arc.turn / std::min(largest_turn, 0.5)));
   for (int k = 1; k < parts; ++k) {
-    const long double angle = static_cast<long double>(arc.turn) * k / parts;
-    result.push_back(std::cos(angle) * arc.first + std::sin(angle) * side);
+    const double angle = arc.turn * k / parts;
+    result.push_back(Extended(elementary::cos(angle)) * arc.first +
+                     Extended(elementary::sin(angle)) * side);
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "extract/curves/points/exact_direction.hpp"
+#include "tensortopo/scalar/extended.hpp"
 
 namespace tensortopo {
 
@@ -25,7 +26,7 @@ std::optional<TurnOrder> order_in_plane(const ExactDirection& normal,
 /// An arc between neighbours; both are the same if there is one only.
 struct TurningArc {
   std::size_t begin = 0, end = 0;  ///< positions in the list given
-  Vector3<long double> first{};    ///< unit
+  Vector3<Extended> first{};       ///< unit
   double turn = 0;                 ///< by which the direction turns about the normal
 };
 
@@ -38,7 +39,7 @@ std::optional<std::vector<TurningArc>> arcs_inside(const ExactDirection& normal,
                                                    const InsideTest& inside);
 
 /// Directions of an arc at most `largest_turn` apart, ends left out.
-std::vector<Vector3<long double>> directions_along(const ExactDirection& normal,
-                                                   const TurningArc& arc, double largest_turn);
+std::vector<Vector3<Extended>> directions_along(const ExactDirection& normal, const TurningArc& arc,
+                                                double largest_turn);
 
 }  // namespace tensortopo

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
@@ -28,13 +29,13 @@ inline constexpr double kAngleError = 2e-7;
 inline double lode_angle(const Deviator<double>& t) {
   const double p = norm_form(t);
   const double mode = std::sqrt(2.0) * determinant_form(t) / (p * std::sqrt(p));
-  return std::acos(std::clamp(mode, -1.0, 1.0)) / 3;
+  return elementary::acos(std::clamp(mode, -1.0, 1.0)) / 3;
 }
 
 /// Angle between two deviators, to within `kAngleError`.
 inline double angle(const Deviator<double>& s, double norm_s, const Deviator<double>& t,
                     double norm_t) {
-  return std::acos(std::clamp(norm_form(s, t) / (norm_s * norm_t), -1.0, 1.0));
+  return elementary::acos(std::clamp(norm_form(s, t) / (norm_s * norm_t), -1.0, 1.0));
 }
 
 /// True only if the level with the Lode angle given does not meet the cone of half angle
@@ -48,7 +49,7 @@ inline bool excludes(double centre, double radius, double level) {
 /// more than 5e-10, which no rounding of a cosine makes up for.)
 inline double clearance_cosine(double lode, double level) {
   const double gap = std::min(std::abs(lode - level), 1.57);
-  return gap < 0.001 ? 2 : std::cos(gap - 3 * kAngleError);
+  return gap < 0.001 ? 2 : elementary::cos(gap - 3 * kAngleError);
 }
 
 /// A cone around the sum of some tensors that holds them all.
@@ -67,7 +68,7 @@ Cone cone_around(const std::array<Deviator<double>, Vertices>& tensors) {
   for (const auto& t : tensors)
     cosine = std::min(cosine, norm_form(centre, t) / (norm * std::sqrt(norm_form(t))));
   if (!(cosine > 0.001)) return {};
-  return {lode_angle(centre), std::acos(cosine)};
+  return {lode_angle(centre), elementary::acos(cosine)};
 }
 
 /// True only if the level does not meet the simplex: the cone is taken around the sum of the

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "extract/patch/charts/manifold_chart.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
@@ -35,8 +36,8 @@ void visit_grid(const ManifoldChart& chart, double turn, const Wanted& is_wanted
           const auto here = point(), along = chart.point_at(ray, (j + 0.75) / across),
                      beside = chart.point_at(chart.ray(quadrant, (i + 0.75) / around),
                                              (j + 0.5) / across);
-          return 4 * std::min(std::hypot(along[0] - here[0], along[1] - here[1]),
-                              std::hypot(beside[0] - here[0], beside[1] - here[1]));
+          return 4 * std::min(elementary::hypot(along[0] - here[0], along[1] - here[1]),
+                              elementary::hypot(beside[0] - here[0], beside[1] - here[1]));
         };
         visit(chart.vector_at(ray, (j + 0.5) / across), point, spacing);
       }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tensortopo/scalar/elementary.hpp"
+
 namespace tensortopo {
 
 namespace {
@@ -36,8 +38,8 @@ DominantChart::DominantChart(const CharacteristicTensor<double>& characteristic,
 }
 
 DominantChart::Frame DominantChart::frame_at(double around, double elevation) const {
-  const double c = std::cos(around), s = std::sin(around);
-  const double ce = std::cos(elevation), se = std::sin(elevation);
+  const double c = elementary::cos(around), s = elementary::sin(around);
+  const double ce = elementary::cos(elevation), se = elementary::sin(elevation);
   const auto across = c * axes_[0] + s * axes_[1];
   return {ce * across + se * axes_[2], ce * axes_[2] - se * across, c * axes_[1] - s * axes_[0]};
 }
@@ -51,24 +53,26 @@ DominantChart::Place DominantChart::place(const Vector3<double>& dominant,
   auto e = in_frame(dominant);
   const auto m = in_frame(medium);
   if (about_ == About::cone && e.z < 0) e = -e;
-  const auto angle_of = [&] { return std::atan2(dot(e, axes_[1]), dot(e, axes_[0])); };
+  const auto angle_of = [&] { return elementary::atan2(dot(e, axes_[1]), dot(e, axes_[0])); };
   double around = cut_ + positive_remainder(angle_of() - cut_, 2 * std::numbers::pi);
   if (around - cut_ >= period_) {  // the other end of the line
     e = -e;
     around -= std::numbers::pi;
   }
-  const auto frame = frame_at(around, std::asin(std::clamp(dot(e, axes_[2]), -1.0, 1.0)));
-  return {around, positive_remainder(2 * std::atan2(dot(m, frame.along), dot(m, frame.up)),
+  const auto frame = frame_at(around, elementary::asin(std::clamp(dot(e, axes_[2]), -1.0, 1.0)));
+  return {around, positive_remainder(2 * elementary::atan2(dot(m, frame.along), dot(m, frame.up)),
                                      2 * std::numbers::pi)};
 }
 
 std::optional<SymmetricTensor<double>> DominantChart::tensor(const Place& place) const {
   const auto& [b1, b2, b3] = characteristic_.eigenvalues;
   const auto& [l1, l2, l3] = mode_.eigenvalues;
-  const double c = std::cos(place.around), s = std::sin(place.around);
-  const double start =
-      about_ == About::cone ? std::atan2(std::sqrt(b1 * c * c + b2 * s * s), std::sqrt(-b3)) : 0;
-  const double cos_turn = std::cos(place.turn / 2), sin_turn = std::sin(place.turn / 2);
+  const double c = elementary::cos(place.around), s = elementary::sin(place.around);
+  const double start = about_ == About::cone
+                           ? elementary::atan2(std::sqrt(b1 * c * c + b2 * s * s), std::sqrt(-b3))
+                           : 0;
+  const double cos_turn = elementary::cos(place.turn / 2),
+               sin_turn = elementary::sin(place.turn / 2);
   const auto times_n = [&, b1 = b1, b2 = b2, b3 = b3](const Vector3<double>& v) {
     return Vector3<double>{b1 * v.x, b2 * v.y, b3 * v.z};
   };
@@ -117,18 +121,18 @@ void DominantChart::lay_out(double least, double most, const std::optional<doubl
 DominantChart::Point DominantChart::point(const Place& place) const {
   if (turn_cut_)
     return {2 * place.around, positive_remainder(place.turn - *turn_cut_, 2 * std::numbers::pi)};
-  const double radius = std::exp(growth_ * (place.around - least_));
-  return {radius * std::cos(place.turn), radius * std::sin(place.turn)};
+  const double radius = elementary::exp(growth_ * (place.around - least_));
+  return {radius * elementary::cos(place.turn), radius * elementary::sin(place.turn)};
 }
 
 DominantChart::Place DominantChart::place_at(const Point& point) const {
   if (turn_cut_) return {point[0] / 2, point[1] + *turn_cut_};
-  return {least_ + std::log(std::hypot(point[0], point[1])) / growth_,
-          std::atan2(point[1], point[0])};
+  return {least_ + elementary::log(elementary::hypot(point[0], point[1])) / growth_,
+          elementary::atan2(point[1], point[0])};
 }
 
 double DominantChart::length_of(double turn, const Point& at) const {
-  return 2 * turn * (turn_cut_ ? 1 : std::hypot(at[0], at[1]));
+  return 2 * turn * (turn_cut_ ? 1 : elementary::hypot(at[0], at[1]));
 }
 
 }  // namespace tensortopo

@@ -16,6 +16,7 @@
 #include "extract/patch/patch_check.hpp"
 #include "extract/patch/quality/edge_flips.hpp"
 #include "extract/run/extractor_scalars.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
@@ -35,8 +36,8 @@ class GraphMesher {
         proved_(proved),
         level_(level),
         defect_rounds_(defect_rounds),
-        turn_(std::cos(std::min(sampling.largest_turn(), 1.5))),
-        wide_turn_(std::cos(std::min(2 * sampling.largest_turn(), 1.5))),
+        turn_(elementary::cos(std::min(sampling.largest_turn(), 1.5))),
+        wide_turn_(elementary::cos(std::min(2 * sampling.largest_turn(), 1.5))),
         out_(out) {}
 
   bool mesh(const FaceArcVertices& vertices) {
@@ -164,15 +165,16 @@ bool mesh_as_graph(const TetWithCurves<Scalar>& tet, const CellTopology<Scalar>&
   if (!view) return false;
   Patch<Scalar> patch;
   if (!GraphMesher<Scalar>(tet, *view, proved, level, sampling, defect_rounds, patch)
-           .mesh(vertices)) return false;
+           .mesh(vertices))
+    return false;
   out = std::move(patch);
   return true;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                       \
-  template bool mesh_as_graph(const TetWithCurves<Scalar>&, const CellTopology<Scalar>&,     \
-                              const FaceArcVertices&, const Level<Scalar>&, const Sampling&, \
-                              int, Patch<Scalar>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                            \
+  template bool mesh_as_graph(const TetWithCurves<Scalar>&, const CellTopology<Scalar>&,          \
+                              const FaceArcVertices&, const Level<Scalar>&, const Sampling&, int, \
+                              Patch<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "tensortopo/scalar/elementary.hpp"
+
 namespace tensortopo {
 
 namespace {
@@ -35,28 +37,29 @@ ManifoldChart::ManifoldChart(const Manifold& manifold)
 }
 
 double ManifoldChart::side(double half_angle) const {
-  const double c = std::cos(half_angle), s = std::sin(half_angle);
+  const double c = elementary::cos(half_angle), s = elementary::sin(half_angle);
   return std::min(c != 0 ? p_ / (c * c) : 1e300, s != 0 ? q_ / (s * s) : 1e300);
 }
 
 double ManifoldChart::turn(const Quadrant& quadrant, double e2) const {
   if (!small_ovals_ || !(e2 < least_side_)) return 0;
   const double angle =
-      std::asin(e2 > c_ ? c_ / e2 : 1.0) - std::asin(std::min(1.0, c_ / least_side_));
+      elementary::asin(e2 > c_ ? c_ / e2 : 1.0) - elementary::asin(std::min(1.0, c_ / least_side_));
   return -0.5 * quadrant.theta * quadrant.eta * angle;
 }
 
 ManifoldChart::Point ManifoldChart::annulus_point(double theta, double cosine) const {
-  const double radius = std::exp(std::acos(std::clamp(cosine, -1.0, 1.0)) - std::numbers::pi / 2);
-  return {radius * std::cos(theta), radius * std::sin(theta)};
+  const double radius =
+      elementary::exp(elementary::acos(std::clamp(cosine, -1.0, 1.0)) - std::numbers::pi / 2);
+  return {radius * elementary::cos(theta), radius * elementary::sin(theta)};
 }
 
 ManifoldChart::Point ManifoldChart::quadrant_point(const Quadrant& quadrant, double half_angle,
                                                    double across) const {
   const double e = opening_ + (std::sqrt(side(half_angle)) - opening_) * across;
   const double sin_theta =
-      p_ > 0 ? std::clamp(e * std::cos(half_angle) / std::sqrt(p_), -1.0, 1.0) : 0;
-  const double sin_eta = std::clamp(e * std::sin(half_angle) / std::sqrt(q_), -1.0, 1.0);
+      p_ > 0 ? std::clamp(e * elementary::cos(half_angle) / std::sqrt(p_), -1.0, 1.0) : 0;
+  const double sin_eta = std::clamp(e * elementary::sin(half_angle) / std::sqrt(q_), -1.0, 1.0);
   // Half angles outside of [0, pi] go on across the cut eta = 0, which has two names.
   const double flip = sin_eta < 0 ? -1 : 1;
   const auto w =
@@ -68,15 +71,15 @@ ManifoldChart::Point ManifoldChart::quadrant_point(const Quadrant& quadrant, dou
 
 ManifoldChart::Point ManifoldChart::operator()(const Vector3<double>& v) const {
   const auto [theta, eta] = manifold_.sphero_conal(v);
-  const double sin_theta = std::sin(theta), cos_eta = std::cos(eta);
+  const double sin_theta = elementary::sin(theta), cos_eta = elementary::cos(eta);
   if (manifold_.single_loop()) {
     const double sin2_boundary = std::max(0.0, (c_ - p_ * sin_theta * sin_theta) / q_);
     return annulus_point(theta, cos_eta / std::sqrt(std::max(kTiny, 1 - sin2_boundary)));
   }
-  const Quadrant quadrant{std::copysign(1.0, std::cos(theta)), std::copysign(1.0, cos_eta)};
-  const double x = std::sqrt(p_) * sin_theta, y = std::sqrt(q_) * std::sin(eta);
+  const Quadrant quadrant{std::copysign(1.0, elementary::cos(theta)), std::copysign(1.0, cos_eta)};
+  const double x = std::sqrt(p_) * sin_theta, y = std::sqrt(q_) * elementary::sin(eta);
   const double e2 = x * x + y * y;
-  const double half_angle = std::atan2(y, x) + turn(quadrant, e2);
+  const double half_angle = elementary::atan2(y, x) + turn(quadrant, e2);
   const double s = side(half_angle);
   const double range = small_ovals_ ? (s - c_) * (s + c_) : s - c_;
   const double superlevel = small_ovals_ ? (e2 - c_) * (e2 + c_) : e2 - c_;
@@ -94,7 +97,7 @@ ManifoldChart::Point ManifoldChart::at_boundary(const BoundaryPosition<double>& 
 
 ManifoldChart::Ray ManifoldChart::ray(int quadrant, double around) const {
   const double angle = (manifold_.single_loop() ? 2 : 1) * std::numbers::pi * around;
-  Ray ray{quadrant, angle, std::cos(angle), std::sin(angle), 0};
+  Ray ray{quadrant, angle, elementary::cos(angle), elementary::sin(angle), 0};
   ray.end = manifold_.single_loop() ? root(1 - std::max(0.0, (c_ - p_ * ray.sine * ray.sine) / q_))
                                     : side(angle);
   return ray;
@@ -114,7 +117,7 @@ double ManifoldChart::largest_product(int quadrant, const Vector3<double>& v) co
 
 Vector3<double> ManifoldChart::vector_at(const Ray& ray, double across) const {
   if (manifold_.single_loop()) {
-    const double cos_eta = std::cos(std::numbers::pi * across) * ray.end;
+    const double cos_eta = elementary::cos(std::numbers::pi * across) * ray.end;
     return manifold_.sphere_point(ray.sine, ray.cosine, root(1 - cos_eta * cos_eta), cos_eta);
   }
   const Quadrant q = quadrant_of(ray);
@@ -123,7 +126,7 @@ Vector3<double> ManifoldChart::vector_at(const Ray& ray, double across) const {
   if (small_ovals_) {
     e2 = std::sqrt(c_ * c_ + across * across * (s - c_) * (s + c_));
     const double before = ray.angle - turn(q, e2);
-    cosine = std::cos(before), sine = std::sin(before);
+    cosine = elementary::cos(before), sine = elementary::sin(before);
   }
   const double e = std::sqrt(e2);
   const double sin_theta = p_ > 0 ? std::clamp(e * cosine / std::sqrt(p_), -1.0, 1.0) : 0;
@@ -134,7 +137,8 @@ Vector3<double> ManifoldChart::vector_at(const Ray& ray, double across) const {
 }
 
 ManifoldChart::Point ManifoldChart::point_at(const Ray& ray, double across) const {
-  if (manifold_.single_loop()) return annulus_point(ray.angle, std::cos(std::numbers::pi * across));
+  if (manifold_.single_loop())
+    return annulus_point(ray.angle, elementary::cos(std::numbers::pi * across));
   return quadrant_point(quadrant_of(ray), ray.angle, across);
 }
 

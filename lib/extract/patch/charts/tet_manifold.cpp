@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tensortopo/scalar/elementary.hpp"
+
 namespace tensortopo {
 
 BoundaryPosition<double> TetManifold::boundary_position(const Vector3<double>& medium,
@@ -15,13 +17,13 @@ BoundaryPosition<double> TetManifold::boundary_position(const Vector3<double>& m
   // the plane across it: so two places tell all others.
   const auto angle = [&, v = at.sign * medium](const Vector3<double>& d) {
     const auto& e = manifold.characteristic().eigenvectors[1];
-    return 2 * std::atan2(dot(d, cross(v, e)), dot(d, e));
+    return 2 * elementary::atan2(dot(d, cross(v, e)), dot(d, e));
   };
   const auto angle_at = [&](double phi) {
     return angle(manifold.dominant_eigenvector(manifold.boundary_point(at.loop, phi)));
   };
   const double start = angle_at(0);
-  const double sense = std::sin(angle_at(std::numbers::pi / 2) - start) > 0 ? 1 : -1;
+  const double sense = elementary::sin(angle_at(std::numbers::pi / 2) - start) > 0 ? 1 : -1;
   const double phi = std::remainder(sense * (angle(dominant) - start), 2 * std::numbers::pi);
   at.phi = phi < 0 ? phi + 2 * std::numbers::pi : phi;
   return at;

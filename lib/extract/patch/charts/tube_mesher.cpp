@@ -12,6 +12,7 @@
 #include "extract/patch/patch_check.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/topology/regions/arc_loops.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
@@ -112,7 +113,7 @@ class TubeMesher {
 
     double length = 0;
     for (std::size_t k = 1; k < e.size(); ++k)
-      length += std::acos(std::min(1.0, dot(e[k - 1], e[k])));
+      length += elementary::acos(std::min(1.0, dot(e[k - 1], e[k])));
     const auto strips = std::max<std::size_t>(
         arc.ends[0].face == arc.ends[1].face ? 2 : 1,
         std::min(static_cast<std::size_t>(std::ceil(length / turn_)), e.size() - 1));
@@ -136,7 +137,8 @@ class TubeMesher {
                                 bool& clockwise) const {
     std::vector<double> angles;
     for (const auto& v : boundary)
-      angles.push_back(2 * std::atan2(dot(v.medium, frame.second), dot(v.medium, frame.first)));
+      angles.push_back(2 *
+                       elementary::atan2(dot(v.medium, frame.second), dot(v.medium, frame.first)));
     const std::size_t n = boundary.size();
     double turned = 0;
     for (std::size_t i = 0; i < n; ++i) turned += step(angles[i], angles[(i + 1) % n]);
@@ -160,7 +162,8 @@ class TubeMesher {
     Ring ring;
     for (int k = 0; k < count; ++k) {
       const double angle = std::numbers::pi * k / count, side = clockwise ? -1 : 1;
-      const auto v = std::cos(angle) * frame.first + (side * std::sin(angle)) * frame.second;
+      const auto v =
+          elementary::cos(angle) * frame.first + (side * elementary::sin(angle)) * frame.second;
       // One of the two tensors with this medium eigenvector is next to e.
       auto tensor = on_.manifold.tensor_at(v);
       const auto other = on_.manifold.tensor_at(-v);

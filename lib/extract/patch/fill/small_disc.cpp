@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "extract/patch/fill/polygon.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
 bool is_small_disc(const SheetTopology& sheet, std::span<const BoundaryVertex> boundary,
                    const Sampling& sampling) {
   if (sheet.euler_characteristic != 1 || boundary.size() > kSmallPolygon) return false;
-  const double least = std::cos(std::min(1.5 * sampling.largest_turn(), 1.5));
-  const double least_dominant = std::cos(std::min(3 * sampling.largest_turn(), 1.5));
+  const double least = elementary::cos(std::min(1.5 * sampling.largest_turn(), 1.5));
+  const double least_dominant = elementary::cos(std::min(3 * sampling.largest_turn(), 1.5));
   for (const auto& v : boundary)
     if (!(line_cosine(v.medium, boundary[0].medium) > least) ||
         !(line_cosine(v.dominant, boundary[0].dominant) > least_dominant))

@@ -16,6 +16,7 @@
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
 #include "extract/surface/boundary/trace_faces.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
@@ -31,7 +32,7 @@ double flatness(const Sampling& sampling) {
 
 /// By how much triangles may turn away from the level there: a thin tube keeps its corners.
 double least_cosine(const Sampling& sampling) {
-  return std::cos(std::min(3 / sampling.resolution, 0.75));
+  return elementary::cos(std::min(3 / sampling.resolution, 0.75));
 }
 
 /// Which samples go is decided by each face from what its two tetrahedra say, and what a

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "extract/topology/boundary/face_curves.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
@@ -15,8 +16,8 @@ struct SampleTurns {
   double medium, tensor;
 
   explicit SampleTurns(const Sampling& sampling)
-      : medium(std::cos(std::min(sampling.largest_turn(), 1.5))),
-        tensor(std::cos(std::min(2 * sampling.largest_turn(), 0.5))) {}
+      : medium(elementary::cos(std::min(sampling.largest_turn(), 1.5))),
+        tensor(elementary::cos(std::min(2 * sampling.largest_turn(), 0.5))) {}
 };
 
 /// Samples the arc so that neither the medium eigenvector nor the tensor turns too far from one

@@ -16,6 +16,7 @@
 #include <vtkNew.h>
 
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::detail {
@@ -52,8 +53,8 @@ struct Quantity {
 
 /// Frobenius norm, without overflow on the way.
 double norm(const SymmetricTensor<double>& t) {
-  const double shear = std::sqrt(2.0) * std::hypot(t.xy, t.yz, t.xz);
-  return std::hypot(std::hypot(t.xx, t.yy, t.zz), shear);
+  const double shear = std::sqrt(2.0) * elementary::hypot(t.xy, t.yz, t.xz);
+  return elementary::hypot(elementary::hypot(t.xx, t.yy, t.zz), shear);
 }
 
 double deviator_norm(const SymmetricTensor<double>& t) { return norm(to_tensor(deviator(t))); }

@@ -8,6 +8,7 @@
 
 #include "bytes/format_error.hpp"
 #include "grids/cell_kind.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo::detail {
 namespace {
@@ -25,8 +26,8 @@ const Edges& edges_of(std::uint8_t vtk_type) {
   static const Edges of_tetrahedron{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   static const Edges of_hexahedron{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                    {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-  static const Edges of_wedge{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3},
-                              {0, 3}, {1, 4}, {2, 5}};
+  static const Edges of_wedge{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
+                              {5, 3}, {0, 3}, {1, 4}, {2, 5}};
   static const Edges of_pyramid{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}};
   switch (vtk_type) {
     case tetrahedron_10:
@@ -81,9 +82,9 @@ void QuadraticSplitter::count_curved(Index a, Index b, Index middle) {
   if (!middles_.try_emplace({std::min(a, b), std::max(a, b)}, middle).second) return;
   const auto at = [&](Index v) { return mesh_.points[static_cast<std::size_t>(v)]; };
   const Vector3<double> p = at(a), q = at(b), m = at(middle);
-  const auto length = [](double x, double y, double z) { return std::hypot(x, y, z); };
-  const double off = length(m.x - (p.x / 2 + q.x / 2), m.y - (p.y / 2 + q.y / 2),
-                            m.z - (p.z / 2 + q.z / 2));
+  const auto length = [](double x, double y, double z) { return elementary::hypot(x, y, z); };
+  const double off =
+      length(m.x - (p.x / 2 + q.x / 2), m.y - (p.y / 2 + q.y / 2), m.z - (p.z / 2 + q.z / 2));
   if (!(off <= 0.01 * length(q.x - p.x, q.y - p.y, q.z - p.z))) ++curved_;
 }
 
@@ -124,8 +125,8 @@ Index QuadraticSplitter::face_centre(std::array<Index, 4> corners, std::array<In
 
 void QuadraticSplitter::split_tetrahedron(std::span<const Index> n, Tets& tets) {
   // Corner parts, then the octahedron around the middles of the edges.
-  for (const auto& [corner, a, b, c] : {std::array<std::size_t, 4>{0, 4, 6, 7},
-                                        {1, 4, 5, 8}, {2, 5, 6, 9}, {3, 7, 8, 9}})
+  for (const auto& [corner, a, b, c] :
+       {std::array<std::size_t, 4>{0, 4, 6, 7}, {1, 4, 5, 8}, {2, 5, 6, 9}, {3, 7, 8, 9}})
     tets.push_back({n[corner], n[a], n[b], n[c]});
   struct Diagonal {
     std::array<std::size_t, 2> ends;
@@ -135,12 +136,11 @@ void QuadraticSplitter::split_tetrahedron(std::span<const Index> n, Tets& tets) 
       {{{4, 9}, {5, 6, 7, 8}}, {{5, 7}, {4, 6, 9, 8}}, {{6, 8}, {4, 5, 9, 7}}}};
   const auto smallest = [&](const Diagonal& d) { return std::min(n[d.ends[0]], n[d.ends[1]]); };
   const Diagonal& best =
-      *std::min_element(diagonals.begin(), diagonals.end(), [&](const auto& p, const auto& q) {
-        return smallest(p) < smallest(q);
-      });
+      *std::min_element(diagonals.begin(), diagonals.end(),
+                        [&](const auto& p, const auto& q) { return smallest(p) < smallest(q); });
   for (std::size_t i = 0; i < 4; ++i)
-    tets.push_back({n[best.ends[0]], n[best.ends[1]], n[best.around[i]],
-                    n[best.around[(i + 1) % 4]]});
+    tets.push_back(
+        {n[best.ends[0]], n[best.ends[1]], n[best.around[i]], n[best.around[(i + 1) % 4]]});
 }
 
 void QuadraticSplitter::split_hexahedron(std::span<const Index> n, Tets& tets) {
@@ -164,10 +164,10 @@ void QuadraticSplitter::split_hexahedron(std::span<const Index> n, Tets& tets) {
       return place(x[0], x[1], x[2]);
     };
     const auto node = [&](std::size_t u, std::size_t v) { return at[on_face(u, v)]; };
-    at[on_face(1, 1)] =
-        n.size() == 27 ? n[20 + f]
-                       : face_centre({node(0, 0), node(2, 0), node(2, 2), node(0, 2)},
-                                     {node(1, 0), node(2, 1), node(1, 2), node(0, 1)});
+    at[on_face(1, 1)] = n.size() == 27
+                            ? n[20 + f]
+                            : face_centre({node(0, 0), node(2, 0), node(2, 2), node(0, 2)},
+                                          {node(1, 0), node(2, 1), node(1, 2), node(0, 1)});
   }
   if (n.size() == 27) {
     at[place(1, 1, 1)] = n[26];
@@ -199,8 +199,8 @@ void QuadraticSplitter::split_wedge(std::span<const Index> n, Tets& tets) {
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    layer[1][3 + i] = face_centre({n[i], n[j], n[3 + j], n[3 + i]},
-                                  {n[6 + i], n[12 + j], n[9 + i], n[12 + i]});
+    layer[1][3 + i] =
+        face_centre({n[i], n[j], n[3 + j], n[3 + i]}, {n[6 + i], n[12 + j], n[9 + i], n[12 + i]});
   }
   for (std::size_t k = 0; k < 2; ++k) {
     const auto &low = layer[k], &high = layer[k + 1];

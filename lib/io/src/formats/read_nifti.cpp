@@ -11,6 +11,7 @@
 #include "bytes/format_error.hpp"
 #include "formats/nifti_image.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo::detail {
 namespace {
@@ -26,13 +27,13 @@ void require_same_place(const Lattice& mask, const Lattice& image) {
                                   image.size[2]));
   double step = INFINITY, off = 0;
   for (std::size_t a = 0; a < 3; ++a)
-    step = std::min(step, std::hypot(image.to_space[0][a], image.to_space[1][a],
-                                     image.to_space[2][a]));
+    step = std::min(
+        step, elementary::hypot(image.to_space[0][a], image.to_space[1][a], image.to_space[2][a]));
   for (std::size_t r = 0; r < 3; ++r) {
     double far = std::abs(mask.to_space[r][3] - image.to_space[r][3]);
     for (std::size_t a = 0; a < 3; ++a)
-      far += std::abs(mask.to_space[r][a] - image.to_space[r][a]) *
-             static_cast<double>(image.size[a]);
+      far +=
+          std::abs(mask.to_space[r][a] - image.to_space[r][a]) * static_cast<double>(image.size[a]);
     off = std::max(off, far);
   }
   if (!(off <= 0.01 * step)) throw FormatError("lies elsewhere in space than the image");
@@ -71,9 +72,10 @@ ArraySource tensors_of(const Image& image, const std::vector<char>& kept) {
       for (std::size_t c = 0; c < n; ++c) {
         const std::vector<double> volume = image->volume(c);
         std::size_t next = 0;
-        if (c == 0) values.resize(n * (kept.empty() ? volume.size()
-                                                    : static_cast<std::size_t>(std::count(
-                                                          kept.begin(), kept.end(), char{1}))));
+        if (c == 0)
+          values.resize(n * (kept.empty() ? volume.size()
+                                          : static_cast<std::size_t>(
+                                                std::count(kept.begin(), kept.end(), char{1}))));
         for (std::size_t v = 0; v < volume.size(); ++v)
           if (kept.empty() || kept[v] != 0) values[n * next++ + c] = volume[v];
       }
@@ -103,10 +105,12 @@ std::vector<RawGrid> read_nifti(const FieldSource& source) {
   grid.file = path;
   grid.lattice = image->lattice;
   if (!source.options.mask.empty()) apply_mask(source, *grid.lattice);
-  source.notes.push_back(fmt::format("voxel centres are the vertices, placed by {}", image->placed_by));
+  source.notes.push_back(
+      fmt::format("voxel centres are the vertices, placed by {}", image->placed_by));
   if (image->is_scaled())
-    source.notes.push_back(fmt::format("values are scaled by {} and shifted by {}, as the file says",
-                                       image->slope, image->intercept));
+    source.notes.push_back(
+        fmt::format("values are scaled by {} and shifted by {}, as the file says", image->slope,
+                    image->intercept));
   grid.point_data.push_back(tensors_of(image, grid.lattice->kept));
   std::vector<RawGrid> grids;
   grids.push_back(std::move(grid));

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "tensortopo/io/read_surface_file.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 namespace {
@@ -53,7 +54,7 @@ class Polygon {
         is_ear = !(side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0);
       }
       const Vector diagonal = c - a;
-      const double length = std::hypot(diagonal.x, diagonal.y, diagonal.z);
+      const double length = elementary::hypot(diagonal.x, diagonal.y, diagonal.z);
       if (is_ear && (!found || length < shortest)) best = i, shortest = length, found = true;
     }
     return best;

@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include "tensortopo/scalar/elementary.hpp"
+
 namespace tensortopo::detail {
 namespace {
 
@@ -38,7 +40,7 @@ void append_float3(std::string& bytes, const Vector3<double>& v) {
 Vector3<double> unit_normal(const Vector3<double>& p, const Vector3<double>& q,
                             const Vector3<double>& r) {
   const Vector3<double> n = cross(q - p, r - p);
-  const double length = std::hypot(n.x, n.y, n.z);
+  const double length = elementary::hypot(n.x, n.y, n.z);
   if (!(length > 0) || !std::isfinite(length)) return {};
   return {n.x / length, n.y / length, n.z / length};
 }

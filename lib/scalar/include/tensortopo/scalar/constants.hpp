@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
+#include <type_traits>
 
+#include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/scalar_traits.hpp"
 
 namespace tensortopo {
@@ -11,7 +14,8 @@ namespace tensortopo {
 /// The ratio of a circle's circumference to its diameter, rounded to the scalar.
 template <RealScalar Scalar>
 Scalar pi() {
-  using std::atan;
+  if constexpr (std::is_same_v<Scalar, double>) return std::numbers::pi;
+  using elementary::atan;
   return Scalar(4) * atan(Scalar(1));
 }
 

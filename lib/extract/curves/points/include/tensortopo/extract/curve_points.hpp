@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tensortopo/scalar/extended.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo {
@@ -58,8 +59,8 @@ struct FacePoint {
   /// Proved to contain the direction of the dominant eigenvector of this point and of no other
   /// degenerate point in the triangle's plane.
   DirectionBox box;
-  std::array<long double, 3> weights{};  ///< positive, with sum 1; rounded
-  Vector3<long double> dominant{};       ///< rounded, of length about 1
+  std::array<Extended, 3> weights{};  ///< positive, with sum 1; rounded
+  Vector3<Extended> dominant{};       ///< rounded, of length about 1
 };
 
 /// The degenerate points of the field in a triangle, or why they are not known.
