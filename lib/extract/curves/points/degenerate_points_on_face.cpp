@@ -9,8 +9,8 @@
 #include "extract/curves/points/degenerate_forms.hpp"
 #include "extract/curves/points/dominant_direction.hpp"
 #include "extract/curves/points/enclosures.hpp"
-#include "tensortopo/scalar/extended.hpp"
 #include "extract/curves/points/exact_face_points.hpp"
+#include "tensortopo/scalar/extended.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
