@@ -41,6 +41,22 @@ TEST(Certificate, SaysTheSameInJsonAndCbor) {
   EXPECT_GT(json.at("levels").at(0).at("tets").size(), 0u);
 }
 
+TEST(Certificate, IsInTheShortestFormOfItsDocument) {
+  using Json = nlohmann::ordered_json;
+  const TetMesh mesh = mesh_with_ids();
+  const std::vector<CertifiedLevel> both{certified(mesh, "1/2").level,
+                                         certified(mesh, "-1/2").level};
+  for (const auto& levels : {both, std::vector<CertifiedLevel>()}) {
+    const auto text = bytes_of(mesh, levels, CertificateEncoding::json);
+    EXPECT_EQ(text, Json::parse(text).dump() + '\n');
+    const auto cbor = bytes_of(mesh, levels, CertificateEncoding::cbor);
+    std::string again;
+    Json::to_cbor(Json::from_cbor(cbor), again);
+    EXPECT_EQ(cbor, again);
+    EXPECT_EQ(Json::parse(text).at("levels").size(), levels.size());
+  }
+}
+
 TEST(Certificate, IsTheSameFromTheFieldOfTheExtraction) {
   const TetMesh mesh = mesh_with_ids();
   const PreparedField<double> field(mesh);

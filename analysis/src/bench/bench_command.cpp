@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -95,6 +96,11 @@ class Bench {
   void tell(double fraction) const {
     if (progress_) progress_("measuring errors", fraction);
   }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  /// Whether half of the time is over, which is all that looking for settings may take.
+  bool is_late() const { return seconds() > command_.longest / 2; }
 
   void judge() {
     tell(0);
@@ -136,6 +142,7 @@ class Bench {
   std::optional<double> matching_resolution(const Judge& judge, const std::vector<ModeValue>& modes,
                                             double error, double* ours) const {
     for (const double resolution : kResolutions) {
+      if (is_late()) return std::nullopt;
       *ours = judge.distance(our_surfaces(mesh_, modes, resolution)).root_mean_square();
       if (*ours <= error) return resolution;
     }
@@ -156,12 +163,14 @@ class Bench {
     std::optional<double> resolution;
     Setting chosen;
     for (const Setting& setting : settings) {
+      if (is_late()) return leave_out(ratio, BenchReport::no_time());
       chosen = setting;
       error = judge.distance(baseline_surfaces(method, mesh_, modes, setting.options))
                   .root_mean_square();
       resolution = matching_resolution(judge, modes, error, &ours);
       if (resolution) break;
     }
+    if (!resolution && is_late()) return leave_out(ratio, BenchReport::no_time());
     report_.errors.push_back(judge.errors(
         name, chosen.text, baseline_surfaces(method, mesh_, modes, chosen.options), mesh_));
     add(name, [this, modes, method, options = chosen.options] {
@@ -195,6 +204,7 @@ class Bench {
 
   void add_hybrid() {
     if (!is_wanted("hybrid")) return leave_out("hybrid_over_neutral", BenchReport::not_asked());
+    if (is_late()) return leave_out("hybrid_over_neutral", BenchReport::no_time());
     tell(0.7);
     const std::vector<ModeValue> neutral{ModeValue()};
     const Judge judge(mesh_, neutral);
@@ -209,6 +219,7 @@ class Bench {
   void add_vtk_subdivided() {
     const std::string ratio = "vtk_subdivided_over_extract";
     if (!is_wanted("vtk_subdivided")) return leave_out(ratio, BenchReport::not_asked());
+    if (is_late()) return leave_out(ratio, BenchReport::no_time());
     double error = 0;
     int times = 0;
     for (subdivided_ = mesh_;; subdivided_ = subdivide(subdivided_), ++times) {
@@ -241,11 +252,13 @@ class Bench {
   void time() {
     std::vector<std::map<std::string, double>> stages;
     if (progress_) progress_("timing", 0);
-    report_.series =
-        time_in_turn(contenders_, command_.repeat, [&](std::size_t contender, double fraction) {
+    report_.series = time_in_turn(
+        contenders_, command_.repeat,
+        [&](std::size_t contender, double fraction) {
           if (contender == 0) stages.push_back(stages_);
           if (progress_) progress_("timing", fraction);
-        });
+        },
+        command_.longest - seconds());
     report_.stages = stages[median_place(report_.series.front().seconds)];
     for (const Pair& pair : pairs_) {
       BenchRatio ratio{pair.ratio, std::nullopt, pair.note};
@@ -260,6 +273,7 @@ class Bench {
     return found->median();
   }
 
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const BenchCommand& command_;
   const TetMesh& mesh_;
   std::vector<ModeValue> modes_;

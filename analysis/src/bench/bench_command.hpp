@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,6 +25,9 @@ struct BenchCommand {
   ReadOptions read;
   std::vector<ModeValue> modes;  ///< of each, the surfaces of M and -M
   int repeat = 5;                ///< at least 5
+  /// Seconds after which no further repetition begins, and no further setting is tried for an equal
+  /// error.
+  double longest = std::numeric_limits<double>::infinity();
   /// Which of `comparisons` to run beside the plain ones; if not given, "certified" alone, since
   /// the others take a hundred times as long.
   std::optional<std::vector<std::string>> only;
@@ -55,6 +59,8 @@ struct BenchReport {
   std::size_t undecided = 0;             ///< tetrahedra without truth, if there are errors
   std::vector<ErrorCurve> curves;        ///< if asked for
 
+  /// The note of a ratio for which `BenchCommand::longest` does not suffice.
+  static std::string no_time() { return "not run: no time left, see --budget"; }
   /// The note of a ratio that was not asked for.
   static std::string not_asked() { return "not run: see --only and --all"; }
 };

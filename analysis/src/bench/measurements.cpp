@@ -38,16 +38,17 @@ std::string both_signs(const ModeValue& mode) {
 class Page {
  public:
   Page(const MeasurementsCommand& command, const Progress& progress)
-      : command_(command), progress_(progress) {}
+      : command_(command), progress_(progress), budget_(command.budget, weight_of_all()) {}
 
   std::string text() {
     heading();
-    text_ += programs_table(command_, progress_);  // first, while there is little in memory
+    // First, while there is little in memory.
+    text_ += programs_table(command_, budget_, progress_);
     times();
     serial_shares();
     curves();
     next_to_ends();
-    if (command_.all || !command_.only.empty()) other_methods();
+    if (has_other_methods()) other_methods();
     return text_ + fmt::format("\nLoad at the end: {}.\n", load_text());
   }
 
@@ -61,13 +62,30 @@ class Page {
     if (progress_) progress_(stage, std::min(1.0, 0.02 * static_cast<double>(++told_)));
   }
 
+  bool has_other_methods() const { return command_.all || !command_.only.empty(); }
+
+  // What parts of the page take, about, compared with each other: of each field and mode, and of
+  // each field.
+  static constexpr double kTimesWeight = 3, kMethodsWeight = 9;
+  static constexpr double kThreadsWeight = 2, kCurvesWeight = 0.5, kEndsWeight = 1;
+
+  double times_weight() const { return kTimesWeight + (has_other_methods() ? kMethodsWeight : 0); }
+  double weight_of_all() const {
+    const double of_mode = kProgramsWeight + times_weight();
+    const double of_field = kThreadsWeight + kCurvesWeight + 2 * kEndsWeight;
+    return static_cast<double>(command_.inputs.size()) *
+           (of_field + of_mode * static_cast<double>(command_.modes.size()));
+  }
+
   void heading() {
     add("# Measurements\n\nWritten by `tensortopo bench --report`, not by hand.\n\n"
         "| | |\n| --- | --- |\n");
     add("| machine | {} |\n| load at the start | {} |\n| commit | {} |\n| date | {} |\n",
         machine_text(), load_text(), commit_text(), date_text());
     add("| `tests/run --all` passed last | {} |\n", tested_text());
-    add("| repetitions | {}, interleaved; medians are reported |\n\n", command_.repeat);
+    add("| repetitions | up to {}, interleaved; medians are reported |\n"
+        "| budget | {:g} s |\n\n",
+        command_.repeat, command_.budget);
     add("The load is the number of processes that want to run. Where it is larger than the number "
         "of "
         "threads, others took part of the time: seconds are too long, and ratios of short to long "
@@ -78,10 +96,11 @@ class Page {
     add("\n## Extraction\n\nSeconds without reading and writing, by stage and for all, and of "
         "`vtkContourGrid`, which contours the modes of the vertices linearly; "
         "`vtkContour3DLinearGrid` is VTK's threaded filter.\n\n"
-        "| field | tetrahedra | modes | triangles | edges | faces | tetrahedra | assembly | all | "
+        "| field | tetrahedra | modes | repetitions | triangles | edges | faces | "
+        "tetrahedra | assembly | all | "
         "with certificate | vtkContourGrid | all over it | certified over it | all over "
         "vtkContour3DLinearGrid |\n|{}\n",
-        dashes(14));
+        dashes(15));
     for (const auto& input : command_.inputs)
       for (const ModeValue& mode : command_.modes) {
         tell("timing " + name(input));
@@ -90,6 +109,7 @@ class Page {
         bench.read = command_.read;
         bench.modes = {mode};
         bench.repeat = command_.repeat;
+        bench.longest = budget_.take(times_weight());
         bench.all = command_.all;
         bench.only = comparisons_at(mode);
         reports_.push_back(run_bench(bench));
@@ -101,9 +121,10 @@ class Page {
         };
         const double ours = median("extract"), certified = median("certified"),
                      vtk = median("vtk_contour");
-        add("| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | "
-            "{:.1f} | {:.1f} | {:.0f} |\n",
-            name(input), r.tetrahedra, both_signs(mode), r.series.front().triangles,
+        add("| {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | "
+            "{:.3f} | {:.1f} | {:.1f} | {:.0f} |\n",
+            name(input), r.tetrahedra, both_signs(mode), r.series.front().seconds.size(),
+            r.series.front().triangles,
             r.stages.at("edges"), r.stages.at("faces"), r.stages.at("tets"), r.stages.at("stitch"),
             ours, certified, vtk, ours / vtk, certified / vtk,
             ours / median("vtk_contour_3d_linear_grid"));
@@ -123,6 +144,7 @@ class Page {
       scaling.read = command_.read;
       scaling.modes = {command_.modes.size() > 1 ? command_.modes[1] : command_.modes[0]};
       scaling.repeat = command_.repeat;
+      scaling.longest = budget_.take(kThreadsWeight);
       const ScalingReport report = run_scaling(scaling);
       add("| {} | {} | {} | {:.2f} | {:.2f} | {} |\n", name(input), both_signs(scaling.modes[0]),
           report.threads, report.points.front().seconds, report.points.back().seconds,
@@ -148,6 +170,7 @@ class Page {
         dashes(5));
     for (const auto& input : command_.inputs) {
       tell("curves of " + name(input));
+      (void)budget_.take(kCurvesWeight);
       TemporaryFolder folder;
       const ExtractReport report = run_now(extraction(input, ModeValue::parse("1"), folder));
       add("| {} ", name(input));
@@ -165,10 +188,16 @@ class Page {
     add("\n|{}\n", dashes(modes.size() + 1));
     for (const auto& input : command_.inputs) {
       add("| {} |", name(input));
+      double last = 0;
       for (const std::string& mode : modes) {
+        if (budget_.take(kEndsWeight) < last) {
+          add(" no time left |");
+          continue;
+        }
         tell("next to the ends of " + name(input));
         TemporaryFolder folder;
         const ExtractReport report = run_now(extraction(input, ModeValue::parse(mode), folder));
+        last = report.seconds_extract;
         std::size_t crossed = 0;
         for (const SurfaceReport& s : report.surfaces) crossed += s.statistics.tets_crossed;
         add(" {}, {}, {:.2f} s |", crossed, report.unresolved.size(), report.seconds_extract);
@@ -212,6 +241,7 @@ class Page {
 
   const MeasurementsCommand& command_;
   const Progress& progress_;
+  TimeBudget budget_;
   std::string text_;
   std::vector<BenchReport> reports_;
   int told_ = 0;

@@ -24,7 +24,6 @@ namespace tensortopo {
 namespace {
 
 constexpr int kRepeat = 3;
-constexpr double kLongest = 20;  // seconds of one run of each, to be repeated
 
 /// In the child: becomes the program, or ends.
 [[noreturn]] void become_self(char** words, const char* output) {
@@ -87,7 +86,8 @@ ProgramRun run_self(std::vector<std::string> arguments) {
   return run;
 }
 
-std::string programs_table(const MeasurementsCommand& command, const Progress& progress) {
+std::string programs_table(const MeasurementsCommand& command, TimeBudget& budget,
+                           const Progress& progress) {
   std::string text =
       "\n## Programs\n\nWhole programs, files read and written: `extract`, `extract --certify`, "
       "`check`. Claims as the independent checker judges them. Peak memory is that of `extract`, "
@@ -112,12 +112,13 @@ std::string programs_table(const MeasurementsCommand& command, const Progress& p
       const std::array<std::vector<std::string>, 3> all{
           extract, certify, {"check", input.string(), output, certificate}};
       std::array<Runs, 3> runs;
-      double once = 0;
-      for (int round = 0; round < (once > kLongest ? 1 : kRepeat); ++round)
-        for (std::size_t i = 0; i < all.size(); ++i) {
-          runs[i].all.push_back(run_self(all[i]));
-          if (round == 0) once += runs[i].all.back().seconds;
-        }
+      std::vector<Contender> programs;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        programs.push_back({all[i].front(), [&, i] {
+                              runs[i].all.push_back(run_self(all[i]));
+                              return std::size_t{0};
+                            }});
+      (void)time_in_turn(programs, kRepeat, {}, budget.take(kProgramsWeight));
       const auto& [plain, certified, check] = runs;
       const double seconds = plain.seconds();
       const double files = plain.median([](const ProgramRun& run) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/measurements.hpp"
+#include "bench/time_budget.hpp"
 
 namespace tensortopo {
 
@@ -24,11 +25,15 @@ struct ProgramRun {
 ProgramRun run_self(std::vector<std::string> arguments);
 
 /// The table of `extract`, `extract --certify` and `check`, files read and written: medians of
-/// three runs in turn, of one where three would take more than a minute. To be called before
+/// three runs in turn, of fewer where the budget does not suffice for these. To be called before
 /// anything large is in memory, since a process starts with its parent's size.
 ///
 /// The memory of input and output is that of the numbers that they consist of: 72 bytes a vertex
 /// and 24 a tetrahedron of the mesh, 112 a vertex and 20 a triangle of the surface.
-std::string programs_table(const MeasurementsCommand& command, const Progress& progress);
+///
+/// @param budget  of which a share of `kProgramsWeight` is taken for each field and mode
+std::string programs_table(const MeasurementsCommand& command, TimeBudget& budget,
+                           const Progress& progress);
+constexpr double kProgramsWeight = 3;
 
 }  // namespace tensortopo

@@ -22,11 +22,15 @@ namespace {
 const double kResolution = Sampling().resolution;
 
 /// One for each point, VTK's after ours if it takes part.
-void add_times(const std::vector<Contender>& contenders, bool with_vtk, int repeat,
-               std::vector<ScalingPoint>& points, const Progress& progress) {
-  const auto series = time_in_turn(contenders, repeat, [&](std::size_t, double fraction) {
-    if (progress) progress("timing", fraction);
-  });
+void add_times(const std::vector<Contender>& contenders, bool with_vtk,
+               const ScalingCommand& command, std::vector<ScalingPoint>& points,
+               const Progress& progress) {
+  const auto series = time_in_turn(
+      contenders, command.repeat,
+      [&](std::size_t, double fraction) {
+        if (progress) progress("timing", fraction);
+      },
+      command.longest);
   const std::size_t step = with_vtk ? 2 : 1, first = points.size() - series.size() / step;
   for (std::size_t i = 0; i < series.size(); i += step) {
     ScalingPoint& point = points[first + i / step];
@@ -52,7 +56,7 @@ void over_sizes(const ScalingCommand& command, ScalingReport& report, const Prog
     VtkContours vtk(mesh, static_cast<int>(report.threads));
     const auto tetrahedra = mesh.tets.size();
     report.points.push_back({static_cast<double>(tetrahedra), tetrahedra});
-    add_times(ours_and_vtk(mesh, modes, vtk), true, command.repeat, report.points, progress);
+    add_times(ours_and_vtk(mesh, modes, vtk), true, command, report.points, progress);
   }
 }
 
@@ -67,7 +71,7 @@ void over_mode(const TetMesh& mesh, const ScalingCommand& command, ScalingReport
       contenders.push_back(std::move(contender));
     report.points.push_back({one.front().approx(), mesh.tets.size()});
   }
-  add_times(contenders, true, command.repeat, report.points, progress);
+  add_times(contenders, true, command, report.points, progress);
 }
 
 void over_threads(const TetMesh& mesh, const ScalingCommand& command, ScalingReport& report,
@@ -84,7 +88,7 @@ void over_threads(const TetMesh& mesh, const ScalingCommand& command, ScalingRep
   };
   for (std::size_t threads = 1; threads < report.threads; threads *= 2) add(threads);
   add(report.threads);
-  add_times(contenders, false, command.repeat, report.points, progress);
+  add_times(contenders, false, command, report.points, progress);
 }
 
 void over_modes(const TetMesh& mesh, const ScalingCommand& command, ScalingReport& report,
@@ -101,7 +105,7 @@ void over_modes(const TetMesh& mesh, const ScalingCommand& command, ScalingRepor
                           }});
     report.points.push_back({static_cast<double>(count), mesh.tets.size()});
   }
-  add_times(contenders, false, command.repeat, report.points, progress);
+  add_times(contenders, false, command, report.points, progress);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct ScalingCommand {
   std::vector<ModeValue> modes;   ///< of `size` and `threads`; each with its opposite
   std::size_t largest = 1'000'000;  ///< tetrahedra, of `size`
   int repeat = 5;                 ///< at least 5
+  /// Seconds after which no further repetition begins.
+  double longest = std::numeric_limits<double>::infinity();
 };
 
 struct ScalingPoint {

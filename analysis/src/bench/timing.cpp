@@ -27,18 +27,23 @@ std::size_t median_place(const std::vector<double>& values) {
 
 std::vector<BenchSeries> time_in_turn(
     const std::vector<Contender>& contenders, int repeat,
-    const std::function<void(std::size_t contender, double fraction)>& told) {
+    const std::function<void(std::size_t contender, double fraction)>& told, double longest) {
   std::vector<BenchSeries> series;
+  double all = 0, last = 0;  // seconds of the rounds
   for (const Contender& contender : contenders) series.push_back({contender.name, {}, 0});
-  for (int round = 0; round < repeat; ++round)
+  for (int round = 0; round < repeat && (round == 0 || all + last <= longest); ++round) {
+    last = 0;
     for (std::size_t i = 0; i < contenders.size(); ++i) {
       series[i].seconds.push_back(
           seconds_of([&] { series[i].triangles = contenders[i].run(); }));
+      last += series[i].seconds.back();
       const auto done = static_cast<std::size_t>(round) * contenders.size() + i + 1;
       if (told)
         told(i, static_cast<double>(done) /
                     (static_cast<double>(repeat) * static_cast<double>(contenders.size())));
     }
+    all += last;
+  }
   return series;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,13 @@ std::size_t median_place(const std::vector<double>& values);
 
 /// Runs all of them in turn, `repeat` times over, so that whatever else the machine does meets all
 /// of them alike; after each run `told` gets the contender's place and how much of all is done.
+///
+/// @param longest  seconds; a further round begins only if as long as the one before it would not
+///                 exceed them. The first round is always run.
 std::vector<BenchSeries> time_in_turn(
     const std::vector<Contender>& contenders, int repeat,
-    const std::function<void(std::size_t contender, double fraction)>& told = {});
+    const std::function<void(std::size_t contender, double fraction)>& told = {},
+    double longest = std::numeric_limits<double>::infinity());
 
 /// The exponent p of the power law y = c x^p that fits best: the slope of the line through
 /// (log x, log y) with the least squares. NaN for fewer than two different x; all values positive.

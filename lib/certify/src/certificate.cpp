@@ -5,15 +5,19 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
+
+#include "document_writer.hpp"
 
 namespace tensortopo {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+using detail::DocumentWriter;
 
 std::string exact(double x) { return fmt::format("{:a}", x); }
 
@@ -29,72 +33,85 @@ struct Ids {
   std::int64_t cell(TetMesh::Index t) const { return cells[as_size(t)]; }
 };
 
-Json edges_json(const CertifiedLevel& level, std::size_t first_vertex, const Ids& ids) {
-  Json edges = Json::array();
+void write_edges(DocumentWriter& out, const CertifiedLevel& level, std::size_t first_vertex,
+                 const Ids& ids) {
   std::multimap<SurfaceMesh::Index, SurfaceMesh::Index> copies;
   for (const auto& [vertex, copy] : level.topology.copies) copies.emplace(vertex, copy);
-  for (std::size_t e = 0; e < level.topology.edges.size(); ++e) {
+  out.list(level.topology.edges, [&](DocumentWriter& item, std::size_t e) {
     const auto& edge = level.topology.edges[e];
-    Json item{ids.vertex(edge.vertices[0]), ids.vertex(edge.vertices[1])};
+    item.array(2 + edge.crossings.size());
+    for (const auto v : edge.vertices) item.number(ids.vertex(v));
     for (std::size_t k = 0; k < edge.crossings.size(); ++k) {
       const auto vertex = edge.crossings[k].vertex;
-      item.push_back({level.brackets[e][k].place, level.brackets[e][k].depth,
-                      first_vertex + as_size(vertex)});
       const auto [begin, end] = copies.equal_range(vertex);
+      item.array(3 + static_cast<std::size_t>(std::distance(begin, end)));
+      item.number(level.brackets[e][k].place);
+      item.number(level.brackets[e][k].depth);
+      item.number(first_vertex + as_size(vertex));
       for (auto copy = begin; copy != end; ++copy)
-        item.back().push_back(first_vertex + as_size(copy->second));
+        item.number(first_vertex + as_size(copy->second));
+      item.end_array();
     }
-    edges.push_back(std::move(item));
-  }
-  return edges;
+    item.end_array();
+  });
 }
 
-Json faces_json(const CertifiedLevel& level, std::size_t first_vertex, const Ids& ids) {
-  Json faces = Json::array();
-  for (const auto& face : level.topology.faces) {
-    Json arcs = Json::array(), loops = Json::array();
-    for (const auto& arc : face.arcs)
-      arcs.push_back({first_vertex + as_size(arc[0]), first_vertex + as_size(arc[1])});
-    for (const auto v : face.loops) loops.push_back(first_vertex + as_size(v));
-    faces.push_back({ids.vertex(face.vertices[0]), ids.vertex(face.vertices[1]),
-                     ids.vertex(face.vertices[2]), std::move(arcs), std::move(loops)});
-  }
-  return faces;
+void write_faces(DocumentWriter& out, const CertifiedLevel& level, std::size_t first_vertex,
+                 const Ids& ids) {
+  out.list(level.topology.faces, [&](DocumentWriter& item, std::size_t f) {
+    const auto& face = level.topology.faces[f];
+    item.array(5);
+    for (const auto v : face.vertices) item.number(ids.vertex(v));
+    item.array(face.arcs.size());
+    for (const auto& arc : face.arcs) {
+      item.array(2);
+      for (const auto v : arc) item.number(first_vertex + as_size(v));
+      item.end_array();
+    }
+    item.end_array();
+    item.array(face.loops.size());
+    for (const auto v : face.loops) item.number(first_vertex + as_size(v));
+    item.end_array();
+    item.end_array();
+  });
 }
 
-Json tets_json(const CertifiedLevel& level, std::size_t first_vertex, const Ids& ids) {
-  Json tets = Json::array();
-  for (const auto& tet : level.topology.tets) {
-    Json item{ids.cell(tet.tet)};
+void write_tets(DocumentWriter& out, const CertifiedLevel& level, std::size_t first_vertex,
+                const Ids& ids) {
+  out.list(level.topology.tets, [&](DocumentWriter& item, std::size_t t) {
+    const auto& tet = level.topology.tets[t];
+    item.array(1 + tet.sheets.size());
+    item.number(ids.cell(tet.tet));
     for (const auto& sheet : tet.sheets) {
-      Json sheet_json{sheet.euler_characteristic};
+      item.array(1 + sheet.loops.size());
+      item.number(sheet.euler_characteristic);
       for (const auto& loop : sheet.loops) {
-        Json arcs = Json::array();
+        item.array(2 * loop.size());
         for (const auto& arc : loop) {
-          arcs.push_back(first_vertex + as_size(arc.from));
-          arcs.push_back(ids.vertex(arc.opposite));
+          item.number(first_vertex + as_size(arc.from));
+          item.number(ids.vertex(arc.opposite));
         }
-        sheet_json.push_back(std::move(arcs));
+        item.end_array();
       }
-      item.push_back(std::move(sheet_json));
+      item.end_array();
     }
-    tets.push_back(std::move(item));
-  }
-  return tets;
+    item.end_array();
+  });
 }
 
-Json cones_json(const CertifiedLevel& level, std::size_t first_vertex, const Ids& ids) {
-  Json cones = Json::array();
-  for (const auto& cone : level.topology.cones) {
-    Json item{ids.cell(cone.tet)};
+void write_cones(DocumentWriter& out, const CertifiedLevel& level, std::size_t first_vertex,
+                 const Ids& ids) {
+  out.list(level.topology.cones, [&](DocumentWriter& item, std::size_t c) {
+    const auto& cone = level.topology.cones[c];
+    item.array(1 + cone.sheets.size());
+    item.number(ids.cell(cone.tet));
     for (const auto& sheet : cone.sheets) {
-      Json vertices = Json::array();
-      for (const auto v : sheet) vertices.push_back(first_vertex + as_size(v));
-      item.push_back(std::move(vertices));
+      item.array(sheet.size());
+      for (const auto v : sheet) item.number(first_vertex + as_size(v));
+      item.end_array();
     }
-    cones.push_back(std::move(item));
-  }
-  return cones;
+    item.end_array();
+  });
 }
 
 Json cells_json(const std::vector<TetMesh::Index>& tets, const Ids& ids) {
@@ -131,9 +148,14 @@ Json undecided_json(const std::vector<UndecidedCell>& cells,
   return undecided;
 }
 
-Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size_t first_triangle,
-                const TetMesh& mesh) {
-  const Ids ids(level, mesh);
+/// The claims about a level that are not lists of its simplices: those that come before these lists
+/// in the file, and those that come after.
+struct LevelFrame {
+  Json before, after;
+};
+
+LevelFrame level_frame(const CertifiedLevel& level, std::size_t first_vertex,
+                       std::size_t first_triangle, const Ids& ids) {
   Json components = Json::array();
   for (const auto& c : level.components)
     components.push_back({{"euler_characteristic", c.euler_characteristic},
@@ -141,28 +163,48 @@ Json level_json(const CertifiedLevel& level, std::size_t first_vertex, std::size
                           {"orientable", c.orientable},
                           {"triangles", c.triangles},
                           {"first_vertex", first_vertex + as_size(c.first_vertex)}});
-  Json json;
+  Json before, after;
   if (const auto* invariant = std::get_if<InvariantLevel>(&level.value)) {
-    json["invariant"] = name_of(invariant->invariant());
-    json["value"] = invariant->text();
+    before["invariant"] = name_of(invariant->invariant());
+    before["value"] = invariant->text();
   } else {
-    json["mode"] = std::get<ModeValue>(level.value).text();
+    before["mode"] = std::get<ModeValue>(level.value).text();
   }
-  json["vertices"] = {first_vertex, level.vertices};
-  json["triangles"] = {first_triangle, level.triangles};
-  json["on_level"] = level.on_level;
-  json["undecided"] = undecided_json(level.undecided, ids.cells);
-  json["edges"] = edges_json(level, first_vertex, ids);
-  json["faces"] = faces_json(level, first_vertex, ids);
-  json["tets"] = tets_json(level, first_vertex, ids);
-  json["cones"] = cones_json(level, first_vertex, ids);
-  json["components"] = std::move(components);
-  json["distance"] = distance_json(level.distance, ids);
-  if (level.stability) json["stability"] = stability_json(*level.stability, first_vertex);
-  if (level.embedded) json["embedded"] = true;
-  if (level.not_isotopic)
-    json["isotopic"] = {{"except", cells_json(*level.not_isotopic, ids)}};
-  return json;
+  before["vertices"] = {first_vertex, level.vertices};
+  before["triangles"] = {first_triangle, level.triangles};
+  before["on_level"] = level.on_level;
+  before["undecided"] = undecided_json(level.undecided, ids.cells);
+  after["components"] = std::move(components);
+  after["distance"] = distance_json(level.distance, ids);
+  if (level.stability) after["stability"] = stability_json(*level.stability, first_vertex);
+  if (level.embedded) after["embedded"] = true;
+  if (level.not_isotopic) after["isotopic"] = {{"except", cells_json(*level.not_isotopic, ids)}};
+  return {std::move(before), std::move(after)};
+}
+
+void write_members(DocumentWriter& out, const Json& object) {
+  for (const auto& [key, value] : object.items()) {
+    out.key(key);
+    out.value(value);
+  }
+}
+
+void write_level(DocumentWriter& out, const CertifiedLevel& level, std::size_t first_vertex,
+                 std::size_t first_triangle, const TetMesh& mesh) {
+  const Ids ids(level, mesh);
+  const LevelFrame frame = level_frame(level, first_vertex, first_triangle, ids);
+  out.object(frame.before.size() + 4 + frame.after.size());
+  write_members(out, frame.before);
+  out.key("edges");
+  write_edges(out, level, first_vertex, ids);
+  out.key("faces");
+  write_faces(out, level, first_vertex, ids);
+  out.key("tets");
+  write_tets(out, level, first_vertex, ids);
+  out.key("cones");
+  write_cones(out, level, first_vertex, ids);
+  write_members(out, frame.after);
+  out.end_object();
 }
 
 Json curve_faces_json(const CertifiedCurves& kind, std::size_t first_vertex) {
@@ -207,7 +249,7 @@ Json curves_json(const CertifiedCurves& kind, std::size_t first_vertex, std::siz
   return json;
 }
 
-/// All but the levels.
+/// All but the levels, which come last.
 /// @param output  "surface" or "polylines"
 /// @param cells  "triangles" or "lines"
 Json head_json(const CertificateSubject& subject, const char* output, const char* cells) {
@@ -224,15 +266,22 @@ Json head_json(const CertificateSubject& subject, const char* output, const char
   if (!subject.arrays.empty()) file["arrays"] = Json::array();
   for (const auto& array : subject.arrays)
     file["arrays"].push_back({array.of, array.name, array.components, array.sha256});
-  json["levels"] = Json::array();
   return json;
 }
 
-std::string bytes_of(const Json& json, CertificateEncoding encoding) {
-  if (encoding == CertificateEncoding::json) return json.dump() + '\n';
-  std::string bytes;
-  Json::to_cbor(json, bytes);
-  return bytes;
+/// @param write_level  writes the level of a number
+template <class WriteLevel>
+std::string document(const Json& head, std::size_t levels, CertificateEncoding encoding,
+                     const WriteLevel& write_level) {
+  DocumentWriter out(encoding);
+  out.object(head.size() + 1);
+  write_members(out, head);
+  out.key("levels");
+  out.array(levels);
+  for (std::size_t l = 0; l < levels; ++l) write_level(out, l);
+  out.end_array();
+  out.end_object();
+  return out.take() + (encoding == CertificateEncoding::json ? "\n" : "");
 }
 
 }  // namespace
@@ -240,27 +289,25 @@ std::string bytes_of(const Json& json, CertificateEncoding encoding) {
 std::string certificate_bytes(const CertificateSubject& subject,
                               std::span<const CertifiedLevel> levels, const TetMesh& mesh,
                               CertificateEncoding encoding) {
-  Json json = head_json(subject, "surface", "triangles");
   std::size_t vertices = 0, triangles = 0;
-  for (const auto& level : levels) {
-    json["levels"].push_back(level_json(level, vertices, triangles, mesh));
-    vertices += level.vertices;
-    triangles += level.triangles;
-  }
-  return bytes_of(json, encoding);
+  return document(head_json(subject, "surface", "triangles"), levels.size(), encoding,
+                  [&](DocumentWriter& out, std::size_t l) {
+                    write_level(out, levels[l], vertices, triangles, mesh);
+                    vertices += levels[l].vertices;
+                    triangles += levels[l].triangles;
+                  });
 }
 
 std::string certificate_bytes(const CertificateSubject& subject,
                               std::span<const CertifiedCurves> kinds, const TetMesh& mesh,
                               CertificateEncoding encoding) {
-  Json json = head_json(subject, "polylines", "lines");
   std::size_t vertices = 0, lines = 0;
-  for (const auto& kind : kinds) {
-    json["levels"].push_back(curves_json(kind, vertices, lines, mesh));
-    vertices += kind.vertices;
-    lines += kind.lines;
-  }
-  return bytes_of(json, encoding);
+  return document(head_json(subject, "polylines", "lines"), kinds.size(), encoding,
+                  [&](DocumentWriter& out, std::size_t l) {
+                    out.value(curves_json(kinds[l], vertices, lines, mesh));
+                    vertices += kinds[l].vertices;
+                    lines += kinds[l].lines;
+                  });
 }
 
 }  // namespace tensortopo

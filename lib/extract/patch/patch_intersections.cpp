@@ -5,20 +5,27 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Segment_3.h>
 #include <CGAL/Triangle_3.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
+
+#include "extract/patch/box_tree.hpp"
+#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+constexpr std::size_t kPart = 1024;  ///< boxes that one thread takes at a time
 
 double largest(const Vector3<double>& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -70,13 +77,6 @@ Side side_of(std::span<const Vector3<double>> points, const PatchTriangle& t) {
   side.error = kRoundings * largest(u) * largest(v);
   side.has_area = largest(side.normal) > side.error + kUnderflow || !are_collinear(side.corners);
   return side;
-}
-
-template <class Box>
-bool boxes_meet(const Side& s, const Box& t) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (s.high[k] < t.low[k] || t.high[k] < s.low[k]) return false;
-  return true;
 }
 
 /// Whether doubles show that a point is on one side of the plane of a triangle: 1 or -1, else 0.
@@ -174,18 +174,13 @@ void make_extents(const std::vector<Side>& sides, std::vector<Extent>& extents) 
   }
 }
 
-/// Calls f for any two of these whose boxes, `low` to `high`, meet.
-template <class Boxes, class F>
-void for_meeting(const Boxes& all, const F& f) {
-  using Handle = decltype(&*all.begin());
-  using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, Handle>;
-  std::vector<Box> boxes;
-  boxes.reserve(all.size());
-  for (const auto& s : all)
-    boxes.emplace_back(
-        CGAL::Bbox_3(s.low[0], s.low[1], s.low[2], s.high[0], s.high[1], s.high[2]), &s);
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& p, const Box& q) {
-    f(*p.handle(), *q.handle());
+/// Calls the body for the parts of 0 to count - 1, in parallel, with the rounding that predicates
+/// need.
+template <class Body>
+void for_parts(std::size_t count, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kPart), [&](const auto& range) {
+    const FloatingPointEnvironment environment;
+    body(range.begin(), range.end());
   });
 }
 
@@ -236,25 +231,40 @@ bool intersects_any(std::span<const Vector3<double>> points, std::span<const Pat
 
 bool are_embedded(std::span<const Vector3<double>> points,
                   std::span<const PatchTriangle> triangles) {
-  std::vector<Side> sides;
-  make_sides(points, triangles, sides);
-  if (!std::all_of(sides.begin(), sides.end(), [](const Side& s) { return s.has_area; }))
-    return false;
-  bool all = true;
-  for_meeting(sides, [&](const Side& s, const Side& t) {
-    all = all && !intersect<Same::number>(s, t);
+  std::vector<Side> sides(triangles.size());
+  std::vector<AxisBox> boxes(triangles.size());
+  std::atomic<bool> is_embedded{true};
+  for_parts(sides.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      sides[i] = side_of(points, triangles[i]);
+      boxes[i] = {sides[i].low, sides[i].high};
+      if (!sides[i].has_area) is_embedded = false;
+    }
   });
-  return all;
+  if (!is_embedded) return false;
+  const BoxTree tree(boxes);
+  for_parts(tree.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t rank = begin; rank < end && is_embedded; ++rank)
+      if (tree.any_meeting(rank, [&](std::uint32_t i, std::uint32_t j) {
+            return intersect<Same::number>(sides[i], sides[j]);
+          }))
+        is_embedded = false;
+  });
+  return is_embedded;
 }
 
 std::vector<std::array<std::uint32_t, 2>> meeting_boxes(std::span<const AxisBox> boxes) {
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for_meeting(boxes, [&](const AxisBox& s, const AxisBox& t) {
-    const auto place = [&](const AxisBox& b) {
-      return static_cast<std::uint32_t>(&b - boxes.data());
-    };
-    pairs.push_back({place(s), place(t)});
+  const BoxTree tree(boxes);
+  std::vector<std::vector<std::array<std::uint32_t, 2>>> found(tree.size() / kPart + 1);
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t part) {
+    for (std::size_t rank = part * kPart; rank < std::min(tree.size(), (part + 1) * kPart); ++rank)
+      tree.any_meeting(rank, [&](std::uint32_t i, std::uint32_t j) {
+        found[part].push_back({i, j});
+        return false;
+      });
   });
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
   return pairs;
 }
 

@@ -10,6 +10,7 @@
 
 #include "analysis/run_program.hpp"
 #include "bench/level_distance.hpp"
+#include "bench/time_budget.hpp"
 #include "bench/timing.hpp"
 #include "support/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
@@ -161,6 +162,22 @@ TEST(Bench, ContendersTakeTurns) {
   EXPECT_EQ(order, "ababababab");
   EXPECT_EQ(series[1].seconds.size(), 5u);
   EXPECT_EQ(series[1].triangles, static_cast<std::size_t>('b'));
+}
+
+TEST(Bench, WithoutTimeLeftContendersRunOnce) {
+  int runs = 0;
+  const auto run = [&runs] { return static_cast<std::size_t>(++runs); };
+  EXPECT_EQ(time_in_turn({{"a", run}}, 5, {}, 0)[0].seconds.size(), 1u);
+  EXPECT_EQ(runs, 1);
+  EXPECT_EQ(time_in_turn({{"a", run}}, 5, {}, 1e9)[0].seconds.size(), 5u);
+}
+
+TEST(Bench, ABudgetIsDividedByWeightsAndNeverNegative) {
+  TimeBudget budget(1e6, 10);
+  EXPECT_NEAR(budget.take(1), 1e5, 10);
+  EXPECT_NEAR(budget.take(3), 1e6 / 3, 40);  // of nine parts that are left
+  EXPECT_NEAR(budget.take(6), 1e6, 10);      // the last one may take all that is left
+  EXPECT_EQ(TimeBudget(0, 1).take(1), 0);
 }
 
 // Along x the tensors go from diag(1, 0, -1) with mode 0 to both sides: the neutral surface is the

@@ -30,6 +30,7 @@ struct BenchOptions {
   std::filesystem::path curves, chart, report;
   std::vector<std::filesystem::path> inputs;
   std::size_t largest = ScalingCommand().largest;
+  double budget = MeasurementsCommand().budget;
   const CLI::App* app = nullptr;  ///< knows which options were given
 };
 
@@ -103,6 +104,7 @@ ExitStatus report(const BenchOptions& options, const CommonOptions& common) {
     if (mode.sign() < 0) mode = mode.opposite();
   command.repeat = options.command.repeat;
   command.all = options.command.all;
+  command.budget = options.budget;
   ProgressBar bar(!common.quiet);
   const std::string page = measurements_page(command, bar.callback());
   bar.erase();
@@ -114,7 +116,8 @@ ExitStatus report(const BenchOptions& options, const CommonOptions& common) {
 ExitStatus scaling(const BenchOptions& options, const CommonOptions& common) {
   ScalingCommand command;
   command.over = scalings().at(options.scaling);
-  refuse_given(*options.app, {"--only", "--all", "--curves"}, "has no effect on --scaling");
+  refuse_given(*options.app, {"--only", "--all", "--curves", "--budget"},
+               "has no effect on --scaling");
   if (command.over == ScalingOver::size) {
     const char* const why = "has no effect on --scaling size, which makes its meshes";
     refuse_given(*options.app, {"--input"}, why);
@@ -143,6 +146,7 @@ ExitStatus bench(const BenchOptions& options, const CommonOptions& common) {
   if (!options.report.empty()) return report(options, common);
   if (!options.scaling.empty()) return scaling(options, common);
   refuse_given(*options.app, {"--chart", "--largest"}, "only with --scaling");
+  refuse_given(*options.app, {"--budget"}, "only with --report");
   require_picture(options.curves);
   BenchCommand command = options.command;
   command.input = only_input(options);
@@ -185,6 +189,11 @@ void add_bench_subcommand(CLI::App& program, CommonOptions& common, Action& acti
                         "--input and --mode (default: 0, 1/10, 1/2, 9/10, 99/100); with --all "
                         "or --only other methods at equal error as well"))
       ->type_name("OUT.md");
+  app.add_option("--budget", options->budget,
+                 "Seconds of --report: what does not fit is repeated less often, or left out")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   add_mode_option(app, options->modes)
       ->description("Mode M; surfaces of M and -M are timed; repeatable")
       ->required(false);
