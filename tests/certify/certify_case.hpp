@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 
 namespace tensortopo::test {

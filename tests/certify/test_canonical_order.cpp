@@ -12,8 +12,8 @@
 
 #include "certify_case.hpp"
 #include "support/compared.hpp"
-#include "support/field_of_any_kind.hpp"
-#include "support/renumbered_mesh.hpp"
+#include "support/fields/field_of_any_kind.hpp"
+#include "support/fields/renumbered_mesh.hpp"
 #include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/quadric/extract_invariant_surface.hpp"
 #include "tensortopo/scalar/rational.hpp"

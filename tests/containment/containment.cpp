@@ -18,8 +18,8 @@
 #include <xmmintrin.h>
 #endif
 
-#include "support/exact_increase.hpp"
-#include "support/random_fields.hpp"
+#include "support/oracles/exact_increase.hpp"
+#include "support/fields/random_fields.hpp"
 #include "extract/level/exact_side.hpp"
 #include "extract/level/level.hpp"
 #include "extract/level/proofs/likely_direction.hpp"

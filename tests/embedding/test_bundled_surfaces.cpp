@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "embedding/field_surface.hpp"
-#include "extract/bundled_fields.hpp"
+#include "extract/cases/bundled_fields.hpp"
 #include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "embedding/field_surface.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 
 namespace tensortopo::test {

@@ -11,7 +11,7 @@
 #include "mesh_difference.hpp"
 #include "support/compared.hpp"
 #include "support/folder.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/io/read_point_numbers.hpp"
 #include "tensortopo/io/write_mesh.hpp"

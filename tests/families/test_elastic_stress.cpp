@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/families/elastic_stress.hpp"
 #include "tensortopo/scalar/constants.hpp"
 #include "tensortopo/scalar/real.hpp"

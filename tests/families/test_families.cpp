@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "support/brute_force.hpp"
+#include "support/oracles/brute_force.hpp"
 #include "support/compared.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/families/elastic_stress.hpp"

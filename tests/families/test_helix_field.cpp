@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/families/field_family.hpp"
 #include "tensortopo/families/helix_field.hpp"

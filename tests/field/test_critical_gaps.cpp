@@ -10,7 +10,7 @@
 
 #include "support/generators.hpp"
 #include "support/known_gaps.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
 #include "tensortopo/field/degenerate_arcs.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "support/random_fields.hpp"
-#include "support/witness_fields.hpp"
+#include "support/fields/random_fields.hpp"
+#include "support/fields/witness_fields.hpp"
 #include "tensortopo/field/binary_cubic.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/field/critical_points.hpp"

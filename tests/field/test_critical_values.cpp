@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "support/generators.hpp"
-#include "support/random_fields.hpp"
-#include "support/strata_fields.hpp"
+#include "support/fields/random_fields.hpp"
+#include "support/fields/strata_fields.hpp"
 #include "tensortopo/field/binary_cubic.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/field/critical_values.hpp"

@@ -4,9 +4,9 @@
 
 #include <iostream>
 
-#include "support/brute_force.hpp"
+#include "support/oracles/brute_force.hpp"
 #include "support/compared.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/field/degenerate_arcs.hpp"
 #include "tensortopo/field/level_count.hpp"
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/mesh/nodal_average.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/mesh/validate.hpp"
 

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <iterator>
 
-#include "support/special_meshes.hpp"
-#include "support/strata_fields.hpp"
+#include "support/fields/special_meshes.hpp"
+#include "support/fields/strata_fields.hpp"
 #include "tensortopo/quadric/invariant_level.hpp"
 #include "tensortopo/tensor/mode.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo::test {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "support/topology.hpp"
+#include "support/surfaces/topology.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo::test {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "honest_verdict.hpp"
 
 namespace tensortopo::test {

@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "claimed_topology.hpp"
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "honest_verdict.hpp"
 #include "support/compared.hpp"
 

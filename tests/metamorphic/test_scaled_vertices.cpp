@@ -4,7 +4,7 @@
 // the extractor at 50 digits, and its certificate is checked.
 #include <gtest/gtest.h>
 
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "honest_verdict.hpp"
 #include "support/compared.hpp"
 #include "tensortopo/scalar/real.hpp"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/field_of_any_kind.hpp"
+#include "support/fields/field_of_any_kind.hpp"
 #include "tensortopo/partition/mesh_piece.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 

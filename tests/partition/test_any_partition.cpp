@@ -9,7 +9,7 @@
 
 #include "pieces_of_fields.hpp"
 #include "support/compared.hpp"
-#include "support/renumbered_mesh.hpp"
+#include "support/fields/renumbered_mesh.hpp"
 #include "support/trials.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/partition/certify_pieces.hpp"

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "pieces_of_fields.hpp"
-#include "support/renumbered_mesh.hpp"
+#include "support/fields/renumbered_mesh.hpp"
 #include "tensortopo/partition/extract_in_pieces.hpp"
 
 namespace tensortopo::test {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "support/compared.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/persistence/contour_tree.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "support/compared.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/field/critical_points.hpp"
 #include "tensortopo/field/mode_along_segments.hpp"
 #include "tensortopo/tensor/mode.hpp"

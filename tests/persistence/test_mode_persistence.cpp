@@ -9,7 +9,7 @@
 
 #include "sampled_persistence.hpp"
 #include "support/compared.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/persistence/mode_persistence.hpp"
 
 namespace tensortopo::test {

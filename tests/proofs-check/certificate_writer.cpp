@@ -11,7 +11,7 @@
 #include <map>
 #include <set>
 
-#include "support/level_sign.hpp"
+#include "support/oracles/level_sign.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"

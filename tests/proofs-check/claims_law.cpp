@@ -8,9 +8,9 @@
 #include <iostream>
 #include <map>
 
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "forgery.hpp"
-#include "support/brute_force.hpp"
+#include "support/oracles/brute_force.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/hash/number_hash.hpp"
 #include "vtk_text.hpp"

@@ -10,8 +10,8 @@
 #include <type_traits>
 
 #include "certificate_writer.hpp"
-#include "support/random_fields.hpp"
-#include "support/witness_fields.hpp"
+#include "support/fields/random_fields.hpp"
+#include "support/fields/witness_fields.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/hash/number_hash.hpp"
 #include "vtk_text.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 

@@ -8,12 +8,12 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "certificate_writer.hpp"
-#include "extract/bundled_fields.hpp"
-#include "extract/extract_case.hpp"
+#include "extract/cases/bundled_fields.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "forgery.hpp"
-#include "support/random_fields.hpp"
-#include "support/strata_fields.hpp"
-#include "support/witness_fields.hpp"
+#include "support/fields/random_fields.hpp"
+#include "support/fields/strata_fields.hpp"
+#include "support/fields/witness_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -9,10 +9,10 @@
 #include <map>
 #include <set>
 
-#include "extract/bundled_fields.hpp"
-#include "extract/extract_case.hpp"
+#include "extract/cases/bundled_fields.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "forgery_trial.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

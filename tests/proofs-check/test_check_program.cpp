@@ -8,7 +8,7 @@
 
 #include "analysis/run_program.hpp"
 #include "certificate_writer.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 
 namespace tensortopo::test {

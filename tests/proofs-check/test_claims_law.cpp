@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "claims_law.hpp"
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 
 namespace tensortopo::test {
 namespace {

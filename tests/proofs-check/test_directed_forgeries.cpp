@@ -8,7 +8,7 @@
 #include <map>
 
 #include "lies.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

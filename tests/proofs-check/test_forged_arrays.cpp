@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "forgery_trial.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "certificate_writer.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "curve_exhibit.hpp"
 #include "forgery.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

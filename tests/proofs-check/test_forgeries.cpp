@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "forgery_trial.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo::test {

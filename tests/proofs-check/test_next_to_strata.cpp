@@ -7,9 +7,9 @@
 #include <iostream>
 #include <string>
 
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "forgery.hpp"
-#include "support/strata_fields.hpp"
+#include "support/fields/strata_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

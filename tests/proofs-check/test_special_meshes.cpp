@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "forgery.hpp"
-#include "support/special_meshes.hpp"
+#include "support/fields/special_meshes.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "forgery.hpp"
 #include "support/compared.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/quadric/extract_invariant_surface.hpp"
 #include "tensortopo/scalar/rational.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "support/trials.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"

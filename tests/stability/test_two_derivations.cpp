@@ -5,7 +5,7 @@
 #include "free_tets.hpp"
 #include "stable_simplex.hpp"
 #include "support/compared.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/stability/level_stability.hpp"
 
 namespace tensortopo::test {

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <vector>
 
-#include "random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 
 /// RapidCheck generators of tensor fields. (Seeded fields without shrinking: random_fields.hpp.)
 

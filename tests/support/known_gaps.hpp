@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/scalar/real.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "plane/pencil.hpp"
 #include "plane/witness_planes.hpp"
-#include "support/witness_fields.hpp"
+#include "support/fields/witness_fields.hpp"
 #include "tensortopo/field/planar_critical_points.hpp"
 #include "tensortopo/tensor/mode.hpp"
 #include "tensortopo/theory/trial.hpp"

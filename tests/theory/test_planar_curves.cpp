@@ -8,7 +8,7 @@
 
 #include "plane/level_curves.hpp"
 #include "plane/real_zeros.hpp"
-#include "support/witness_fields.hpp"
+#include "support/fields/witness_fields.hpp"
 
 namespace tensortopo::theory {
 namespace {

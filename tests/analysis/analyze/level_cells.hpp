@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "analyze/curvature/level_extremality.hpp"
-#include "support/random_fields.hpp"
-#include "support/witness_fields.hpp"
+#include "support/fields/random_fields.hpp"
+#include "support/fields/witness_fields.hpp"
 #include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo::test {

@@ -10,8 +10,8 @@
 
 #include "tensortopo/sweep/sweep.hpp"
 #include "analysis/run_program.hpp"
-#include "support/random_fields.hpp"
-#include "support/witness_fields.hpp"
+#include "support/fields/random_fields.hpp"
+#include "support/fields/witness_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 

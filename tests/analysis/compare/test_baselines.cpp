@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "contours/vtk_contours.hpp"
-#include "extract/extract_case.hpp"
+#include "extract/cases/extract_case.hpp"
 #include "tensortopo/analysis/baseline.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"

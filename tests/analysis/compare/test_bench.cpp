@@ -12,7 +12,7 @@
 #include "bench/level_distance.hpp"
 #include "bench/time_budget.hpp"
 #include "bench/timing.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 
 namespace tensortopo::test {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/run_program.hpp"
-#include "support/brute_force.hpp"
+#include "support/oracles/brute_force.hpp"
 #include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 

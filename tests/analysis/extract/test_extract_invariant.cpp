@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/run_program.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/analysis/invariant_command.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "analyze/surface/surface_quality.hpp"
 #include "analysis/run_program.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"

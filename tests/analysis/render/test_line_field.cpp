@@ -10,7 +10,7 @@
 
 #include "render/scene/fine_surface.hpp"
 #include "render/scene/line_field.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
 namespace {

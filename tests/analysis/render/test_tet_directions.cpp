@@ -8,7 +8,7 @@
 
 #include "analyze/curvature/level_curvature.hpp"
 #include "render/tet/tet_directions.hpp"
-#include "support/random_fields.hpp"
+#include "support/fields/random_fields.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
