@@ -43,7 +43,7 @@ std::vector<AxisBox> random_boxes(std::size_t count, int largest, std::mt19937& 
 TEST(MeetingBoxes, AreThePairsWithACommonPointEachOnce) {
   std::mt19937 random(20241124);
   std::size_t compared = 0;
-  for (const std::size_t count : {0, 1, 2, 8, 9, 17, 100, 1500})
+  for (const std::size_t count : {0U, 1U, 2U, 8U, 9U, 17U, 100U, 1500U})
     for (const int largest : {0, 3, 40}) {
       if (count > 100 && largest == 0) continue;  // a million pairs
       const auto boxes = random_boxes(count, largest, random);

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "generators.hpp"
+#include "support/generators.hpp"
 
 namespace tensortopo::test {
 namespace {

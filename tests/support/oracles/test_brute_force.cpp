@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "brute_force.hpp"
-#include "generators.hpp"
+#include "support/generators.hpp"
 #include "support/compared.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "support/fields/witness_fields.hpp"
