@@ -13,7 +13,8 @@ namespace certificate {
 /// Let e be the dominant eigenvector of the mean. The trace-free part of the block beside e is zero
 /// on the curve, and of the size rho = sqrt(1 - mode^2) on the levels around it. Its change counts
 /// 1 / rho times; changes of e and along e count as they are. So a thin tube takes fewer cells,
-/// which are longer along the curve.
+/// which are longer along the curve. Levels of other invariants, whose tensors have more entries, are
+/// not tubes.
 inline double cut_length(const Tensor<double>& m, const Tensor<double>& k) {
   static constexpr std::size_t kEntry[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
   Tensor<double> mean, change;
@@ -21,7 +22,7 @@ inline double cut_length(const Tensor<double>& m, const Tensor<double>& k) {
   const double all = product(change, change), p = trace(mean, mean);
   const double q = Forms<double, 1>({&mean}).q.coefficients[0];
   const double rho = std::sqrt(std::max(0x1p-20, 1 - 54 * q * q / (p * p * p)));
-  if (!(rho < 0.5)) return all;
+  if (!(rho < 0.5) || m[6] != 0 || m[7] != 0) return all;
   // With a multiple of the identity the mean is about a multiple of e e^T.
   for (std::size_t i = 0; i < 3; ++i) mean[i] += std::copysign(std::sqrt(p / 6), q);
   std::size_t column = 0;
