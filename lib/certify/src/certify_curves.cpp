@@ -120,7 +120,7 @@ class FaceClaims {
         if (meet(claims[i], claims[k])) return false;
     return true;
   }
-  /// Where the point was drawn.
+  /// Where the point is in space.
   static std::array<double, 3> coordinates(const std::array<ScaledTensor, 3>& tensors,
                                            const FacePoint& point) {
     int largest = tensors[0].exponent;

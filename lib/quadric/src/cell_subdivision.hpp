@@ -36,7 +36,7 @@ struct CellLevel {
   std::vector<CellVertex> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise from outside
   bool met_inside = false;  ///< the body meets some simplex of the subdivision in its interior only
-  bool meets_zero = false;  ///< holds the level and the zero tensor: nothing is drawn
+  bool meets_zero = false;  ///< holds the level and the zero tensor: no triangles
   std::size_t exact_answers = 0;
 };
 

@@ -81,9 +81,22 @@ DoubleDouble cosine_of_small(const DoubleDouble& r2) {
   return DoubleDouble{1, 0} + r2 * (r2 * middle - kCoefficient<2>);
 }
 
-const AngleTables& angle_tables() {
+/// An angle as steps of pi/16, by their sine and cosine, and the rest, |rest| < 0.0983.
+struct ReducedAngle {
+  bool is_rest = false;  ///< there are no steps: the rest is the angle, exactly
+  DoubleDouble rest, sine, cosine;
+};
+
+ReducedAngle reduced(double x) {
   static const AngleTables tables;
-  return tables;
+  const int k = static_cast<int>(x * kStepsPerRadian + (x < 0 ? -0.5 : 0.5));
+  DoubleDouble r{x, 0};
+  if (k != 0) {
+    r = exact_sum(x, -(k * tables.step[0])) + DoubleDouble{-(k * tables.step[1]), 0};
+    r = r + -exact_product(k, tables.step[2]);
+  }
+  const auto step = static_cast<std::size_t>(k & (kAngleSteps - 1));
+  return {k == 0, r, tables.sine[step], tables.sine[(step + kAngleSteps / 4) % kAngleSteps]};
 }
 
 /// The same as `sine_cosine` with fewer digits: errors are below 2^-60, and for angles below pi/32
@@ -94,13 +107,7 @@ const AngleTables& angle_tables() {
 /// rounding. What is added to s in doubles is below 2^-12.6, with a relative error below 2^-51; what
 /// is added to c is below 2^-18; and the sums of it round nine times.
 SineCosine with_fewer_digits(double x) {
-  const AngleTables& tables = angle_tables();
-  const int k = static_cast<int>(x * kStepsPerRadian + (x < 0 ? -0.5 : 0.5));
-  DoubleDouble r{x, 0};
-  if (k != 0) {
-    r = exact_sum(x, -(k * tables.step[0])) + DoubleDouble{-(k * tables.step[1]), 0};
-    r = exact_sum(r.hi, r.lo - k * tables.step[2]);
-  }
+  const auto& [is_rest, r, at_sine, at_cosine] = reduced(x);
   const DoubleDouble square = exact_product(r.hi, r.hi);
   const double q = square.hi;
   const double s = r.lo * (1 - q / 2) +
@@ -121,31 +128,17 @@ SineCosine with_fewer_digits(double x) {
                         second.lo + a.hi * c + b.hi * s;
     return exact_sum(second.hi, rest);
   };
-  const auto step = static_cast<std::size_t>(k & (kAngleSteps - 1));
-  const DoubleDouble& at_sine = tables.sine[step];
-  const DoubleDouble& at_cosine = tables.sine[(step + kAngleSteps / 4) % kAngleSteps];
   return {combined(at_sine, at_cosine), combined(at_cosine, -at_sine),
-          k == 0 ? 0x1p-58 * std::abs(x) : 0x1p-60, 0x1p-60};
+          is_rest ? 0x1p-58 * std::abs(x) : 0x1p-60, 0x1p-60};
 }
 
 }  // namespace
 
 SineCosine sine_cosine(double x) {
-  const AngleTables& tables = angle_tables();
-  const int k = static_cast<int>(x * kStepsPerRadian + (x < 0 ? -0.5 : 0.5));
-  if (k == 0) {
-    const DoubleDouble r{x, 0}, r2 = exact_product(x, x);
-    const DoubleDouble sine = sine_of_small(r, r2), cosine = cosine_of_small(r2);
-    return {sine, cosine, kRelativeError * std::abs(x), kRelativeError};
-  }
-  DoubleDouble r = exact_sum(x, -(k * tables.step[0]));
-  r = r + DoubleDouble{-(k * tables.step[1]), 0};
-  r = r + -exact_product(k, tables.step[2]);
+  const auto& [is_rest, r, at_sine, at_cosine] = reduced(x);
   const DoubleDouble r2 = r * r;
   const DoubleDouble sine = sine_of_small(r, r2), cosine = cosine_of_small(r2);
-  const auto step = static_cast<std::size_t>(k & (kAngleSteps - 1));
-  const DoubleDouble& at_sine = tables.sine[step];
-  const DoubleDouble& at_cosine = tables.sine[(step + kAngleSteps / 4) % kAngleSteps];
+  if (is_rest) return {sine, cosine, kRelativeError * std::abs(x), kRelativeError};
   return {at_sine * cosine + at_cosine * sine, at_cosine * cosine - at_sine * sine, kRelativeError,
           kRelativeError};
 }

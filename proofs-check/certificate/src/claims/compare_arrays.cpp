@@ -106,7 +106,7 @@ bool is_name_of_vectors(const std::string& name) {
 }
 
 /// Arrays whose names are claims have one number each, or are vectors, and belong where they mean
-/// something, so that whoever reads the file finds in them what was compared.
+/// something, so that a reader of the file finds in them what was compared.
 /// @param kind  of the cells
 void compare_shapes(const std::vector<Array>& arrays, const std::string& kind, bool of_modes,
                     Ledger& ledger) {

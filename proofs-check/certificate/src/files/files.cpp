@@ -265,8 +265,8 @@ void add_arrays(const XmlFile& file, const char* section, const char* of, std::s
             [](const Array& a, const Array& b) { return a.name < b.name; });
 }
 
-/// Cells of other kinds are neither counted nor there, so that whoever goes by the sections finds
-/// the same as whoever goes by the counts.
+/// Cells of other kinds are neither counted nor there, so that reading by sections gives the
+/// same as reading by counts.
 /// @param others  their sections
 void require_no_cells(const XmlFile& file, const std::array<const char*, 3>& others,
                       const std::string& kind) {

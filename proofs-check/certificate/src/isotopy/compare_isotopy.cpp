@@ -93,7 +93,7 @@ void Isotopy::choose_layers() {
   }
 }
 
-/// Each sheet a disc, and curves of faces told apart by the crossings that they join.
+/// Each sheet a disc, and curves of faces distinguished by the crossings that they join.
 const char* Isotopy::reason_in_topology(Tet tet) const {
   const TetTopology* const found = c_.topology.tet(tet);
   if (found == nullptr) return "zero_deviator_vertex";
