@@ -21,14 +21,14 @@ Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(const Scalar& th
                                                                 const Scalar& eta) const {
   using elementary::cos;
   using elementary::sin;
-  return sphere_point(Scalar(sin(theta)), Scalar(cos(theta)), Scalar(sin(eta)), Scalar(cos(eta)));
+  return sphere_point({sin(theta), cos(theta), sin(eta), cos(eta)});
 }
 
 template <RealScalar Scalar>
-Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(const Scalar& st, const Scalar& ct,
-                                                                const Scalar& se,
-                                                                const Scalar& ce) const {
+Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(
+    const SpheroConalSines<Scalar>& at) const {
   using std::sqrt;
+  const auto& [st, ct, se, ce] = at;
   // 1 - B^2 cos^2 = A^2 + B^2 sin^2, as A^2 + B^2 = 1.
   const Scalar x = ct * sqrt(squared(A_) + squared(Scalar(B_ * se)));
   const Scalar y = st * se;
@@ -52,10 +52,8 @@ Scalar nonnegative_root(const Scalar& k, const Scalar& g, const Scalar& h, const
 }  // namespace
 
 template <RealScalar Scalar>
-SpheroConal<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal(
+SpheroConalSines<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal_sines(
     const Vector3<Scalar>& v) const {
-  using elementary::atan2;
-  using std::sqrt;
   const Vector3<Scalar> w = in_frame(v);
   const Scalar zero(0), one(1), two(2);
   const Scalar x2 = w.x * w.x, y2 = w.y * w.y, z2 = w.z * w.z;
@@ -72,12 +70,22 @@ SpheroConal<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal(
     const Scalar root = root_of_nonnegative(square);
     return like < zero ? Scalar(-root) : root;
   };
+  return {with_sign(sin2_theta, w.y), with_sign(cos2_theta, w.x), root_of_nonnegative(sin2_eta),
+          with_sign(cos2_eta, w.z)};
+}
+
+template <RealScalar Scalar>
+SpheroConal<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal(
+    const Vector3<Scalar>& v) const {
+  using elementary::atan2;
+  const SpheroConalSines<Scalar> at = sphero_conal_sines(v);
+  const Scalar zero(0), two(2);
   SpheroConal<Scalar> result;
-  result.theta = atan2(with_sign(sin2_theta, w.y), with_sign(cos2_theta, w.x));
+  result.theta = atan2(at.sin_theta, at.cos_theta);
   if (result.theta < zero) result.theta = result.theta + two * pi<Scalar>();
   // A tiny negative angle may be rounded to the full turn.
   if (result.theta >= two * pi<Scalar>()) result.theta = zero;
-  result.eta = atan2(root_of_nonnegative(sin2_eta), with_sign(cos2_eta, w.z));
+  result.eta = atan2(at.sin_eta, at.cos_eta);
   return result;
 }
 
@@ -90,43 +98,47 @@ Scalar MediumEigenvectorManifold<Scalar>::F(const Scalar& theta, const Scalar& e
 template <RealScalar Scalar>
 Vector3<Scalar> MediumEigenvectorManifold<Scalar>::boundary_point(int loop,
                                                                   const Scalar& phi) const {
-  using elementary::asin;
   using elementary::cos;
   using elementary::sin;
   using std::sqrt;
   const Scalar zero(0), one(1), two(2);
   if (single_loop()) {
-    // c - p sin^2 = (c - p) + p cos^2: nothing cancels.
-    const Scalar numerator = (c_ - p_) + p_ * squared(Scalar(cos(phi)));
-    return sphere_point(phi, asin(clamped(Scalar(sqrt(numerator / q_)), zero, one)));
+    const Scalar sine = sin(phi), cosine = cos(phi);
+    // q sin^2 eta = c - p sin^2 theta and q cos^2 eta, as sums in which nothing cancels.
+    return sphere_point({sine, cosine, sqrt(Scalar(((c_ - p_) + p_ * squared(cosine)) / q_)),
+                         sqrt(Scalar(((q_ - c_) + p_ * squared(sine)) / q_))});
   }
   const Scalar half = phi / two;
   // p = 0 leaves no oval but a point: then c = 0 too.
   const Scalar ratio = p_ > zero ? Scalar(sqrt(c_ / p_)) : zero;
-  const Scalar offset = asin(clamped(Scalar(ratio * cos(half)), Scalar(-1), one));
-  const Scalar eta = asin(Scalar(sqrt(c_ / q_) * sin(half)));
-  return sphere_point(loop == 0 ? offset : Scalar(pi<Scalar>() + offset), eta);
+  const auto cosine_of = [&](const Scalar& sine) {
+    return root_of_nonnegative(Scalar((one - sine) * (one + sine)));
+  };
+  const Scalar sin_theta = clamped(Scalar(ratio * cos(half)), Scalar(-1), one);
+  const Scalar sin_eta = sqrt(c_ / q_) * sin(half);
+  const Scalar side(loop == 0 ? 1 : -1);  // the other oval is half a turn away
+  return sphere_point(
+      {Scalar(side * sin_theta), Scalar(side * cosine_of(sin_theta)), sin_eta, cosine_of(sin_eta)});
 }
 
 template <RealScalar Scalar>
 BoundaryPosition<Scalar> MediumEigenvectorManifold<Scalar>::boundary_position(
     const Vector3<Scalar>& v) const {
   using elementary::atan2;
-  using elementary::sin;
   using std::sqrt;
   const Scalar zero(0), two(2);
   BoundaryPosition<Scalar> position;
   position.sign = dot(characteristic_.eigenvectors[2], v) < zero ? -1 : 1;
   const Vector3<Scalar> up = position.sign < 0 ? -v : v;
-  const SpheroConal<Scalar> at = sphero_conal(up);
   if (single_loop()) {
-    position.phi = at.theta;
+    position.phi = sphero_conal(up).theta;
     return position;
   }
+  const SpheroConalSines<Scalar> at = sphero_conal_sines(up);
   position.loop = dot(characteristic_.eigenvectors[0], up) < zero ? 1 : 0;
-  const Scalar sine = position.loop == 0 ? Scalar(sin(at.theta)) : Scalar(-sin(at.theta));
+  const Scalar sine = position.loop == 0 ? at.sin_theta : Scalar(-at.sin_theta);
   // eta >= 0, so this is in [0, 2 pi].
-  position.phi = two * atan2(Scalar(sqrt(q_) * sin(at.eta)), Scalar(sqrt(p_) * sine));
+  position.phi = two * atan2(Scalar(sqrt(q_) * at.sin_eta), Scalar(sqrt(p_) * sine));
   if (position.phi >= two * pi<Scalar>()) position.phi = zero;
   return position;
 }
@@ -135,9 +147,11 @@ BoundaryPosition<Scalar> MediumEigenvectorManifold<Scalar>::boundary_position(
   template Vector3<Scalar> MediumEigenvectorManifold<Scalar>::in_frame(const Vector3<Scalar>&)   \
       const;                                                                                     \
   template Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(                      \
-      const Scalar&, const Scalar&, const Scalar&, const Scalar&) const;                         \
+      const SpheroConalSines<Scalar>&) const;                                                    \
   template Vector3<Scalar> MediumEigenvectorManifold<Scalar>::sphere_point(const Scalar&,        \
                                                                            const Scalar&) const; \
+  template SpheroConalSines<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal_sines(       \
+      const Vector3<Scalar>&) const;                                                             \
   template SpheroConal<Scalar> MediumEigenvectorManifold<Scalar>::sphero_conal(                  \
       const Vector3<Scalar>&) const;                                                             \
   template Scalar MediumEigenvectorManifold<Scalar>::F(const Scalar&, const Scalar&) const;      \

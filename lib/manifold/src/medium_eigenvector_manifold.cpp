@@ -113,25 +113,27 @@ Scalar MediumEigenvectorManifold<Scalar>::sigma(const Vector3<Scalar>& v,
 template <RealScalar Scalar>
 Vector3<Scalar> MediumEigenvectorManifold<Scalar>::dominant_eigenvector(
     const Vector3<Scalar>& v) const {
-  using elementary::atan2;
-  using elementary::cos;
-  using elementary::sin;
+  using std::abs;
   using std::sqrt;
   const Tangents t = tangents(v);
   const Scalar half_difference = t.half_gap * t.product;
   const Scalar half_sum = mode_.s * t.alpha / Scalar(2);
   const Scalar delta = (half_difference + half_sum) * (half_difference - half_sum);
   const bool inside = delta > Scalar(0);
-  const Scalar turn =
-      atan2(inside ? Scalar(sqrt(delta)) : Scalar(0), inside ? half_sum : Scalar(-half_difference));
+  const std::array<Scalar, 2> turn = {inside ? half_sum : Scalar(-half_difference),
+                                      inside ? Scalar(sqrt(delta)) : Scalar(0)};
   // In the plane, with angles counterclockwise about v: N has its major axis across the bisector of
-  // the tangents, so at (angle1 + angle2) / 2 + pi / 2; turning N by `turn` turns the axis by half
-  // of it.
+  // the tangents, so at (angle1 + angle2) / 2 + pi / 2; turning N by the angle of `turn` turns the
+  // axis by half of it. With e1 at angle 0, (x, y) is at twice the bisector's angle so turned.
   const Vector3<Scalar> e1 = unit(t.first);
   const Vector3<Scalar> e2 = cross(v, e1);
-  const Scalar angle2 = atan2(dot(t.second, e2), dot(t.second, e1));
-  const Scalar angle = (angle2 + turn + pi<Scalar>()) / Scalar(2);
-  return Scalar(cos(angle)) * e1 + Scalar(sin(angle)) * e2;
+  const Scalar along = dot(t.second, e1), across = dot(t.second, e2);
+  const Scalar x = along * turn[0] - across * turn[1], y = along * turn[1] + across * turn[0];
+  const Scalar radius = sqrt(x * x + y * y);
+  // The sum in which nothing cancels is the larger of the half angle's coordinates.
+  const Scalar larger = radius + abs(x);
+  if (!(larger > Scalar(0))) return e1;  // at a singularity all directions are
+  return unit(x < Scalar(0) ? larger * e1 - y * e2 : larger * e2 - y * e1);
 }
 
 template <RealScalar Scalar>

@@ -34,6 +34,11 @@ class ManifoldChart {
 
   explicit ManifoldChart(const Manifold& manifold);
 
+  /// The direction of an angle.
+  struct Direction {
+    double cosine = 1, sine = 0;
+  };
+
   Point operator()(const Vector3<double>& v) const;
 
   /// The image of sign * boundary_point(loop, phi), as accurate as phi: next to mode 0 the vector
@@ -45,8 +50,8 @@ class ManifoldChart {
   /// the way around it, across (above the bifurcation value: to the boundary again).
   struct Ray {
     int quadrant;
-    double angle, cosine, sine;
-    double end;  ///< E^2 where it ends; of an annulus cos eta where it begins
+    Direction at;  ///< its half angle; of an annulus theta
+    double end;    ///< E^2 where it ends; of an annulus cos eta where it begins
   };
   /// @param around 0 to 1 along the boundary, once around it
   Ray ray(int quadrant, double around) const;
@@ -64,16 +69,18 @@ class ManifoldChart {
   struct Quadrant {
     double theta, eta;
   };
-  /// The sense, in a quadrant, in which the half angle of (sqrt(p) sin theta, sqrt(q) sin eta) is
-  /// turned, and by how much at E^2.
-  double turn(const Quadrant& quadrant, double e2) const;
+  /// The half angle of (sqrt(p) sin theta, sqrt(q) sin eta), turned as it is at E^2 in a quadrant;
+  /// with sense -1 back.
+  Direction turned(const Direction& half, const Quadrant& quadrant, double e2, double sense) const;
   static Quadrant quadrant_of(const Ray& ray) {
     return {ray.quadrant % 2 == 0 ? 1.0 : -1.0, ray.quadrant < 2 ? 1.0 : -1.0};
   }
-  Point annulus_point(double theta, double cosine) const;
+  Point annulus_point(const Direction& theta, double cosine) const;
+  /// From the half angle and E.
+  Vector3<double> quadrant_vector(const Quadrant& quadrant, const Direction& half, double e) const;
   /// From the turned half angle and the place between R and the side.
-  Point quadrant_point(const Quadrant& quadrant, double half_angle, double across) const;
-  double side(double half_angle) const;  ///< E^2 where the quadrant ends
+  Point quadrant_point(const Quadrant& quadrant, const Direction& half, double across) const;
+  double side(const Direction& half) const;  ///< E^2 where the quadrant ends
 
   const Manifold& manifold_;
   double p_, q_, c_;

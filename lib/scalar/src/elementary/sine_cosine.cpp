@@ -99,28 +99,27 @@ ReducedAngle reduced(double x) {
   return {k == 0, r, tables.sine[step], tables.sine[(step + kAngleSteps / 4) % kAngleSteps]};
 }
 
-/// The same as `sine_cosine` with fewer digits: errors are below 2^-60, and for angles below pi/32
-/// that of the sine is below 2^-58 times the angle.
-///
-/// With r the rest of the angle, |r| < 0.0983, and A, B the sine and cosine of the steps,
-/// sin x = A + A c + B s with s = sin r and c = cos r - 1. The terms r and r^2/2 are taken without
-/// rounding. What is added to s in doubles is below 2^-12.6, with a relative error below 2^-51; what
-/// is added to c is below 2^-18; and the sums of it round nine times.
-SineCosine with_fewer_digits(double x) {
+}  // namespace
+
+// With r the rest of the angle, |r| < 0.0983, and A, B the sine and cosine of the steps,
+// sin x = A + A c + B s with s = sin r and c = cos r - 1. The terms r and r^2/2 are taken without
+// rounding. What is added to s in doubles is below 2^-12.6, with a relative error below 2^-51; what
+// is added to c is below 2^-18; and the sums of it round nine times.
+SineCosine sine_cosine_of_few_digits(double x) {
   const auto& [is_rest, r, at_sine, at_cosine] = reduced(x);
   const DoubleDouble square = exact_product(r.hi, r.hi);
   const double q = square.hi;
-  const double s = r.lo * (1 - q / 2) +
-                   r.hi * q *
-                       (-kCoefficient<3>.hi +
-                        q * (kCoefficient<5>.hi +
-                             q * (-kCoefficient<7>.hi +
-                                  q * (kCoefficient<9>.hi - q * kCoefficient<11>.hi))));
-  const double c = -square.lo / 2 - r.hi * r.lo +
-                   q * q *
-                       (kCoefficient<4>.hi +
-                        q * (-kCoefficient<6>.hi +
-                             q * (kCoefficient<8>.hi - q * kCoefficient<10>.hi)));
+  const double s =
+      r.lo * (1 - q / 2) +
+      r.hi * q *
+          (-kCoefficient<3>.hi +
+           q * (kCoefficient<5>.hi +
+                q * (-kCoefficient<7>.hi + q * (kCoefficient<9>.hi - q * kCoefficient<11>.hi))));
+  const double c =
+      -square.lo / 2 - r.hi * r.lo +
+      q * q *
+          (kCoefficient<4>.hi +
+           q * (-kCoefficient<6>.hi + q * (kCoefficient<8>.hi - q * kCoefficient<10>.hi)));
   const auto combined = [&](const DoubleDouble& a, const DoubleDouble& b) {
     const DoubleDouble of_r = exact_product(b.hi, r.hi), of_q = exact_product(a.hi, -q / 2);
     const DoubleDouble first = exact_sum(a.hi, of_r.hi), second = exact_sum(first.hi, of_q.hi);
@@ -131,8 +130,6 @@ SineCosine with_fewer_digits(double x) {
   return {combined(at_sine, at_cosine), combined(at_cosine, -at_sine),
           is_rest ? 0x1p-58 * std::abs(x) : 0x1p-60, 0x1p-60};
 }
-
-}  // namespace
 
 SineCosine sine_cosine(double x) {
   const auto& [is_rest, r, at_sine, at_cosine] = reduced(x);
@@ -149,7 +146,7 @@ double sin(double x) {
   };
   if (x == 0) return x;
   if (!(std::abs(x) <= kLargestAngle)) return otherwise();
-  const SineCosine at = with_fewer_digits(x);
+  const SineCosine at = sine_cosine_of_few_digits(x);
   return nearest_within(at.sin, at.sin_error, [&] {
     const SineCosine more = sine_cosine(x);
     return nearest_within(more.sin, more.sin_error, otherwise);
@@ -161,7 +158,7 @@ double cos(double x) {
     return nearest_of([&](mpfr_ptr y) { return mpfr_cos(y, MpfrNumber(x).get(), MPFR_RNDZ); });
   };
   if (!(std::abs(x) <= kLargestAngle)) return otherwise();
-  const SineCosine at = with_fewer_digits(x);
+  const SineCosine at = sine_cosine_of_few_digits(x);
   return nearest_within(at.cos, at.cos_error, [&] {
     const SineCosine more = sine_cosine(x);
     return nearest_within(more.cos, more.cos_error, otherwise);

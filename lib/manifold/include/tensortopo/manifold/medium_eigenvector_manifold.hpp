@@ -19,6 +19,12 @@ struct SpheroConal {
   Scalar theta{}, eta{};
 };
 
+/// Sines and cosines of sphero-conal coordinates.
+template <RealScalar Scalar>
+struct SpheroConalSines {
+  Scalar sin_theta{}, cos_theta{}, sin_eta{}, cos_eta{};
+};
+
 /// A point of the boundary of the complex domain, modulo the antipodal map.
 template <RealScalar Scalar>
 struct BoundaryPosition {
@@ -97,10 +103,11 @@ class MediumEigenvectorManifold {
   /// theta) along the characteristic eigenvectors. The coordinate lines are orthogonal.
   Vector3<Scalar> sphere_point(const Scalar& theta, const Scalar& eta) const;
   /// The same from the sines and cosines of the coordinates.
-  Vector3<Scalar> sphere_point(const Scalar& sin_theta, const Scalar& cos_theta,
-                               const Scalar& sin_eta, const Scalar& cos_eta) const;
+  Vector3<Scalar> sphere_point(const SpheroConalSines<Scalar>& at) const;
   /// Coordinates of a unit vector. On the cuts eta = 0 and eta = pi, theta in [0, pi] is chosen.
   SpheroConal<Scalar> sphero_conal(const Vector3<Scalar>& v) const;
+  /// Their sines and cosines, without an angle.
+  SpheroConalSines<Scalar> sphero_conal_sines(const Vector3<Scalar>& v) const;
 
   /// F = p sin^2 theta + q sin^2 eta - c, of the sign of boundary_function: the boundary is a
   /// straight segment in (sin^2 theta, sin^2 eta). Delta = F G / 4 with G = (1 + s) d+ - (1 - s) d-
