@@ -7,7 +7,7 @@
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
 #include "fuzzed_folder.hpp"
-#include "proofs-check/certificate_edits.hpp"
+#include "proofs-check/forgeries/certificate_edits.hpp"
 
 namespace tensortopo::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "proofs-check/certificate_edits.hpp"
+#include "proofs-check/forgeries/certificate_edits.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cases.hpp"
-#include "proofs-check/forgery.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 
 namespace tensortopo::test {
 

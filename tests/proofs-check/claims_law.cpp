@@ -9,7 +9,7 @@
 #include <map>
 
 #include "extract/cases/extract_case.hpp"
-#include "forgery.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 #include "support/oracles/brute_force.hpp"
 
 namespace tensortopo::test {

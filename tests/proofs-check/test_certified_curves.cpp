@@ -10,15 +10,15 @@
 #include <iostream>
 #include <map>
 
-#include "curve_exhibit.hpp"
 #include "curves/curve_topology.hpp"
 #include "extract/cases/bundled_fields.hpp"
-#include "extract/curves/points/degenerate_points_on_face.hpp"
 #include "extract/cases/extract_case.hpp"
-#include "forgery.hpp"
-#include "support/generators.hpp"
+#include "extract/curves/points/degenerate_points_on_face.hpp"
+#include "proofs-check/forgeries/curve_exhibit.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 #include "support/fields/random_fields.hpp"
 #include "support/fields/strata_fields.hpp"
+#include "support/generators.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/families/helix_field.hpp"
 #include "tensortopo/families/kuhn_mesh.hpp"

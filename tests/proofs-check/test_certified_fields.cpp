@@ -7,10 +7,10 @@
 #include <set>
 
 #include "certificate_check/check_certificate.hpp"
-#include "certificate_writer.hpp"
 #include "extract/cases/bundled_fields.hpp"
 #include "extract/cases/extract_case.hpp"
-#include "forgery.hpp"
+#include "proofs-check/forgeries/certificate_writer.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 #include "support/fields/random_fields.hpp"
 #include "support/fields/strata_fields.hpp"
 #include "support/fields/witness_fields.hpp"
@@ -103,8 +103,8 @@ TEST(CertifiedFields, ATubeThatTurnsBackIsCertified) {
   EXPECT_EQ(tube[1][1], tube[2][1]);  // both loops are closed curves of one face
 }
 
-/// The stress of a bent beam: one tensor times the height above the neutral layer, and a small rest,
-/// which alone decides in that layer.
+/// The stress of a bent beam: one tensor times the height above the neutral layer, and a small
+/// rest, which alone decides in that layer.
 TEST(CertifiedFields, ABentBeamIsCertified) {
   Court court("beam");
   for (const double rest : {1e-4, 1e-9, 1e-12}) {
@@ -201,7 +201,8 @@ TEST(CertifiedFields, StrataWithZeroVerticesAreCertified) {
       const Exhibit e = exhibit(reference_tet_mesh(tensors), {mode});
       const bool is_special = !e.certificate["levels"][0]["undecided"].empty();
       EXPECT_EQ(court.verdict(e), is_special ? "undecided" : "certified")
-          << name_of(stratum) << " trial " << trial << '\n' << court.report();
+          << name_of(stratum) << " trial " << trial << '\n'
+          << court.report();
     }
   }
 }
@@ -248,14 +249,14 @@ TEST(CertifiedFields, LevelsInSpecialPositionAreNotRefuted) {
 
 /// An edge that the level touches: it stays open, and so do the cones around it.
 TEST(CertifiedFields, ConesOverWhatStaysOpenAreNotRefuted) {
-  constexpr std::array<std::array<int, 6>, 27> entries{{
-      {1, 0, 0, -1, 1, 0}, {0, 0, 1, -1, 0, -1}, {1, -1, 1, -1, -1, -1}, {0, 0, 1, 0, 1, 0},
-      {0, -1, 1, 1, 0, 0}, {-1, 0, -1, -1, 0, 1}, {1, 0, -1, 0, 0, 1}, {1, -1, 0, 1, 0, 0},
-      {-1, -1, 1, -1, 1, 1}, {0, 0, -1, 1, -1, -1}, {1, 1, 0, -1, -1, 1}, {1, 0, 0, 0, 1, 0},
-      {-1, -1, 1, -1, 0, 0}, {-1, -1, 1, 1, -1, 1}, {0, -1, -1, 0, 0, -1}, {-1, 0, 0, -1, 0, 1},
-      {-1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 0, 0}, {-1, -1, 0, 1, -1, 1}, {0, 0, -1, -1, 0, 0},
-      {1, 1, 1, 0, -1, 0}, {1, 1, 1, -1, 0, 0}, {1, 1, 1, 0, 0, 0}, {1, 1, 0, 0, 1, -1},
-      {1, -1, 0, 1, 0, 0}, {1, 0, 0, 0, 1, 1}, {1, 0, 0, 0, 1, 0}}};
+  constexpr std::array<std::array<int, 6>, 27> entries{
+      {{1, 0, 0, -1, 1, 0},   {0, 0, 1, -1, 0, -1},  {1, -1, 1, -1, -1, -1}, {0, 0, 1, 0, 1, 0},
+       {0, -1, 1, 1, 0, 0},   {-1, 0, -1, -1, 0, 1}, {1, 0, -1, 0, 0, 1},    {1, -1, 0, 1, 0, 0},
+       {-1, -1, 1, -1, 1, 1}, {0, 0, -1, 1, -1, -1}, {1, 1, 0, -1, -1, 1},   {1, 0, 0, 0, 1, 0},
+       {-1, -1, 1, -1, 0, 0}, {-1, -1, 1, 1, -1, 1}, {0, -1, -1, 0, 0, -1},  {-1, 0, 0, -1, 0, 1},
+       {-1, 1, 0, 0, 1, 1},   {0, 0, 0, 0, 0, 0},    {-1, -1, 0, 1, -1, 1},  {0, 0, -1, -1, 0, 0},
+       {1, 1, 1, 0, -1, 0},   {1, 1, 1, -1, 0, 0},   {1, 1, 1, 0, 0, 0},     {1, 1, 0, 0, 1, -1},
+       {1, -1, 0, 1, 0, 0},   {1, 0, 0, 0, 1, 1},    {1, 0, 0, 0, 1, 0}}};
   TetMesh mesh = cube_mesh(2);
   for (std::size_t v = 0; v < entries.size(); ++v) {
     const auto& [xx, yy, zz, xy, yz, xz] = entries[v];
@@ -291,13 +292,14 @@ TEST(CertifiedFields, ProgressIsToldStageByStage) {
   const auto s = certified_surface(mesh, {"1/2"}, folder("progress"));
   std::vector<std::string> stages;
   double last = 0;
-  const auto report = certificate::check_certificate(
-      s.input(), s.surface(), s.write(s.certificate), [&](std::string_view what, double part) {
-        if (stages.empty() || stages.back() != what) stages.emplace_back(what), last = 0;
-        EXPECT_GE(part, last) << what;
-        EXPECT_LT(part, 1) << what;
-        last = part;
-      });
+  const auto report = certificate::check_certificate(s.input(), s.surface(), s.write(s.certificate),
+                                                     [&](std::string_view what, double part) {
+                                                       if (stages.empty() || stages.back() != what)
+                                                         stages.emplace_back(what), last = 0;
+                                                       EXPECT_GE(part, last) << what;
+                                                       EXPECT_LT(part, 1) << what;
+                                                       last = part;
+                                                     });
   // This certificate claims no distances.
   const std::vector<std::string> expected{"sides of vertices", "where the level is", "edges",
                                           "faces", "tetrahedra"};
@@ -309,8 +311,8 @@ TEST(CertifiedFields, CborSaysTheSame) {
   TetMesh mesh = cube_mesh(2);
   fill_with_smooth_tensors(mesh, 3);
   const auto s = certified_surface(mesh, {"1/2"}, folder("cbor"));
-  const auto report = certificate::check_certificate(s.input(), s.surface(),
-                                                     s.write(s.certificate, "c.cbor"));
+  const auto report =
+      certificate::check_certificate(s.input(), s.surface(), s.write(s.certificate, "c.cbor"));
   EXPECT_EQ(report.status(), "certified") << to_text(report);
   EXPECT_EQ(to_json(report), to_json(check(s)));
 }

@@ -11,7 +11,7 @@
 
 #include "extract/cases/bundled_fields.hpp"
 #include "extract/cases/extract_case.hpp"
-#include "forgery_trial.hpp"
+#include "proofs-check/forgeries/forgery_trial.hpp"
 #include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
@@ -29,10 +29,12 @@ std::map<std::string, std::size_t> reasons(const Json& level) {
 TEST(CertifiedInvariants, BundledFieldsAreCertified) {
   Court court("invariants");
   const std::vector<std::pair<std::string, std::vector<std::string>>> fields{
-      {"s3_", {"magnitude 12", "magnitude 6", "deviator-magnitude 9", "deviator-magnitude 4.5",
-               "anisotropy 0.8", "anisotropy 2/3"}},
-      {"s4_", {"magnitude 1/4", "magnitude 1/2", "deviator-magnitude 0.2",
-               "deviator-magnitude 0.4", "anisotropy 0.7", "anisotropy 9/10"}}};
+      {"s3_",
+       {"magnitude 12", "magnitude 6", "deviator-magnitude 9", "deviator-magnitude 4.5",
+        "anisotropy 0.8", "anisotropy 2/3"}},
+      {"s4_",
+       {"magnitude 1/4", "magnitude 1/2", "deviator-magnitude 0.2", "deviator-magnitude 0.4",
+        "anisotropy 0.7", "anisotropy 9/10"}}};
   for (const auto& [name, levels] : fields) {
     const auto files = bundled_files();
     const auto file = std::find_if(files.begin(), files.end(), [&](const auto& f) {
@@ -51,8 +53,8 @@ TEST(CertifiedInvariants, BundledFieldsAreCertified) {
 /// Independent tensors, of any size: sheets of all kinds. Also with zero tensors among them.
 RC_GTEST_PROP(CertifiedInvariants, RandomMeshesAreCertifiedOrNamed, ()) {
   const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1U << 30);
-  const auto invariant = *rc::gen::element<std::string>("magnitude", "deviator-magnitude",
-                                                        "anisotropy");
+  const auto invariant =
+      *rc::gen::element<std::string>("magnitude", "deviator-magnitude", "anisotropy");
   const int percent = *rc::gen::inRange(5, 100);
   const int size = *rc::gen::element(0, 0, 0, -40, 300);
   const int zeros = *rc::gen::element(0, 0, 1, 4);
@@ -104,11 +106,11 @@ TEST(CertifiedInvariants, VerticesOnTheLevel) {
   Court court("on_level");
   TetMesh mesh = cube_mesh(1);
   fill_with_normal_tensors(mesh, 9);
-  mesh.tensors[0] = {2, -1, -1, 0, 0, 0};   // |T|^2 = |D|^2 = 6
-  mesh.tensors[1] = {0, 0, 0, 0, 1.5, 2};   // |T| = |D| = 5 / sqrt(2)
-  mesh.tensors[2] = {3, 0, 0, 0, 0, 0};     // |T| = 3, |D|^2 = 6
-  mesh.tensors[3] = {1, 2, 2, 0, 0, 0};     // |T| = 3
-  mesh.tensors[4] = {1, 1, 4, 0, 0, 0};     // |D|^2 = 6, |T|^2 = 18
+  mesh.tensors[0] = {2, -1, -1, 0, 0, 0};  // |T|^2 = |D|^2 = 6
+  mesh.tensors[1] = {0, 0, 0, 0, 1.5, 2};  // |T| = |D| = 5 / sqrt(2)
+  mesh.tensors[2] = {3, 0, 0, 0, 0, 0};    // |T| = 3, |D|^2 = 6
+  mesh.tensors[3] = {1, 2, 2, 0, 0, 0};    // |T| = 3
+  mesh.tensors[4] = {1, 1, 4, 0, 0, 0};    // |D|^2 = 6, |T|^2 = 18
   mesh.tensors[5] = {0, 3, 0, 0, 0, 0};
   for (const auto& [level, count] :
        {std::pair("magnitude 3", 3), std::pair("magnitude 3000001/1000000", 0)}) {
@@ -224,8 +226,7 @@ TEST(CertifiedInvariants, ManyZeroTensorsAreNamedAndNothingIsRefuted) {
   for (int trial = 0; trial < 60; ++trial) {
     TetMesh mesh = cube_mesh(2);
     fill_with_normal_tensors(mesh, kSeed + static_cast<std::uint64_t>(trial));
-    for (int i = 0; i < 6; ++i)
-      mesh.tensors[static_cast<std::size_t>(random.integer(0, 26))] = {};
+    for (int i = 0; i < 6; ++i) mesh.tensors[static_cast<std::size_t>(random.integer(0, 26))] = {};
     const Exhibit e = exhibit(mesh, {"anisotropy 9/10"}, 2);
     EXPECT_EQ(court.verdict(e), "undecided") << "trial " << trial << '\n' << court.report();
     std::set<std::array<double, 3>> places;

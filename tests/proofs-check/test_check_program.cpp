@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "analysis/run_program.hpp"
-#include "certificate_writer.hpp"
+#include "proofs-check/forgeries/certificate_writer.hpp"
 #include "support/fields/random_fields.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 
@@ -121,8 +121,8 @@ TEST(CheckProgram, CertifiesWhatExtractClaimsOfInvariants) {
     const Json said = Json::parse(made.out).at("certificate");
     EXPECT_EQ(said.at("status"), has_zero ? "undecided" : "certified");
     EXPECT_EQ(said.at("undecided").contains("zero_tensor"), has_zero);
-    const Outcome checked = run_program(
-        {"check", folder / "m.vtu", folder / "s.vtp", folder / "c.cbor", "--json"});
+    const Outcome checked =
+        run_program({"check", folder / "m.vtu", folder / "s.vtp", folder / "c.cbor", "--json"});
     EXPECT_EQ(checked.status, has_zero ? 1 : 0) << checked.err;
     const Json report = Json::parse(checked.out);
     EXPECT_EQ(report.at("refuted"), 0);

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <random>
 
-#include "forgery.hpp"
-#include "lies.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
+#include "proofs-check/forgeries/lies.hpp"
 
 namespace certificate {
 namespace {
@@ -23,25 +23,25 @@ bool is_embedded(const std::vector<Point>& points, const std::vector<Triangle>& 
 }
 
 TEST(Embedded, PairsInEveryPosition) {
-  const std::vector<Point> p{{0, 0, 0}, {4, 0, 0}, {0, 4, 0},     // 0-2
+  const std::vector<Point> p{{0, 0, 0},  {4, 0, 0}, {0, 4, 0},    // 0-2
                              {1, 1, -1}, {1, 1, 1}, {5, 5, 1},    // 3-5 through it
-                             {1, 1, 0}, {2, 1, 0}, {1, 2, 0},     // 6-8 inside, in its plane
-                             {4, 4, 0}, {0, 0, 4}, {-1, -1, 0},   // 9-11
-                             {2, 2, 0}, {2, 2, 3}, {9, 9, 3}};    // 12-14: touches an edge
+                             {1, 1, 0},  {2, 1, 0}, {1, 2, 0},    // 6-8 inside, in its plane
+                             {4, 4, 0},  {0, 0, 4}, {-1, -1, 0},  // 9-11
+                             {2, 2, 0},  {2, 2, 3}, {9, 9, 3}};   // 12-14: touches an edge
   const Triangle first{0, 1, 2};
   const auto with = [&](const Triangle& t) { return is_embedded(p, {first, t}); };
-  EXPECT_FALSE(with({3, 4, 5}));    // no common vertex, through
-  EXPECT_FALSE(with({6, 7, 8}));    // coplanar, inside
-  EXPECT_FALSE(with({12, 13, 14})); // touches
-  EXPECT_TRUE(with({4, 5, 10}));    // apart
-  EXPECT_FALSE(with({0, 3, 4}));    // one common vertex, through
-  EXPECT_FALSE(with({0, 7, 8}));    // coplanar sectors that overlap
-  EXPECT_TRUE(with({0, 10, 4}));    // one common vertex, apart
+  EXPECT_FALSE(with({3, 4, 5}));     // no common vertex, through
+  EXPECT_FALSE(with({6, 7, 8}));     // coplanar, inside
+  EXPECT_FALSE(with({12, 13, 14}));  // touches
+  EXPECT_TRUE(with({4, 5, 10}));     // apart
+  EXPECT_FALSE(with({0, 3, 4}));     // one common vertex, through
+  EXPECT_FALSE(with({0, 7, 8}));     // coplanar sectors that overlap
+  EXPECT_TRUE(with({0, 10, 4}));     // one common vertex, apart
   EXPECT_TRUE(with({0, 11, 10}));
-  EXPECT_TRUE(with({2, 1, 9}));     // a common edge, flat
-  EXPECT_TRUE(with({2, 1, 10}));    // a common edge, folded
-  EXPECT_FALSE(with({2, 1, 6}));    // folded onto it
-  EXPECT_FALSE(with({0, 2, 1}));    // twice
+  EXPECT_TRUE(with({2, 1, 9}));                // a common edge, flat
+  EXPECT_TRUE(with({2, 1, 10}));               // a common edge, folded
+  EXPECT_FALSE(with({2, 1, 6}));               // folded onto it
+  EXPECT_FALSE(with({0, 2, 1}));               // twice
   EXPECT_FALSE(is_embedded(p, {{0, 6, 12}}));  // without area
   EXPECT_TRUE(is_embedded(p, {first}));
   EXPECT_TRUE(is_embedded(p, {}));
@@ -83,17 +83,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Where the claim is made it is derived, and it is made where it holds: two programs without common
-/// code agree.
+/// Where the claim is made it is derived, and it is made where it holds: two programs without
+/// common code agree.
 TEST(Embedded, IsAClaimThatIsDerived) {
   Court court("embedded");
   std::size_t certified = 0, refuted = 0;
   for (const Exhibit& honest : honest_exhibits()) {
     Exhibit e = honest;
     const auto& levels = honest.certificate["levels"];
-    const bool is_claimed = std::all_of(levels.begin(), levels.end(), [](const Json& level) {
-      return level.contains("embedded");
-    });
+    const bool is_claimed = std::all_of(
+        levels.begin(), levels.end(), [](const Json& level) { return level.contains("embedded"); });
     for (Json& level : e.certificate["levels"]) level["embedded"] = true;
     const std::string verdict = court.verdict(e);
     (verdict == "certified" ? certified : refuted) += 1;
@@ -117,7 +116,8 @@ TEST(Embedded, CutsAreFound) {
       level["embedded"] = true, level["distance"] = nullptr;
     if (e.surface.triangles.empty() || court.verdict(e) != "certified") continue;
     const auto t = e.surface.triangles[pick.below(e.surface.triangles.size())];
-    e.surface.points[static_cast<std::size_t>(t[0])] = e.surface.points[static_cast<std::size_t>(t[1])];
+    e.surface.points[static_cast<std::size_t>(t[0])] =
+        e.surface.points[static_cast<std::size_t>(t[1])];
     e.rehash();
     EXPECT_EQ(court.verdict(e), "refuted") << court.report();
     ++told;

@@ -9,7 +9,7 @@
 
 #include "files/component_names.hpp"
 #include "files/parse_document.hpp"
-#include "forgery.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -31,9 +31,10 @@ TEST(HostileDocuments, AreRefusedInOneLine) {
     EXPECT_THROW(parse_json(text), Malformed) << text.substr(0, 40);
   for (const std::string& bytes :
        {std::string(50000, '\x7f'), std::string(50000, '\x5f'), std::string(50000, '\x9f'),
-        std::string(50000, '\xbf'), std::string(50000, '\x81'), std::string("\xfb\0\0\0\0\0\0\0\0", 9),
-        std::string("\x9b\xff\xff\xff\xff\xff\xff\xff\xff"), std::string("\x62\xff\xff"),
-        std::string("\xc0\x01"), std::string("\x01\x01"), std::string("\x3b\xff\xff\xff\xff\xff\xff\xff\xff"),
+        std::string(50000, '\xbf'), std::string(50000, '\x81'),
+        std::string("\xfb\0\0\0\0\0\0\0\0", 9), std::string("\x9b\xff\xff\xff\xff\xff\xff\xff\xff"),
+        std::string("\x62\xff\xff"), std::string("\xc0\x01"), std::string("\x01\x01"),
+        std::string("\x3b\xff\xff\xff\xff\xff\xff\xff\xff"),
         std::string("\xa2\x61\x61\x01\x61\x61\x01"), std::string("\xa1\x01\x01"), std::string()})
     EXPECT_THROW(parse_cbor(bytes), Malformed);
 }
@@ -77,8 +78,8 @@ TEST(HostileFiles, HaveOneReading) {
   const Exhibit& e = honest_exhibits()[0];
   const std::string field = e.field_text(), surface = e.surface_text(), cert = e.certificate.dump();
   ASSERT_EQ(court.verdict(field, surface, cert), "certified") << court.report();
-  const std::string polys =
-      surface.substr(surface.find("<Polys>"), surface.find("</Polys>") + 8 - surface.find("<Polys>"));
+  const std::string polys = surface.substr(surface.find("<Polys>"),
+                                           surface.find("</Polys>") + 8 - surface.find("<Polys>"));
   const std::vector<std::string> surfaces{
       replaced(surface, "</Piece>", polys + "</Piece>"),
       replaced(surface, "</Piece>", "<Other/></Piece>"),
@@ -93,10 +94,12 @@ TEST(HostileFiles, HaveOneReading) {
                "<Lines><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1"
                "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">2"
                "</DataArray></Lines><Polys>"),
-      replaced(surface, "<Polys>", "<Polys><DataArray type=\"Int64\" Name=\"more\" format=\"ascii\">"
-                                   "</DataArray>"),
-      replaced(surface, "<Points>", "<Points><DataArray type=\"Float64\" Name=\"p\" "
-                                    "NumberOfComponents=\"3\" format=\"ascii\"></DataArray>"),
+      replaced(surface, "<Polys>",
+               "<Polys><DataArray type=\"Int64\" Name=\"more\" format=\"ascii\">"
+               "</DataArray>"),
+      replaced(surface, "<Points>",
+               "<Points><DataArray type=\"Float64\" Name=\"p\" "
+               "NumberOfComponents=\"3\" format=\"ascii\"></DataArray>"),
       replaced(surface, "<PolyData>", "<!DOCTYPE a><PolyData>"),
       replaced(surface, "<Polys>", "<Polys><![CDATA[1]]>"),
       replaced(surface, "</DataArray>", "<!-- --> 1</DataArray>"),
@@ -105,8 +108,10 @@ TEST(HostileFiles, HaveOneReading) {
   for (const std::string& forged : surfaces)
     EXPECT_EQ(court.verdict(field, forged, cert), "malformed") << court.report();
   // A comment is none.
-  EXPECT_EQ(court.verdict(field, replaced(surface, "<Polys>", "<!-- <AppendedData>_ --><Polys>"),
-                          cert), "certified") << court.report();
+  EXPECT_EQ(
+      court.verdict(field, replaced(surface, "<Polys>", "<!-- <AppendedData>_ --><Polys>"), cert),
+      "certified")
+      << court.report();
   for (const std::string& forged :
        {replaced(field, "</Piece>", "<Points/></Piece>"),
         std::string(field).replace(field.find("ascii\">") + 7, 1, "0x"),
@@ -122,8 +127,8 @@ TEST(Formats, ByteOrderIsNeededForBinaryNumbersOnly) {
   const std::string binary = replaced(none, "format=\"ascii\"", "format=\"binary\"");
   EXPECT_EQ(court.verdict(binary, e.surface_text(), e.certificate.dump()), "malformed");
   for (const char* type : {"UInt64", "UInt32", "Int32", "UInt16", "Int16"}) {
-    const std::string field = replaced(e.field_text(), "type=\"Int64\"",
-                                       std::string("type=\"") + type + '"');
+    const std::string field =
+        replaced(e.field_text(), "type=\"Int64\"", std::string("type=\"") + type + '"');
     EXPECT_EQ(court.verdict(field, e.surface_text(), e.certificate.dump()), "certified") << type;
   }
 }
@@ -135,8 +140,8 @@ TEST(Formats, NamesOfComponentsAreObeyedOrRefused) {
     std::string attributes = "Name=\"stress\"";
     for (std::size_t i = 0; i < names.size(); ++i)
       attributes += " ComponentName" + std::to_string(i) + "=\"" + names[i] + '"';
-    return court.verdict(replaced(e.field_text(), "Name=\"stress\"", attributes),
-                         e.surface_text(), e.certificate.dump());
+    return court.verdict(replaced(e.field_text(), "Name=\"stress\"", attributes), e.surface_text(),
+                         e.certificate.dump());
   };
   for (const auto& names : std::vector<std::vector<std::string>>{
            {"XX", "YY", "ZZ", "XY", "YZ", "XZ"},
@@ -145,10 +150,10 @@ TEST(Formats, NamesOfComponentsAreObeyedOrRefused) {
             "stress_zy (MPa)", "stress_zx (MPa)"},
            {"x", "y", "z", "xy", "yz", "xz"}})
     EXPECT_EQ(named(names), "certified") << court.report();
-  for (const auto& names : std::vector<std::vector<std::string>>{
-           {"S11", "S22", "S33", "S12", "S13", "S23"},
-           {"SXX", "SYY", "SZZ", "SXY", "SXZ", "SYZ"},
-           {"00", "01", "02", "11", "12", "22"}})
+  for (const auto& names :
+       std::vector<std::vector<std::string>>{{"S11", "S22", "S33", "S12", "S13", "S23"},
+                                             {"SXX", "SYY", "SZZ", "SXY", "SXZ", "SYZ"},
+                                             {"00", "01", "02", "11", "12", "22"}})
     EXPECT_EQ(named(names), "malformed") << names[4];
 }
 
@@ -156,12 +161,14 @@ TEST(Formats, SpellingsOfAllOrders) {
   using certificate::spelling_of;
   EXPECT_EQ(spelling_of({"a", "b", "c", "d", "e", "f"}, {0, 1, 2, 3, 4, 5}), Spelling::silent);
   EXPECT_EQ(spelling_of({"", "", "", "", "", ""}, {0, 1, 2, 3, 4, 5}), Spelling::silent);
-  EXPECT_EQ(spelling_of({"xx", "xx", "zz", "xy", "yz", "xz"}, {0, 1, 2, 3, 4, 5}), Spelling::silent);
+  EXPECT_EQ(spelling_of({"xx", "xx", "zz", "xy", "yz", "xz"}, {0, 1, 2, 3, 4, 5}),
+            Spelling::silent);
   EXPECT_EQ(spelling_of({"11", "12", "13", "21", "22", "23", "31", "32", "33"}, {0, 4, 8, 1, 5, 2}),
             Spelling::agrees);
   EXPECT_EQ(spelling_of({"11", "21", "31", "12", "22", "32", "13", "23", "33"}, {0, 4, 8, 1, 5, 2}),
             Spelling::agrees);
-  EXPECT_EQ(spelling_of({"xx", "xy", "yy", "xz", "yz", "zz"}, {0, 2, 5, 1, 4, 3}), Spelling::agrees);
+  EXPECT_EQ(spelling_of({"xx", "xy", "yy", "xz", "yz", "zz"}, {0, 2, 5, 1, 4, 3}),
+            Spelling::agrees);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <random>
 
-#include "forgery.hpp"
 #include "isotopy/apart.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 #include "surface/embedded.hpp"
 
 namespace certificate {
@@ -54,8 +54,8 @@ TEST(Isotopic, WhatIsApartStaysApart) {
       for (int k = 0; k < 8; ++k) {
         std::vector<Point> elsewhere = points;
         for (Point& p : elsewhere)
-          for (double& x : p) x += k == 0 ? 0 : k < 4 ? (random() % 2 == 0 ? error : -error)
-                                                      : error * any(random);
+          for (double& x : p)
+            x += k == 0 ? 0 : k < 4 ? (random() % 2 == 0 ? error : -error) : error * any(random);
         EXPECT_TRUE(is_embedded(elsewhere, other)) << round;
         ++moved;
       }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "extract/cases/extract_case.hpp"
-#include "forgery.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 #include "support/fields/strata_fields.hpp"
 
 namespace tensortopo::test {

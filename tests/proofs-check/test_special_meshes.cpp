@@ -7,7 +7,7 @@
 #include <array>
 
 #include "extract/cases/extract_case.hpp"
-#include "forgery.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 #include "support/fields/special_meshes.hpp"
 
 namespace tensortopo::test {

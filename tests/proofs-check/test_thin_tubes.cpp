@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "forgery.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
 #include "support/compared.hpp"
 #include "support/fields/random_fields.hpp"
 
@@ -12,7 +12,8 @@ namespace tensortopo::test {
 namespace {
 
 /// At 1 - |mode| = 1e-5 a tube is some hundred times as long as it is wide. The extractor proves it
-/// by the degenerate curve in it; the checker by cells that are longer along that curve than across.
+/// by the degenerate curve in it; the checker by cells that are longer along that curve than
+/// across.
 TEST(ThinTubes, AreCertifiedInRandomTetrahedra) {
   Court court("thin_tubes");
   Compared crossed("levels that are not empty", 6);

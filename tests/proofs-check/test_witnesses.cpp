@@ -8,7 +8,7 @@
 #include <regex>
 #include <string>
 
-#include "lies.hpp"
+#include "proofs-check/forgeries/lies.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -63,7 +63,8 @@ std::size_t count_points(const std::string& report, const TetMesh& mesh, double 
 /// A vertex, a number, an exact point: no refutation is without one beside what was claimed.
 TEST(Witnesses, AreNamedByEachRefutation) {
   std::vector<LieRow> rows = lies_of_claims();
-  for (auto more : {lies_of_files(), lies_across()}) rows.insert(rows.end(), more.begin(), more.end());
+  for (auto more : {lies_of_files(), lies_across()})
+    rows.insert(rows.end(), more.begin(), more.end());
   Court court("witnesses");
   Pick pick(77);
   std::size_t refutations = 0, points = 0;
@@ -79,9 +80,9 @@ TEST(Witnesses, AreNamedByEachRefutation) {
       const auto derived = line.find("; derived ");
       if (derived == std::string::npos) continue;  // the first line
       ++refutations;
-      const bool names_number = std::any_of(
-          line.begin() + static_cast<std::ptrdiff_t>(derived), line.end(),
-          [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
+      const bool names_number =
+          std::any_of(line.begin() + static_cast<std::ptrdiff_t>(derived), line.end(),
+                      [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
       const bool is_of_words = line.find("array '") != std::string::npos ||
                                line.find("'s sha256") != std::string::npos ||
                                line.find("the key is left out") != std::string::npos ||
@@ -110,7 +111,8 @@ double largest_residual(const Exhibit& e, double mu) {
         q[i] = e.surface.points[as_size(v)];
         weights.push_back(dot(q[1] - q[0], cross(q[2] - q[0], q[3] - q[0])));
       }
-      const double mode = mode_at(e.mesh, std::vector<std::size_t>(tet.begin(), tet.end()), weights);
+      const double mode =
+          mode_at(e.mesh, std::vector<std::size_t>(tet.begin(), tet.end()), weights);
       if (std::isfinite(mode)) largest = std::max(largest, std::abs(mode - mu));
     }
   }

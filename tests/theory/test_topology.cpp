@@ -10,9 +10,9 @@
 
 #include "tensors.hpp"
 #include "topology/boundary_curve.hpp"
-#include "topology/level_surface.hpp"
+#include "levels/level_surface.hpp"
 #include "topology/signature.hpp"
-#include "topology/tensor_sphere.hpp"
+#include "levels/tensor_sphere.hpp"
 
 namespace tensortopo::theory {
 namespace {

@@ -4,14 +4,14 @@
 #include <span>
 #include <utility>
 
-#include "claims.hpp"
-#include "crossed_part.hpp"
-#include "crossing_brackets.hpp"
-#include "distance_proof.hpp"
+#include "claims/claims.hpp"
+#include "claims/crossed_part.hpp"
+#include "claims/crossing_brackets.hpp"
+#include "distances/distance_proof.hpp"
+#include "distances/isotopic_tets.hpp"
 #include "extract/level/level.hpp"
 #include "extract/surface/renumber_extraction.hpp"
-#include "for_each.hpp"
-#include "isotopic_tets.hpp"
+#include "run/for_each.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/extract/embedded.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"

@@ -10,7 +10,7 @@
 
 #include "extract/curves/points/degenerate_points_on_face.hpp"
 #include "extract/curves/points/weight_bounds.hpp"
-#include "for_each.hpp"
+#include "run/for_each.hpp"
 #include "tensortopo/certify/certified_curves.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"

@@ -5,13 +5,13 @@
 #include <span>
 #include <utility>
 
-#include "bracket_search.hpp"
-#include "claims.hpp"
-#include "critical_simplices.hpp"
-#include "distance_proof.hpp"
-#include "for_each.hpp"
-#include "isotopic_tets.hpp"
-#include "surface_topology.hpp"
+#include "claims/bracket_search.hpp"
+#include "claims/claims.hpp"
+#include "claims/critical_simplices.hpp"
+#include "claims/surface_topology.hpp"
+#include "distances/distance_proof.hpp"
+#include "distances/isotopic_tets.hpp"
+#include "run/for_each.hpp"
 #include "tensortopo/certify/certified_level.hpp"
 #include "tensortopo/extract/embedded.hpp"
 
@@ -36,9 +36,8 @@ class EdgeForm {
     if (size > QuadricForm::kSmallestSize &&
         std::abs(value) > 2 * QuadricForm::kError * size * size)
       return value > 0;
-    return value_at(Rational(s), Rational(t), [&](std::size_t i, std::size_t j) {
-             return form_.exact(i, j);
-           }) > 0;
+    return value_at(Rational(s), Rational(t),
+                    [&](std::size_t i, std::size_t j) { return form_.exact(i, j); }) > 0;
   }
 
  private:
@@ -69,8 +68,7 @@ Brackets brackets_of(const TetMesh& mesh, const QuadraticLevel& level, LevelTopo
       crossing.rising = above;
       crossings.push_back({crossing.weights[1], crossing.rising});
     }
-    brackets[e] =
-        find_brackets(crossings, [&](double t) { return form.is_above(t); });
+    brackets[e] = find_brackets(crossings, [&](double t) { return form.is_above(t); });
   });
   return brackets;
 }

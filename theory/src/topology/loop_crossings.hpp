@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "topology/level_complex.hpp"
+#include "levels/level_complex.hpp"
 #include "topology/loop_tetrahedron.hpp"
 
 namespace tensortopo::theory {

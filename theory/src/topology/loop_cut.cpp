@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "levels/tensor_sphere.hpp"
 #include "topology/loop_arcs.hpp"
 #include "topology/loop_crossings.hpp"
-#include "topology/tensor_sphere.hpp"
 
 namespace tensortopo::theory {
 namespace {

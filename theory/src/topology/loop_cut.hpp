@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "topology/level_surface.hpp"
+#include "levels/level_surface.hpp"
 #include "topology/loop_tetrahedron.hpp"
 
 namespace tensortopo::theory {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Neutral surfaces and degenerate curves of a whole linear field.
 #include "dominant_form.hpp"
+#include "levels/tensor_sphere.hpp"
 #include "topology/checks.hpp"
 #include "topology/level_choice.hpp"
 #include "topology/signature.hpp"
-#include "topology/tensor_sphere.hpp"
 
 namespace tensortopo::theory {
 namespace {
