@@ -52,8 +52,6 @@ Folds::Folds(const LevelCase& c) : c_(c) {
   for (const ConeTopology& cone : c.topology.cones)
     for (const Vertex end : cone.base)
       if (cone.tips.size() == 2) at_[{cone.tips[0], cone.tips[1], end}].push_back(&cone);
-  for (const auto& [face, cones] : at_)
-    if (cones.size() > 2) throw Wrong("a face of three tetrahedra " + Json(face).dump());
 }
 
 Fold Folds::beyond(const Fold& fold, std::array<Vertex, 3>& last) const {

@@ -40,9 +40,6 @@ void Pieces::group() {
   for (std::size_t t = 0; t < c_.left_out.size(); ++t)
     if (c_.left_out[t]) add(t);
   std::sort(tets_at_.begin(), tets_at_.end());
-  for (std::size_t n = 2; n < tets_at_.size(); ++n)
-    if (tets_at_[n].first == tets_at_[n - 2].first)
-      throw Wrong("a face of three tetrahedra " + Json(tets_at_[n].first).dump());
 }
 
 /// Those of the level in a tetrahedron, ascending.
