@@ -22,7 +22,7 @@ namespace tensortopo {
 /// tetrahedra, and the vertices of each, ascending (64 bits each); all little-endian.
 std::string field_sha256(const TetMesh& mesh);
 
-/// The same, of a field that comes bit by bit: first all points, then all tensors, then all
+/// The same, of a field that comes in parts: first all points, then all tensors, then all
 /// tetrahedra by the ids of their vertices.
 class FieldHash {
  public:
@@ -30,8 +30,11 @@ class FieldHash {
   FieldHash(std::size_t points, std::size_t tets);
   ~FieldHash();
 
+  /// The next point.
   void add(const Vector3<double>& point);
+  /// The next point's tensor.
   void add(const SymmetricTensor<double>& tensor);
+  /// The next tetrahedron, by the ids of its vertices.
   void add(std::array<std::int64_t, 4> tet);
   std::string hex();  ///< after all
 

@@ -21,6 +21,7 @@ class FieldPieces {
   /// Reads the list of pieces, and the first of them. Throws IoError.
   FieldPieces(const std::filesystem::path& file, const ReadOptions& options);
 
+  /// The number of pieces.
   std::int32_t size() const { return static_cast<std::int32_t>(files_.size()); }
   /// A piece, with points of its own. Throws IoError, also for a piece whose tensors have another
   /// name or order than those of the first.

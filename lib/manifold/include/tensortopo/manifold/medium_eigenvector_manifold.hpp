@@ -22,7 +22,10 @@ struct SpheroConal {
 /// Sines and cosines of sphero-conal coordinates.
 template <RealScalar Scalar>
 struct SpheroConalSines {
-  Scalar sin_theta{}, cos_theta{}, sin_eta{}, cos_eta{};
+  Scalar sin_theta{};  ///< of theta
+  Scalar cos_theta{};  ///< of theta
+  Scalar sin_eta{};    ///< of eta
+  Scalar cos_eta{};    ///< of eta
 };
 
 /// A point of the boundary of the complex domain, modulo the antipodal map.

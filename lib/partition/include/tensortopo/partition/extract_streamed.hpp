@@ -13,7 +13,7 @@ namespace tensortopo {
 
 /// A mesh in pieces that are read one at a time.
 struct PieceSource {
-  std::int32_t pieces = 0;
+  std::int32_t pieces = 0;  ///< how many there are
   /// One of the pieces, the same whenever it is read: valid, with points of its own. What it throws
   /// reaches the caller.
   std::function<TetMesh(std::int32_t piece)> read;
@@ -21,9 +21,10 @@ struct PieceSource {
 
 /// The surface of a mesh that was never in memory as a whole.
 struct StreamedSurface {
-  MergedSurface merged;  ///< ids count points and tetrahedra as if all pieces were read in order
-  std::size_t points = 0, tets = 0;  ///< of the whole mesh
-  std::string field_sha256;          ///< as of the whole mesh; with `keep_topology`, else empty
+  MergedSurface merged;    ///< ids count points and tetrahedra as if all pieces were read in order
+  std::size_t points = 0;  ///< of the whole mesh
+  std::size_t tets = 0;    ///< of the whole mesh
+  std::string field_sha256;  ///< as of the whole mesh; with `keep_topology`, else empty
 };
 
 /// The mode surface of a mesh, piece after piece: the same bits as `extract_mode_surface` gives for

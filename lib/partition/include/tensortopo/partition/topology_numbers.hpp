@@ -22,7 +22,9 @@ TopologyNumbers numbers_of(const LevelTopology& topology);
 
 /// What the numbers of a topology count.
 struct TopologyCounts {
-  std::size_t mesh_vertices = 0, tets = 0, surface_vertices = 0;
+  std::size_t mesh_vertices = 0;     ///< points of the mesh
+  std::size_t tets = 0;              ///< its tetrahedra
+  std::size_t surface_vertices = 0;  ///< vertices of the surface
 };
 
 /// @throws std::invalid_argument unless the numbers are those of a topology, and each is below what

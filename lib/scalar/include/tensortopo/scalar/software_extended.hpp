@@ -25,30 +25,43 @@ class SoftwareExtended {
   requires std::integral<Number> || std::floating_point<Number> SoftwareExtended(Number x)
       : value_(x) {}
 
+  /// The nearest double.
   explicit operator double() const { return static_cast<double>(value_); }
+  /// Exact where `long double` has 64 bits or more.
   explicit operator long double() const { return static_cast<long double>(value_); }
 
+  /// Exact.
   SoftwareExtended operator-() const { return SoftwareExtended(Narrow(-value_)); }
+  /// The number nearest to the sum.
   friend SoftwareExtended operator+(const SoftwareExtended& a, const SoftwareExtended& b) {
     return rounded(Wide(Wide(a.value_) + Wide(b.value_)));
   }
+  /// The number nearest to the difference.
   friend SoftwareExtended operator-(const SoftwareExtended& a, const SoftwareExtended& b) {
     return rounded(Wide(Wide(a.value_) - Wide(b.value_)));
   }
+  /// The number nearest to the product.
   friend SoftwareExtended operator*(const SoftwareExtended& a, const SoftwareExtended& b) {
     return rounded(Wide(Wide(a.value_) * Wide(b.value_)));
   }
+  /// The number nearest to the quotient.
   friend SoftwareExtended operator/(const SoftwareExtended& a, const SoftwareExtended& b) {
     return rounded(Wide(Wide(a.value_) / Wide(b.value_)));
   }
+  /// `*this = *this + b`.
   SoftwareExtended& operator+=(const SoftwareExtended& b) { return *this = *this + b; }
+  /// `*this = *this - b`.
   SoftwareExtended& operator-=(const SoftwareExtended& b) { return *this = *this - b; }
+  /// `*this = *this * b`.
   SoftwareExtended& operator*=(const SoftwareExtended& b) { return *this = *this * b; }
+  /// `*this = *this / b`.
   SoftwareExtended& operator/=(const SoftwareExtended& b) { return *this = *this / b; }
 
+  /// Whether the numbers are equal; not-a-number is equal to none.
   friend bool operator==(const SoftwareExtended& a, const SoftwareExtended& b) {
     return a.value_ == b.value_;
   }
+  /// The order of the numbers; of not-a-number there is none.
   friend std::partial_ordering operator<=>(const SoftwareExtended& a, const SoftwareExtended& b) {
     if (a.value_ < b.value_) return std::partial_ordering::less;
     if (a.value_ > b.value_) return std::partial_ordering::greater;
@@ -56,7 +69,9 @@ class SoftwareExtended {
                                 : std::partial_ordering::unordered;
   }
 
+  /// Exact.
   friend SoftwareExtended abs(const SoftwareExtended& a) { return a < SoftwareExtended() ? -a : a; }
+  /// The number nearest to the square root.
   friend SoftwareExtended sqrt(const SoftwareExtended& a) {
     return rounded(Wide(sqrt(Wide(a.value_))));
   }
@@ -66,6 +81,7 @@ class SoftwareExtended {
   }
   /// The exponent of a number that is not 0.
   friend int ilogb(const SoftwareExtended& a) { return static_cast<int>(ilogb(a.value_)); }
+  /// Whether it is neither infinite nor not-a-number.
   friend bool isfinite(const SoftwareExtended& a) {
     return boost::multiprecision::isfinite(a.value_);
   }
