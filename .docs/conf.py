@@ -13,7 +13,7 @@ release = version = os.environ["TENSORTOPO_VERSION"]
 
 extensions = ["breathe", "myst_parser", "numpydoc", "sphinx.ext.autodoc", "sphinx.ext.autosummary"]
 # What is no page. The staged tree has links to the project's folders.
-exclude_patterns = ["**/build*", "**/out", "**/data/*.json", "examples/suite/*.json"]
+exclude_patterns = ["**/.*", "**/build*", "**/out", "**/data/*.json", "examples/suite/*.json"]
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 6
 
@@ -22,7 +22,7 @@ breathe_default_project = "tensortopo"
 breathe_show_include = False
 # Sphinx looks these up as names of ours.
 nitpick_ignore_regex = [
-    (r"cpp:.*", r"(std|boost|Eigen|CGAL|vtk\w*|detail)(::.*)?|tensortopo"),
+    (r"cpp:.*", r"(std|boost|Eigen|CGAL|vtk\w*|detail)(::.*)?|tensortopo(::elementary)?"),
     # Index types and enumerators that a class declares for itself.
     (r"cpp:identifier", r"(\w+Mesh::Index|Use(::\w+)?)"),
     (r"cpp:identifier", r"(Scalar|Number|Value|Index|Field|ostream|vtk\w+|\w*_t)"),

@@ -15,7 +15,7 @@ import subprocess
 import sys
 from xml.etree import ElementTree
 
-FOLDERS = ("analysis", "examples", "lib", "proofs-check", "theory", "README.md")
+FOLDERS = ("analysis", "examples", "lib", "proofs-check", "tests", "theory", "README.md")
 # What Doxygen calls things, and how Sphinx shows them.
 DIRECTIVES = {"struct": "doxygenstruct", "class": "doxygenclass", "union": "doxygenunion", "enum": "doxygenenum",
               "typedef": "doxygentypedef", "variable": "doxygenvariable", "define": "doxygendefine",

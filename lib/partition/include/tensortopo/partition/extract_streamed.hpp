@@ -35,8 +35,8 @@ struct StreamedSurface {
 /// Reads     each piece once for the numbers of its points and once for itself and its neighbours
 ///           (again where more than four are asked for in turn), and three times for the hash.
 /// @param options  `density` must be empty
-/// @throws std::invalid_argument, naming the place, if pieces have different tensors at one place,
-///         or two points of one piece lie where another piece has one
+/// @throws std::invalid_argument if pieces have different tensors at one place, or two points of
+///         one piece lie where another piece has one; it names the place
 StreamedSurface extract_streamed(const PieceSource& source, const ModeValue& mode,
                                  const ExtractOptions& options = {});
 
