@@ -246,8 +246,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_flag("--all-samples", command.all_samples,
                "Keep samples of face curves that make needles and that the level can do without");
   app.add_option("--pieces", command.pieces,
-                 "Extract so many pieces (slabs) of the mesh one after the other, in less memory: "
-                 "the same surface, bit for bit")
+                 "Extract so many pieces (slabs) of the mesh one after the other: the same surface, "
+                 "bit for bit. For fields larger than memory see --stream")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N")
       ->capture_default_str();
