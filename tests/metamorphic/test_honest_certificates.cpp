@@ -106,6 +106,18 @@ TEST(HonestCertificatesOnceRefuted, OfALevelThatNearlyTouchesAnEdgeAreNot) {
   EXPECT_TRUE(verdict.status == "certified" || verdict.status == "undecided") << verdict.report;
 }
 
+/// Next to vertices of other magnitudes, from which the surface keeps its distance: the normal is
+/// that of the anisotropy there, not on the level.
+TEST(HonestCertificatesOnceRefuted, OfAnAnisotropyNextToACornerAreNot) {
+  HonestCourt court("next_to_corner");
+  for (const int number : {3000006, 3000019, 3000020}) {
+    const FieldCase c = field_case(Family::powers_of_two, number);
+    const HonestVerdict verdict = court.judge(exhibit_with_arrays(c.mesh, {c.invariant}));
+    EXPECT_TRUE(verdict.status == "certified" || verdict.status == "undecided") << verdict.report;
+    EXPECT_GT(verdict.vectors, 0u);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Families, HonestCertificates, testing::ValuesIn(all_families()),
                          [](const auto& family) { return name_of(family.param); });
 

@@ -129,12 +129,18 @@ Vector3<double> CellGeometry::position(const Weights& w) const {
 }
 
 Vector3<double> CellGeometry::normal(const Weights& w) const {
+  Deviator<double> tensor{};
+  double trace = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    tensor = tensor + w[i] * deviators_[i], trace += w[i] * traces_[i];
+  // Of the anisotropy the form has the gradient on its level only: elsewhere, and so at vertices
+  // that are kept clear of corners, that of the level through the place.
+  const double tau = tau_ < 0 ? -norm_form(tensor, tensor) / (trace * trace) : tau_;
   Vector3<double> sum{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    Weights along{-1, 0, 0, 0};
-    along[i + 1] = 1;
-    sum += form_of_tensors(w, along) * inward_[i];
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    sum += (norm_form(tensor, deviators_[i + 1] + -1.0 * deviators_[0]) +
+            tau * trace * (traces_[i + 1] - traces_[0])) *
+           inward_[i];
   return std::isfinite(length(sum)) ? unit_or_zero(sum) : Vector3<double>{};
 }
 
