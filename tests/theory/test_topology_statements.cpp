@@ -62,7 +62,7 @@ TEST(TopologyStatements, NeedExactSigns) {
 
 // Cut along the loop and the arcs, and filled along the loop, each piece is a sphere with holes.
 void expect_spheres_with_holes(const LoopCut& cut) {
-  EXPECT_EQ(cut.surface.euler + cut.arcs + 2, 2 * cut.pieces - cut.rims);
+  EXPECT_EQ(cut.surface.euler + cut.arcs + 2, 2 * cut.pieces - cut.boundary_loops);
 }
 
 // Loops of the complex domain's boundary inside a tetrahedron: a handle in two of them; in the two

@@ -66,22 +66,20 @@ CellGeometry::CellGeometry(const ConvexLevel& level,
     inward_[i] = (is_positive ? 1.0 : -1.0) * cross(edges[(i + 1) % 3], edges[(i + 2) % 3]);
 }
 
-double CellGeometry::form_of_tensors(const Weights& u, const Weights& v) const {
-  Deviator<double> s{}, t{};
-  double s_trace = 0, t_trace = 0;
+CellGeometry::Parts CellGeometry::tensor_at(const Weights& w) const {
+  Parts result;
   for (std::size_t i = 0; i < 4; ++i) {
-    s = s + u[i] * deviators_[i];
-    t = t + v[i] * deviators_[i];
-    s_trace += u[i] * traces_[i];
-    t_trace += v[i] * traces_[i];
+    result.deviator = result.deviator + w[i] * deviators_[i];
+    result.trace += w[i] * traces_[i];
   }
-  return norm_form(s, t) + tau_ * s_trace * t_trace;
+  return result;
 }
 
 double CellGeometry::form(const Weights& u, const Weights& v) const {
+  const Parts s = tensor_at(u), t = tensor_at(v);
   double u_sum = 0, v_sum = 0;
   for (std::size_t i = 0; i < 4; ++i) u_sum += u[i], v_sum += v[i];
-  return form_of_tensors(u, v) - gamma_ * u_sum * v_sum;
+  return norm_form(s.deviator, t.deviator) + tau_ * s.trace * t.trace - gamma_ * u_sum * v_sum;
 }
 
 Weights CellGeometry::inner_place(std::span<const Weights> corners) const {
@@ -129,18 +127,17 @@ Vector3<double> CellGeometry::position(const Weights& w) const {
 }
 
 Vector3<double> CellGeometry::normal(const Weights& w) const {
-  Deviator<double> tensor{};
-  double trace = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    tensor = tensor + w[i] * deviators_[i], trace += w[i] * traces_[i];
+  const Parts at = tensor_at(w);
   // Of the anisotropy the form has the gradient on its level only: elsewhere, and so at vertices
   // that are kept clear of corners, that of the level through the place.
-  const double tau = tau_ < 0 ? -norm_form(tensor, tensor) / (trace * trace) : tau_;
+  const double tau = tau_ < 0 ? -norm_form(at.deviator, at.deviator) / (at.trace * at.trace) : tau_;
   Vector3<double> sum{};
-  for (std::size_t i = 0; i < 3; ++i)
-    sum += (norm_form(tensor, deviators_[i + 1] + -1.0 * deviators_[0]) +
-            tau * trace * (traces_[i + 1] - traces_[0])) *
-           inward_[i];
+  for (std::size_t i = 0; i < 3; ++i) {
+    Weights along{-1, 0, 0, 0};
+    along[i + 1] = 1;
+    const Parts change = tensor_at(along);
+    sum += (norm_form(at.deviator, change.deviator) + tau * at.trace * change.trace) * inward_[i];
+  }
   return std::isfinite(length(sum)) ? unit_or_zero(sum) : Vector3<double>{};
 }
 

@@ -30,13 +30,16 @@ class CellGeometry {
   Weights crossing(const Weights& inside, const Weights& outside) const;
 
   Vector3<double> position(const Weights& w) const;
-  /// Unit gradient of q: outward from the body. Zero if it vanishes.
+  /// Unit gradient of the invariant: outward from the body. Zero if it vanishes.
   Vector3<double> normal(const Weights& w) const;
 
  private:
+  struct Parts {
+    Deviator<double> deviator{};
+    double trace = 0;
+  };
+  Parts tensor_at(const Weights& w) const;
   double form(const Weights& u, const Weights& v) const;
-  /// The same without what is constant on the tetrahedron.
-  double form_of_tensors(const Weights& u, const Weights& v) const;
 
   std::array<Vector3<double>, 4> points_;
   /// Gradients of the coordinates 1 to 3, times the volume, in a unit of the tetrahedron's size.

@@ -113,7 +113,7 @@ class Reader {
       if (c >= 0) result.insert(c);
     return result;
   }
-  std::pair<long, Json> loop_of(std::map<Index, Index>& rim, Index tet);
+  std::pair<long, Json> loop_of(std::map<Index, Index>& boundary, Index tet);
 
   const TetMesh& mesh_;
   const SurfaceMesh& s_;
@@ -123,13 +123,13 @@ class Reader {
   std::map<Face, std::set<Index>> loops_;
 };
 
-/// Takes one loop out of a rim. First the smallest vertex of all on it.
-std::pair<long, Json> Reader::loop_of(std::map<Index, Index>& rim, Index tet) {
+/// Takes one loop out of a boundary. First the smallest vertex of all on it.
+std::pair<long, Json> Reader::loop_of(std::map<Index, Index>& boundary, Index tet) {
   std::vector<Index> loop;
-  for (Index v = rim.begin()->first; rim.contains(v);) {
+  for (Index v = boundary.begin()->first; boundary.contains(v);) {
     loop.push_back(v);
-    const Index next = rim.at(v);
-    rim.erase(v);
+    const Index next = boundary.at(v);
+    boundary.erase(v);
     v = next;
   }
   const long any = loop[0];
@@ -175,7 +175,7 @@ void Reader::read(Json& faces, Json& tets) {
   for (const auto& [cell, members] : by_cell) {
     SurfaceMesh part;
     part.points = s_.points;
-    std::map<Index, Index> rim;
+    std::map<Index, Index> boundary;
     std::set<std::array<Index, 2>> all;
     for (const std::size_t t : members.second) {
       part.triangles.push_back(s_.triangles[t]);
@@ -183,7 +183,7 @@ void Reader::read(Json& faces, Json& tets) {
         all.insert({s_.triangles[t][i], s_.triangles[t][(i + 1) % 3]});
     }
     for (const auto& [a, b] : all)
-      if (!all.contains({b, a})) rim[a] = b;
+      if (!all.contains({b, a})) boundary[a] = b;
     const auto component = surface_components(part);
     std::map<Index, std::pair<long, std::vector<Json>>> sheets;
     std::map<Index, Index> sheet_of;
@@ -197,8 +197,8 @@ void Reader::read(Json& faces, Json& tets) {
           --sheets[component[t]].first;
       }
     }
-    while (!rim.empty()) {
-      const auto [vertex, loop] = loop_of(rim, members.first);
+    while (!boundary.empty()) {
+      const auto [vertex, loop] = loop_of(boundary, members.first);
       sheets[sheet_of.at(static_cast<Index>(vertex))].second.push_back(loop);
     }
     std::vector<Json> listed;

@@ -58,7 +58,7 @@ void loop_facts(const LoopTetrahedron& t, const LoopCut& cut, int lost, int join
   // Cut open along the boundary of the complex domain, and the two sides of the loop filled with
   // discs, it is a part of a sphere.
   facts.holds("Euler characteristic two less than that of the filled pieces",
-              cut.surface.euler + cut.arcs + lost == 2 * cut.pieces - cut.rims);
+              cut.surface.euler + cut.arcs + lost == 2 * cut.pieces - cut.boundary_loops);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ Outcome loop_that_meets_no_face() {
   const auto found = turned ? cut_along_loops(*turned) : std::nullopt;
   // What face curves and the arc between them bound is planar but for the gluing along the arc.
   if (!found || !found->has_handle() ||
-      found->surface.euler + found->arcs == 2 * found->pieces - found->rims) {
+      found->surface.euler + found->arcs == 2 * found->pieces - found->boundary_loops) {
     return Outcome::holds();
   }
   return Outcome::violated(text(t) + ": " + text(found->surface) +

@@ -112,7 +112,7 @@ std::optional<LoopCut> cut_along_loops(const LoopTetrahedron& t) {
   result.sheets = result.surface.components +
                   (separates(*graph, [](const OddCrossings& c) { return c.loop; }) ? 1 : 0);
   result.pieces = result.sheets;
-  result.rims = result.surface.boundary_loops;
+  result.boundary_loops = result.surface.boundary_loops;
   if (result.arcs == 0) return result;
   // The loop and the arc are disjoint; they cut off another piece for each of their sums that
   // separates, if independent of the loop alone.
@@ -129,7 +129,7 @@ std::optional<LoopCut> cut_along_loops(const LoopTetrahedron& t) {
     if (link.crossings.other) ends.push_back(link.from);
   }
   const bool is_same = ends.empty() || boundary.part(ends[0]) == boundary.part(ends.back());
-  result.rims += is_same ? 1 : -1;
+  result.boundary_loops += is_same ? 1 : -1;
   return result;
 }
 

@@ -16,7 +16,7 @@ struct LoopCut {
   int sheets = 0;        ///< components if cut along the loop
   int arcs = 0;          ///< of the other loop in the surface: 0 or 1
   int pieces = 0;        ///< components if cut along the arc too
-  int rims = 0;          ///< boundary loops then, without the two sides of the loop
+  int boundary_loops = 0;          ///< boundary loops then, without the two sides of the loop
 
   bool has_handle() const { return sheets == surface.components; }
 };

@@ -24,8 +24,7 @@ struct NearCrossing {
 /// touches the edge, that may be far from the crossing: then the interval is coarse.
 /// @param is_above  of a coordinate with few enough bits that 1 - t is exact: exactly
 /// @return nothing if two crossings are too close to be parted by doubles, or no interval holds
-/// both
-///         a crossing and its coordinate
+///         both a crossing and its coordinate
 template <class IsAbove>
 std::optional<std::vector<DyadicBracket>> find_brackets(const std::vector<NearCrossing>& crossings,
                                                         const IsAbove& is_above) {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include "claims/crossing_brackets.hpp"
-#include "extract/level/proofs/is_above.hpp"
 
 #include <array>
 #include <cmath>
 
 #include "claims/bracket_search.hpp"
+#include "extract/level/proofs/is_above.hpp"
 #include "extract/subdivision/refinement.hpp"
 
 namespace tensortopo {
