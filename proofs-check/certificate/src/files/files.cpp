@@ -12,11 +12,11 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/component_names.hpp"
-#include "files/crowded_face.hpp"
 #include "files/document.hpp"
 #include "files/grid.hpp"
 #include "files/vtk_legacy.hpp"
 #include "files/vtk_xml.hpp"
+#include "mesh/complex.hpp"
 
 namespace certificate {
 namespace {
@@ -244,9 +244,7 @@ InputFile read_input(const std::string& name, const std::string& tensor,
         input.tets.push_back(corners);
         input.cells.push_back(i);
       });
-  if (const auto face = crowded_face(input.tets, input.points.size()))
-    file.fail("more than two tetrahedra share the face of points " + std::to_string((*face)[0]) +
-              ", " + std::to_string((*face)[1]) + " and " + std::to_string((*face)[2]));
+  if (const auto defect = defect_of(input.tets, input.points)) file.fail(*defect);
   return input;
 }
 

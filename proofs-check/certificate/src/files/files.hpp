@@ -55,8 +55,8 @@ std::string listing_of(const std::string& order);
 
 /// Reads a .vtu of one piece (ascii, inline or appended, plain or zlib, of either byte order), or a
 /// legacy .vtk (ASCII or BINARY). Every number is finite and every index in range. Names of
-/// components that spell another order are refused, and so is a face of three tetrahedra. Throws
-/// Malformed.
+/// components that spell another order are refused, and so are tetrahedra that `defect_of` names.
+/// Throws Malformed.
 InputFile read_input(const std::string& file, const std::string& tensor,
                  const std::string& components);
 

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/embedded.hpp"
 
-#include <gmpxx.h>
-
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 
-#include "ball.hpp"
+#include "mesh/exact_signs.hpp"
 #include "run/parallel.hpp"
 #include "surface/box_tree.hpp"
 
@@ -17,39 +14,6 @@ namespace {
 
 using Point = std::array<double, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
-
-/// The sign of an expression of differences of coordinates: in doubles, else exactly.
-template <class Expression>
-int sign_of(const Expression& expression) {
-  const Ball ball = expression.template operator()<Ball>([](double x) { return Ball(x, 0); });
-  if (std::abs(ball.value) > ball.error) return ball.value > 0 ? 1 : -1;
-  return sgn(expression.template operator()<mpq_class>([](double x) { return mpq_class(x); }));
-}
-
-/// On which side of the plane through a, b and c is d?
-int side_of(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return sign_of([&]<class N>(const auto& number) {
-    std::array<std::array<N, 3>, 3> m;
-    for (std::size_t k = 0; k < 3; ++k) {
-      m[0][k] = number(b[k]) - number(a[k]);
-      m[1][k] = number(c[k]) - number(a[k]);
-      m[2][k] = number(d[k]) - number(a[k]);
-    }
-    const auto minor = [&](std::size_t i, std::size_t j) {
-      return N(m[1][i] * m[2][j] - m[1][j] * m[2][i]);
-    };
-    return N(m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1));
-  });
-}
-
-/// The turn from a to b to c, seen along an axis.
-int turn(const Point& a, const Point& b, const Point& c, std::size_t axis) {
-  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  return sign_of([&]<class N>(const auto& number) {
-    const auto minus = [&](const Point& p, std::size_t k) { return N(number(p[k]) - number(a[k])); };
-    return N(minus(b, u) * minus(c, v) - minus(b, v) * minus(c, u));
-  });
-}
 
 /// An axis along which the triangle has an area; 3 if it has none.
 std::size_t axis_of(const Point& a, const Point& b, const Point& c) {

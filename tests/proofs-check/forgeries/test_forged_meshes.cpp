@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Meshes that are no complex in space. No claim tells of tetrahedra that the level misses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
+#include "forgery_trial.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Index = TetMesh::Index;
+
+TEST(Forgeries, TetrahedraThatAreThereTwice) {
+  Trial trial("twice");
+  for (const Exhibit& honest : honest_exhibits())
+    for (std::size_t t = 0; t < honest.mesh.tets.size(); t += honest.mesh.tets.size() / 7 + 1) {
+      Exhibit forged = honest;
+      forged.mesh.tets.push_back(honest.mesh.tets[t]);
+      forged.certificate["input"]["tetrahedra"] = forged.mesh.tets.size();
+      forged.rehash();
+      trial.expect_not_certified(forged, "tetrahedron " + std::to_string(t));
+    }
+}
+
+/// Tetrahedra without volume, and such that lie in others, are no part of a mesh in space, wherever
+/// the level is.
+TEST(Forgeries, TetrahedraThatAreFlatOrOnOneSideOfAFace) {
+  Trial trial("overlap");
+  for (const Exhibit& honest : honest_exhibits()) {
+    std::map<std::array<Index, 3>, std::vector<Index>> opposite;  // of each face
+    for (auto tet : honest.mesh.tets) {
+      std::sort(tet.begin(), tet.end());
+      for (std::size_t i = 0; i < 4; ++i) {
+        std::array<Index, 3> face{};
+        std::copy_if(tet.begin(), tet.end(), face.begin(), [&](Index v) { return v != tet[i]; });
+        opposite[face].push_back(tet[i]);
+      }
+    }
+    std::size_t tried = 0;
+    for (const auto& [face, apexes] : opposite) {
+      if (apexes.size() != 1 || tried++ % 7 != 0) continue;
+      const auto added = [&](const Vector3<double>& point) {
+        Exhibit forged = honest;
+        forged.mesh.tets.push_back(
+            {face[0], face[1], face[2], static_cast<Index>(forged.mesh.points.size())});
+        forged.mesh.points.push_back(point);
+        forged.mesh.tensors.push_back(honest.mesh.tensors[static_cast<std::size_t>(apexes[0])]);
+        forged.certificate["input"]["tetrahedra"] = forged.mesh.tets.size();
+        forged.certificate["input"]["points"] = forged.mesh.points.size();
+        forged.rehash();
+        return forged;
+      };
+      const auto at = [&](Index v) { return honest.mesh.points[static_cast<std::size_t>(v)]; };
+      const Vector3<double> inside =
+          0.125 * (at(face[0]) + at(face[1]) + at(face[2])) + 0.625 * at(apexes[0]);
+      trial.expect("malformed", added(inside), "in another");
+      trial.expect("malformed", added(at(face[0])), "flat");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tensortopo::test
