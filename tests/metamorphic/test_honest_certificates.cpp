@@ -106,6 +106,13 @@ TEST(HonestCertificatesOnceRefuted, OfALevelThatNearlyTouchesAnEdgeAreNot) {
   EXPECT_TRUE(verdict.status == "certified" || verdict.status == "undecided") << verdict.report;
 }
 
+/// A thin closed curve of a face that bends: three of its points may turn the other way.
+TEST(HonestCertificatesOnceRefuted, OfAClosedCurveThatBendsAreNot) {
+  HonestCourt court("bent");
+  const HonestVerdict verdict = court.judge(field_case(Family::general, 7001655));
+  EXPECT_EQ(verdict.status, "certified") << verdict.report;
+}
+
 /// Next to vertices of other magnitudes, from which the surface keeps its distance: the normal is
 /// that of the anisotropy there, not on the level.
 TEST(HonestCertificatesOnceRefuted, OfAnAnisotropyNextToACornerAreNot) {

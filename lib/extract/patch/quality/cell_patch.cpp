@@ -216,6 +216,23 @@ bool CellPatch::is_embedded_after(Id vertex, Id neighbour) const {
   return !intersects_any(places_, changed, others);
 }
 
+bool CellPatch::turns_alike_without(const std::vector<Id>& polygon, Id vertex) const {
+  const auto area_without = [&](Id left_out) {
+    Vector3<double> area{}, last{};
+    const auto& origin = corners_[place_of(polygon[0])].position;
+    for (const Id id : polygon) {
+      if (id == left_out) continue;
+      const auto next = corners_[place_of(id)].position - origin;
+      area = area + cross(last, next);
+      last = next;
+    }
+    // Back to the first one, if the origin was left out.
+    const auto first = polygon[0] == left_out ? polygon[1] : polygon[0];
+    return area + cross(last, corners_[place_of(first)].position - origin);
+  };
+  return dot(area_without(-1), area_without(vertex)) > 0;
+}
+
 void CellPatch::move(Id vertex, Id neighbour) {
   const Place v = place_of(vertex), u = place_of(neighbour);
   for (const auto i : around_[v]) {

@@ -45,6 +45,9 @@ class CellPatch {
   /// The same with the vertex moved to a neighbour.
   double offset_after(Id vertex, Id neighbour) const;
 
+  /// Whether a closed polygon of a face, with an area, turns the same way without one of its vertices.
+  bool turns_alike_without(const std::vector<Id>& polygon, Id vertex) const;
+
   void move(Id vertex, Id neighbour);
 
   std::vector<std::array<Id, 3>> triangles() const;

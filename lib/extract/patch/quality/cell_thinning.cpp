@@ -71,7 +71,8 @@ bool stays_close(const CellPatch& patch, const CurveChain& chain, Id v, Id u) {
 }
 
 bool may_go(const CellPatch& patch, const CurveChain& chain, Id v, const Way& way) {
-  return way.sine > 0 && (!chain.stays_embedded || patch.is_embedded_after(v, way.to));
+  return way.sine > 0 && (!chain.is_closed || patch.turns_alike_without(chain.vertices, v)) &&
+         (!chain.stays_embedded || patch.is_embedded_after(v, way.to));
 }
 
 bool holds(const std::vector<Id>& ids, Id id) {

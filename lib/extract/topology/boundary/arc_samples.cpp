@@ -72,6 +72,22 @@ CurvePoint<Scalar> point_on_piece(const ArcPiece<Scalar>& piece,
   return point;
 }
 
+/// How a polygon turns around, by its area with sign: positive counter-clockwise.
+template <class Scalar>
+int turn_of(const std::vector<CurvePoint<Scalar>>& polygon, const std::vector<char>& keep) {
+  Scalar area(0);
+  const auto& origin = polygon[0].weights;
+  std::array<Scalar, 2> last{};
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (!keep[i]) continue;
+    const auto& w = polygon[i].weights;
+    const std::array<Scalar, 2> next{w[1] - origin[1], w[2] - origin[2]};
+    area = area + last[0] * next[1] - last[1] * next[0];
+    last = next;
+  }
+  return area > Scalar(0) ? 1 : area < Scalar(0) ? -1 : 0;
+}
+
 template <class Scalar>
 class Sampler {
  public:
@@ -144,6 +160,10 @@ class Sampler {
       else
         last = i;
     }
+    // The polygon of all points turns as the loop does: it goes through the same triangles. Few points
+    // of a thin loop that bends may turn the other way.
+    if (const std::vector<char> all(n, 1); arc.closed && turn_of(points, keep) != turn_of(points, all))
+      keep = all;
     if (!arc.closed && kept == 2 && least == 3) {  // one piece, both ends on one edge
       arc.samples.push_back(at(arc.pieces[0], 0, Scalar(1) / Scalar(2)));
       return;
