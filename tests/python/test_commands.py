@@ -74,6 +74,7 @@ def test_conformance(program, slab):
     assert score["conforms"] and score["components"]["matched"] == len(ours.components)
     # Without its first component's triangles something is missed.
     rest = ours.triangles[ours.component != 0]
+    assert tt.conformance(slab, "1/2", ours)["conforms"] == score["conforms"]
     score = tt.conformance(slab, "1/2", ours.points, rest)
     assert not score["conforms"] and len(score["components"]["missed"]) == 1
     with pytest.raises(ValueError, match="does not exist"):

@@ -201,3 +201,13 @@ def test_several_threads_use_one_field(slab):
     for thread in threads:
         thread.join()
     assert found == [True] * 3
+
+
+def test_a_field_can_be_pickled(slab):
+    import pickle
+
+    again = pickle.loads(pickle.dumps(slab))
+    assert again.sha256 == slab.sha256 and again.tensor_name == slab.tensor_name
+    assert np.array_equal(again.cell_ids, slab.cell_ids)
+    named = tt.Field(slab.points, slab.tensors, slab.tets, vertex_ids=7 + np.arange(len(slab.points)))
+    assert np.array_equal(pickle.loads(pickle.dumps(named)).vertex_ids, named.vertex_ids)

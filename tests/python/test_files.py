@@ -86,6 +86,21 @@ def test_what_a_file_says_is_obeyed_or_refused(tetrahedron, tmp_path):
     digits = names.translate(str.maketrans("xyz", "123"))
     file.write_text(text.replace('Name="T"', f'Name="T" {digits}'))
     assert tt.read(file).sha256 == tt.Field(points, tensors, tets, "voigt").sha256
+    # What the program refuses is refused here, too, whatever is asked for.
+    for spelled, message in (("ZZ XX YY YZ XZ XY", "not supported"), ("XX XX ZZ XY YZ XZ", "alike"),
+                             ("0 1 2 3 4 5", "says no order"), ("a b c d e f", "says no order")):
+        labels = " ".join(f'ComponentName{i}="{c}"' for i, c in enumerate(spelled.split()))
+        file.write_text(text.replace('Name="T"', f'Name="T" {labels}'))
+        with pytest.raises(tt.FileError, match=message):
+            tt.read(file)
+        if message == "says no order":
+            assert tt.read(file, components="fsl").sha256 == tt.Field(points, tensors, tets, "fsl").sha256
+        else:
+            with pytest.raises(tt.FileError, match=message):
+                tt.read(file, components="vtk")
+    file.write_text(text.replace('Name="T"', 'Name="T" ComponentName0="XX"'))
+    with pytest.raises(tt.FileError, match="says no order"):
+        tt.read(file)
     file.write_text(text)
     assert tt.read(file, components="fsl").sha256 == tt.Field(points, tensors, tets, "fsl").sha256
     with pytest.raises(tt.FileError, match="no point array"):

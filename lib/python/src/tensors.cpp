@@ -16,6 +16,7 @@
 #include "arrays.hpp"
 #include "mesh.hpp"
 #include "tensortopo/mesh/nodal_average.hpp"
+#include "tensortopo/tensor/component_names.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 #include "tensortopo/tensor/eigen_decomposition.hpp"
 #include "tensortopo/tensor/mode.hpp"
@@ -136,6 +137,18 @@ py::tuple nodal_averages(std::size_t node_count, const Input<std::int64_t>& node
                         wide(result.origin));
 }
 
+/// What kind of order the names of components spell, and its name if we have it.
+py::tuple spelled_order_of(const std::vector<std::string>& names) {
+  const auto [kind, order] = spelled_order(names);
+  switch (kind) {
+    case SpelledOrder::Kind::order: return py::make_tuple("order", name_of(order));
+    case SpelledOrder::Kind::other: return py::make_tuple("other", "");
+    case SpelledOrder::Kind::repeated: return py::make_tuple("repeated", "");
+    case SpelledOrder::Kind::nothing: break;
+  }
+  return py::make_tuple(are_named(names) ? "unknown" : "none", "");
+}
+
 }  // namespace
 
 void define_tensors(py::module_& m) {
@@ -152,6 +165,7 @@ void define_tensors(py::module_& m) {
       },
       py::arg("tensors"));
   m.def("deviator", &deviators, py::arg("tensors"));
+  m.def("spelled_order", &spelled_order_of, py::arg("names"));
   m.def("eigen", &eigensystems, py::arg("tensors"));
   m.def("nodal_average", &nodal_averages, py::arg("node_count"), py::arg("nodes"),
         py::arg("tensors"), py::arg("tensors_per_cell"), py::arg("at_nodes"), py::arg("weights"),

@@ -16,6 +16,7 @@ from ._field import Field
 from ._files import write
 from ._modes import Mode, mode_text
 from ._program import find_program
+from ._surface import Surface
 from ._tensors import real_array
 from ._vtk_xml import piece_text, write_whole
 
@@ -24,7 +25,7 @@ def conformance(
     field: Field,
     mode: Mode,
     points: Any,
-    triangles: Any,
+    triangles: Any = None,
     *,
     merge: float = 0,
     resolution: float = 8,
@@ -39,9 +40,9 @@ def conformance(
     field : Field
     mode : str, int, float, Fraction or Decimal
         Strictly between -1 and 1.
-    points : array_like, shape (k, 3)
+    points : array_like, shape (k, 3), or Surface
     triangles : array_like of int, shape (t, 3)
-        The surface.
+        The surface; None with a `Surface`.
     merge : float, default 0
         Merge points within boxes of this size; 0 for equal ones.
     resolution : float, default 8
@@ -62,6 +63,10 @@ def conformance(
     ValueError
         For arrays that are no triangles.
     """
+    if triangles is None:
+        if not isinstance(points, Surface):
+            raise ValueError("triangles: needed with points that are no Surface")
+        points, triangles = points.points, points.triangles
     place = real_array(points, "points")
     corners = np.asarray(triangles)
     if place.ndim != 2 or place.shape[1] != 3:

@@ -37,11 +37,11 @@ class MeshError(ValueError):
         All defects, at most 1000, in the order of the kinds of checks, then of cells.
     """
 
-    def __init__(self, defects: Sequence[Defect]) -> None:
+    def __init__(self, defects: Sequence[Defect], source: str = "") -> None:
         self.defects: tuple[Defect, ...] = tuple(defects)
         more = len(self.defects) - 1
         text = self.defects[0].text if self.defects else "the mesh has no defects"
-        super().__init__(text + (f" (and {more} more, see .defects)" if more > 0 else ""))
+        super().__init__((f"{source}: " if source else "") + text + (f" (and {more} more, see .defects)" if more > 0 else ""))
 
 
 class Cancelled(RuntimeError):

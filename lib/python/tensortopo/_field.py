@@ -40,6 +40,12 @@ def _ids(values: Any, count: int, name: str) -> npt.NDArray[np.int64]:
     return ids
 
 
+def _restored(points: Any, tensors: Any, tets: Any, cell_ids: Any, vertex_ids: Any,
+              tensor_name: str) -> Field:  # fmt: skip
+    return Field(points, tensors, tets, vertex_ids=vertex_ids, cell_ids=cell_ids,
+                 tensor_name=tensor_name)  # fmt: skip
+
+
 class Field:
     """A symmetric tensor at each vertex of a tetrahedral mesh, linear in each tetrahedron.
 
@@ -138,6 +144,10 @@ class Field:
         field.tensor_name = tensor_name
         field._take(mesh)
         return field
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        parts = (self.points, self.tensors, self.tets, self.cell_ids, self._vertex_ids)
+        return _restored, (*parts, self.tensor_name)
 
     @property
     def points(self) -> npt.NDArray[np.float64]:

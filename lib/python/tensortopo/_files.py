@@ -13,7 +13,8 @@ from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
 
-from ._errors import FileError
+from . import _core
+from ._errors import FileError, MeshError
 from ._field import Field
 from ._partition import MergedSurface
 from ._program import find_program, has_program
@@ -29,38 +30,54 @@ _FLAT = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36}  # points
 _LINEAR_NAMES = {11: "voxels", 12: "hexahedra", 13: "wedges", 14: "pyramids"}
 
 
-def _pick(path: Path, arrays: dict[str, XmlArray], tensor: Optional[str]) -> tuple[str, XmlArray]:
-    found = {
+def _tensors(arrays: dict[str, XmlArray]) -> dict[str, XmlArray]:
+    return {
         name: array
         for name, array in arrays.items()
         if array.values.ndim == 2 and array.values.shape[1] in (6, 9)
     }
+
+
+def _pick(path: Path, sections: dict[str, dict[str, XmlArray]],
+          tensor: Optional[str]) -> tuple[str, XmlArray]:  # fmt: skip
+    found = _tensors(sections.get("PointData", {}))
+    on_cells = _tensors(sections.get("CellData", {}))
     if tensor is not None:
         if tensor not in found:
             raise FileError(f"{path}: no point array '{tensor}' of 6 or 9 components")
         return tensor, found[tensor]
     if len(found) != 1:
-        names = ", ".join(found) or "none"
-        raise FileError(f"{path}: expected one point array of 6 or 9 components, found: {names}")
+        if not found and on_cells:
+            raise FileError(f"{path}: tensors belong to cells ({', '.join(on_cells)}); "
+                            'options=["--cell-to-point"] averages them to the points')  # fmt: skip
+        if not found:
+            raise FileError(f"{path}: has no point array of 6 or 9 components; six arrays of one are "
+                            "joined by tensor='NAME_{xx,yy,zz,xy,yz,xz}'")  # fmt: skip
+        names = ", ".join(found)
+        raise FileError(f"{path}: point arrays of 6 or 9 components: {names}; name one (tensor=...)")
     return next(iter(found.items()))
 
 
-def _order(path: Path, array: XmlArray, asked: Optional[str]) -> str:
-    """The order of six components: obeyed if the file names one, else the one asked for."""
-    named: Optional[str] = None
-    if array.names is not None:
-        digits = str.maketrans("123", "xyz")
-        ends = tuple("".join(sorted(name[-2:].translate(digits))) for name in array.names)
-        for order, components in COMPONENT_ORDERS.items():
-            if ends == components:
-                named = order
-                break
-        if named is None and asked is None:
-            raise FileError(f"{path}: the components are called {', '.join(array.names)}; name their "
-                            "order (components=...)")  # fmt: skip
-    if named is not None and asked is not None and COMPONENT_ORDERS[named] != COMPONENT_ORDERS.get(asked):
-        raise FileError(f"{path}: the file names the order '{named}', not '{asked}'")
-    return asked or named or "vtk"
+def _order(path: Path, name: str, array: XmlArray, asked: Optional[str]) -> str:
+    """The order of the components: obeyed if the file names one, else the one asked for, else VTK's."""
+    kind, named = _core.spelled_order(list(array.names))
+    full = array.values.shape[1] == 9
+    called = f"the components of '{name}' are called {' '.join(array.names)}"
+    if full and asked is not None:
+        raise FileError(f"{path}: an order of components is of six, '{name}' has nine")
+    if kind == "repeated":
+        raise FileError(f"{path}: {called}, two of them alike")
+    if kind == "other":
+        form = "row by row" if full else "in an order that components= names, as XX YY ZZ XY YZ XZ"
+        raise FileError(f"{path}: {called}, an order that is not supported; write them {form}")
+    if kind == "order":
+        if asked is not None and COMPONENT_ORDERS.get(asked) != COMPONENT_ORDERS[named]:
+            raise FileError(f"{path}: the file names the order '{named}', not '{asked}'")
+        return named
+    if kind == "unknown" and asked is None:
+        form = "name them XX XY XZ YX ..., or not at all" if full else "name it (components=...)"
+        raise FileError(f"{path}: {called}, which says no order; {form}")
+    return asked or "vtk"
 
 
 class Grid(NamedTuple):
@@ -104,25 +121,28 @@ def grid_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Opti
             raise FileError(f"{path}: the array 'vtkGhostType' has not one number for each cell")
         tetra = tetra & (ghosts.values.astype(np.int64) & _GHOST == 0)
     tets = connectivity[starts[tetra][:, None] + np.arange(4)]
-    name, array = _pick(path, piece.sections.get("PointData", {}), tensor)
+    name, array = _pick(path, piece.sections, tensor)
     if len(array.values) != len(points):
         raise FileError(f"{path}: the array '{name}' has not one tensor for each point")
-    if array.values.shape[1] == 9:
-        tensors: Any = array.values.reshape(-1, 3, 3)
-        if components is not None:
-            raise FileError(f"{path}: an order of components is of six, '{name}' has nine")
-        order = "vtk"
-    else:
-        tensors = array.values
-        order = _order(path, array, components)
-    return Grid(points, tensor_rows(tensors, order, symmetrize), tets, np.flatnonzero(tetra), name)
+    order = _order(path, name, array, components)
+    tensors: Any = array.values
+    if tensors.shape[1] == 9:
+        tensors, order = tensors.reshape(-1, 3, 3), "vtk"
+    try:
+        rows = tensor_rows(tensors, order, symmetrize)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+    return Grid(points, rows, tets, np.flatnonzero(tetra), name)
 
 
 def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Optional[str],
               symmetrize: bool) -> Field:  # fmt: skip
     grid = grid_of(path, piece, tensor, components, symmetrize)
-    return Field(grid.points, grid.tensors, grid.tets, cell_ids=grid.cells,
-                 tensor_name=grid.tensor_name)  # fmt: skip
+    try:
+        return Field(grid.points, grid.tensors, grid.tets, cell_ids=grid.cells,
+                     tensor_name=grid.tensor_name)  # fmt: skip
+    except MeshError as error:
+        raise MeshError(error.defects, str(path)) from error
 
 
 def _converted(file: Path, words: Sequence[str], tensor: Optional[str], components: Optional[str],
@@ -196,6 +216,8 @@ def read(
     words += [] if mask is None else ["--mask", os.fspath(mask)]
     if words:
         return _converted(file, words, tensor, components, symmetrize)
+    if tensor is not None and "{" in tensor and has_program():  # several arrays, which it joins
+        return _converted(file, words, tensor, components, symmetrize)
     if file.suffix.lower() == ".vtu":
         piece = read_piece(file)
         if piece.kind != "UnstructuredGrid":
@@ -215,7 +237,9 @@ def read(
     try:
         mesh = meshio.read(file)
     except Exception as error:  # of many kinds, from many readers
-        raise FileError(f"{file}: meshio does not read it ({error})") from error
+        without = "" if has_program() else (
+            "; with tensortopo on the path, or named by TENSORTOPO_PROGRAM, its formats are read, too")
+        raise FileError(f"{file}: meshio does not read it ({error}){without}") from error
     return from_meshio(mesh, tensor, components, symmetrize=symmetrize)
 
 

@@ -71,6 +71,9 @@ def verify(
     if isinstance(theorems, str):
         theorems = [theorems]
     ids = list(known) if theorems is None else list(theorems)
+    unknown = [id for id in ids if id not in known]
+    if unknown:
+        raise ValueError(f"theorems: there is no '{unknown[0]}'; there are {', '.join(known)}")
     tried = _theory.verify(ids, fields, seed, scalar, progress)
     return [
         Statement(id, *known[id], verdict, count, witness, seconds)

@@ -38,12 +38,12 @@ class XmlArray:
     ----------
     values : ndarray
         Of one dimension, or a row a tuple.
-    names : tuple of str or None
-        The names of the components, lower case, if the file has them.
+    names : tuple of str
+        The names of the components, empty where the file has none.
     """
 
     values: Array
-    names: Optional[tuple[str, ...]] = None
+    names: tuple[str, ...] = ()
 
 
 @dataclass
@@ -177,10 +177,8 @@ class _Reader:
         if width < 1 or len(values) % width:
             raise self.error(f"the array '{element.get('Name')}' is not of full rows")
         labels = [element.get(f"ComponentName{i}") for i in range(width)]
-        names = tuple(label.lower() for label in labels if label is not None)
-        return XmlArray(
-            values.reshape(-1, width) if width > 1 else values, names if len(names) == width else None
-        )
+        names = tuple(label or "" for label in labels)
+        return XmlArray(values.reshape(-1, width) if width > 1 else values, names)
 
 
 def read_piece(path: Path) -> XmlPiece:

@@ -13,53 +13,55 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "tensortopo/mesh/validate.hpp"
+#include "tensortopo/tensor/component_names.hpp"
 
 namespace tensortopo::filters {
 
 namespace {
 
-using Components = std::array<const char*, 6>;
-constexpr Components kVtk{"xx", "yy", "zz", "xy", "yz", "xz"};
-constexpr std::array<Components, 5> kOrders{{kVtk,
-                                             {"xx", "yy", "zz", "yz", "xz", "xy"},
-                                             {"xx", "yy", "zz", "xy", "xz", "yz"},
-                                             {"xx", "xy", "yy", "xz", "yz", "zz"},
-                                             {"xx", "xy", "xz", "yy", "yz", "zz"}}};
-constexpr std::array<const char*, 5> kNames{"vtk", "voigt", "abaqus", "nifti", "fsl"};
-
-/// The order that the array's component names say, if all six have names.
-int named_order(vtkDataArray* tensors) {
-  std::array<std::string, 6> names;
-  for (int i = 0; i < 6; ++i) {
+/// The order of an array's components: what their names say, else what is chosen, else VTK's.
+ComponentOrder order_of(vtkDataArray* tensors, std::optional<ComponentOrder> chosen) {
+  std::vector<std::string> names;
+  std::string listed;
+  for (int i = 0; i < tensors->GetNumberOfComponents(); ++i) {
     const char* name = tensors->GetComponentName(i);
-    if (name == nullptr || std::string(name).size() < 2) return -1;
-    std::string end(name);
-    end = end.substr(end.size() - 2);
-    for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    std::sort(end.begin(), end.end());
-    names[static_cast<std::size_t>(i)] = end;
+    names.emplace_back(name != nullptr ? name : "");
+    listed += ' ' + names.back();
   }
-  for (std::size_t k = 0; k < kOrders.size(); ++k)
-    if (std::equal(names.begin(), names.end(), kOrders[k].begin())) return static_cast<int>(k);
-  throw std::runtime_error("the tensors' components have names, but no order that is known: " +
-                           names[0] + " " + names[1] + " ...; choose an order of components");
+  const bool is_full = names.size() == 9;
+  const auto [kind, order] = spelled_order(names);
+  switch (kind) {
+    case SpelledOrder::Kind::order:
+      if (chosen && *chosen != order)
+        throw std::runtime_error("the components' names say the order " +
+                                 std::string(name_of(order)) + ", another one is chosen");
+      return order;
+    case SpelledOrder::Kind::other:
+      throw std::runtime_error("the tensors' components are named" + listed +
+                               ", an order that is not supported; write them " +
+                               (is_full ? "row by row" : "as XX YY ZZ XY YZ XZ"));
+    case SpelledOrder::Kind::repeated:
+      throw std::runtime_error("two of the tensors' components are named alike:" + listed);
+    case SpelledOrder::Kind::nothing: break;
+  }
+  if (are_named(names) && !chosen)
+    throw std::runtime_error("the names of the tensors' components say no order:" + listed +
+                             (is_full ? "; name them XX XY XZ YX ..., or not at all"
+                                      : "; choose an order of components"));
+  return chosen.value_or(is_full ? ComponentOrder::full : ComponentOrder::vtk);
 }
 
-/// Where each of VTK's components is among the array's six.
-std::array<std::size_t, 6> places(std::size_t order) {
-  std::array<std::size_t, 6> place{};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 6; ++j)
-      if (std::string(kVtk[i]) == kOrders[order][j]) place[i] = j;
-  return place;
-}
+/// What ComponentOrder of a filter says: the first value is none.
+constexpr std::array<ComponentOrder, 5> kOrders{ComponentOrder::vtk, ComponentOrder::voigt,
+                                                ComponentOrder::abaqus, ComponentOrder::nifti,
+                                                ComponentOrder::fsl};
 
 /// The mean of two entries of a matrix, without overflow; exact where they are equal.
 double mean(double a, double b) { return a == b ? a : a / 2 + b / 2; }
@@ -126,19 +128,11 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
   TensorGrid result;
   result.grid = grid;
   result.tensor = tensors->GetName() != nullptr ? tensors->GetName() : "";
-  std::array<std::size_t, 6> place{};
-  if (width == 6) {
-    const int named = named_order(tensors);
-    if (order > 0 && named >= 0 && named != order - 1)
-      throw std::runtime_error(std::string("the components' names say the order ") +
-                               kNames[static_cast<std::size_t>(named)] +
-                               ", another one is chosen");
-    const auto chosen = static_cast<std::size_t>(order > 0 ? order - 1 : std::max(named, 0));
-    place = places(chosen);
-    result.components = kNames[chosen];
-  } else {
-    result.components = "full";
-  }
+  std::optional<ComponentOrder> chosen;
+  if (width == 6 && order > 0) chosen = kOrders[static_cast<std::size_t>(order - 1)];
+  const ComponentOrder taken = order_of(tensors, chosen);
+  const auto place = places_in(taken);
+  result.components = name_of(taken);
 
   TetMesh& mesh = result.mesh;
   const vtkIdType n = grid->GetNumberOfPoints();

@@ -184,6 +184,7 @@ class Checking {
     s.input = input_file;
     s.tensor = certificate["input"]["tensor"], s.order = certificate["input"]["components"];
     s.listing = listing_of(s.order), s.names = input_.names;
+    s.names_say_order = input_.names_say_order;
     s.points = input_.points.size(), s.tetrahedra = input_.tets.size();
     s.other_cells = input_.other_cells, s.symmetrized = input_.symmetrized;
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -39,12 +40,54 @@ std::string listed(const std::string& reason, const std::vector<std::uint64_t>& 
   return text + (tets.size() > kShown ? " ...)" : ")");
 }
 
+/// A number of few digits that is no smaller, or with `down` no larger, than x, which is none below 0.
+std::string bound_text(double x, int digits, bool down = false) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.*g", digits, x);
+  const double shown = std::strtod(text, nullptr);
+  // A unit of the last digit is at most so large a part.
+  const double unit = std::pow(10, 1 - digits);
+  if (down ? shown > x : shown < x)
+    std::snprintf(text, sizeof(text), "%.*g", digits, x * (down ? 1 - unit : 1 + unit));
+  return text;
+}
+
+/// How many bytes the first character takes; what is no UTF-8 takes one.
+std::size_t length_of_character(std::string_view text) {
+  const auto byte = static_cast<unsigned char>(text[0]);
+  const std::size_t length = byte < 0x80 ? 1 : byte < 0xc2 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : byte < 0xf5 ? 4 : 1;
+  if (length > text.size()) return 1;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((static_cast<unsigned char>(text[i]) & 0xc0u) != 0x80) return 1;
+  return length;
+}
+
+/// Whether a reader sees a character, and what follows it where it is: no controls, no spaces but the
+/// usual one, nothing that Unicode lets displays ignore (DerivedCoreProperties,
+/// Default_Ignorable_Code_Point) or that turns the direction.
+bool is_seen(std::string_view character) {
+  static constexpr std::array<std::array<std::uint32_t, 2>, 29> kUnseen{
+      {{0, 0x1f},         {0x7f, 0xa0},       {0xad, 0xad},       {0x34f, 0x34f},
+       {0x61c, 0x61c},    {0x115f, 0x1160},   {0x1680, 0x1680},   {0x17b4, 0x17b5},
+       {0x180b, 0x180f},  {0x2000, 0x200f},   {0x2028, 0x202f},   {0x205f, 0x206f},
+       {0x2800, 0x2800},  {0x3000, 0x3000},   {0x3164, 0x3164},   {0xd800, 0xf8ff},
+       {0xfe00, 0xfe0f},  {0xfeff, 0xfeff},   {0xffa0, 0xffa0},   {0xfff0, 0xffff},
+       {0x13430, 0x1345f}, {0x1bca0, 0x1bca3}, {0x1d159, 0x1d159}, {0x1d173, 0x1d17a},
+       {0x1fffe, 0x1ffff}, {0x2fffe, 0x2ffff}, {0xe0000, 0xe0fff}, {0xf0000, 0xfffff},
+       {0x100000, 0x10ffff}}};
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  std::uint32_t code = byte(0);
+  if (character.size() == 1 && code >= 0x80) return false;  // no UTF-8
+  if (character.size() > 1) code &= 0x7fu >> character.size();
+  for (std::size_t i = 1; i < character.size(); ++i) code = code << 6 | (byte(i) & 0x3fu);
+  return std::none_of(kUnseen.begin(), kUnseen.end(),
+                      [&](const auto& range) { return range[0] <= code && code <= range[1]; });
+}
+
 /// Which components are in all fields within a radius.
 std::string stability_text(const LevelReport& level) {
-  char radius[32];
-  std::snprintf(radius, sizeof(radius), "%.6g", level.radius);
   return "  " + std::to_string(level.stable_components.size()) + " of the components " +
-         "are in every field whose deviators differ by at most " + radius +
+         "are in every field whose deviators differ by at most " + bound_text(level.radius, 6, true) +
          (level.radius_of_deviator ? " of themselves" : "") + " at the vertices" +
          (level.radius_array.empty() ? ""
                                      : ", at each by at most what '" + printable(level.radius_array) + "' says") +
@@ -68,49 +111,38 @@ std::string text_of(const LevelReport& level, bool of_curves) {
     return text + "  of lines the ends and tetrahedra are claimed, but no distance\n";
   text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
                          : "  that the triangles are embedded is not claimed\n";
-  char bound[32];
-  if (level.residual) {
-    std::snprintf(bound, sizeof(bound), "%.3g", *level.residual);
-    text += std::string("  residual at most ") + bound + ", at the vertices as written\n";
-  }
+  if (level.residual)
+    text += "  residual at most " + bound_text(*level.residual, 3) + ", at the vertices as written\n";
   for (const auto& [name, shown] : level.vectors)
     text += "  " + name + " shown at " + std::to_string(shown) + " of " +
             std::to_string(level.vertices) + (level.vertices == 1 ? " vertex" : " vertices") +
             '\n';
   if (level.claims_isotopy) {
-    std::snprintf(bound, sizeof(bound), "%.3g", level.moved);
     text += "  isotopic to the level in " + std::to_string(level.isotopic) +
-            " tetrahedra, with vertices moved by at most " + bound;
+            " tetrahedra, with vertices moved by at most " + bound_text(level.moved, 3);
     for (const auto& [reason, tets] : level.not_isotopic)
       text += "; not shown in " + listed(reason, tets);
     text += '\n';
   }
   if (level.bound.empty()) return text + "  no distance is claimed\n";
-  std::snprintf(bound, sizeof(bound), "%.6g", std::strtod(level.bound.c_str(), nullptr));
-  return text + "  distance at most " + bound + ", but in " + std::to_string(level.coarse) +
+  return text + "  distance at most " +
+         bound_text(std::strtod(level.bound.c_str(), nullptr), 6) + ", but in " + std::to_string(level.coarse) +
          " coarse tetrahedra\n";
 }
 
 }  // namespace
 
-std::string printable(std::string text) {
-  const auto byte_at = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const unsigned byte = byte_at(i), next = byte_at(i + 1), last = byte_at(i + 2);
-    if (byte < 0x20 || byte == 0x7f) text[i] = '?';
-    // U+0080 to U+009F.
-    if (byte == 0xc2 && next >= 0x80 && next < 0xa0) text.replace(i, 2, "?");
-    // U+200B to U+200F and U+2028 to U+202E, U+2060 to U+206F, U+FEFF.
-    const bool is_unseen =
-        (byte == 0xe2 && next == 0x80 &&
-         ((last >= 0x8b && last <= 0x8f) || (last >= 0xa8 && last <= 0xae))) ||
-        (byte == 0xe2 && next == 0x81 && last >= 0xa0 && last <= 0xaf) ||
-        (byte == 0xef && next == 0xbb && last == 0xbf);
-    if (is_unseen) text.replace(i, 3, "?");
+std::string printable(std::string_view text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = length_of_character(text.substr(at));
+    if (is_seen(text.substr(at, length)))
+      result += text.substr(at, length);
+    else
+      result += '?';
+    at += length;
   }
-  return text;
+  return result;
 }
 
 std::size_t LevelReport::left_out_count() const {
@@ -154,12 +186,15 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
            " refuted, " + std::to_string(of.undecided) + " undecided\n";
   };
   const Subject& s = report.subject;
-  std::string text =
-      report.status() + ": " + std::to_string(report.claims()) + " claims, " + counts(report);
+  std::string text;
   for (const std::string& demand : unmet) text += "not as demanded: " + demand + '\n';
+  text += report.status() + ": " + std::to_string(report.claims()) + " claims, " + counts(report);
   text += "input: " + s.input + ", tensor '" + printable(s.tensor) + "', components " + s.listing + " (" +
-          s.order + "), " + counted(s.points, "point") + ", " + std::to_string(s.tetrahedra) +
-          " tetrahedra" +
+          s.order + (s.names_say_order || s.names.empty()
+                         ? ""
+                         : ", though the file's names do not say so: " + printable(s.names)) +
+          "), " + counted(s.points, "point") + ", " + std::to_string(s.tetrahedra) +
+          (s.tetrahedra == 1 ? " tetrahedron" : " tetrahedra") +
           (s.symmetrized > 0 ? ", " + counted(s.symmetrized, "tensor") + " symmetrized" : "") +
           (s.other_cells > 0 ? ", " + counted(s.other_cells, "other cell") + " skipped" : "") +
           "\noutput: " + s.output + ", " + std::to_string(s.vertices) + " vertices, " +

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <iostream>
 #include <memory>
 #include <string>
 
@@ -35,6 +36,8 @@ void add_check_subcommand(CLI::App& program, CommonOptions& common, Action& acti
       bar.erase();
       print_report(
           common, "check", [&] { return outcome.json; }, [&] { return outcome.text; });
+      if (common.quiet && !outcome.all_certified)  // the reason, in one line
+        std::cerr << "tensortopo: " << outcome.text.substr(0, outcome.text.find('\n')) << '\n';
       return outcome.all_certified ? ExitStatus::done : ExitStatus::undecided;
     };
   });

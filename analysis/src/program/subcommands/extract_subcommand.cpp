@@ -157,6 +157,7 @@ ExitStatus extract_series(const ExtractCommandOptions& options, const CommonOpti
   const std::size_t width = std::to_string(steps.size()).size();
   FileGroup files;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::string text;  // said when the files are there
   ExitStatus status = ExitStatus::done;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::string number = std::to_string(i + 1), name = pattern;
@@ -171,7 +172,7 @@ ExitStatus extract_series(const ExtractCommandOptions& options, const CommonOpti
         for (const char* said : {"schema", "version", "options"}) json.erase(said);
         list.push_back({{"step", i + 1}, {"text", steps[i]}, {"report", std::move(json)}});
       } else if (!common.quiet) {
-        print(to_text(report));
+        text += to_text(report);
       }
     });
     if (each != ExitStatus::done) status = each;
@@ -180,6 +181,7 @@ ExitStatus extract_series(const ExtractCommandOptions& options, const CommonOpti
     print(
         with_provenance(nlohmann::ordered_json{{"steps", list}}.dump(), common, "extract-series"));
   files.commit();
+  if (!text.empty()) print(text);
   return status;
 }
 

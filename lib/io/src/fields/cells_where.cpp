@@ -38,7 +38,10 @@ class FirstError : public vtkCommand {
     // "ERROR: In FILE, line N\nCLASS (ADDRESS): message"
     if (const auto begin = message.find("): "); begin != std::string::npos)
       message.erase(0, begin + 3);
-    std::replace(message.begin(), message.end(), '\n', ' ');
+    // Of several in brackets, which name the expression again, the first message.
+    if (const auto said = message.find("Msg: "); said != std::string::npos)
+      message = message.substr(said + 5, message.find_first_of("\r\n", said) - said - 5);
+    std::replace_if(message.begin(), message.end(), [](unsigned char c) { return c < 0x20; }, ' ');
     while (!message.empty() && message.back() == ' ') message.pop_back();
   }
   std::string message;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bytes/printable.hpp"
-#include "grids/component_names.hpp"
+#include "tensortopo/tensor/component_names.hpp"
 #include "fields/solid_cells.hpp"
 #include "tensortopo/io/io_error.hpp"
 
@@ -67,17 +67,22 @@ TensorComponents order_of(const RawGrid& grid, const ArraySource& source,
   const bool is_full = source.components == 9;
   if (are_named(source.component_names)) {
     const std::string names = quoted(source.component_names);
-    const auto spelled = spelled_order(source.component_names);
-    if (spelled && options.components && *options.components != *spelled)
+    const auto [kind, spelled] = spelled_order(source.component_names);
+    using Kind = SpelledOrder::Kind;
+    if (kind == Kind::order && options.components && *options.components != spelled)
       throw IoError(IoError::Kind::inapplicable, grid.file,
                     "--components " + std::string(name_of(*options.components)) +
                         ": contradicts the file, which names the components of `" + source.name +
-                        "` " + names + " (" + std::string(name_of(*spelled)) + ")");
-    if (spelled) return {*spelled, ComponentSource::named};
-    if (!spelled_components(source.component_names).empty())
+                        "` " + names + " (" + std::string(name_of(spelled)) + ")");
+    if (kind == Kind::order) return {spelled, ComponentSource::named};
+    if (kind == Kind::repeated)
+      refuse(grid, "names two components of `" + source.name + "` alike: " + names +
+                       "; correct the names");
+    if (kind == Kind::other)
       refuse(grid, "names the components of `" + source.name + "` " + names +
-                       ", an order that is not supported; write them in one of the orders of "
-                       "--components");
+                       ", an order that is not supported; " +
+                       (is_full ? "write them row by row"
+                                : "write them in an order that --components names, as XX YY ZZ XY YZ XZ"));
     if (!options.components)
       refuse(grid, "names the components of `" + source.name + "` " + names +
                        ", which says no order; " +
@@ -242,7 +247,8 @@ TensorChoice choose_in(const RawGrid& grid, const ReadOptions& options) {
       return accept(grid, *std::find_if(sources.begin(), sources.end(), may_be_tensor), on_cells,
                     options);
   }
-  refuse(grid, "has no array of 6 or 9 components; " + inventory(grid));
+  refuse(grid, "has no array of 6 or 9 components (six of one are joined by --tensor "
+               "'NAME_{xx,yy,zz,xy,yz,xz}'); " + inventory(grid));
 }
 
 }  // namespace

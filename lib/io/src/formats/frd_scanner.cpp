@@ -46,7 +46,7 @@ std::string_view FrdScanner::line() {
 }
 
 std::string_view FrdScanner::bytes(std::uint64_t count, std::uint64_t size) {
-  if (count > rest_.size() / size) throw FormatError("ends within a block");
+  if (count > rest_.size() / size) throw FormatError("ends within a block: the file is cut off");
   const std::string_view text = rest_.substr(0, count * size);
   rest_.remove_prefix(count * size);
   return text;
@@ -55,7 +55,7 @@ std::string_view FrdScanner::bytes(std::uint64_t count, std::uint64_t size) {
 std::string_view FrdScanner::text_block() {
   const std::string_view from = rest_;
   for (;;) {
-    if (rest_.empty()) throw FormatError("ends within a block");
+    if (rest_.empty()) throw FormatError("ends within a block: the file is cut off");
     const std::size_t before = rest_.size();
     if (line().starts_with(" -3")) return from.substr(0, from.size() - before);
   }

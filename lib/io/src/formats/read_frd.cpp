@@ -159,7 +159,7 @@ class FrdReader {
   void read_blocks() {
     bool ended = false;
     while (!ended) {
-      if (scan_.at_end()) throw FormatError("ends without its last line (9999)");
+      if (scan_.at_end()) throw FormatError("ends without its last line (9999): the file is cut off, or not complete yet");
       const std::string_view line = scan_.line();
       if (line.starts_with("    2C"))
         read_nodes(line);

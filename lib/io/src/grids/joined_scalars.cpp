@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "grids/component_names.hpp"
+#include "tensortopo/tensor/component_names.hpp"
 
 namespace tensortopo::detail {
 namespace {

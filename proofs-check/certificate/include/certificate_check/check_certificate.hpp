@@ -15,9 +15,9 @@
 namespace certificate {
 
 /// The text with `?` for each character that is not seen, or changes how others are: names in files
-/// are anything, and a terminal obeys them. These are U+0000 to U+001F, U+007F to U+009F, U+200B to
-/// U+200F, U+2028 to U+202E, U+2060 to U+206F and U+FEFF.
-std::string printable(std::string text);
+/// are anything, and a terminal obeys them. These are controls, spaces but U+0020, what Unicode lets
+/// displays ignore, private use, and bytes that are no UTF-8.
+std::string printable(std::string_view text);
 
 /// A file that cannot be read as what it should be; what() is "FILE: what is wrong", in one line.
 class Malformed : public std::runtime_error {
@@ -90,6 +90,7 @@ struct Subject {
   std::string order;            ///< of the components, by name: "vtk"
   std::string listing;          ///< the same spelled out: "XX YY ZZ XY YZ XZ"
   std::string names;            ///< as the input's file names them; empty if it does not
+  bool names_say_order = false; ///< whether these names spell `order`
   std::string sha256;           ///< of the field's numbers, as derived
   std::size_t points = 0, tetrahedra = 0;
   std::size_t other_cells = 0;  ///< of the input: neither tetrahedra nor faces, lines or points

@@ -57,18 +57,15 @@ Answer holds(const CurveCase& c, const Box& box, const CurveFace& face, FacePoin
   return Answer::unsure;
 }
 
-/// Allowed for the rounding of coordinates.
-mpq_class rounding_of(const mpq_class& largest) { return largest / (mpz_class(1) << 50); }
-
 /// Has the vertex, as far as rounding goes, coordinates that points of the box have?
 bool is_near(const CurveCase& c, const Box& box, const std::array<Vertex, 3>& face) {
   const auto& place = c.curves.points[box.vertex];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::array<mpq_class, 3> p;
-    mpq_class largest;
+    double largest = 0;
     for (std::size_t n = 0; n < 3; ++n) {
       p[n] = c.input.points[face[n]][axis];
-      largest = std::max(largest, mpq_class(abs(p[n])));
+      largest = std::max(largest, std::abs(c.input.points[face[n]][axis]));
     }
     const mpq_class u = p[1] - p[0], v = p[2] - p[0], one(box.one());
     const mpq_class middle = p[0] + (box.middle(0) * u + box.middle(1) * v) / one;

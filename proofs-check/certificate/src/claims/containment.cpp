@@ -24,7 +24,7 @@ mpq_class dot(const Exact& a, const Exact& b) { return a[0] * b[0] + a[1] * b[1]
 double slack_on(std::span<const Point3> corners, std::size_t axis) {
   double largest = 0;
   for (const Point3& p : corners) largest = std::max(largest, std::abs(p[axis]));
-  return largest * kRounding;
+  return rounding_of(largest);
 }
 
 /// Do a box around x and the hull of the corners have a common point? Two convex polytopes have

@@ -20,6 +20,9 @@ using Point3 = std::array<double, 3>;
 /// off by four more: together by less than 8 times 2^-53 of the largest |P_i|.
 constexpr double kRounding = 0x1p-50;
 
+/// The same with what is lost below the least normal number: some units of 2^-1074.
+constexpr double rounding_of(double largest) { return largest * kRounding + 0x1p-1070; }
+
 /// Weights of about the point of a simplex' plane that is nearest to x, those below zero put to
 /// zero; in doubles, not more than near.
 /// @pre 2 to 4 corners

@@ -55,7 +55,8 @@ Spelling spelling_of(std::vector<std::string> names, const std::array<std::size_
   std::vector<Entry> entries = entries_of(names);
   if (count == 6)
     for (Entry& e : entries) std::sort(e.begin(), e.end());
-  if (std::set<Entry>(entries.begin(), entries.end()).size() != count) return Spelling::silent;
+  if (entries.empty()) return Spelling::silent;
+  if (std::set<Entry>(entries.begin(), entries.end()).size() != count) return Spelling::differs;
   constexpr std::array<Entry, 6> kMeant{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
   for (std::size_t k = 0; k < 6; ++k) {
     Entry found = entries[places[k]];

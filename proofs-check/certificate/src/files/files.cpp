@@ -156,8 +156,8 @@ const std::map<std::string, std::array<std::size_t, 6>> kOrders{
 
 /// Is a cell of this type (of VTK's) empty, a point, a line or a face?
 bool is_flat(std::uint64_t type) {
-  constexpr std::array<std::uint64_t, 22> kOthers{21, 22, 23, 28, 30, 34, 35, 36, 51, 52, 53,
-                                                  54, 55, 56, 60, 61, 62, 63, 68, 69, 70, 75};
+  constexpr std::array<std::uint64_t, 20> kOthers{21, 22, 23, 28, 30, 34, 35, 36, 51, 52,
+                                                  53, 54, 60, 61, 62, 63, 68, 69, 70, 75};
   return type < 10 || type == 76 || type == 77 ||
          std::find(kOthers.begin(), kOthers.end(), type) != kOthers.end();
 }
@@ -208,7 +208,9 @@ InputFile read_input(const std::string& name, const std::string& tensor,
   InputFile input;
   for (const std::string& part : grid.names)
     if (!part.empty()) input.names += (input.names.empty() ? "" : " ") + part;
-  if (spelling_of(grid.names, order->second) == Spelling::differs)
+  const Spelling spelling = spelling_of(grid.names, order->second);
+  input.names_say_order = spelling == Spelling::agrees;
+  if (spelling == Spelling::differs)
     file.fail("names the components of '" + tensor + "' " + input.names + ", which is not the order " +
               components + " of the certificate");
   input.points = grouped<3>(file, grid.points, grid.points.size() / 3);
@@ -232,6 +234,8 @@ InputFile read_input(const std::string& name, const std::string& tensor,
   else
     read.operator()<6>();
   if (grid.types.size() != grid.offsets.size()) file.fail("not the cells that it declares");
+  for (const std::uint64_t type : grid.types)  // others wrap them around
+    if (type > 255) file.fail("a type of cells above 255");
   constexpr std::uint64_t kTetrahedron = 10;
   read_cells<4>(
       file, grid.connectivity, grid.offsets, input.points.size(),

@@ -80,7 +80,8 @@ class Reader {
   std::string checked(std::string text) {
     spend(32 + text.size());
     if (!is_utf8(text)) fail("a text that is no UTF-8");
-    if (printable(text) != text) fail("a text with control characters");
+    for (const char c : text)
+      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) fail("a text with control characters");
     return text;
   }
 

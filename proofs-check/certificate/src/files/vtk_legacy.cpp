@@ -100,13 +100,17 @@ class LegacyReader {
   }
 
   /// Names have %XX for white space and the like.
-  std::string name() { return decoded(std::string(word())); }
-  static std::string decoded(std::string result) {
-    for (std::size_t i = 0; i + 2 < result.size(); ++i) {
+  std::string name() { return decoded(word()); }
+  static std::string decoded(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
       int code = 0;
-      const char* const digits = result.data() + i + 1;
-      if (result[i] == '%' && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2)
-        result.replace(i, 3, 1, static_cast<char>(code));
+      const char* const digits = text.data() + i + 1;
+      if (text[i] == '%' && i + 2 < text.size() &&
+          std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2)
+        result += static_cast<char>(code), i += 2;
+      else
+        result += text[i];
     }
     return result;
   }
@@ -186,6 +190,8 @@ class LegacyReader {
       }
       const std::string text(word());
       char* end = nullptr;
+      if (type.kind != Type::real && text.find_first_not_of("-0123456789") != text.npos)
+        fail("an integer that is none");
       if (text.find_first_of("xXpP") != text.npos) fail("a number that is not decimal");
       x = type.kind == Type::real && type.size == 4
               ? static_cast<double>(std::strtof(text.c_str(), &end))
@@ -289,7 +295,7 @@ class LegacyReader {
       if (text == "COMPONENT_NAMES" || text.starts_with("INFORMATION"))
         are_names = text == "COMPONENT_NAMES";
       else if (are_names && took_last_ && grid_.names.size() < width_)
-        grid_.names.push_back(decoded(std::string(text)));
+        grid_.names.push_back(decoded(text));
     }
   }
 

@@ -9,10 +9,11 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
+#include <system_error>
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
@@ -29,9 +30,32 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// Whether a text is of decimal numbers: neither hexadecimal, which not all readers know, nor words.
-bool is_decimal(std::string_view text) {
-  return text.find_first_not_of("0123456789+-.eE \t\r\n") == std::string_view::npos;
+/// The numbers of a text, each a word: of integers digits, and of others decimal ones, as other readers
+/// take no more for a number. False if a word is none.
+template <class Stored>
+bool read_words(std::string_view text, std::vector<double>& numbers) {
+  constexpr std::string_view kSpaces = " \t\r\n";
+  for (;;) {
+    const std::size_t first = text.find_first_not_of(kSpaces);
+    if (first == std::string_view::npos) return true;
+    text.remove_prefix(first);
+    const std::string word(text.substr(0, text.find_first_of(kSpaces)));
+    text.remove_prefix(word.size());
+    const char* const last = word.data() + word.size();
+    if constexpr (std::is_integral_v<Stored>) {
+      Stored x{};
+      if (const auto [end, error] = std::from_chars(word.data(), last, x); error != std::errc() || end != last)
+        return false;
+      numbers.push_back(static_cast<double>(x));
+    } else {
+      if (word.find_first_not_of("0123456789+-.eE") != std::string::npos) return false;
+      char* end = nullptr;
+      numbers.push_back(sizeof(Stored) == 4
+                            ? static_cast<double>(std::strtof(word.c_str(), &end))
+                            : std::strtod(word.c_str(), &end));
+      if (end != last) return false;
+    }
+  }
 }
 
 std::size_t skip_past(std::string_view text, std::string_view end, std::size_t from) {
@@ -48,8 +72,10 @@ void XmlFile::fail(const std::string& what) const { throw Malformed(file_, what)
 std::string XmlFile::markup() {
   constexpr std::size_t kNone = std::string_view::npos, kMaxDepth = 16;
   const std::string_view all = bytes_;
-  std::size_t depth = 0;
-  for (std::size_t at = all.find('<'); at != kNone; at = all.find('<', at)) {
+  std::size_t depth = 0, text = 0;  // where the text before an element begins
+  for (std::size_t at = all.find('<'); at != kNone; text = at, at = all.find('<', at)) {
+    // Some readers take arrays as they are, others replace what stands for a character.
+    if (all.substr(text, at - text).find('&') != kNone) fail("a text with '&'");
     const std::string_view rest = all.substr(at);
     if (rest.starts_with("<!--")) {
       at = skip_past(all, "-->", at + 4);
@@ -90,10 +116,11 @@ void XmlFile::require_one_reading(const char* kind,
     const XmlFile& file;
     explicit Walker(const XmlFile& f) : file(f) {}
     bool for_each(pugi::xml_node& node) override {
-      for (pugi::xml_attribute a = node.first_attribute(); a; a = a.next_attribute())
-        for (pugi::xml_attribute b = a.next_attribute(); b; b = b.next_attribute())
-          if (std::string_view(a.name()) == b.name())
-            file.fail(std::string("attribute '") + a.name() + "' is given twice");
+      std::vector<std::string_view> names;
+      for (const pugi::xml_attribute a : node.attributes()) names.push_back(a.name());
+      std::sort(names.begin(), names.end());
+      if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
+        file.fail("attribute '" + std::string(*twice) + "' is given twice");
       return true;
     }
   } walker(*this);
@@ -144,6 +171,11 @@ XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::str
   appended_base64_ = encoding == "base64";
   if (appended_base64_) appended_ = trim(appended_.substr(0, appended_.find('<')));
   piece_ = data.child("Piece");
+  for (const pugi::xml_node section : piece_.children())
+    for (const pugi::xml_node array : section.children("DataArray"))
+      if (!arrays_.try_emplace({section.name(), array.attribute("Name").value()}, array).second)
+        fail(std::string(section.name()) + " has two arrays '" + array.attribute("Name").value() +
+             "'");
 }
 
 void XmlFile::spend(std::size_t bytes) const {
@@ -151,8 +183,21 @@ void XmlFile::spend(std::size_t bytes) const {
   budget_ -= bytes;
 }
 
+/// A whole number in an attribute: its digits, and nothing else.
+std::size_t XmlFile::natural(pugi::xml_node node, const char* attribute,
+                             std::size_t otherwise) const {
+  const pugi::xml_attribute found = node.attribute(attribute);
+  if (!found) return otherwise;
+  const std::string_view text = found.value();
+  std::size_t n = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size())
+    fail(std::string("attribute '") + attribute + "' is no whole number");
+  return n;
+}
+
 std::size_t XmlFile::count(const char* attribute) const {
-  const unsigned long long n = piece_.attribute(attribute).as_ullong(0);
+  const std::size_t n = natural(piece_, attribute, 0);
   if (n > bytes_.size() * 1100) fail(std::string(attribute) + " is more than the file can hold");
   return n;
 }
@@ -238,25 +283,11 @@ std::vector<double> XmlFile::read(pugi::xml_node array) const {
     if (child.type() != pugi::node_element) ++texts;
   if (texts > (is_appended ? 0U : 1U)) fail("an array with several texts");
   if (format == "ascii") {
-    const char* place = array.child_value();
-    if (!is_decimal(place)) fail("text that is no number");
-    for (char* end = nullptr;; place = end) {
-      const double x = sizeof(Stored) == 4 && std::is_floating_point_v<Stored>
-                           ? static_cast<double>(std::strtof(place, &end))
-                           : std::strtod(place, &end);
-      if (end == place) break;
-      if constexpr (std::is_integral_v<Stored>) {  // another reader would take them as such
-        constexpr auto low = static_cast<double>(std::numeric_limits<Stored>::min()),
-                       high = static_cast<double>(std::numeric_limits<Stored>::max());
-        if (!(x >= low && x <= high) || x != std::floor(x)) fail("an integer that is none");
-      }
-      result.push_back(x);
-    }
-    if (!trim(place).empty()) fail("text that is no number");
+    if (!read_words<Stored>(array.child_value(), result)) fail("text that is no number of its type");
     return result;
   }
   if (!has_order_ && sizeof(Stored) > 1) fail("binary numbers without byte_order");
-  const unsigned long long start = array.attribute("offset").as_ullong(~0ULL);
+  const std::size_t start = natural(array, "offset", std::string::npos);
   if (is_appended && start > appended_.size()) fail("an offset outside the appended data");
   const std::string bytes = format == "binary"
                                 ? decode(trim(array.child_value()), true)
@@ -276,23 +307,23 @@ std::vector<std::pair<std::string, std::size_t>> XmlFile::arrays(const char* sec
     const std::string name = child.attribute("Name").value();
     if (child.name() != std::string_view("DataArray") || name.empty() || name.size() > 1000)
       fail(std::string(section) + " has what is no named array of numbers");
-    result.emplace_back(name, child.attribute("NumberOfComponents").as_ullong(1));
+    result.emplace_back(name, natural(child, "NumberOfComponents", 1));
   }
   return result;
 }
 
-/// The array of that name in a section, or its only one.
+/// The array of that name in a section; of the points the only one, whatever its name.
 pugi::xml_node XmlFile::only_array(const char* section, const std::string& name) const {
-  pugi::xml_node array;
-  for (const pugi::xml_node child : piece_.child(section).children("DataArray")) {
-    if (!name.empty() && child.attribute("Name").value() != name) continue;
-    if (array) fail(std::string(section) + " has two arrays '" + name + "'");
-    array = child;
+  if (section == std::string_view("Points")) {
+    const pugi::xml_node array = piece_.child(section).child("DataArray");
+    if (!array || array.next_sibling() || array.previous_sibling())
+      fail(std::string(section) + " has not one array");
+    return array;
   }
-  if (!array) fail(std::string(section) + " has no array '" + name + "'");
-  if (name.empty() && (array.next_sibling() || array.previous_sibling()))
-    fail(std::string(section) + " has more than an array");
-  return array;
+  const auto found = arrays_.find({section, name});
+  if (name.empty() || found == arrays_.end())
+    fail(std::string(section) + " has no array '" + name + "'");
+  return found->second;
 }
 
 void XmlFile::require_only(const char* section, const std::vector<std::string_view>& names) const {
@@ -308,7 +339,7 @@ std::vector<std::string> XmlFile::component_names(const char* section,
                                                   const std::string& name) const {
   const pugi::xml_node array = only_array(section, name);
   std::vector<std::string> result(std::min<std::size_t>(
-      array.attribute("NumberOfComponents").as_ullong(1), 9));
+      natural(array, "NumberOfComponents", 1), 9));
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = array.attribute(("ComponentName" + std::to_string(i)).c_str()).value();
   return result;
@@ -317,7 +348,7 @@ std::vector<std::string> XmlFile::component_names(const char* section,
 std::vector<double> XmlFile::numbers(const char* section, const std::string& name,
                                      std::size_t components) const {
   const pugi::xml_node array = only_array(section, name);
-  if (array.attribute("NumberOfComponents").as_ullong(1) != components)
+  if (natural(array, "NumberOfComponents", 1) != components)
     fail("an array of other than " + std::to_string(components) + " components");
   const std::string_view type = array.attribute("type").value();
   const auto result = type == "Float64"  ? read<double>(array)

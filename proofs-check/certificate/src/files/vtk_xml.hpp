@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace certificate {
 
 /// A VTK XML file of one piece, and the numbers in its arrays. Its members throw Malformed.
 ///
-/// It has one reading: each section is there once, each attribute of an element once, nothing is
-/// there that is not listed, an array is text, inline or appended and not two of these. All numbers
+/// It has one reading: each section is there once, each attribute of an element once, whole numbers
+/// are digits, texts have nothing that stands for a character, nothing is there that is not listed, an array is text, inline or appended and not two of these. All numbers
 /// read together take at most 64 bytes for each byte of the file, and 2^24 more.
 class XmlFile {
  public:
@@ -26,7 +27,7 @@ class XmlFile {
   std::size_t count(const char* attribute) const;
   /// Name and components of each array in a section of the piece; each has a name, and is of numbers.
   std::vector<std::pair<std::string, std::size_t>> arrays(const char* section) const;
-  /// The finite numbers of the array of that name in a section of the piece, or of its only one.
+  /// The finite numbers of the array of that name in a section of the piece; of the points, of the only one.
   std::vector<double> numbers(const char* section, const std::string& name,
                               std::size_t components = 1) const;
   /// The same of an array of integers from 0 to 2^53.
@@ -40,6 +41,7 @@ class XmlFile {
  private:
   std::string markup();
   void require_one_reading(const char* kind, const std::vector<std::string_view>& sections);
+  std::size_t natural(pugi::xml_node node, const char* attribute, std::size_t otherwise) const;
   pugi::xml_node only_array(const char* section, const std::string& name) const;
   void spend(std::size_t bytes) const;
   std::string take(std::string_view& text, std::size_t size, bool base64) const;
@@ -54,6 +56,7 @@ class XmlFile {
   std::string_view appended_;
   pugi::xml_document document_;
   pugi::xml_node piece_;
+  std::map<std::pair<std::string, std::string>, pugi::xml_node> arrays_;  ///< by section and name
   bool appended_base64_ = false, zlib_ = false, highest_first_ = false, has_order_ = false;
   std::size_t header_ = 8;
   mutable std::size_t budget_ = 0;  ///< bytes that decoded numbers may still take

@@ -72,7 +72,7 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop, std::s
     const Exact part = cross(from(point(0), p), from(point(0), q));
     for (std::size_t k = 0; k < 3; ++k) area[k] += part[k];
     around += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-    for (const double x : p) slack = std::max(slack, std::abs(x) * 8 * kRounding);
+    for (const double x : p) slack = std::max(slack, 8 * rounding_of(std::abs(x)));
   }
   mpq_class seen, length;
   for (std::size_t k = 0; k < 3; ++k) seen += area[k] * normal[k], length += normal[k] * normal[k];

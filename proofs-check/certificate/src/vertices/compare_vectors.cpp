@@ -140,7 +140,7 @@ Point3 Vectors::rounding_at(std::size_t field) const {
   Point3 largest{};
   for (const Vertex i : c_.input.tets[names_[field]])
     for (std::size_t k = 0; k < 3; ++k)
-      largest[k] = std::max(largest[k], kRounding * std::abs(c_.input.points[i][k]));
+      largest[k] = std::max(largest[k], rounding_of(std::abs(c_.input.points[i][k])));
   return largest;
 }
 

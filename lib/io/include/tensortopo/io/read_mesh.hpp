@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tensortopo/io/component_order.hpp"
+#include "tensortopo/tensor/component_order.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo {
@@ -69,7 +69,7 @@ struct ReadOptions {
   /// Of NIfTI images: an image of the same voxels; cubes with a corner where it is 0 are left out.
   std::filesystem::path mask;
   /// Which cells are taken: the name of an array, or an expression of arrays of one component, as
-  /// `FA > 0.2 and mask`; empty for all. A cell is taken where it is neither 0 nor NaN at all its
+  /// `anisotropy > 0.2 and mask`; empty for all. A cell is taken where it is neither 0 nor NaN at all its
   /// nodes (of arrays on cells: in the cell). `x`, `y`, `z` are the place of a node; `magnitude`,
   /// `deviator_magnitude`, `anisotropy` and `mode` belong to its tensor, or to the cell's if tensors
   /// are on cells. The syntax is that of ExprTk; a name that is no identifier stands between double

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "grids/component_names.hpp"
+#include "tensortopo/tensor/component_names.hpp"
 
 #include <algorithm>
 #include <set>
 #include <string_view>
 #include <utility>
 
-namespace tensortopo::detail {
+namespace tensortopo {
 namespace {
 
 constexpr std::string_view separators = "_-,.:; /";
@@ -40,13 +40,8 @@ void strip_common(std::vector<std::string>& names) {
   }
 }
 
-}  // namespace
-
-bool are_named(const std::vector<std::string>& names) {
-  return std::any_of(names.begin(), names.end(), [](const auto& name) { return !name.empty(); });
-}
-
-std::vector<std::string> spelled_components(const std::vector<std::string>& names) {
+/// The entry that each name spells, or nothing if one is not understood.
+std::vector<std::string> entries_of(const std::vector<std::string>& names) {
   if (names.size() != 6 && names.size() != 9) return {};
   std::vector<std::string> spelled;
   for (const std::string& name : names) spelled.push_back(lower(name));
@@ -63,28 +58,44 @@ std::vector<std::string> spelled_components(const std::vector<std::string>& name
     if (fits) break;
   }
   if (axes.empty()) return {};
-  std::set<std::string> seen;
   std::size_t single = 0;
   for (std::string& name : spelled) {
     for (char& c : name) c = "XYZ"[axes.find(c)];
     if (name.size() == 1) ++single, name += name;
     if (names.size() == 6 && name[0] > name[1]) std::swap(name[0], name[1]);
-    if (!seen.insert(name).second) return {};
   }
   if (single != 0 && (single != 3 || names.size() != 6)) return {};
   return spelled;
 }
 
-std::optional<ComponentOrder> spelled_order(const std::vector<std::string>& names) {
-  std::string listing;
-  for (const std::string& name : spelled_components(names))
-    listing += (listing.empty() ? "" : " ") + name;
-  // Of a symmetric tensor, column by column is the same.
-  if (listing == "XX YX ZX XY YY ZY XZ YZ ZZ") return ComponentOrder::full;
-  using enum ComponentOrder;
-  for (const ComponentOrder order : {vtk, voigt, abaqus, nifti, fsl, full})
-    if (!listing.empty() && listing == listing_of(order)) return order;
-  return std::nullopt;
+bool has_repeated(const std::vector<std::string>& entries) {
+  return std::set<std::string>(entries.begin(), entries.end()).size() != entries.size();
 }
 
-}  // namespace tensortopo::detail
+}  // namespace
+
+bool are_named(const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(), [](const auto& name) { return !name.empty(); });
+}
+
+std::vector<std::string> spelled_components(const std::vector<std::string>& names) {
+  std::vector<std::string> entries = entries_of(names);
+  return has_repeated(entries) ? std::vector<std::string>{} : entries;
+}
+
+SpelledOrder spelled_order(const std::vector<std::string>& names) {
+  const std::vector<std::string> entries = entries_of(names);
+  if (entries.empty()) return {};
+  if (has_repeated(entries)) return {SpelledOrder::Kind::repeated};
+  std::string listing;
+  for (const std::string& name : entries) listing += (listing.empty() ? "" : " ") + name;
+  // Of a symmetric tensor, column by column is the same.
+  if (listing == "XX YX ZX XY YY ZY XZ YZ ZZ")
+    return {SpelledOrder::Kind::order, ComponentOrder::full};
+  using enum ComponentOrder;
+  for (const ComponentOrder order : {vtk, voigt, abaqus, nifti, fsl, full})
+    if (listing == listing_of(order)) return {SpelledOrder::Kind::order, order};
+  return {SpelledOrder::Kind::other};
+}
+
+}  // namespace tensortopo

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "tensortopo/io/component_order.hpp"
+#include "tensortopo/tensor/component_order.hpp"
 
-namespace tensortopo::detail {
+namespace tensortopo {
 
 /// Whether a file names the components of an array: some of the names are not empty.
 bool are_named(const std::vector<std::string>& names);
@@ -21,7 +21,20 @@ bool are_named(const std::vector<std::string>& names);
 /// them. One axis alone is a diagonal entry, if all three are spelled so.
 std::vector<std::string> spelled_components(const std::vector<std::string>& names);
 
-/// The order that the names of six or nine components spell; empty if they spell none that we have.
-std::optional<ComponentOrder> spelled_order(const std::vector<std::string>& names);
+/// What the names of an array's components say about their order.
+struct SpelledOrder {
+  enum class Kind {
+    nothing,   ///< there are no names, or they are not understood
+    order,     ///< `order`
+    other,     ///< one that `ComponentOrder` does not have
+    repeated,  ///< two components have the same name, or as an entry of a symmetric tensor
+  };
+  Kind kind = Kind::nothing;
+  ComponentOrder order = ComponentOrder::vtk;
+};
 
-}  // namespace tensortopo::detail
+/// Of six or nine names, by `spelled_components`. An order that names spell holds, whatever else is
+/// said; names that repeat one say that something is wrong.
+SpelledOrder spelled_order(const std::vector<std::string>& names);
+
+}  // namespace tensortopo

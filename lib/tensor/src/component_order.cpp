@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tensortopo/io/component_order.hpp"
+#include "tensortopo/tensor/component_order.hpp"
 
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace tensortopo {
 namespace {
@@ -41,7 +39,7 @@ std::string TensorComponents::text() const {
   const char* const why = source == ComponentSource::named   ? "named in the file"
                           : source == ComponentSource::given ? "as given"
                                                              : "assumed";
-  return fmt::format("{} ({}, {})", listing_of(order), name_of(order), why);
+  return std::string(listing_of(order)) + " (" + std::string(name_of(order)) + ", " + why + ")";
 }
 
 std::string_view name_of(ComponentOrder order) { return entry(order).name; }
