@@ -8,6 +8,7 @@
 #include <random>
 
 #include "level.hpp"
+#include "mesh/exact_signs.hpp"
 
 namespace certificate {
 namespace {
@@ -51,6 +52,39 @@ TEST(CheckerArithmetic, BallsContainRoundedForms) {
     ASSERT_TRUE(contains(ball, a * b - c * a + b)) << x << ' ' << y << ' ' << z;
     ASSERT_LT(ball.error, 1e-14 * (std::abs(x * y) + std::abs(x * z) + std::abs(y)));
   }
+}
+
+/// In planes, next to planes, of numbers of all sizes down to the least: as rational numbers say.
+TEST(CheckerArithmetic, SidesAreExact) {
+  using P = std::array<double, 3>;
+  std::mt19937_64 random(7);
+  std::array<int, 3> signs{};
+  for (int n = 0; n < 20000; ++n) {
+    const int scale = std::array{0, 0, 0, 300, -300, -1060}[random() % 6];
+    const auto whole = [&] { return static_cast<double>(static_cast<int>(random() % 9) - 4); };
+    P a{}, b{}, c{}, d{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      a[k] = whole(), b[k] = whole(), c[k] = whole();
+      d[k] = a[k] + (b[k] - a[k]) * 3 - (c[k] - a[k]) * 2;  // in the plane
+    }
+    if (random() % 2 != 0)
+      d[random() % 3] += whole() * std::ldexp(1.0, -static_cast<int>(random() % 45));
+    for (P* p : {&a, &b, &c, &d})
+      for (double& x : *p) x = std::ldexp(x, scale);
+    const auto from_a = [&](const P& p, std::size_t k) {
+      return mpq_class(mpq_class(p[k]) - mpq_class(a[k]));
+    };
+    mpq_class exact;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+      exact += from_a(b, k) * (from_a(c, u) * from_a(d, v) - from_a(c, v) * from_a(d, u));
+      ASSERT_EQ(turn(a, b, c, k),
+                sgn(mpq_class(from_a(b, u) * from_a(c, v) - from_a(b, v) * from_a(c, u))));
+    }
+    ASSERT_EQ(side_of(a, b, c, d), sgn(exact)) << scale;
+    ++signs[static_cast<std::size_t>(sgn(exact) + 1)];
+  }
+  for (const int count : signs) EXPECT_GT(count, 1000);
 }
 
 struct Given : ExactTensors {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 // Signs of determinants of doubles: by bounds of rounding errors, and where these leave it open, in
-// rational numbers.
+// whole numbers.
 #pragma once
 
 #include <array>
