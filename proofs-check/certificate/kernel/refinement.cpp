@@ -288,20 +288,16 @@ std::optional<Refinement::Longest> Refinement::longest(Waiting& waiting) const {
   return std::nullopt;
 }
 
-/// What the level is a zero of has degree 6 at most along an edge: seven points on the level say that
-/// all of it is, and no proof would close.
 bool Refinement::run() {
   Waiting waiting;
   wait(0, waiting);
-  for (std::size_t on_level = 0; const auto next = longest(waiting);) {
+  while (const auto next = longest(waiting)) {
     const auto& [length, c, edge] = *next;
     // A part of a monotone cell may be empty all the same.
     if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) prove(cells_[c]);
     if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
     if (cells_.size() > kMaxCells || by_integers_ > kMaxByIntegers) return false;
     bisect(edge, waiting);
-    const auto [added] = corners_at(std::array{static_cast<Id>(points_.size() - 1)});
-    if (corners() == 2 && level_.on_level(added) && ++on_level > 6) return false;
   }
   return true;
 }
