@@ -23,14 +23,15 @@ std::vector<std::string> spelled_components(const std::vector<std::string>& name
 
 /// What the names of an array's components say about their order.
 struct SpelledOrder {
+  /// Of what the names say.
   enum class Kind {
     nothing,   ///< there are no names, or they are not understood
     order,     ///< `order`
     other,     ///< one that `ComponentOrder` does not have
     repeated,  ///< two components have the same name, or as an entry of a symmetric tensor
   };
-  Kind kind = Kind::nothing;
-  ComponentOrder order = ComponentOrder::vtk;
+  Kind kind = Kind::nothing;                   ///< what they say
+  ComponentOrder order = ComponentOrder::vtk;  ///< if they spell one that we have
 };
 
 /// Of six or nine names, by `spelled_components`. An order that names spell holds, whatever else is
