@@ -44,5 +44,21 @@ TEST_P(NextToStrata, TetrahedraAreCertified) {
 INSTANTIATE_TEST_SUITE_P(Strata, NextToStrata, testing::ValuesIn(all_strata()),
                          [](const auto& stratum) { return name_of(stratum.param); });
 
+/// Below the least normal number rounding is as large as at it.
+TEST(DenormalCoordinates, AreNotRefuted) {
+  Court court("denormal");
+  int certified = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+    for (const double z : {1e-310, 5e-324}) {
+      TetMesh mesh = reference_tet_mesh(nearly_in_stratum(all_strata()[0], 1, seed));
+      for (auto& p : mesh.points)
+        if (p.z == 0) p.z = z;
+      const std::string verdict = court.verdict(exhibit(mesh, {"0", "1/2"}));
+      EXPECT_TRUE(verdict == "certified" || verdict == "undecided") << court.report();
+      certified += verdict == "certified";
+    }
+  EXPECT_GT(certified, 12);
+}
+
 }  // namespace
 }  // namespace tensortopo::test
