@@ -10,6 +10,7 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
+#include "files/utf8.hpp"
 
 namespace certificate {
 namespace {
@@ -52,16 +53,6 @@ std::string bound_text(double x, int digits, bool down = false) {
   return text;
 }
 
-/// How many bytes the first character takes; what is no UTF-8 takes one.
-std::size_t length_of_character(std::string_view text) {
-  const auto byte = static_cast<unsigned char>(text[0]);
-  const std::size_t length = byte < 0x80 ? 1 : byte < 0xc2 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : byte < 0xf5 ? 4 : 1;
-  if (length > text.size()) return 1;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(text[i]) & 0xc0u) != 0x80) return 1;
-  return length;
-}
-
 /// Whether a reader sees a character, and what follows it where it is: no controls, no spaces but the
 /// usual one, nothing that Unicode lets displays ignore (DerivedCoreProperties,
 /// Default_Ignorable_Code_Point) or that turns the direction.
@@ -77,7 +68,6 @@ bool is_seen(std::string_view character) {
        {0x100000, 0x10ffff}}};
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
   std::uint32_t code = byte(0);
-  if (character.size() == 1 && code >= 0x80) return false;  // no UTF-8
   if (character.size() > 1) code &= 0x7fu >> character.size();
   for (std::size_t i = 1; i < character.size(); ++i) code = code << 6 | (byte(i) & 0x3fu);
   return std::none_of(kUnseen.begin(), kUnseen.end(),
@@ -134,13 +124,13 @@ std::string text_of(const LevelReport& level, bool of_curves) {
 
 std::string printable(std::string_view text) {
   std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = length_of_character(text.substr(at));
-    if (is_seen(text.substr(at, length)))
-      result += text.substr(at, length);
+  while (!text.empty()) {
+    const std::size_t length = length_of_character(text);
+    if (length > 0 && is_seen(text.substr(0, length)))
+      result += text.substr(0, length);
     else
       result += '?';
-    at += length;
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return result;
 }

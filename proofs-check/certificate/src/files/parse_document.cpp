@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
+#include "files/utf8.hpp"
 
 namespace certificate {
 namespace {
@@ -18,21 +19,10 @@ using Json = nlohmann::json;
 
 /// Is it UTF-8: no overlong forms, no surrogates, nothing above U+10FFFF?
 bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U;
-    };
-    const unsigned first = byte(0);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2
-                               : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  while (!text.empty()) {
+    const std::size_t length = length_of_character(text);
     if (length == 0) return false;
-    for (std::size_t k = 1; k < length; ++k)
-      if ((byte(k) & 0xc0U) != 0x80) return false;
-    const unsigned second = byte(1);
-    if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
-        (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
-      return false;
-    i += length;
+    text.remove_prefix(length);
   }
   return true;
 }
