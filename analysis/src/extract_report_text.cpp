@@ -8,6 +8,7 @@
 #include <set>
 
 #include "certificate_report_output.hpp"
+#include "counted.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
@@ -44,8 +45,8 @@ std::string filter_lines(const ModeValue& mode, const FilterReport& filter) {
   std::string text;
   const auto add = [&](const char* measure, const std::optional<FilterReport::Limit>& limit) {
     if (!limit) return;
-    text += fmt::format("mode {}, {} below {:g}: {} components left out", short_text(mode), measure,
-                        limit->least, limit->left_out);
+    text += fmt::format("mode {}, {} below {:g}: {} left out", short_text(mode), measure,
+                        limit->least, counted(limit->left_out, "component"));
     if (limit->left_out > 0)
       text += fmt::format(", the largest of {} {:.3g}", measure, limit->largest_left_out);
     if (limit->not_known > 0)
@@ -109,7 +110,7 @@ std::string unresolved_line(const ExtractReport& report) {
   for (const auto& [reason, count] : count_unresolved(report)) {
     reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", count, reason);
   }
-  return fmt::format("{} of {} tetrahedra unresolved ({})", cells.size(), report.tetrahedra,
+  return fmt::format("{} of {} unresolved ({})", cells.size(), counted_tets(report.tetrahedra),
                      reasons);
 }
 
@@ -127,8 +128,9 @@ std::string unresolved_advice(const ExtractReport& report) {
 std::string to_text(const ExtractReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} vertices, {} tetrahedra, tensor '{}': {}\n", report.input.string(),
-                 report.vertices, report.tetrahedra, report.tensor_name, report.components.text());
+  fmt::format_to(out, "{}: {}, {}, tensor '{}': {}\n", report.input.string(),
+                 counted(report.vertices, "vertex", "vertices"), counted_tets(report.tetrahedra),
+                 report.tensor_name, report.components.text());
   if (!report.surfaces.empty()) {
     fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n", "mode",
                    "vertices", "triangles", "parts", "loops", "euler", "area", "residual",
@@ -162,24 +164,25 @@ std::string to_text(const ExtractReport& report) {
   const ExtractStatistics total = total_statistics(report);
   if (total.zero_deviator_vertices > 0) {
     fmt::format_to(out,
-                   "isotropic, where the mode is undefined: {} vertices ({} cone points on "
-                   "surfaces), {} whole tetrahedra\n",
-                   total.zero_deviator_vertices, total.cone_points, total.tets_undefined);
+                   "isotropic, where the mode is undefined: {} ({} on surfaces), {} {}\n",
+                   counted(total.zero_deviator_vertices, "vertex", "vertices"),
+                   counted(total.cone_points, "cone point"), total.tets_undefined,
+                   total.tets_undefined == 1 ? "whole tetrahedron" : "whole tetrahedra");
   }
   if (total.tets_nearby > 0) {
     fmt::format_to(
-        out, "critical mode: {} tetrahedra meshed at a mode next to it, of the same topology\n",
-        total.tets_nearby);
+        out, "critical mode: {} meshed at a mode next to it, of the same topology\n",
+        counted_tets(total.tets_nearby));
   }
   for (const SurfaceReport& s : report.surfaces)
     if (s.not_embedded.value_or(0) > 0)
       fmt::format_to(out,
-                     "mode {}: in {} tetrahedra triangles intersect, or are at 90 degrees or more "
-                     "to the gradient; their topology is the proved\n",
-                     short_text(s.mode), *s.not_embedded);
+                     "mode {}: in {} triangles intersect, or are at 90 degrees or more to the "
+                     "gradient; their topology is the proved\n",
+                     short_text(s.mode), counted_tets(*s.not_embedded));
   if (total.sheets_loops > 0) {
-    fmt::format_to(out, "filled between their boundary loops, without a vertex inside: {} sheets\n",
-                   total.sheets_loops);
+    fmt::format_to(out, "filled between their boundary loops, without a vertex inside: {}\n",
+                   counted(total.sheets_loops, "sheet"));
   }
   if (report.torn_faces.count > 0) fmt::format_to(out, "{}\n", report.torn_faces.text());
   if (report.written) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certificate_report_output.hpp"
+#include "counted.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/invariant_command.hpp"
 #include "topology_json.hpp"
@@ -46,8 +47,8 @@ Json surface_json(const InvariantSurfaceReport& surface) {
 
 std::string unresolved_line(const InvariantReport& report) {
   if (report.unresolved.empty()) return {};
-  return fmt::format("{0} of {1} tetrahedra unresolved ({0} {2})", report.unresolved.size(),
-                     report.tetrahedra, kReason);
+  return fmt::format("{0} of {1} unresolved ({0} {2})", report.unresolved.size(),
+                     counted_tets(report.tetrahedra), kReason);
 }
 
 std::string to_json(const InvariantReport& report) {
@@ -79,8 +80,9 @@ std::string to_json(const InvariantReport& report) {
 std::string to_text(const InvariantReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} vertices, {} tetrahedra, tensor '{}': {}\n", report.input.string(),
-                 report.vertices, report.tetrahedra, report.tensor_name, report.components.text());
+  fmt::format_to(out, "{}: {}, {}, tensor '{}': {}\n", report.input.string(),
+                 counted(report.vertices, "vertex", "vertices"), counted_tets(report.tetrahedra),
+                 report.tensor_name, report.components.text());
   if (!report.surfaces.empty())
     fmt::format_to(out, "{:>20} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n",
                    name_of(report.surfaces[0].level.invariant()), "vertices", "triangles", "parts",

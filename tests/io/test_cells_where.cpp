@@ -87,7 +87,7 @@ TEST(CellsWhere, CountsWhatIsLeftOutAndChangesNothingElse) {
   EXPECT_EQ(part.mesh.tets[0], whole.mesh.tets[0]);
   EXPECT_TRUE(std::any_of(
       part.report.notes.begin(), part.report.notes.end(),
-      [](const std::string& note) { return note == "1 cells left out, where not: region < 8"; }));
+      [](const std::string& note) { return note == "1 cell left out, where not: region < 8"; }));
   options.where = "";
   EXPECT_EQ(options.making_others(), nullptr);
   options.where = "1";

@@ -56,7 +56,7 @@ TEST(ReadFrd, TheLastStepIsTakenAndSaid) {
   EXPECT_NE(notes.find("step 2 of 2 taken, the last (number 2, value 2.000000000)"),
             std::string::npos)
       << notes;
-  EXPECT_NE(notes.find("edges of quadratic cells are curved"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("of quadratic cells taken as straight"), std::string::npos) << notes;
 }
 
 TEST(ReadFrd, AStepThatIsAskedForIsAnother) {

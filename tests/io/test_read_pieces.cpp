@@ -54,7 +54,8 @@ TEST(ReadPieces, DifferentTensorsAtOnePointAreRefused) {
   const IoError error = error_of(index);
   EXPECT_EQ(error.kind(), invalid);
   EXPECT_EQ(error.file(), file);
-  EXPECT_NE(std::string(error.what()).find("different tensors at the same point (point 2)"),
+  EXPECT_NE(std::string(error.what()).find("another tensor than a piece before it at the same "
+                                          "point (point 2) (named by " + index.string() + ")"),
             std::string::npos);
 }
 
@@ -106,7 +107,8 @@ TEST(ReadPieces, TheSumIsOfAllBytes) {
 
 TEST(ReadPieces, MissingOrUnlikePiecesAreRefused) {
   put("a.vtu", TextVtu{}.str());
-  EXPECT_EQ(error_of(index_of({"a.vtu", "gone.vtu"})).kind(), IoError::Kind::unreadable);
+  expect_error(index_of({"a.vtu", "gone.vtu"}), IoError::Kind::unreadable,
+               {"gone.vtu: ", "(named by ", "index.pvtu)"});
   TextVtu b = neighbour();
   b.point_data = TextVtu::array("strain", 6, tensors);
   put("b.vtu", b.str());

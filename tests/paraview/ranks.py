@@ -16,6 +16,13 @@ view.UseColorPaletteForBackground = 0
 view.Background = [1, 1, 1]
 shown = Show(XMLPartitionedPolydataReader(FileName=[f"{out}/surface.pvtp"]), view)
 ColorBy(shown, ("POINTS", "ProcessId"))
+shown.SetScalarBarVisibility(view, True)
+bar = GetScalarBar(GetColorTransferFunction("ProcessId"), view)
+bar.Title, bar.ComponentTitle = "rank", ""
+bar.TitleColor = bar.LabelColor = [0, 0, 0]
+bar.AutomaticLabelFormat = 0
+bar.LabelFormat = bar.RangeLabelFormat = "%g"
+view.OrientationAxesVisibility = 0
 view.ResetCamera()
 GetActiveCamera().Azimuth(35)
 GetActiveCamera().Elevation(25)

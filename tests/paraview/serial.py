@@ -75,8 +75,17 @@ outline.AmbientColor = outline.DiffuseColor = [0.3, 0.3, 0.3]
 shown = Show(surface, view)
 ColorBy(shown, ("POINTS", "mode"))
 shown.SetScalarBarVisibility(view, True)
-bar = GetScalarBar(GetColorTransferFunction("mode"), view)
-bar.TitleColor = bar.LabelColor = [0, 0, 0]
+
+
+def style_bar(array):
+    """A legend that is read on white, of plain numbers."""
+    bar = GetScalarBar(GetColorTransferFunction(array), view)
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.AutomaticLabelFormat = 0
+    bar.LabelFormat = bar.RangeLabelFormat = "%g"
+
+
+style_bar("mode")
 tubes = Tube(Input=OutputPort(surface, 1))
 bounds = reader.GetDataInformation().GetBounds()
 tubes.Radius = 0.004 * max(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4])
@@ -90,6 +99,8 @@ camera.Elevation(25)
 view.ResetCamera()
 SaveScreenshot(f"{out}/surface.png", view)
 ColorBy(shown, ("CELLS", "component"))
-shown.SetScalarBarVisibility(view, False)
+shown.SetScalarBarVisibility(view, True)
+style_bar("component")
+HideUnusedScalarBars(view)
 SaveScreenshot(f"{out}/components.png", view)
 print(f"serial: {compared} arrays and {triangles} triangles are the program's, bit for bit")

@@ -14,6 +14,7 @@
 
 #include "bench/methods.hpp"
 #include "contours/vtk_contours.hpp"
+#include "counted.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/extract/extract_options.hpp"
 #include "tensortopo/io/read_mesh.hpp"
@@ -195,7 +196,7 @@ class Bench {
     tell(0.6);
     std::vector<Setting> settings;
     for (const int samples : {2, 1}) {
-      settings.push_back({fmt::format("{} samples", samples), {}});
+      settings.push_back({counted(samples, "sample"), {}});
       settings.back().options.samples = samples;
     }
     add_matched("a_patches", "a_patches_over_extract", *judge_, modes_, Baseline::a_patches,
@@ -233,7 +234,7 @@ class Bench {
         fmt::format("{} tetrahedra after {} subdivisions: its error {:.3g}, ours {:.3g}",
                     subdivided_.tets.size(), times, error, our_error_);
     report_.errors.push_back(
-        judge_->errors("vtk_subdivided", fmt::format("{} subdivisions", times),
+        judge_->errors("vtk_subdivided", counted(times, "subdivision"),
                        baseline_surfaces(Baseline::marching, subdivided_, modes_), subdivided_));
     vtk_subdivided_ = std::make_unique<VtkContours>(subdivided_, static_cast<int>(report_.threads));
     add("vtk_subdivided", [this] { return vtk_subdivided_->contour_3d_linear_grid(values_); });

@@ -10,6 +10,7 @@
 #include "bench/bench_command.hpp"
 #include "bench/methods.hpp"
 #include "contours/vtk_contours.hpp"
+#include "counted.hpp"
 #include "render/charts/line_chart.hpp"
 #include "tensortopo/mesh/subdivide.hpp"
 
@@ -77,7 +78,7 @@ std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<Mode
     const auto run = [&, options] {
       return baseline_surfaces(Baseline::a_patches, mesh, modes, options);
     };
-    all.add(fmt::format("{} samples", samples), run(), mesh,
+    all.add(counted(samples, "sample"), run(), mesh,
             [run] { return triangles_of(run()); });
   }
   if (progress) progress("measuring errors", 0.6);
@@ -87,7 +88,7 @@ std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<Mode
   std::size_t tetrahedra = mesh.tets.size();
   for (int times = 0; tetrahedra <= kLargest; ++times, tetrahedra *= 8) {
     const TetMesh fine = subdivided(mesh, times);
-    all.add(fmt::format("{} subdivisions", times),
+    all.add(counted(times, "subdivision"),
             baseline_surfaces(Baseline::marching, fine, modes), fine, [&, times] {
               const TetMesh again = subdivided(mesh, times);
               return VtkContours(again, static_cast<int>(threads_in_use()))
@@ -112,12 +113,24 @@ std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<Mode
   return all.timed(repeat, progress);
 }
 
+namespace {
+
+/// A method for people.
+std::string shown(const std::string& method) {
+  if (method == "extract") return "tensortopo";
+  if (method == "a_patches") return "A-patches";
+  if (method == "vtk_subdivided") return "VTK, mesh subdivided";
+  return method == "hybrid" ? "hybrid method" : method;
+}
+
+}  // namespace
+
 std::string curves_chart(const std::vector<ErrorCurve>& curves, const std::string& title) {
   LineChart chart{title, "seconds", "root mean square distance from the level, two-sided",
                   true, true, {}};
   for (const ErrorCurve& curve : curves) {
     if (curve.points.empty()) continue;
-    ChartLine line{curve.method, {}, {}};
+    ChartLine line{shown(curve.method), {}, {}};
     for (const ErrorPoint& point : curve.points) {
       line.points.emplace_back(point.seconds, point.root_mean_square);
       line.labels.push_back(point.setting);

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "counted.hpp"
 #include "generate/truth.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
@@ -64,9 +65,9 @@ Json json_of(const std::vector<ScoredComponent>& list) {
 }
 
 std::string text_of(const ScoredComponent& c) {
-  return fmt::format("Euler characteristic {}, {} loops, {} triangles, at ({:.4g}, {:.4g}, {:.4g})",
-                     c.euler_characteristic, c.boundary_loops, c.triangles, c.place.x, c.place.y,
-                     c.place.z);
+  return fmt::format("Euler characteristic {}, {}, {}, at ({:.4g}, {:.4g}, {:.4g})",
+                     c.euler_characteristic, counted(c.boundary_loops, "loop"),
+                     counted(c.triangles, "triangle"), c.place.x, c.place.y, c.place.z);
 }
 
 }  // namespace

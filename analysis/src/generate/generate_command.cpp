@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "counted.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
 #include "tensortopo/mesh/append_surface.hpp"
@@ -270,8 +271,8 @@ std::string to_text(const GenerateReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (const Generated& file : report.files) {
-    fmt::format_to(out, "{}: {} ({} tetrahedra)\n", file.field.string(), file.truth.note,
-                   file.truth.tetrahedra);
+    fmt::format_to(out, "{}: {} ({})\n", file.field.string(), file.truth.note,
+                   counted_tets(file.truth.tetrahedra));
     for (const LevelTruth& level : file.truth.levels) {
       long euler = 0;
       std::size_t loops = 0;

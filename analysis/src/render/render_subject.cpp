@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "counted.hpp"
 #include "render/input/domain_boundary.hpp"
 #include "render/input/feature_edges.hpp"
 #include "render/input/surface_input.hpp"
@@ -158,8 +159,8 @@ std::vector<Sheet> RenderSubject::extracted(const ModeValue& mode, RenderReport&
   const double value = mode.approx();
   const auto note = [&](std::size_t cells) {
     if (cells > 0)
-      report.notes.push_back(fmt::format("mode {}: {} of {} tetrahedra unresolved, and not drawn",
-                                         short_text(mode), cells, mesh_.tets.size()));
+      report.notes.push_back(fmt::format("mode {}: {} of {} unresolved, and not drawn",
+                                         short_text(mode), cells, counted_tets(mesh_.tets.size())));
   };
   if (std::abs(value) == 1) {
     const auto kind = value > 0 ? Degeneracy::linear : Degeneracy::planar;
@@ -185,8 +186,8 @@ Sheet RenderSubject::extracted(const InvariantLevel& level, RenderReport& report
   const InvariantExtraction extraction = extract_invariant_surface(mesh_, level, options);
   const std::string name = fmt::format("{} {}", name_of(level.invariant()), short_text(level));
   if (!extraction.zero_tensor.empty())
-    report.notes.push_back(fmt::format("{}: {} of {} tetrahedra unresolved, and not drawn", name,
-                                       extraction.zero_tensor.size(), mesh_.tets.size()));
+    report.notes.push_back(fmt::format("{}: {} of {} unresolved, and not drawn", name,
+                                       extraction.zero_tensor.size(), counted_tets(mesh_.tets.size())));
   if (extraction.surface.triangles.empty())
     report.notes.push_back(name + ": the field has no such surface");
   Sheet sheet = sheet_of(extraction.surface, 0);

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "check/check_command.hpp"
+#include "counted.hpp"
 #include "report/page.hpp"
 #include "report/page_arrays.hpp"
 #include "require_folder.hpp"
@@ -351,9 +352,9 @@ std::string to_text(const ReportSummary& s) {
       s.components
           ? fmt::format("; {} of {} components stable", *s.stable_components, *s.components)
           : "";
-  return fmt::format("{}: {} bytes, {} surfaces of {} triangles, {} cells left out; {}{}\n",
-                     s.output.string(), s.bytes, s.surfaces, s.triangles, s.unresolved, verdict,
-                     stable);
+  return fmt::format("{}: {} bytes, {} of {}, {} left out; {}{}\n", s.output.string(), s.bytes,
+                     counted(s.surfaces, "surface"), counted(s.triangles, "triangle"),
+                     counted(s.unresolved, "cell"), verdict, stable);
 }
 
 }  // namespace tensortopo

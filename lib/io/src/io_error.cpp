@@ -24,4 +24,11 @@ IoError::IoError(Kind kind, std::filesystem::path file, const std::string& probl
       kind_(kind),
       file_(std::move(file)) {}
 
+IoError IoError::named_by(const std::filesystem::path& index) const {
+  IoError error = *this;
+  static_cast<std::runtime_error&>(error) =
+      std::runtime_error(one_line(what() + (" (named by " + index.string() + ")")));
+  return error;
+}
+
 }  // namespace tensortopo

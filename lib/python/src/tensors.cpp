@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -137,16 +138,20 @@ py::tuple nodal_averages(std::size_t node_count, const Input<std::int64_t>& node
                         wide(result.origin));
 }
 
-/// What kind of order the names of components spell, and its name if we have it.
-py::tuple spelled_order_of(const std::vector<std::string>& names) {
-  const auto [kind, order] = spelled_order(names);
-  switch (kind) {
-    case SpelledOrder::Kind::order: return py::make_tuple("order", name_of(order));
-    case SpelledOrder::Kind::other: return py::make_tuple("other", "");
-    case SpelledOrder::Kind::repeated: return py::make_tuple("repeated", "");
-    case SpelledOrder::Kind::nothing: break;
+/// The name of the order in which an array lists its components.
+std::string decided_order(const std::string& array, const std::vector<std::string>& names,
+                          std::size_t count, const std::optional<std::string>& asked) {
+  std::optional<ComponentOrder> order;
+  if (asked) {
+    order = component_order(*asked);
+    if (!order) {
+      std::string known;
+      for (const std::string_view name : component_order_names())
+        known += (known.empty() ? "" : ", ") + std::string(name);
+      throw py::value_error("components='" + *asked + "': is none of " + known);
+    }
   }
-  return py::make_tuple(are_named(names) ? "unknown" : "none", "");
+  return std::string(name_of(decide_order(names, count, order, {array, "components="}).order));
 }
 
 }  // namespace
@@ -165,7 +170,8 @@ void define_tensors(py::module_& m) {
       },
       py::arg("tensors"));
   m.def("deviator", &deviators, py::arg("tensors"));
-  m.def("spelled_order", &spelled_order_of, py::arg("names"));
+  m.def("decide_order", &decided_order, py::arg("array"), py::arg("names"), py::arg("count"),
+        py::arg("asked"));
   m.def("eigen", &eigensystems, py::arg("tensors"));
   m.def("nodal_average", &nodal_averages, py::arg("node_count"), py::arg("nodes"),
         py::arg("tensors"), py::arg("tensors_per_cell"), py::arg("at_nodes"), py::arg("weights"),

@@ -60,24 +60,13 @@ def _pick(path: Path, sections: dict[str, dict[str, XmlArray]],
 
 def _order(path: Path, name: str, array: XmlArray, asked: Optional[str]) -> str:
     """The order of the components: obeyed if the file names one, else the one asked for, else VTK's."""
-    kind, named = _core.spelled_order(list(array.names))
-    full = array.values.shape[1] == 9
-    called = f"the components of '{name}' are called {' '.join(array.names)}"
-    if full and asked is not None:
+    count = array.values.shape[1]
+    if count == 9 and asked is not None:
         raise FileError(f"{path}: an order of components is of six, '{name}' has nine")
-    if kind == "repeated":
-        raise FileError(f"{path}: {called}, two of them alike")
-    if kind == "other":
-        form = "row by row" if full else "in an order that components= names, as XX YY ZZ XY YZ XZ"
-        raise FileError(f"{path}: {called}, an order that is not supported; write them {form}")
-    if kind == "order":
-        if asked is not None and COMPONENT_ORDERS.get(asked) != COMPONENT_ORDERS[named]:
-            raise FileError(f"{path}: the file names the order '{named}', not '{asked}'")
-        return named
-    if kind == "unknown" and asked is None:
-        form = "name them XX XY XZ YX ..., or not at all" if full else "name it (components=...)"
-        raise FileError(f"{path}: {called}, which says no order; {form}")
-    return asked or "vtk"
+    try:
+        return _core.decide_order(name, list(array.names), count, asked)
+    except RuntimeError as error:
+        raise FileError(f"{path}: {error}") from error
 
 
 class Grid(NamedTuple):

@@ -72,6 +72,18 @@ bool has_repeated(const std::vector<std::string>& entries) {
   return std::set<std::string>(entries.begin(), entries.end()).size() != entries.size();
 }
 
+/// The order that lists these entries, if we have it.
+std::optional<ComponentOrder> order_that_lists(const std::vector<std::string>& entries) {
+  std::string listing;
+  for (const std::string& name : entries) listing += (listing.empty() ? "" : " ") + name;
+  using enum ComponentOrder;
+  // Of a symmetric tensor, column by column is the same.
+  if (listing == "XX YX ZX XY YY ZY XZ YZ ZZ") return full;
+  for (const ComponentOrder order : {vtk, voigt, abaqus, nifti, fsl, full})
+    if (listing == listing_of(order)) return order;
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool are_named(const std::vector<std::string>& names) {
@@ -83,19 +95,38 @@ std::vector<std::string> spelled_components(const std::vector<std::string>& name
   return has_repeated(entries) ? std::vector<std::string>{} : entries;
 }
 
-SpelledOrder spelled_order(const std::vector<std::string>& names) {
+TensorComponents decide_order(const std::vector<std::string>& names, std::size_t count,
+                              std::optional<ComponentOrder> asked,
+                              const ComponentsWording& wording) {
+  const bool is_full = count == 9;
+  if (!are_named(names)) {
+    if (asked) return {*asked, ComponentSource::given};
+    return {is_full ? ComponentOrder::full : ComponentOrder::vtk, ComponentSource::assumed};
+  }
+  const auto refuse = [&](const std::string& problem, bool contradicts_caller = false) {
+    std::string listing;
+    for (const std::string& name : names)
+      listing += (listing.empty() ? "" : " ") + name.substr(0, 40);
+    throw ComponentNamesError(
+        "the components of `" + wording.array + "` are named \"" + listing + "\", " + problem,
+        contradicts_caller);
+  };
   const std::vector<std::string> entries = entries_of(names);
-  if (entries.empty()) return {};
-  if (has_repeated(entries)) return {SpelledOrder::Kind::repeated};
-  std::string listing;
-  for (const std::string& name : entries) listing += (listing.empty() ? "" : " ") + name;
-  // Of a symmetric tensor, column by column is the same.
-  if (listing == "XX YX ZX XY YY ZY XZ YZ ZZ")
-    return {SpelledOrder::Kind::order, ComponentOrder::full};
-  using enum ComponentOrder;
-  for (const ComponentOrder order : {vtk, voigt, abaqus, nifti, fsl, full})
-    if (listing == listing_of(order)) return {SpelledOrder::Kind::order, order};
-  return {SpelledOrder::Kind::other};
+  if (has_repeated(entries)) refuse("two of them alike; correct the names");
+  if (const auto spelled = order_that_lists(entries)) {
+    if (asked && *asked != *spelled)
+      refuse("which is the order " + std::string(name_of(*spelled)) + ", not " +
+                 std::string(name_of(*asked)),
+             true);
+    return {*spelled, ComponentSource::named};
+  }
+  if (!entries.empty())
+    refuse("an order that is not supported; write them " +
+           std::string(is_full ? "row by row" : "in an order that has a name, as XX YY ZZ XY YZ XZ"));
+  if (!asked)
+    refuse("which says no order; " + (is_full ? "name them XX XY XZ YX ..., or not at all"
+                                              : "say it with " + wording.option));
+  return {*asked, ComponentSource::given};
 }
 
 }  // namespace tensortopo

@@ -29,33 +29,14 @@ namespace {
 /// The order of an array's components: what their names say, else what is chosen, else VTK's.
 ComponentOrder order_of(vtkDataArray* tensors, std::optional<ComponentOrder> chosen) {
   std::vector<std::string> names;
-  std::string listed;
   for (int i = 0; i < tensors->GetNumberOfComponents(); ++i) {
     const char* name = tensors->GetComponentName(i);
     names.emplace_back(name != nullptr ? name : "");
-    listed += ' ' + names.back();
   }
-  const bool is_full = names.size() == 9;
-  const auto [kind, order] = spelled_order(names);
-  switch (kind) {
-    case SpelledOrder::Kind::order:
-      if (chosen && *chosen != order)
-        throw std::runtime_error("the components' names say the order " +
-                                 std::string(name_of(order)) + ", another one is chosen");
-      return order;
-    case SpelledOrder::Kind::other:
-      throw std::runtime_error("the tensors' components are named" + listed +
-                               ", an order that is not supported; write them " +
-                               (is_full ? "row by row" : "as XX YY ZZ XY YZ XZ"));
-    case SpelledOrder::Kind::repeated:
-      throw std::runtime_error("two of the tensors' components are named alike:" + listed);
-    case SpelledOrder::Kind::nothing: break;
-  }
-  if (are_named(names) && !chosen)
-    throw std::runtime_error("the names of the tensors' components say no order:" + listed +
-                             (is_full ? "; name them XX XY XZ YX ..., or not at all"
-                                      : "; choose an order of components"));
-  return chosen.value_or(is_full ? ComponentOrder::full : ComponentOrder::vtk);
+  const char* array = tensors->GetName();
+  return decide_order(names, names.size(), chosen,
+                      {array != nullptr ? array : "", "the property ComponentOrder"})
+      .order;
 }
 
 /// What ComponentOrder of a filter says: the first value is none.
@@ -172,9 +153,9 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
         ghosts != nullptr && (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0);
   }
   if (!others.empty())
-    throw std::runtime_error(std::to_string(others.begin()->second) + " cells of VTK's type " +
-                             std::to_string(others.begin()->first) +
-                             " are no linear tetrahedra; apply Tetrahedralize first");
+    throw std::runtime_error("has cells of VTK's type " + std::to_string(others.begin()->first) + " (" +
+                             std::to_string(others.begin()->second) +
+                             "), no linear tetrahedra; apply Tetrahedralize first");
   repair_orientation(mesh);
   if (const auto defects = validate(mesh); !defects.empty())
     throw std::runtime_error(defects.front().text);

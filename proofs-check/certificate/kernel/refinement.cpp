@@ -12,10 +12,10 @@ namespace certificate {
 namespace {
 
 constexpr std::size_t kMaxCells = 40000;
-/// Proofs that doubles do not decide are asked for in parts around a point where the level is
-/// singular, without end; levels that are proved elsewhere take a few dozen, next to a zero of the
-/// field some hundreds.
-constexpr std::size_t kMaxByIntegers = 2000;
+/// Around a point where the level is singular, proofs that doubles do not decide are asked for
+/// without end, of ever longer integers. Their lengths are bounded in sum, as they say how long
+/// that takes.
+constexpr long kMaxBits = 200000;
 
 /// Tensors whose angle has at most this cosine are nearly opposite; a mean of unit tensors that is
 /// at most this large nearly vanishes.
@@ -83,7 +83,7 @@ Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
 /// A part of a monotone cell that is not proved to be empty stays monotone.
 void Refinement::prove(Cell& cell) {
   const auto with = [&](const auto& proved) {
-    if (proved.by_integers) ++by_integers_;
+    if (proved.by_integers) bits_ += points_.back().shift;
     if (cell.proof == Proof::open || proved.proof == Proof::empty) note(cell, proved);
   };
   const auto& [a, b, c, d] = cell.points;
@@ -96,7 +96,7 @@ Proof Refinement::known(Id a, Id b) {
   const auto [place, is_new] = proofs_.try_emplace(key(a, b), Proof::open);
   if (is_new) {
     const auto proved = level_.prove(corners_at(std::array{a, b}));
-    if (proved.by_integers) ++by_integers_;
+    if (proved.by_integers) bits_ += points_.back().shift;
     place->second = proved.proof;
   }
   return place->second;
@@ -296,7 +296,7 @@ bool Refinement::run() {
     // A part of a monotone cell may be empty all the same.
     if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) prove(cells_[c]);
     if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
-    if (cells_.size() > kMaxCells || by_integers_ > kMaxByIntegers) return false;
+    if (cells_.size() > kMaxCells || bits_ > kMaxBits) return false;
     bisect(edge, waiting);
   }
   return true;

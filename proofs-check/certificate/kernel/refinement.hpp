@@ -49,7 +49,7 @@ class Refinement : public ExactTensors {
   template <std::size_t V>
   void assume(const Proved<V>& proved) { note(cells_[0], proved); }
   void assume(Id a, Id b, Proof proof) { proofs_[key(a, b)] = proof; }
-  /// Cuts. False if that takes more cells, or proofs by integers, than the budget.
+  /// Cuts. False if that takes more cells, or longer integers, than the budget.
   bool run();
   /// Cuts until each part is proved to be on the side of the roots. False if one is not.
   /// @pre 2 or 3 roots of one side; nothing else was called
@@ -104,7 +104,7 @@ class Refinement : public ExactTensors {
   std::vector<Cell> cells_;
   std::vector<std::vector<std::size_t>> cells_at_;  ///< for each point those with it
   std::unordered_map<std::uint64_t, Proof> proofs_;
-  std::size_t by_integers_ = 0;  ///< proofs asked for that doubles did not decide
+  long bits_ = 0;  ///< of integers, one for each proof that doubles did not decide
 };
 
 template <std::size_t V>

@@ -297,7 +297,7 @@ bool Regions::number_crossings(const TetBoundary& boundary) {
   for_subsets(4, 2, [&](const auto& m) {
     std::vector<Sides>& all = on_roots_[1U << m[0] | 1U << m[1]];
     const auto along = points_along(cells_, static_cast<Id>(m[0]), static_cast<Id>(m[1]));
-    for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    for (std::size_t i = 0; same && i + 1 < along.size(); ++i) {
       const Id a = std::min(along[i], along[i + 1]), b = std::max(along[i], along[i + 1]);
       const EdgePart& part = edge(a, b);
       same = same && part.level.decided;

@@ -24,6 +24,10 @@ std::string counted(std::size_t n, const std::string& noun) {
   return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
 }
 
+std::string counted_tets(std::size_t n) {
+  return std::to_string(n) + (n == 1 ? " tetrahedron" : " tetrahedra");
+}
+
 std::string text_of(const Component& c, bool is_curve) {
   if (is_curve)
     return std::string(c.closed ? "closed" : "not closed") + ", " + counted(c.cells, "line");
@@ -35,7 +39,7 @@ constexpr std::size_t kShown = 10;
 
 /// "2 tetrahedra (budget_exhausted: 4 7)"
 std::string listed(const std::string& reason, const std::vector<std::uint64_t>& tets) {
-  std::string text = std::to_string(tets.size()) + " tetrahedra (" + reason + ": ";
+  std::string text = counted_tets(tets.size()) + " (" + reason + ": ";
   for (std::size_t i = 0; i < std::min(tets.size(), kShown); ++i)
     text += (i == 0 ? "" : " ") + std::to_string(tets[i]);
   return text + (tets.size() > kShown ? " ...)" : ")");
@@ -108,16 +112,17 @@ std::string text_of(const LevelReport& level, bool of_curves) {
             std::to_string(level.vertices) + (level.vertices == 1 ? " vertex" : " vertices") +
             '\n';
   if (level.claims_isotopy) {
-    text += "  isotopic to the level in " + std::to_string(level.isotopic) +
-            " tetrahedra, with vertices moved by at most " + bound_text(level.moved, 3);
+    text += "  isotopic to the level in " + counted_tets(level.isotopic) +
+            ", with vertices moved by at most " + bound_text(level.moved, 3);
     for (const auto& [reason, tets] : level.not_isotopic)
       text += "; not shown in " + listed(reason, tets);
     text += '\n';
   }
   if (level.bound.empty()) return text + "  no distance is claimed\n";
   return text + "  distance at most " +
-         bound_text(std::strtod(level.bound.c_str(), nullptr), 6) + ", but in " + std::to_string(level.coarse) +
-         " coarse tetrahedra\n";
+         bound_text(std::strtod(level.bound.c_str(), nullptr), 6) + ", but in " +
+         std::to_string(level.coarse) +
+         (level.coarse == 1 ? " coarse tetrahedron\n" : " coarse tetrahedra\n");
 }
 
 }  // namespace
@@ -165,7 +170,7 @@ std::vector<std::string> Report::unmet(const Demands& demands) const {
     for (const LevelReport& level : levels)
       if (level.left_out_count() > 0)
         result.push_back("complete: " + level.name + " leaves out " +
-                         std::to_string(level.left_out_count()) + " tetrahedra");
+                         counted_tets(level.left_out_count()));
   }
   return result;
 }
@@ -183,8 +188,7 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
           s.order + (s.names_say_order || s.names.empty()
                          ? ""
                          : ", though the file's names do not say so: " + printable(s.names)) +
-          "), " + counted(s.points, "point") + ", " + std::to_string(s.tetrahedra) +
-          (s.tetrahedra == 1 ? " tetrahedron" : " tetrahedra") +
+          "), " + counted(s.points, "point") + ", " + counted_tets(s.tetrahedra) +
           (s.symmetrized > 0 ? ", " + counted(s.symmetrized, "tensor") + " symmetrized" : "") +
           (s.other_cells > 0 ? ", " + counted(s.other_cells, "other cell") + " skipped" : "") +
           "\noutput: " + s.output + ", " + std::to_string(s.vertices) + " vertices, " +

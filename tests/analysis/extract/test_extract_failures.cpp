@@ -186,7 +186,7 @@ TEST(ExtractFailures, AVertexWithoutDeviatorIsNoFailureAndIsCounted) {
                                            "--mode",  "0.5", "--strict"};
   const Outcome text = run_program(arguments);
   EXPECT_EQ(text.status, 0) << text.err;
-  EXPECT_NE(text.out.find("isotropic, where the mode is undefined: 1 vertices"), std::string::npos)
+  EXPECT_NE(text.out.find("isotropic, where the mode is undefined: 1 vertex ("), std::string::npos)
       << text.out;
   auto with_json = arguments;
   with_json.push_back("--json");

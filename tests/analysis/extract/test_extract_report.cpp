@@ -231,7 +231,7 @@ TEST(ExtractReport, SaysWhatToAskForWhereTheModeIsConstant) {
     return run_program(words).err;
   };
   const std::string line = "tensortopo: " + (folder / "edge.vtk") +
-                           ": 1 of 1 tetrahedra unresolved (1 level_constant_on_edge)";
+                           ": 1 of 1 tetrahedron unresolved (1 level_constant_on_edge)";
   EXPECT_EQ(run("0", false), line +
                                  "; ask for a mode next to it, for example --mode 1e-9, which "
                                  "holds the surface beside those edges and faces\n");

@@ -54,8 +54,8 @@ TEST(ReadingNotes, AreSaidByAllThatReadAMesh) {
   const std::string begin = "tensortopo: " + mesh + ": ";
   const std::string components =
       begin + "components of `stress`: XX YY ZZ XY YZ XZ (vtk, assumed)\n";
-  const std::string repairs = begin + "1 cells of dimension below 3 skipped\n" + begin +
-                              "1 tetrahedra of negative volume turned around\n";
+  const std::string repairs = begin + "1 cell of dimension below 3 skipped\n" + begin +
+                              "1 tetrahedron of negative volume turned around\n";
   for (auto words : commands) {
     const Outcome run = run_program(words);
     // The reports of extractions have a place for the components; of the mesh around a surface

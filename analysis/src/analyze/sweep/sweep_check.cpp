@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "check/check_command.hpp"
+#include "counted.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/temporary_folder.hpp"
@@ -23,8 +24,8 @@ constexpr std::size_t kBatch = 4;
 constexpr double kCoarse = 0.5;
 
 std::string words(const SweepLevel& level) {
-  return fmt::format("{} components, Euler characteristic {}, {} boundary loops at {}",
-                     level.components, level.euler_characteristic, level.boundary_loops,
+  return fmt::format("{}, Euler characteristic {}, {} at {}", counted(level.components, "component"),
+                     level.euler_characteristic, counted(level.boundary_loops, "boundary loop"),
                      level.mode.text());
 }
 

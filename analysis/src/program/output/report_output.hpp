@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "counted.hpp"
 #include "program/options/common_options.hpp"
 #include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -50,14 +51,15 @@ inline void say_notes(const std::filesystem::path& file, const std::vector<std::
 inline bool say_undecided(const std::optional<CertificateReport>& certificate, bool quiet) {
   if (certificate && !quiet && certificate->tubes + certificate->at_critical > 0)
     std::cerr
-        << "tensortopo: " << certificate->path.string() << ": " << certificate->tubes
-        << " thin tubes and " << certificate->at_critical
-        << " tetrahedra at a critical mode were proved by arguments that the checker does not "
-           "have: tensortopo check may leave them open\n";
+        << "tensortopo: " << certificate->path.string() << ": "
+        << counted(certificate->tubes, "thin tube") << " and "
+        << counted_tets(certificate->at_critical)
+        << " at a critical mode proved by arguments that the checker does not have: tensortopo "
+           "check may leave them open\n";
   if (!certificate || certificate->undecided_cells == 0) return false;
   if (!quiet)
     std::cerr << "tensortopo: " << certificate->path.string() << ": "
-              << certificate->undecided_cells << " tetrahedra stay undecided\n";
+              << counted_tets(certificate->undecided_cells) << " undecided\n";
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/options/common_options.hpp"
+#include "counted.hpp"
 #include "program/options/read_options.hpp"
 #include "program/output/report_output.hpp"
 #include "program/subcommands/subcommands.hpp"
@@ -41,8 +42,8 @@ ExitStatus convert(const ConvertOptions& options, const CommonOptions& common) {
     print(with_provenance(json.dump(-1, ' ', false, replace), common, "convert"));
   } else {
     if (common.quiet) return ExitStatus::done;
-    print(options.output.string() + ": " + std::to_string(points) + " vertices, " +
-          std::to_string(tets) + " tetrahedra, tensor '" + read.report.tensor_name + "'\n");
+    print(options.output.string() + ": " + counted(points, "vertex", "vertices") + ", " +
+          counted_tets(tets) + ", tensor '" + read.report.tensor_name + "'\n");
   }
   return ExitStatus::done;
 }

@@ -27,7 +27,7 @@ namespace {
 
 using Polyline = std::vector<Vector3<double>>;
 
-constexpr double kSphereShare = 0.9;                                      // of its panel
+constexpr double kSphereShare = 0.84;                                     // of its panel
 constexpr double kGrain = 1.7;                                            // pixels
 constexpr double kPanelWidth = 720, kPanelHeight = 960, kLargest = 4096;  // pixels
 
@@ -40,7 +40,7 @@ struct Scale {
   double least() const { return std::min(panel_width, panel_height); }
   double aspect() const { return panel_width / panel_height; }
   // How far what is drawn is above the middle, for the words below: of half the height.
-  double rise() const { return 0.7 * std::max(0.0, 1 - panel_width / panel_height); }
+  double rise() const { return 0.75 * std::max(0.0, 1 - panel_width / panel_height); }
 };
 
 Scale scale_of(const TetPicture& picture) {

@@ -67,7 +67,7 @@ VertexMap merge_points(const std::vector<RawGrid>& pieces,
           if (entry.piece != k) {
             entry.piece = k, vertex = entry.vertex;
             if (!tensors.empty() && mesh.tensors[static_cast<std::size_t>(vertex)] != tensors[k][i])
-              refuse(grid, i, "pieces give different tensors at the same point");
+              refuse(grid, i, "has another tensor than a piece before it at the same point");
           }
         }
       }

@@ -78,29 +78,34 @@ std::vector<OuterFace> check(const std::filesystem::path& file, const TetMesh& m
 }
 
 void write_notes(const ReadOptions& options, ReadReport& report) {
-  const auto note = [&](std::size_t count, const char* what) {
-    if (count > 0) report.notes.push_back(std::to_string(count) + " " + what);
+  // A noun with its plural and what is said of it.
+  const auto note = [&](std::size_t count, const char* one, const char* many, const char* what) {
+    if (count > 0)
+      report.notes.push_back(fmt::format("{} {} {}", count, count == 1 ? one : many, what));
   };
-  note(report.skipped_cells_2d_1d, "cells of dimension below 3 skipped");
-  note(report.skipped_ghost_cells, "ghost cells skipped");
+  note(report.skipped_cells_2d_1d, "cell", "cells", "of dimension below 3 skipped");
+  note(report.skipped_ghost_cells, "ghost cell", "ghost cells", "skipped");
   if (!options.where.empty())
     report.notes.push_back(
-        fmt::format("{} cells left out, where not: {}", report.cells_left_out, options.where));
-  note(report.split_cells, "cells split into tetrahedra");
-  note(report.quadratic_cells, options.quadratic == QuadraticCells::split
-                                   ? "quadratic cells split around their nodes"
-                                   : "quadratic cells taken by their corners");
-  note(report.added_vertices, "vertices added at centres of faces and quadratic cells");
-  note(report.curved_edges, "edges of quadratic cells are curved and taken as straight");
-  note(report.reoriented_cells, "tetrahedra of negative volume turned around");
-  note(report.symmetrized_tensors, "tensors symmetrized");
-  note(report.averaged_vertices, options.mean == MeanWeights::volume
-                                     ? "vertices given the mean of the cells around them, by volume"
-                                     : "vertices given the mean of the cells around them");
-  note(report.doubled_vertices, "vertices doubled between materials, where tensors may jump");
-  note(report.merged_points, options.merge_points ? "points merged with others in their place"
-                                                  : "points merged where pieces meet");
-  note(report.unreferenced_points, "points belong to no tetrahedron");
+        fmt::format("{} {} left out, where not: {}", report.cells_left_out,
+                    report.cells_left_out == 1 ? "cell" : "cells", options.where));
+  note(report.split_cells, "cell", "cells", "split into tetrahedra");
+  note(report.quadratic_cells, "quadratic cell", "quadratic cells",
+       options.quadratic == QuadraticCells::split ? "split around their nodes"
+                                                  : "taken by their corners");
+  note(report.added_vertices, "vertex", "vertices",
+       "added at centres of faces and quadratic cells");
+  note(report.curved_edges, "curved edge", "curved edges", "of quadratic cells taken as straight");
+  note(report.reoriented_cells, "tetrahedron", "tetrahedra", "of negative volume turned around");
+  note(report.symmetrized_tensors, "tensor", "tensors", "symmetrized");
+  note(report.averaged_vertices, "vertex", "vertices",
+       options.mean == MeanWeights::volume ? "given the mean of the cells around them, by volume"
+                                           : "given the mean of the cells around them");
+  note(report.doubled_vertices, "vertex", "vertices",
+       "doubled between materials, where tensors may jump");
+  note(report.merged_points, "point", "points",
+       options.merge_points ? "merged with others in their place" : "merged where pieces meet");
+  note(report.unreferenced_points, "point", "points", "in no tetrahedron");
   if (report.torn_faces.count > 0) report.notes.push_back(report.torn_faces.text());
 }
 
@@ -235,9 +240,12 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
 }
 
 ReadResult read_named(const std::filesystem::path& file, const ReadOptions& options, Reading what) {
+  const bool names_files = format_of(file).format.names_files;  // before it is read
   try {
-    format_of(file);  // before it is read
     return read_checked(load(file), options, what);
+  } catch (const IoError& error) {
+    if (!names_files || error.file() == file) throw;
+    throw error.named_by(file);
   } catch (const std::bad_alloc&) {
     throw IoError(IoError::Kind::invalid, file, "is too large for this machine's memory");
   } catch (const std::length_error&) {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "bytes/printable.hpp"
-#include "tensortopo/tensor/component_names.hpp"
 #include "fields/solid_cells.hpp"
 #include "tensortopo/io/io_error.hpp"
+#include "tensortopo/tensor/component_names.hpp"
 
 namespace tensortopo::detail {
 namespace {
@@ -55,46 +55,23 @@ const ArraySource* find(const RawGrid& grid, const Sources& sources, const std::
   return found;
 }
 
-std::string quoted(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name.substr(0, 40);
-  return "\"" + text + "\"";
-}
-
 /// The order of the components: what the file says, else the caller, else VTK's.
 TensorComponents order_of(const RawGrid& grid, const ArraySource& source,
                           const ReadOptions& options) {
-  const bool is_full = source.components == 9;
-  if (are_named(source.component_names)) {
-    const std::string names = quoted(source.component_names);
-    const auto [kind, spelled] = spelled_order(source.component_names);
-    using Kind = SpelledOrder::Kind;
-    if (kind == Kind::order && options.components && *options.components != spelled)
-      throw IoError(IoError::Kind::inapplicable, grid.file,
-                    "--components " + std::string(name_of(*options.components)) +
-                        ": contradicts the file, which names the components of `" + source.name +
-                        "` " + names + " (" + std::string(name_of(spelled)) + ")");
-    if (kind == Kind::order) return {spelled, ComponentSource::named};
-    if (kind == Kind::repeated)
-      refuse(grid, "names two components of `" + source.name + "` alike: " + names +
-                       "; correct the names");
-    if (kind == Kind::other)
-      refuse(grid, "names the components of `" + source.name + "` " + names +
-                       ", an order that is not supported; " +
-                       (is_full ? "write them row by row"
-                                : "write them in an order that --components names, as XX YY ZZ XY YZ XZ"));
-    if (!options.components)
-      refuse(grid, "names the components of `" + source.name + "` " + names +
-                       ", which says no order; " +
-                       (is_full ? "name them XX XY XZ YX ..., or not at all"
-                                : "say with --components which it is"));
+  try {
+    const TensorComponents decided =
+        decide_order(source.component_names, static_cast<std::size_t>(source.components),
+                     options.components, {source.name, "--components"});
+    if (decided.source == ComponentSource::assumed && decided.order != ComponentOrder::full &&
+        source.has_no_usual_order)
+      refuse(grid, "does not say in which order the components of `" + source.name +
+                       "` are; say it with --components (mrtrix, fsl, nifti, dipy, vtk, abaqus or "
+                       "voigt: what wrote them)");
+    return decided;
+  } catch (const ComponentNamesError& error) {
+    throw IoError(error.contradicts_caller() ? IoError::Kind::inapplicable : IoError::Kind::invalid,
+                  grid.file, error.what());
   }
-  if (options.components) return {*options.components, ComponentSource::given};
-  if (source.has_no_usual_order && !is_full)
-    refuse(grid, "does not say in which order the components of `" + source.name +
-                     "` are; say it with --components (mrtrix, fsl, nifti, dipy, vtk, abaqus or "
-                     "voigt: what wrote them)");
-  return {is_full ? ComponentOrder::full : ComponentOrder::vtk, ComponentSource::assumed};
 }
 
 TensorChoice accept(const RawGrid& grid, const ArraySource& source, bool on_cells,

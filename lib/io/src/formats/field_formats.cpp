@@ -55,11 +55,11 @@ std::vector<RawGrid> read_one_legacy(const FieldSource& source) {
 const std::vector<FieldFormatEntry>& field_format_entries() {
   static const std::vector<FieldFormatEntry> entries{
       {{.extension = ".vtu", .name = "VTK XML mesh", .fuzzed_as = "vtu", .is_checked = true}, read_one_vtu},
-      {{.extension = ".pvtu", .name = "VTK XML mesh in pieces", .fuzzed_as = "pvtu"}, read_pieces},
+      {{.extension = ".pvtu", .name = "VTK XML mesh in pieces", .fuzzed_as = "pvtu", .names_files = true}, read_pieces},
       {{.extension = ".vtk", .name = "VTK legacy mesh or image", .fuzzed_as = "vtk", .is_checked = true},
        read_one_legacy},
       {{.extension = ".vti", .name = "VTK XML image", .fuzzed_as = "vti"}, read_vti},
-      {{.extension = ".pvd", .name = "VTK XML collection", .fuzzed_as = "pvd", .has_steps = true},
+      {{.extension = ".pvd", .name = "VTK XML collection", .fuzzed_as = "pvd", .has_steps = true, .names_files = true},
        read_pvd,
        pvd_steps},
       {{.extension = ".frd", .name = "CalculiX results", .fuzzed_as = "frd", .has_steps = true},

@@ -16,6 +16,7 @@ struct FieldFormat {
   std::string_view fuzzed_as;  ///< the target in tests/fuzz
   bool is_checked = false;     ///< the checker of certificates reads it, too
   bool has_steps = false;      ///< may hold several states of a field, see `ReadOptions::step`
+  bool names_files = false;    ///< holds the names of files that hold the field
   bool takes_mask = false;     ///< see `ReadOptions::mask`
 };
 

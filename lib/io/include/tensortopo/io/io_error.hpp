@@ -24,6 +24,9 @@ class IoError : public std::runtime_error {
   /// Of a file; `problem` is one line without a full stop.
   IoError(Kind kind, std::filesystem::path file, const std::string& problem);
 
+  /// The same of a file that another one names, which the message then says.
+  IoError named_by(const std::filesystem::path& index) const;
+
   /// What went wrong.
   Kind kind() const noexcept { return kind_; }
   /// The file that it is about.

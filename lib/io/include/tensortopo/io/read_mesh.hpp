@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "tensortopo/tensor/component_order.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/tensor/component_order.hpp"
 
 namespace tensortopo {
 

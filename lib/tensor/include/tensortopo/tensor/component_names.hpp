@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,21 +23,37 @@ bool are_named(const std::vector<std::string>& names);
 /// them. One axis alone is a diagonal entry, if all three are spelled so.
 std::vector<std::string> spelled_components(const std::vector<std::string>& names);
 
-/// What the names of an array's components say about their order.
-struct SpelledOrder {
-  /// Of what the names say.
-  enum class Kind {
-    nothing,   ///< there are no names, or they are not understood
-    order,     ///< `order`
-    other,     ///< one that `ComponentOrder` does not have
-    repeated,  ///< two components have the same name, or as an entry of a symmetric tensor
-  };
-  Kind kind = Kind::nothing;                   ///< what they say
-  ComponentOrder order = ComponentOrder::vtk;  ///< if they spell one that we have
+/// The names of an array's components, and a caller, say no order, or two.
+class ComponentNamesError : public std::runtime_error {
+ public:
+  /// @param contradicts_caller  names spell an order, and the caller says another one
+  ComponentNamesError(const std::string& text, bool contradicts_caller)
+      : std::runtime_error(text), contradicts_caller_(contradicts_caller) {}
+
+  /// Names spell an order, and the caller says another one.
+  bool contradicts_caller() const noexcept { return contradicts_caller_; }
+
+ private:
+  bool contradicts_caller_;
 };
 
-/// Of six or nine names, by `spelled_components`. An order that names spell holds, whatever else is
-/// said; names that repeat one say that something is wrong.
-SpelledOrder spelled_order(const std::vector<std::string>& names);
+/// How an error names the array, and what a caller says the order with.
+struct ComponentsWording {
+  std::string array;   ///< "the components of `array` are named ..."
+  std::string option;  ///< "say the order with `option`": "--components", ...
+};
+
+/// The order of six or nine components: what their names spell, else what the caller says, else
+/// VTK's of six and row by row of nine.
+///
+/// Names are obeyed or refused: an order that they spell holds. Names that are not understood are
+/// taken only if the caller says an order.
+/// @param names  by `spelled_components`; none, or one for each component
+/// @throw ComponentNamesError  if the caller says another order than the names; the names spell one
+/// that `ComponentOrder` does not have; two are the same, or the same entry of a symmetric tensor;
+/// or they are not understood and the caller says nothing
+TensorComponents decide_order(const std::vector<std::string>& names, std::size_t count,
+                              std::optional<ComponentOrder> asked,
+                              const ComponentsWording& wording);
 
 }  // namespace tensortopo

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// What the checker spends on a level for which no proof closes.
+#include <gtest/gtest.h>
+
+#include "topology.hpp"
+
+namespace certificate {
+namespace {
+
+/// The tensor [[1, s, 0], [s, 0, 0], [0, 0, -1]], of determinant s^2, times a factor.
+std::array<double, 6> tangent(double s, double factor) {
+  return {factor, 0, -factor, factor * s, 0, 0};
+}
+
+/// Where s changes its sign, mode 0 touches an edge from one side, at no place where edges are cut:
+/// proofs close everywhere else, in ever smaller parts.
+TEST(CheckerBudget, OfALevelThatTouchesEdges) {
+  const ForAll for_all = [](std::size_t count, const std::function<void(std::size_t)>& f,
+                            const char*) {
+    for (std::size_t i = 0; i < count; ++i) f(i);
+  };
+  constexpr double kLong = 5559060566555523;  // 3^33, of 53 bits
+  std::size_t undecided = 0, asked = 0;
+  for (const double factor : {1.0, 1 / 3.0, kLong, 0x1p-900 / 7})
+    for (const double end : {2.0, 3.0, 1 / 3.0, 0x1p-20}) {
+      Input input;
+      input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+      input.tensors = {tangent(-1, factor), tangent(-2, factor),
+                       {3 * factor, factor, -4 * factor, 2 * factor, 5 * factor, factor},
+                       tangent(end, factor)};
+      input.tets = {{0, 1, 2, 3}};
+      input.cells = {0};
+      const Level level(0, 1);
+      const Field field(input, level.multiples(), for_all);
+      const Topology topology = derive_topology(input, field, level, {false}, for_all);
+      for (const EdgeTopology& edge : topology.edges) if (!edge.is_decided()) ++undecided;
+      asked += level.decided_exactly();
+      EXPECT_LT(level.decided_exactly(), 3000u) << factor << ' ' << end;
+    }
+  EXPECT_GE(undecided, 16u);
+  EXPECT_GT(asked, 1000u);
+}
+
+}  // namespace
+}  // namespace certificate
