@@ -151,7 +151,7 @@ std::string decided_order(const std::string& array, const std::vector<std::strin
       throw py::value_error("components='" + *asked + "': is none of " + known);
     }
   }
-  return std::string(name_of(decide_order(names, count, order, {array, "components="}).order));
+  return std::string(name_of(decide_order(names, count, order, {array, "the argument components"}).order));
 }
 
 }  // namespace

@@ -115,8 +115,8 @@ TensorComponents decide_order(const std::vector<std::string>& names, std::size_t
   if (has_repeated(entries)) refuse("two of them alike; correct the names");
   if (const auto spelled = order_that_lists(entries)) {
     if (asked && *asked != *spelled)
-      refuse("which is the order " + std::string(name_of(*spelled)) + ", not " +
-                 std::string(name_of(*asked)),
+      refuse("which is the order " + std::string(name_of(*spelled)) + "; " + wording.option + " " +
+                 std::string(name_of(*asked)) + " contradicts it",
              true);
     return {*spelled, ComponentSource::named};
   }

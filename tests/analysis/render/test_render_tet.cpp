@@ -56,7 +56,7 @@ TEST(RenderTet, GreyIsTheShareOfTheComplexDomain) {
     ASSERT_EQ(run.status, 0) << run.err;
     const Pixels picture = pixels_of(folder / "m.png");
     ASSERT_EQ(picture.width, 300);
-    const double radius = 0.9 * 150;
+    const double radius = 0.84 * 150;
     // The disc's middle, from its highest coloured pixel.
     int top = 0;
     const auto coloured = [&](int x, int y) {
