@@ -93,8 +93,11 @@ PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test) {
     if (!test.is_upward(patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]))
       defects.against.push_back(i);
   }
-  if (patch.triangles.size() > 1)
-    defects.intersecting = intersecting_pairs(patch.points, patch.triangles);
+  if (patch.triangles.size() > 1) {
+    auto [pairs, tested] = intersecting_pairs(patch.points, patch.triangles);
+    defects.intersecting = std::move(pairs);
+    defects.tested = tested;
+  }
   return defects;
 }
 

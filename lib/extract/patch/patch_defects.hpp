@@ -60,6 +60,7 @@ class UpwardTest {
 struct PatchDefects {
   std::vector<std::uint32_t> against;  ///< triangles at 90 degrees to the gradient or more
   std::vector<std::array<std::uint32_t, 2>> intersecting;  ///< see `intersecting_pairs`
+  std::size_t tested = 0;                                  ///< likewise
 
   bool any() const { return !against.empty() || !intersecting.empty(); }
 };

@@ -142,34 +142,53 @@ void make_sides(std::span<const Vector3<double>> points, std::span<const PatchTr
   for (const auto& t : triangles) sides.push_back(side_of(points, t));
 }
 
-/// An interval that holds the products of a triangle's points with a direction.
-struct Extent {
-  double low, high;
-};
-
-Vector3<double> farthest_from(const Vector3<double>& p, const std::vector<Side>& sides) {
-  Vector3<double> farthest = p;
-  double most = 0;
+/// The longest of some differences between corners and a point, as `part` sees them, with its largest
+/// coordinate made 1; zero if all are.
+template <class Part>
+Vector3<double> longest(const std::vector<Side>& sides, const Vector3<double>& from,
+                        const Part& part) {
+  Vector3<double> result{};
   for (const auto& s : sides)
-    for (const auto& q : s.corners)
-      if (const double d = largest(q - p); d > most) farthest = q, most = d;
-  return farthest;
+    for (const auto& p : s.corners)
+      if (const auto d = part(p - from); largest(d) > largest(result)) result = d;
+  const double size = largest(result);
+  return size > 0 ? (1 / size) * result : result;
 }
 
-/// The extents of triangles along the patch: boxes of triangles around a thin tube overlap wherever
-/// it is oblique to the axes. Rounding is allowed for as in `kRoundings`.
-void make_extents(const std::vector<Side>& sides, std::vector<Extent>& extents) {
+/// Three directions of the patch: that in which it is longest, the next one, and one across both.
+/// They are about orthogonal, and exact as they are.
+std::array<Vector3<double>, 3> directions_of(const std::vector<Side>& sides) {
+  const Vector3<double>& first = sides[0].corners[0];
+  Vector3<double> from = first;
+  for (const auto& s : sides)
+    for (const auto& p : s.corners)
+      if (largest(p - first) > largest(from - first)) from = p;
+  const auto along = longest(sides, from, [](const auto& d) { return d; });
+  if (largest(along) == 0) return {};
+  const auto beside = longest(sides, from, [&](const auto& d) {
+    return d - (dot(along, d) / dot(along, along)) * along;
+  });
+  return {along, beside, cross(along, beside)};
+}
+
+/// For each triangle intervals that hold its points' products with the directions of the patch:
+/// boxes along the axes overlap wherever triangles around a thin tube are oblique to these. Rounding
+/// is allowed for as in `kRoundings`.
+void make_extents(const std::vector<Side>& sides, std::vector<AxisBox>& extents) {
   extents.clear();
   if (sides.empty()) return;
-  const auto from = farthest_from(sides[0].corners[0], sides), to = farthest_from(from, sides);
-  const auto along = to - from;
-  const double error = kRoundings * largest(along) * largest(along) + kUnderflow;
+  const Vector3<double>& from = sides[0].corners[0];
+  const auto directions = directions_of(sides);
   for (const auto& s : sides) {
-    Extent extent{HUGE_VAL, -HUGE_VAL};
-    for (const auto& p : s.corners) {
-      const double place = dot(along, p - from);
-      extent = {std::min(extent.low, place - error), std::max(extent.high, place + error)};
-    }
+    AxisBox extent{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (const auto& p : s.corners)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto d = p - from;
+        const double place = dot(directions[k], d);
+        const double error = kRoundings * largest(directions[k]) * largest(d) + kUnderflow;
+        extent.low[k] = std::min(extent.low[k], place - error);
+        extent.high[k] = std::max(extent.high[k], place + error);
+      }
     extents.push_back(extent);
   }
 }
@@ -186,29 +205,31 @@ void for_parts(std::size_t count, const Body& body) {
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 2>> intersecting_pairs(
-    std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles) {
+IntersectingPairs intersecting_pairs(std::span<const Vector3<double>> points,
+                                     std::span<const PatchTriangle> triangles) {
   // Nearly all patches are small: no memory for each of them.
   thread_local std::vector<Side> sides;
   make_sides(points, triangles, sides);
-  thread_local std::vector<Extent> extents;
+  thread_local std::vector<AxisBox> extents;
   make_extents(sides, extents);
   thread_local std::vector<std::uint32_t> order;
   order.resize(sides.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return std::pair(extents[i].low, i) < std::pair(extents[j].low, j);
+    return std::pair(extents[i].low[0], i) < std::pair(extents[j].low[0], j);
   });
-  std::vector<std::array<std::uint32_t, 2>> pairs;
+  IntersectingPairs result;
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j) {
-      if (extents[order[j]].low > extents[order[i]].high) break;
+      if (extents[order[j]].low[0] > extents[order[i]].high[0]) break;
+      if (!boxes_meet(extents[order[i]], extents[order[j]])) continue;
+      ++result.tested;
       if (!are_in_conflict(sides[order[i]], sides[order[j]])) continue;
       const auto [a, b] = std::minmax(order[i], order[j]);
-      pairs.push_back({a, b});
+      result.pairs.push_back({a, b});
     }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  std::sort(result.pairs.begin(), result.pairs.end());
+  return result;
 }
 
 bool intersects_any(std::span<const Vector3<double>> points, std::span<const PatchTriangle> first,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,11 +15,17 @@ namespace tensortopo {
 /// Triangles between places in a list of points.
 using PatchTriangle = std::array<std::uint32_t, 3>;
 
+/// Pairs of triangles, ascending.
+struct IntersectingPairs {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::size_t tested = 0;  ///< pairs that no box told apart
+};
+
 /// Pairs of triangles with a point in common beyond the vertices and the edge that they share,
 /// decided exactly on the coordinates as they are. Points at one place count as one vertex.
 /// Triangles without area are left out.
-std::vector<std::array<std::uint32_t, 2>> intersecting_pairs(
-    std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles);
+IntersectingPairs intersecting_pairs(std::span<const Vector3<double>> points,
+                                     std::span<const PatchTriangle> triangles);
 
 /// Whether some of the first triangles and one of the others are such a pair, or two of the first.
 bool intersects_any(std::span<const Vector3<double>> points, std::span<const PatchTriangle> first,

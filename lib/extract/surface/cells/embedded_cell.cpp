@@ -27,9 +27,9 @@ constexpr std::size_t kMostDefects = 2;
 /// How often a chart gets further vertices where triangles have defects.
 constexpr int kRounds = 12;
 
-/// Triangles and intersecting pairs of all patches with defects that are tried for one tetrahedron.
-/// What is meshed then stays.
-constexpr std::size_t kMostTried = 50000;
+/// Triangles and intersecting pairs of all patches with defects that are tried for one tetrahedron,
+/// and pairs tested, of which so many count as one. What is meshed then stays.
+constexpr std::size_t kMostTried = 50000, kTestsAsOne = 32;
 
 /// Defects of a patch are few if they are at most so many, and one in so many triangles more.
 constexpr std::size_t kFewDefects = 32, kFewInAll = 16;
@@ -81,7 +81,9 @@ bool CellMesher<Scalar>::find_defects() {
   const auto defects = defects_of(patch, UpwardTest(tet_));
   mesh_.has_defects = defects.any();
   state_.defects = defects.against.size() + defects.intersecting.size();
-  if (mesh_.has_defects) state_.tried += mesh_.patch.triangles.size() + defects.intersecting.size();
+  if (mesh_.has_defects)
+    state_.tried += mesh_.patch.triangles.size() + defects.intersecting.size() +
+                    defects.tested / kTestsAsOne;
   state_.beside_defects.clear();
   if (mesh_.has_defects && state_.must_be_embedded)
     state_.beside_defects = samples_beside(defects, patch, tet_, around_.arc_vertices(tet_));

@@ -120,7 +120,7 @@ SineCosine sine_cosine_of_few_digits(double x) {
       q * q *
           (kCoefficient<4>.hi +
            q * (-kCoefficient<6>.hi + q * (kCoefficient<8>.hi - q * kCoefficient<10>.hi)));
-  const auto combined = [&](const DoubleDouble& a, const DoubleDouble& b) {
+  const auto combined = [&, &r = r](const DoubleDouble& a, const DoubleDouble& b) {
     const DoubleDouble of_r = exact_product(b.hi, r.hi), of_q = exact_product(a.hi, -q / 2);
     const DoubleDouble first = exact_sum(a.hi, of_r.hi), second = exact_sum(first.hi, of_q.hi);
     const double rest = a.lo + b.lo * r.hi + a.lo * (-q / 2) + of_r.lo + of_q.lo + first.lo +
