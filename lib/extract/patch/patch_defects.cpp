@@ -54,8 +54,8 @@ UpwardTest::UpwardTest(const std::array<Vector3<double>, 4>& points,
                        const std::array<Deviator<double>, 4>& tensors)
     : unit_(unit_of(points)), geometry_(times(unit_, points), exponents), tensors_(tensors) {}
 
-UpwardTest::Directions UpwardTest::directions(const Vector3<double>& a, const Vector3<double>& b,
-                                              const Vector3<double>& c) const {
+UpwardTest::Facing UpwardTest::facing(const Vector3<double>& a, const Vector3<double>& b,
+                                      const Vector3<double>& c) const {
   const auto p = unit_ * a, q = unit_ * b, r = unit_ * c;
   const auto side = q - p, other = r - p;
   const auto n = cross(side, other);
@@ -70,27 +70,18 @@ UpwardTest::Directions UpwardTest::directions(const Vector3<double>& a, const Ve
   level.mu = level.sqrt2 * determinant_form(tensor) / (norm * std::sqrt(norm));
   const auto at = detail::slope_at<LevelSlope<double>>(tensor, level);
   const auto g = geometry_.gradient(at.slope, tensors_);
-  return {dot(n, g), length(n), length(g), length(side) * length(other)};
-}
-
-bool UpwardTest::is_upward(const Vector3<double>& a, const Vector3<double>& b,
-                           const Vector3<double>& c) const {
-  const auto d = directions(a, b, c);
-  return d.normal == 0 ||
-         d.product > (kLeastCosine * d.normal + kLeastShare * d.sides) * d.gradient;
-}
-
-double UpwardTest::cosine(const Vector3<double>& a, const Vector3<double>& b,
-                          const Vector3<double>& c) const {
-  const auto d = directions(a, b, c);
-  return d.normal == 0 ? 1 : d.product / (d.normal * d.gradient);
+  const double product = dot(n, g), normal = length(n), gradient = length(g);
+  if (normal == 0) return {};
+  const double sides = length(side) * length(other);
+  return {product > (kLeastCosine * normal + kLeastShare * sides) * gradient,
+          product / (normal * gradient)};
 }
 
 PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test) {
   PatchDefects defects;
   for (std::uint32_t i = 0; i < patch.triangles.size(); ++i) {
     const auto& t = patch.triangles[i];
-    if (!test.is_upward(patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]))
+    if (!test.facing(patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]).is_upward)
       defects.against.push_back(i);
   }
   if (patch.triangles.size() > 1) {

@@ -37,20 +37,16 @@ class UpwardTest {
   UpwardTest(const std::array<Vector3<double>, 4>& points, const std::array<int, 4>& exponents,
              const std::array<Deviator<double>, 4>& tensors);
 
-  /// Whether the normal of the triangle, counter-clockwise, and the gradient of the mode at its
-  /// centroid are less than 90 degrees apart, and rounding cannot have changed that.
-  bool is_upward(const Vector3<double>& a, const Vector3<double>& b,
-                 const Vector3<double>& c) const;
-  /// About the cosine of the two; 1 of a triangle without area.
-  double cosine(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) const;
+  /// How a triangle, counter-clockwise, faces larger modes.
+  struct Facing {
+    /// Its normal and the gradient of the mode at its centroid are less than 90 degrees apart, and
+    /// rounding cannot have changed that.
+    bool is_upward = true;
+    double cosine = 1;  ///< about that of the two; 1 of a triangle without area
+  };
+  Facing facing(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) const;
 
  private:
-  struct Directions {
-    double product, normal, gradient, sides;  ///< lengths, and of two sides
-  };
-  Directions directions(const Vector3<double>& a, const Vector3<double>& b,
-                        const Vector3<double>& c) const;
-
   double unit_;
   TetGeometry geometry_;
   std::array<Deviator<double>, 4> tensors_;

@@ -187,7 +187,7 @@ class SubdivisionTriangles {
     for (const auto& c : corners) outline.push_back(c.corner);
     auto triangles = cut_polygon(outline);
     const auto is_upward = [&](const Vector3<double>& a, const Vector3<double>& b,
-                               const Vector3<double>& c) { return test_.is_upward(a, b, c); };
+                               const Vector3<double>& c) { return test_.facing(a, b, c).is_upward; };
     const auto at = [&](int i) { return outline[static_cast<std::size_t>(i)].position; };
     // The other diagonal, or a vertex amid the polygon, where a triangle would be against the
     // gradient.

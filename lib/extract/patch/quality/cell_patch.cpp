@@ -209,7 +209,7 @@ bool CellPatch::is_embedded_after(Id vertex, Id neighbour) const {
     } else if (!has(triangle, u)) {
       auto t = triangle;
       *std::find(t.begin(), t.end(), v) = u;
-      if (!upward_.is_upward(places_[t[0]], places_[t[1]], places_[t[2]])) return false;
+      if (!upward_.facing(places_[t[0]], places_[t[1]], places_[t[2]]).is_upward) return false;
       changed.push_back(t);
     }
   }

@@ -77,7 +77,7 @@ class Untangling {
   bool is_inner(Place v) const { return placed_.ids[v] < 0; }
   void enter(std::uint32_t t) {
     for (const Place v : placed_.triangles[t]) around_[v].push_back(t);
-    cosine_[t] = cosine(placed_.triangles[t]);
+    cosine_[t] = facing(placed_.triangles[t]).cosine;
   }
   void take_out(std::uint32_t t) {
     for (const Place v : placed_.triangles[t]) std::erase(around_[v], t);
@@ -108,11 +108,11 @@ class Untangling {
     for (const std::uint32_t t : old)
       before += bad_[t], worst_before = std::min(worst_before, cosine_[t]);
     for (const PatchTriangle& t : fresh) {
-      after += !is_upward(t);
-      worst_after = std::min(worst_after, cosine(t));
+      const auto [is_upward, cosine] = facing(t);
+      worst_after = std::min(worst_after, cosine);
+      if (!is_upward && ++after > before) return false;
     }
-    if (after > before || (after == before && worst_after < worst_before + kLessAgainst))
-      return false;
+    if (after == before && worst_after < worst_before + kLessAgainst) return false;
     Vector low = placed_.points[fresh[0][0]], high = low;
     for (const PatchTriangle& t : fresh) add_to_box(t, low, high);
     std::vector<PatchTriangle> others;
@@ -135,13 +135,9 @@ class Untangling {
     return from.x <= high.x && to.x >= low.x && from.y <= high.y && to.y >= low.y &&
            from.z <= high.z && to.z >= low.z;
   }
-  bool is_upward(const PatchTriangle& t) const {
+  UpwardTest::Facing facing(const PatchTriangle& t) const {
     const auto& p = placed_.points;
-    return test_.is_upward(p[t[0]], p[t[1]], p[t[2]]);
-  }
-  double cosine(const PatchTriangle& t) const {
-    const auto& p = placed_.points;
-    return test_.cosine(p[t[0]], p[t[1]], p[t[2]]);
+    return test_.facing(p[t[0]], p[t[1]], p[t[2]]);
   }
 
   void replace(std::vector<std::uint32_t> old, std::span<const PatchTriangle> fresh) {
@@ -154,7 +150,7 @@ class Untangling {
         t = old.back(), old.pop_back();
       }
       placed_.triangles[t] = triangle;
-      bad_[t] = !is_upward(triangle);
+      bad_[t] = !facing(triangle).is_upward;
       enter(t);
     }
   }
