@@ -97,10 +97,7 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
         !(*std::max_element(d->begin(), d->end()) > 0))
       return {Proof::open, {}, simplex.took_integers()};
     const bool increases = simplex.is_true([&](const auto& f) {
-      return both(rule.is_defined(f), [&] {
-        const auto g = increase(f, *d);
-        return either(have_sign(g, 1, Zero::fails), [&] { return have_sign(g, -1, Zero::fails); });
-      });
+      return both(rule.is_defined(f), [&] { return have_sign(increase(f, *d), 1, Zero::fails); });
     });
     return {increases ? Proof::monotone : Proof::open, *d, simplex.took_integers()};
   };

@@ -12,10 +12,10 @@ namespace certificate {
 namespace {
 
 constexpr std::size_t kMaxCells = 40000;
-/// Around a point where the level is singular, proofs that doubles do not decide are asked for
-/// without end, of ever longer integers. Their lengths are bounded in sum, as they say how long
-/// that takes.
-constexpr long kMaxBits = 200000;
+/// Around a point where the level is singular, cuts go on without end, and integers get ever longer.
+/// Their words, squared, say about how long each point takes, and a proof by integers some times as
+/// long; the sum is bounded. Integers of a few words are left to `kMaxCells`.
+constexpr std::size_t kMaxWork = 1000000, kProofByIntegers = 8;
 
 /// Tensors whose angle has at most this cosine are nearly opposite; a mean of unit tensors that is
 /// at most this large nearly vanishes.
@@ -83,7 +83,7 @@ Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
 /// A part of a monotone cell that is not proved to be empty stays monotone.
 void Refinement::prove(Cell& cell) {
   const auto with = [&](const auto& proved) {
-    if (proved.by_integers) bits_ += points_.back().shift;
+    if (proved.by_integers) work_ += kProofByIntegers * words_squared_;
     if (cell.proof == Proof::open || proved.proof == Proof::empty) note(cell, proved);
   };
   const auto& [a, b, c, d] = cell.points;
@@ -96,7 +96,7 @@ Proof Refinement::known(Id a, Id b) {
   const auto [place, is_new] = proofs_.try_emplace(key(a, b), Proof::open);
   if (is_new) {
     const auto proved = level_.prove(corners_at(std::array{a, b}));
-    if (proved.by_integers) bits_ += points_.back().shift;
+    if (proved.by_integers) work_ += kProofByIntegers * words_squared_;
     place->second = proved.proof;
   }
   return place->second;
@@ -213,6 +213,9 @@ Refinement::Id Refinement::add_point(const Place& place) {
     all += place.shares[i];
   }
   m.shift = shift + scale_to_one(m.ball);
+  std::size_t words = 1 + static_cast<std::size_t>(std::max(m.shift, 0L)) / 64;
+  for (const mpz_class& w : m.weights) words = std::max(words, mpz_size(w.get_mpz_t()));
+  work_ += words_squared_ = words * words;
   const Id id = static_cast<Id>(points_.size());
   points_.push_back(std::move(m));
   cells_at_.emplace_back();
@@ -296,8 +299,9 @@ bool Refinement::run() {
     // A part of a monotone cell may be empty all the same.
     if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) prove(cells_[c]);
     if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
-    if (cells_.size() > kMaxCells || bits_ > kMaxBits) return false;
+    if (cells_.size() > kMaxCells || work_ > kMaxWork) return false;
     bisect(edge, waiting);
+    if (is_left(cells_[c])) wait(c, waiting);  // another cell was cut
   }
   return true;
 }
@@ -315,6 +319,7 @@ bool Refinement::is_one_sided() {
     }
     if (cells_.size() > kMaxCells / 12) return false;
     bisect(edge, waiting);
+    if (is_left(cells_[c])) wait(c, waiting);
     if (points_.back().above != points_.front().above) return false;
   }
   return true;

@@ -104,7 +104,7 @@ class Refinement : public ExactTensors {
   std::vector<Cell> cells_;
   std::vector<std::vector<std::size_t>> cells_at_;  ///< for each point those with it
   std::unordered_map<std::uint64_t, Proof> proofs_;
-  long bits_ = 0;  ///< of integers, one for each proof that doubles did not decide
+  std::size_t work_ = 0, words_squared_ = 1;  ///< so far; of the last point
 };
 
 template <std::size_t V>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <future>
 #include <optional>
+#include <set>
 
 #include "claims/compare_arrays.hpp"
 #include "claims/compare_curves.hpp"
@@ -70,12 +71,17 @@ void compare_embedding(const LevelCase& c, bool claimed, Ledger& ledger) {
   }
 }
 
+/// The name of a level in the verdict.
+std::string name_of(const Json& claims) {
+  return claims.contains("mode") ? "mode " + claims["mode"].get<std::string>()
+                                 : claims["invariant"].get<std::string>() + ' ' +
+                                       claims["value"].get<std::string>();
+}
+
 void check_level(const Json& claims, const Level& level, const std::string& input_file,
                  const Input& input, const Field& field, const Triangles& surface,
                  Ledger& ledger, const Progress& progress) {
-  ledger.begin_level(claims.contains("mode") ? "mode " + claims["mode"].get<std::string>()
-                                             : claims["invariant"].get<std::string>() + ' ' +
-                                                   claims["value"].get<std::string>());
+  ledger.begin_level(name_of(claims));
   std::vector<bool> left_out(input.tets.size());
   ledger.of_level().vertices = claims["vertices"][1].get<std::size_t>();
   ledger.begin("left out");
@@ -119,6 +125,8 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
   if (const Json& distance = claims["distance"]; !distance.is_null()) {
     ledger.of_level().bound = distance["bound"].get<std::string>();
     ledger.of_level().coarse = distance["coarse"].size();
+    ledger.of_level().coarse_bound = distance["coarse_bound"].get<std::string>();
+    if (placed) ledger.of_level().bounded = count_bounded(c, *placed);
     is_near = compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   }
   ledger.begin("isotopic");
@@ -171,6 +179,14 @@ std::string disorder_of(const Json& levels, const char* key, Number all) {
          std::to_string(all) + " in the file";
 }
 
+/// Is a level listed twice, so that its surface is, too?
+std::string repetition_of(const Json& levels) {
+  std::set<std::string> names;
+  for (const Json& claims : levels)
+    if (!names.insert(name_of(claims)).second) return name_of(claims) + " is listed twice";
+  return {};
+}
+
 /// A certificate's files, and what it claims of them.
 class Checking {
  public:
@@ -187,6 +203,7 @@ class Checking {
     s.names_say_order = input_.names_say_order;
     s.points = input_.points.size(), s.tetrahedra = input_.tets.size();
     s.other_cells = input_.other_cells, s.symmetrized = input_.symmetrized;
+    s.doubled_points = input_.doubled_points;
   }
 
   Report of_surface(const std::string& file, const Triangles& surface) {
@@ -246,6 +263,7 @@ class Checking {
     const Json& levels = certificate_["levels"];
     std::string disorder = disorder_of(levels, "vertices", output.points.size());
     if (disorder.empty()) disorder = disorder_of(levels, kind, cells);
+    if (disorder.empty()) disorder = repetition_of(levels);
     const bool are_levels_of_output = disorder.empty();
     ledger_.settle(are_levels_of_output, "levels", "all of the file, one after the other",
                    disorder);

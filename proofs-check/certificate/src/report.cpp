@@ -88,6 +88,21 @@ std::string stability_text(const LevelReport& level) {
          "\n";
 }
 
+/// How far triangles and level are from each other.
+std::string distance_text(const LevelReport& level) {
+  if (level.bound.empty()) return "  no distance is claimed\n";
+  const auto bound = [](const std::string& text) {
+    return "distance at most " + bound_text(std::strtod(text.c_str(), nullptr), 6);
+  };
+  std::string text;
+  if (level.bounded > 0) text = bound(level.bound) + " of " + counted(level.bounded, "triangle");
+  if (level.coarse > 0)
+    text += (text.empty() ? "" : ", ") + bound(level.coarse_bound) + " in " +
+            std::to_string(level.coarse) +
+            (level.coarse == 1 ? " coarse tetrahedron" : " coarse tetrahedra");
+  return "  " + (text.empty() ? "there is no triangle that a distance is claimed of" : text) + '\n';
+}
+
 std::string text_of(const LevelReport& level, bool of_curves) {
   std::string text = level.name + ": " + status_of(level.refuted, level.undecided) + ", " +
                      counted(level.components.size(), "component") +
@@ -118,11 +133,7 @@ std::string text_of(const LevelReport& level, bool of_curves) {
       text += "; not shown in " + listed(reason, tets);
     text += '\n';
   }
-  if (level.bound.empty()) return text + "  no distance is claimed\n";
-  return text + "  distance at most " +
-         bound_text(std::strtod(level.bound.c_str(), nullptr), 6) + ", but in " +
-         std::to_string(level.coarse) +
-         (level.coarse == 1 ? " coarse tetrahedron\n" : " coarse tetrahedra\n");
+  return text + distance_text(level);
 }
 
 }  // namespace
@@ -191,6 +202,9 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
           "), " + counted(s.points, "point") + ", " + counted_tets(s.tetrahedra) +
           (s.symmetrized > 0 ? ", " + counted(s.symmetrized, "tensor") + " symmetrized" : "") +
           (s.other_cells > 0 ? ", " + counted(s.other_cells, "other cell") + " skipped" : "") +
+          (s.doubled_points > 0 ? ", torn: " + counted(s.doubled_points, "point") +
+                                      " at the place of another"
+                                : "") +
           "\noutput: " + s.output + ", " + std::to_string(s.vertices) + " vertices, " +
           counted(s.cells, s.of_curves ? "line" : "triangle") + '\n';
   for (const LevelReport& level : report.levels) text += text_of(level, s.of_curves);
@@ -236,12 +250,14 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   }
   for (const auto& [reason, tets] : level.left_out) json["left_out"][reason] = tets;
   json["stability"] = nullptr;
-  if (level.claims_stability)
+  if (level.claims_stability) {
     json["stability"] = {{"radius", level.radius},
                          {"of", !level.radius_array.empty()  ? "array"
                                 : level.radius_of_deviator ? "deviator"
                                                            : "tensor"},
                          {"stable_components", level.stable_components.size()}};
+    if (!level.radius_array.empty()) json["stability"]["array"] = level.radius_array;
+  }
   if (of_curves) return json;
   json["embedded"] = level.embedded;
   json["residual"] = nullptr;
@@ -258,7 +274,9 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   json["distance"] = nullptr;
   if (!level.bound.empty())
     json["distance"] = {{"bound", std::strtod(level.bound.c_str(), nullptr)},
-                        {"coarse_tetrahedra", level.coarse}};
+                        {"triangles", level.bounded},
+                        {"coarse_tetrahedra", level.coarse},
+                        {"coarse_bound", std::strtod(level.coarse_bound.c_str(), nullptr)}};
   return json;
 }
 
@@ -282,6 +300,7 @@ std::string to_json(const Report& report, const std::vector<std::string>& unmet)
                      {"tetrahedra", s.tetrahedra},
                      {"other_cells", s.other_cells},
                      {"symmetrized_tensors", s.symmetrized},
+                     {"doubled_points", s.doubled_points},
                      {"sha256", s.sha256}}},
                    {"output",
                     {{"path", s.output},

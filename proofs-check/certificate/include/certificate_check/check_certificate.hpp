@@ -62,7 +62,9 @@ struct LevelReport {
   std::vector<Component> components;
   std::map<std::string, std::vector<std::uint64_t>> left_out;  ///< tetrahedra, by reason
   std::string bound;       ///< of the distance, in the mesh's units; empty if none is claimed
-  std::size_t coarse = 0;  ///< tetrahedra to which only the coarse bound applies
+  std::size_t bounded = 0;  ///< triangles to which the bound applies
+  std::size_t coarse = 0;   ///< tetrahedra to which only the coarse bound applies
+  std::string coarse_bound;
   /// At most by so much the mode, or other invariant, at the coordinates of vertices differs from the
   /// level's value; nothing if the triangles are not as claimed. Of surfaces.
   std::optional<double> residual;
@@ -94,6 +96,7 @@ struct Subject {
   std::string sha256;           ///< of the field's numbers, as derived
   std::size_t points = 0, tetrahedra = 0;
   std::size_t other_cells = 0;  ///< of the input: neither tetrahedra nor faces, lines or points
+  std::size_t doubled_points = 0;  ///< of tetrahedra, at the place of another: surfaces are torn there
   std::size_t symmetrized = 0;  ///< tensors of nine components, of which two differ that should not
   bool of_curves = false;
   std::size_t vertices = 0, cells = 0;  ///< of the output

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -24,6 +25,8 @@ void strip_front(std::vector<std::string>& names) {
 
 using Entry = std::array<std::size_t, 2>;  ///< row and column
 
+constexpr std::array<Entry, 6> kMeant{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+
 /// Nothing if one is not understood.
 std::vector<Entry> entries_of(const std::vector<std::string>& names) {
   for (const std::string_view axes : {"xyz", "123", "012"}) {
@@ -39,6 +42,39 @@ std::vector<Entry> entries_of(const std::vector<std::string>& names) {
   return {};
 }
 
+constexpr std::string_view kSeparators = "_-,.:; /";
+
+/// The entry that a name ends in: two axes, but for digits after more digits, or one of x, y, z alone
+/// or after a separator.
+std::optional<Entry> entry_at_end(std::string_view name, std::string_view digits) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto from_end = [&](std::size_t i) { return name[name.size() - 1 - i]; };
+  for (const std::string_view axes : {std::string_view("xyz"), digits}) {
+    if (name.empty() || axes.find(from_end(0)) == axes.npos) continue;
+    const std::size_t last = axes.find(from_end(0));
+    const bool is_alone = name.size() == 1 || kSeparators.find(from_end(1)) != axes.npos;
+    if (is_alone && axes == "xyz") return Entry{last, last};
+    if (name.size() < 2 || axes.find(from_end(1)) == axes.npos) continue;
+    if (axes != "xyz" && name.size() > 2 && is_digit(from_end(2))) continue;
+    return Entry{std::min(axes.find(from_end(1)), last), std::max(axes.find(from_end(1)), last)};
+  }
+  return std::nullopt;
+}
+
+/// Does one of the names end in another entry than the one in its place?
+bool is_contradicted(const std::vector<std::string>& names,
+                     const std::array<std::size_t, 6>& places) {
+  const bool from_zero = std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    const std::size_t zero = name.find_last_of('0');
+    return zero != name.npos && zero + 2 >= name.size() && entry_at_end(name, "012");
+  });
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto entry = entry_at_end(names[places[k]], from_zero ? "012" : "123");
+    if (entry && *entry != kMeant[k]) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Spelling spelling_of(std::vector<std::string> names, const std::array<std::size_t, 6>& places) {
@@ -50,14 +86,15 @@ Spelling spelling_of(std::vector<std::string> names, const std::array<std::size_
     strip_front(names);
     for (std::string& name : names) std::reverse(name.begin(), name.end());
   }
+  const std::vector<std::string> stripped = names;
   for (std::string& name : names)
-    std::erase_if(name, [](char c) { return std::string_view("_-,.:; /").find(c) != std::string_view::npos; });
+    std::erase_if(name, [](char c) { return kSeparators.find(c) != kSeparators.npos; });
   std::vector<Entry> entries = entries_of(names);
   if (count == 6)
     for (Entry& e : entries) std::sort(e.begin(), e.end());
-  if (entries.empty()) return Spelling::silent;
+  if (entries.empty())
+    return is_contradicted(stripped, places) ? Spelling::differs : Spelling::silent;
   if (std::set<Entry>(entries.begin(), entries.end()).size() != count) return Spelling::differs;
-  constexpr std::array<Entry, 6> kMeant{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
   for (std::size_t k = 0; k < 6; ++k) {
     Entry found = entries[places[k]];
     std::sort(found.begin(), found.end());

@@ -249,6 +249,7 @@ InputFile read_input(const std::string& name, const std::string& tensor,
         input.cells.push_back(i);
       });
   if (const auto defect = defect_of(input.tets, input.points)) file.fail(*defect);
+  input.doubled_points = count_doubled(input.tets, input.points);
   return input;
 }
 

@@ -301,6 +301,9 @@ class LegacyReader {
 
   /// Keeps the tensors, once.
   void take(const std::string& name, std::size_t components, std::vector<double> values) {
+    if (name == "vtkGhostType" || name == "vtkGhostLevels")
+      fail("has marks of ghost cells or points, '" + name +
+           "'; leave them out, or make a file without with tensortopo convert");
     took_last_ = of_points_ && name == tensor_;
     if (!took_last_) return;
     if (components != width_)

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <set>
 #include <system_error>
 
 #include "certificate_check/check_certificate.hpp"
@@ -28,6 +30,14 @@ std::string_view trim(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+/// The same number; of integers that doubles do not hold there is none.
+template <class Stored>
+double in_double(Stored x) {
+  const auto result = static_cast<double>(x);
+  return std::is_integral_v<Stored> && sizeof(Stored) == 8 && std::abs(result) > 0x1p53 ? HUGE_VAL
+                                                                                       : result;
 }
 
 /// The numbers of a text, each a word: of integers digits, and of others decimal ones, as other readers
@@ -46,7 +56,7 @@ bool read_words(std::string_view text, std::vector<double>& numbers) {
       Stored x{};
       if (const auto [end, error] = std::from_chars(word.data(), last, x); error != std::errc() || end != last)
         return false;
-      numbers.push_back(static_cast<double>(x));
+      numbers.push_back(in_double(x));
     } else {
       if (word.find_first_not_of("0123456789+-.eE") != std::string::npos) return false;
       char* end = nullptr;
@@ -61,6 +71,34 @@ bool read_words(std::string_view text, std::vector<double>& numbers) {
 std::size_t skip_past(std::string_view text, std::string_view end, std::size_t from) {
   const std::size_t place = text.find(end, from);
   return place == std::string_view::npos ? place : place + end.size();
+}
+
+/// Attributes that change nothing, or are read here. There are others that other readers obey.
+bool is_known(const pugi::xml_node& element, std::string_view attribute) {
+  static const std::map<std::string_view, std::set<std::string_view>> known{
+      {"VTKFile", {"type", "version", "byte_order", "header_type", "compressor"}},
+      {"Piece",
+       {"NumberOfPoints", "NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips",
+        "NumberOfPolys"}},
+      {"PointData",
+       {"Scalars", "Vectors", "Normals", "Tensors", "TCoords", "Tangents", "GlobalIds",
+        "PedigreeIds", "EdgeFlag", "RationalWeights", "HigherOrderDegrees", "ProcessIds"}},
+      {"DataArray",
+       {"type", "Name", "NumberOfComponents", "format", "offset", "RangeMin", "RangeMax"}},
+      {"AppendedData", {"encoding"}},
+      {"InformationKey", {"name", "location", "length"}},
+      {"Value", {"index"}}};
+  std::string_view name = element.name();
+  if (name == "CellData") name = "PointData";
+  if (name == "Array") name = "DataArray";
+  const auto found = known.find(name);
+  if (found == known.end()) return false;
+  if (found->second.contains(attribute)) return true;
+  if (name != "DataArray") return false;
+  if (attribute == "NumberOfTuples") return element.parent().name() == std::string_view("FieldData");
+  constexpr std::string_view kName = "ComponentName";
+  return attribute.starts_with(kName) && attribute.size() > kName.size() &&
+         attribute.find_first_not_of("0123456789", kName.size()) == std::string_view::npos;
 }
 
 }  // namespace
@@ -86,6 +124,9 @@ std::string XmlFile::markup() {
     } else {
       std::size_t end = at + 1;
       for (char quote = 0; end < all.size() && (quote != 0 || all[end] != '>'); ++end) {
+        // VTK looks for the end of an element's tag without regard to quotes.
+        if (quote != 0 && (all[end] == '<' || all[end] == '>'))
+          fail(std::string("an attribute with '") + all[end] + "'");
         if (quote != 0)
           quote = all[end] == quote ? '\0' : quote;
         else if (all[end] == '"' || all[end] == '\'')
@@ -121,6 +162,11 @@ void XmlFile::require_one_reading(const char* kind,
       std::sort(names.begin(), names.end());
       if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
         file.fail("attribute '" + std::string(*twice) + "' is given twice");
+      if (node.type() == pugi::node_element)
+        for (const std::string_view name : names)
+          if (!is_known(node, name))
+            file.fail("attribute '" + std::string(name) + "' of '" + node.name() +
+                      "', which is not known here");
       return true;
     }
   } walker(*this);
@@ -172,10 +218,20 @@ XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::str
   if (appended_base64_) appended_ = trim(appended_.substr(0, appended_.find('<')));
   piece_ = data.child("Piece");
   for (const pugi::xml_node section : piece_.children())
-    for (const pugi::xml_node array : section.children("DataArray"))
+    for (const pugi::xml_node array : section.children()) {
+      const std::string_view name = array.name();
+      // Of texts; only numbers are read.
+      if (name != "DataArray" && name != "Array")
+        fail(std::string(section.name()) + " has what is no array");
       if (!arrays_.try_emplace({section.name(), array.attribute("Name").value()}, array).second)
         fail(std::string(section.name()) + " has two arrays '" + array.attribute("Name").value() +
              "'");
+      // Cells that others leave out.
+      const std::string_view called = array.attribute("Name").value();
+      if (called == "vtkGhostType" || called == "vtkGhostLevels")
+        fail("has marks of ghost cells or points, '" + std::string(called) +
+             "'; leave them out, or make a file without with tensortopo convert");
+    }
 }
 
 void XmlFile::spend(std::size_t bytes) const {
@@ -202,19 +258,33 @@ std::size_t XmlFile::count(const char* attribute) const {
   return n;
 }
 
-/// The next bytes of a text; those of base64 end with a group of four characters.
-std::string XmlFile::take(std::string_view& text, std::size_t size, bool base64) const {
+/// The first bytes of a text; of base64 those of whole groups of four characters, perhaps more.
+std::string XmlFile::first(std::string_view text, std::size_t size, bool base64) const {
   if (size > text.size()) fail("data that end too early");
   const std::size_t length = base64 ? (size + 2) / 3 * 4 : size;
   if (length > text.size() || length > 0x7fffffff) fail("data that end too early");
-  const std::string_view source = text.substr(0, length);
-  text.remove_prefix(length);
-  if (!base64) return std::string(source);
+  if (!base64) return std::string(text.substr(0, length));
   std::string bytes(length / 4 * 3, '\0');
   if (EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
-                      reinterpret_cast<const unsigned char*>(source.data()),
+                      reinterpret_cast<const unsigned char*>(text.data()),
                       static_cast<int>(length)) != static_cast<int>(length / 4 * 3))
     fail("text that is no base64");
+  return bytes;
+}
+
+/// The next bytes of a text, which are all of a text of base64: it has one form.
+std::string XmlFile::take(std::string_view& text, std::size_t size, bool base64) const {
+  std::string bytes = first(text, size, base64);
+  const std::string_view source = text.substr(0, base64 ? bytes.size() / 3 * 4 : size);
+  text.remove_prefix(source.size());
+  if (!base64) return bytes;
+  // The last characters stand for no more than is needed.
+  const std::size_t last = source.size() - (3 - size % 3) % 3;
+  if (source.substr(0, last).find('=') != std::string_view::npos ||
+      source.substr(last).find_first_not_of('=') != std::string_view::npos ||
+      std::any_of(bytes.begin() + static_cast<std::ptrdiff_t>(size), bytes.end(),
+                  [](char c) { return c != 0; }))
+    fail("text that is no base64 of its length");
   bytes.resize(size);
   return bytes;
 }
@@ -233,24 +303,26 @@ std::uint64_t XmlFile::word(const std::string& words, std::size_t i) const {
 }
 
 /// Undoes base64 and compression of a block that starts with its size, or sizes.
-std::string XmlFile::decode(std::string_view text, bool base64) const {
-  std::string_view ahead = text;
-  const std::uint64_t first = word(take(ahead, header_, base64), 0);
-  if (first > text.size()) fail("data that end too early");
+/// @param item  bytes of each number: parts that are compressed hold whole ones, as others swap bytes
+/// part by part
+std::string XmlFile::decode(std::string_view text, bool base64, std::size_t item) const {
+  const std::uint64_t number = word(first(text, header_, base64), 0);
+  if (number > text.size()) fail("data that end too early");
   // Base64 encodes the header by itself if the data are compressed, else all as one.
-  if (!zlib_) return take(text, header_ + first, base64).substr(header_);
-  if (first == 0) return {};
-  const std::string header = take(text, (3 + first) * header_, base64);
+  if (!zlib_) return take(text, header_ + number, base64).substr(header_);
+  if (number == 0) return {};
+  const std::string header = take(text, (3 + number) * header_, base64);
   struct Block {
     std::uint64_t source, size, place, target;
   };
   std::vector<Block> blocks;
   std::uint64_t packed_size = 0, whole = 0;
-  for (std::uint64_t i = 0; i < first; ++i) {
+  for (std::uint64_t i = 0; i < number; ++i) {
     const std::uint64_t size = word(header, 3 + i), last = word(header, 2);
     if (size > text.size()) fail("data that end too early");
-    const std::uint64_t target = i + 1 == first && last != 0 ? last : word(header, 1);
+    const std::uint64_t target = i + 1 == number && last != 0 ? last : word(header, 1);
     if (target / 1100 > size) fail("a block that cannot hold so much");  // zlib: at most 1032:1
+    if (target % item != 0) fail("a compressed block with a part of a number");
     spend(target);
     blocks.push_back({packed_size, size, whole, target});
     packed_size += size, whole += target;
@@ -290,13 +362,13 @@ std::vector<double> XmlFile::read(pugi::xml_node array) const {
   const std::size_t start = natural(array, "offset", std::string::npos);
   if (is_appended && start > appended_.size()) fail("an offset outside the appended data");
   const std::string bytes = format == "binary"
-                                ? decode(trim(array.child_value()), true)
-                                : decode(appended_.substr(start), appended_base64_);
+                                ? decode(trim(array.child_value()), true, sizeof(Stored))
+                                : decode(appended_.substr(start), appended_base64_, sizeof(Stored));
   if (bytes.size() % sizeof(Stored) != 0) fail("an array with a part of a number");
   spend(bytes.size() / sizeof(Stored) * sizeof(double));
   result.resize(bytes.size() / sizeof(Stored));
   for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = static_cast<double>(item<Stored>(bytes, i));
+    result[i] = in_double(item<Stored>(bytes, i));
   return result;
 }
 
@@ -363,7 +435,8 @@ std::vector<double> XmlFile::numbers(const char* section, const std::string& nam
                       : type == "UInt8"   ? read<std::uint8_t>(array)
                                           : std::vector<double>{HUGE_VAL};
   for (const double x : result)
-    if (!std::isfinite(x)) fail("a number that is not finite, or of unknown type");
+    if (!std::isfinite(x))
+      fail("a number that is not finite, an integer beyond 2^53, or of unknown type");
   return result;
 }
 

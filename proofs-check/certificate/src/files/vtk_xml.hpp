@@ -14,9 +14,11 @@ namespace certificate {
 
 /// A VTK XML file of one piece, and the numbers in its arrays. Its members throw Malformed.
 ///
-/// It has one reading: each section is there once, each attribute of an element once, whole numbers
-/// are digits, texts have nothing that stands for a character, nothing is there that is not listed, an array is text, inline or appended and not two of these. All numbers
-/// read together take at most 64 bytes for each byte of the file, and 2^24 more.
+/// It has one reading: each section is there once, each attribute of an element once and known, whole
+/// numbers are digits, texts have nothing that stands for a character, attributes no brackets, nothing
+/// is there that is not listed, an array is text, inline or appended and not two of these, integers are
+/// such that doubles hold them. No cell or point is marked as a ghost. All numbers read together take at
+/// most 64 bytes for each byte of the file, and 2^24 more.
 class XmlFile {
  public:
   /// @param kind what the file must hold, such as "UnstructuredGrid"
@@ -44,11 +46,12 @@ class XmlFile {
   std::size_t natural(pugi::xml_node node, const char* attribute, std::size_t otherwise) const;
   pugi::xml_node only_array(const char* section, const std::string& name) const;
   void spend(std::size_t bytes) const;
+  std::string first(std::string_view text, std::size_t size, bool base64) const;
   std::string take(std::string_view& text, std::size_t size, bool base64) const;
   template <class Stored>
   Stored item(const std::string& bytes, std::size_t i) const;
   std::uint64_t word(const std::string& words, std::size_t i) const;
-  std::string decode(std::string_view text, bool base64) const;
+  std::string decode(std::string_view text, bool base64, std::size_t item) const;
   template <class Stored>
   std::vector<double> read(pugi::xml_node array) const;
 

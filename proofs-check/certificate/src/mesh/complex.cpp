@@ -84,4 +84,17 @@ std::optional<std::string> defect_of(const std::vector<std::array<std::uint32_t,
          of_points(face.c, p, face.b);
 }
 
+std::size_t count_doubled(const std::vector<std::array<std::uint32_t, 4>>& tets,
+                          const std::vector<std::array<double, 3>>& points) {
+  std::vector<std::uint32_t> used;
+  for (const auto& tet : tets) used.insert(used.end(), tet.begin(), tet.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::sort(used.begin(), used.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < used.size(); ++i) count += points[used[i]] == points[used[i - 1]];
+  return count;
+}
+
 }  // namespace certificate

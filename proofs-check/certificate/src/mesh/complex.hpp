@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,5 +17,9 @@ namespace certificate {
 /// @param tets  of `points`, each ascending
 std::optional<std::string> defect_of(const std::vector<std::array<std::uint32_t, 4>>& tets,
                                      const std::vector<std::array<double, 3>>& points);
+
+/// Points of tetrahedra at the place of another one: what meets there is torn.
+std::size_t count_doubled(const std::vector<std::array<std::uint32_t, 4>>& tets,
+                          const std::vector<std::array<double, 3>>& points);
 
 }  // namespace certificate

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "claims/half_edges.hpp"
 #include "run/parallel.hpp"
@@ -195,6 +196,16 @@ void Distances::prove() const {
 }
 
 }  // namespace
+
+std::size_t count_bounded(const LevelCase& c, const PlacedSurface& placed) {
+  std::set<std::size_t> coarse;
+  for (const Json& cell : c.claims["distance"]["coarse"])
+    coarse.insert(c.input.tet_at(cell.get<Number>()));
+  return static_cast<std::size_t>(
+      std::count_if(placed.tets.begin(), placed.tets.end(), [&](std::size_t tet) {
+        return !c.left_out[tet] && !coarse.contains(tet);
+      }));
+}
 
 bool compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger) {
   if (placed == nullptr) {

@@ -14,4 +14,7 @@ namespace certificate {
 /// @return whether it is certified
 bool compare_distance(const LevelCase& c, const PlacedSurface* placed, Ledger& ledger);
 
+/// How many triangles are neither left out nor in coarse tetrahedra.
+std::size_t count_bounded(const LevelCase& c, const PlacedSurface& placed);
+
 }  // namespace certificate
