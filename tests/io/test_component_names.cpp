@@ -128,6 +128,17 @@ TEST(ComponentNames, ThatAreNotUnderstoodAreRefused) {
     EXPECT_EQ(read.mesh.tensors[0], kTensor);
     EXPECT_EQ(read.report.components.source, ComponentSource::given);
   }
+  // Not all are understood, but some contradict what the caller says.
+  for (const char* names :
+       {"sigma_x sigma_y sigma_z tau_yz tau_xz tau_xy", "exx eyy ezz gyz gxz gxy",
+        "E11 E22 E33 G23 G13 G12", "e00 e11 e22 g12 g02 g01", "a b c d_zy e f"}) {
+    ReadOptions options;
+    options.components = ComponentOrder::voigt;
+    EXPECT_EQ(read_mesh(field("XX YY ZZ YZ XZ XY", words(names)), options).mesh.tensors[0], kTensor);
+    options.components = ComponentOrder::vtk;
+    expect_error(field("XX YY ZZ YZ XZ XY", words(names)), IoError::Kind::inapplicable,
+                 {"`stress`", "--components vtk", "contradicts"}, options);
+  }
   // Two alike: something is wrong, whatever the caller knows.
   for (const char* names : {"S11 S22 S33 S12 S13 S12", "XX YY ZZ XY XZ ZX"}) {
     ReadOptions options;

@@ -112,6 +112,14 @@ TEST(HostileFiles, HaveOneReading) {
       replaced(surface, "NumberOfComponents=\"3\"", "NumberOfComponents=\"0x3\""),
       replaced(surface, "</DataArray>", "&#32;</DataArray>"),
       replaced(surface, "<PolyData>", "<PolyData>&#32;"),
+      // What others obey, or take for the end of a tag, or leave out.
+      replaced(surface, "<PolyData>", "<PolyData TimeValues=\"0 1\">"),
+      replaced(surface, "NumberOfComponents=\"3\"", "NumberOfComponents=\"3\" TimeStep=\"1\""),
+      replaced(surface, "NumberOfComponents=\"3\"",
+               "NumberOfComponents=\"3\" RangeMin=\"> 1 2 3\""),
+      replaced(surface, "<CellData>",
+               "<CellData><DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"ascii\">"
+               "</DataArray>"),
   };
   for (const std::string& forged : surfaces)
     EXPECT_EQ(court.verdict(field, forged, cert), "malformed") << court.report();
@@ -125,7 +133,14 @@ TEST(HostileFiles, HaveOneReading) {
         std::string(field).replace(field.find("ascii\">") + 7, 1, "0x"),
         replaced(field, ">10 10", ">1e1 10"), replaced(field, ">10 10", ">266 10"),
         replaced(field, "NumberOfComponents=\"6\"", "NumberOfComponents=\"+6\""),
-        replaced(field, "Name=\"stress\"", "Name=\"stress\" Name=\"other\"")})
+        replaced(field, "Name=\"stress\"", "Name=\"stress\" Name=\"other\""),
+        replaced(field, "Name=\"stress\"", "Name=\"stress\" TimeStep=\"1\""),
+        replaced(field, "Name=\"stress\"", "Name=\"stress\" RangeMax=\"> 1 2\""),
+        replaced(field, "<PointData>",
+                 "<PointData><Array type=\"String\" Name=\"stress\" format=\"ascii\">1</Array>"),
+        replaced(field, "<PointData>",
+                 "<PointData><DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"ascii\">"
+                 "</DataArray>")})
     EXPECT_NE(court.verdict(forged, surface, cert), "certified") << court.report();
   // An array of no name is none, though it be the only one.
   Json of_none = e.certificate;
@@ -212,6 +227,18 @@ TEST(Formats, SpellingsOfAllOrders) {
             Spelling::agrees);
   EXPECT_EQ(spelling_of({"xx", "xy", "yy", "xz", "yz", "zz"}, {0, 2, 5, 1, 4, 3}),
             Spelling::agrees);
+  // Names of which not all are understood, in Voigt's order.
+  using Names = std::vector<std::string>;
+  for (const Names& names :
+       {Names{"sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy"},
+        Names{"exx", "eyy", "ezz", "gyz", "gxz", "gxy"}, Names{"E11", "E22", "E33", "G23", "G13", "G12"},
+        Names{"e00", "e11", "e22", "g12", "g02", "g01"}, Names{"", "", "", "YZ", "XZ", "XY"},
+        Names{"a", "b", "c", "d_zy", "e", "f"}}) {
+    EXPECT_EQ(spelling_of(names, {0, 1, 2, 3, 4, 5}), Spelling::differs) << names[3];
+    EXPECT_EQ(spelling_of(names, {0, 1, 2, 5, 3, 4}), Spelling::silent) << names[3];
+  }
+  EXPECT_EQ(spelling_of({"max", "mid", "min", "u1", "u2", "u123"}, {0, 1, 2, 3, 4, 5}),
+            Spelling::silent);
 }
 
 }  // namespace

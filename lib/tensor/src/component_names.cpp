@@ -3,6 +3,7 @@
 #include "tensortopo/tensor/component_names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -72,6 +73,43 @@ bool has_repeated(const std::vector<std::string>& entries) {
   return std::set<std::string>(entries.begin(), entries.end()).size() != entries.size();
 }
 
+/// The entry that a name ends in, of the upper triangle: two axes, not after more letters or digits of
+/// the kind, or one of x, y, z alone or after a separator. Empty if there is none.
+std::string entry_at_end(std::string_view name, std::string_view digits) {
+  const auto at = [&](std::string_view axes, std::size_t from_end) {
+    return name.size() > from_end ? axes.find(name[name.size() - 1 - from_end]) : axes.npos;
+  };
+  const auto spelled = [](std::size_t a, std::size_t b) {
+    return std::string{"XYZ"[std::min(a, b)], "XYZ"[std::max(a, b)]};
+  };
+  for (const std::string_view axes : {std::string_view("xyz"), digits}) {
+    const std::size_t last = at(axes, 0), before = at(axes, 1);
+    if (last == axes.npos) continue;
+    if (axes == "xyz" && (name.size() == 1 || at(separators, 1) != axes.npos))
+      return spelled(last, last);
+    if (before != axes.npos && at(axes == "xyz" ? axes : "0123456789", 2) == axes.npos)
+      return spelled(before, last);
+  }
+  return {};
+}
+
+/// Whether a name ends in another entry than the order has in its place (`tau_yz`, `E12`).
+bool is_contradicted(std::vector<std::string> names, ComponentOrder order) {
+  for (std::string& name : names) name = lower(name);
+  strip_common(names);
+  const bool from_zero = std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    const std::size_t zero = name.find_last_of('0');
+    return zero != name.npos && zero + 2 >= name.size() && !entry_at_end(name, "012").empty();
+  });
+  constexpr std::array<std::string_view, 6> meant{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+  const auto places = places_in(order);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const std::string entry = entry_at_end(names[places[k]], from_zero ? "012" : "123");
+    if (!entry.empty() && entry != meant[k]) return true;
+  }
+  return false;
+}
+
 /// The order that lists these entries, if we have it.
 std::optional<ComponentOrder> order_that_lists(const std::vector<std::string>& entries) {
   std::string listing;
@@ -126,6 +164,10 @@ TensorComponents decide_order(const std::vector<std::string>& names, std::size_t
   if (!asked)
     refuse("which says no order; " + (is_full ? "name them XX XY XZ YX ..., or not at all"
                                               : "say it with " + wording.option));
+  if (is_contradicted(names, *asked))
+    refuse("some of which end in other entries; " + wording.option + " " +
+               std::string(name_of(*asked)) + " contradicts them",
+           true);
   return {*asked, ComponentSource::given};
 }
 

@@ -54,6 +54,15 @@ std::vector<RawGrid> read_grids(const std::shared_ptr<const InputFile>& file,
   sum.add(file->bytes);
   std::vector<RawGrid> grids = entry.read(FieldSource{file, options, sum, result.report.notes});
   result.sha256 = sum.hex();
+  if (options.for_certificate)
+    for (const RawGrid& grid : grids)
+      for (const auto* arrays : {&grid.point_data, &grid.cell_data})
+        for (const ArraySource& array : *arrays)
+          if (array.name == "vtkGhostType" || array.name == "vtkGhostLevels")
+            throw IoError(IoError::Kind::inapplicable, grid.file,
+                          "marks cells or points of other pieces (`" + array.name +
+                              "`), of which the checker of certificates knows nothing; make a "
+                              "file without with tensortopo convert");
   return grids;
 }
 

@@ -8,6 +8,7 @@
 
 #include "bytes/format_error.hpp"
 #include "formats/xml_arrays.hpp"
+#include "vtk/known_attributes.hpp"
 #include "vtk/xml_document.hpp"
 
 namespace tensortopo::detail {
@@ -71,6 +72,9 @@ void require_certifiable(const XmlDocument& document) {
   if (const auto count = std::distance(pieces.begin(), pieces.end()); count > 1)
     refuse("has " + std::to_string(count) +
            " pieces (<Piece>), of which the checker of certificates reads one; make one of them");
+  if (const auto attribute = unknown_attribute(document.root))
+    refuse("has the " + *attribute +
+           ", which the checker of certificates does not know; write it anew with tensortopo convert");
   using Compressor = BlockFormat::Compressor;
   const Compressor compressor = document.format.compressor;
   if (compressor == Compressor::lz4 || compressor == Compressor::lzma)

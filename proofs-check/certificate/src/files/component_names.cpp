@@ -44,8 +44,8 @@ std::vector<Entry> entries_of(const std::vector<std::string>& names) {
 
 constexpr std::string_view kSeparators = "_-,.:; /";
 
-/// The entry that a name ends in: two axes, but for digits after more digits, or one of x, y, z alone
-/// or after a separator.
+/// The entry that a name ends in: two axes, not after more letters or digits of the kind, or one of
+/// x, y, z alone or after a separator.
 std::optional<Entry> entry_at_end(std::string_view name, std::string_view digits) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto from_end = [&](std::size_t i) { return name[name.size() - 1 - i]; };
@@ -55,7 +55,8 @@ std::optional<Entry> entry_at_end(std::string_view name, std::string_view digits
     const bool is_alone = name.size() == 1 || kSeparators.find(from_end(1)) != axes.npos;
     if (is_alone && axes == "xyz") return Entry{last, last};
     if (name.size() < 2 || axes.find(from_end(1)) == axes.npos) continue;
-    if (axes != "xyz" && name.size() > 2 && is_digit(from_end(2))) continue;
+    if (name.size() > 2 && (axes == "xyz" ? axes.find(from_end(2)) != axes.npos : is_digit(from_end(2))))
+      continue;
     return Entry{std::min(axes.find(from_end(1)), last), std::max(axes.find(from_end(1)), last)};
   }
   return std::nullopt;

@@ -47,11 +47,11 @@ struct ComponentsWording {
 /// VTK's of six and row by row of nine.
 ///
 /// Names are obeyed or refused: an order that they spell holds. Names that are not understood are
-/// taken only if the caller says an order.
+/// taken only if the caller says an order, and none of them ends in another entry (`tau_xy`, `E12`).
 /// @param names  by `spelled_components`; none, or one for each component
 /// @throw ComponentNamesError  if the caller says another order than the names; the names spell one
 /// that `ComponentOrder` does not have; two are the same, or the same entry of a symmetric tensor;
-/// or they are not understood and the caller says nothing
+/// or they are not understood and the caller says nothing, or an order that some of them contradict
 TensorComponents decide_order(const std::vector<std::string>& names, std::size_t count,
                               std::optional<ComponentOrder> asked,
                               const ComponentsWording& wording);
