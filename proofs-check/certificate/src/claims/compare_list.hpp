@@ -83,7 +83,7 @@ void compare_list(const char* kind, const Json& claims, const std::vector<Simple
                   claim == nullptr
                       ? "crossed"
                       : "not crossed, or not in the mesh but for what is left out",
-                  [&] { return witness(numbers); });
+                  [&, &which = numbers] { return witness(which); });
   }
   if (complete) ledger.certify();
 }
