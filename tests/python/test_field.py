@@ -211,3 +211,16 @@ def test_a_field_can_be_pickled(slab):
     assert np.array_equal(again.cell_ids, slab.cell_ids)
     named = tt.Field(slab.points, slab.tensors, slab.tets, vertex_ids=7 + np.arange(len(slab.points)))
     assert np.array_equal(pickle.loads(pickle.dumps(named)).vertex_ids, named.vertex_ids)
+
+
+def test_any_number_of_threads_gives_the_same_bits(slab):
+    surfaces = []
+    for count in (1, 2, 5):
+        with tt.limit_threads(count):
+            surfaces.append(slab.mode_surface("1/2"))
+    for surface in surfaces[1:]:
+        assert np.array_equal(surface.points, surfaces[0].points)
+        assert np.array_equal(surface.triangles, surfaces[0].triangles)
+    with pytest.raises(ValueError, match="less than one"):
+        with tt.limit_threads(0):
+            pass

@@ -50,6 +50,7 @@ from ._surface import (
 )
 from ._sweep import CriticalPoint, Sweep, SweepEvent, SweepInterval, SweepLevel
 from ._tensors import COMPONENT_ORDERS, deviator, eigen, lode_angle, mode
+from ._threads import limit_threads
 from ._verify import Statement, verify
 
 __version__ = "0.1.0"
@@ -99,6 +100,7 @@ __all__ = [
     "from_meshio",
     "from_pyvista",
     "generate",
+    "limit_threads",
     "lode_angle",
     "merge_pieces",
     "mode",

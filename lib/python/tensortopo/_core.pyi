@@ -70,6 +70,9 @@ class Mesh:
         self, start: str, stop: str, samples: int, most_levels: int, progress: _Progress
     ) -> dict[str, Any]: ...
 
+class ThreadLimit:
+    def __init__(self, count: int) -> None: ...
+
 class PiecesDiffer(ValueError): ...
 
 def merge_pieces(
