@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -11,7 +12,13 @@
 namespace tensortopo {
 namespace {
 
-constexpr std::string_view separators = "_-,.:; /";
+constexpr std::string_view separators = "_-,.:; /([{";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c);
+}
 
 std::string lower(std::string text) {
   for (char& c : text)
@@ -48,7 +55,7 @@ std::vector<std::string> entries_of(const std::vector<std::string>& names) {
   for (const std::string& name : names) spelled.push_back(lower(name));
   strip_common(spelled);
   for (std::string& name : spelled)
-    std::erase_if(name, [](char c) { return separators.find(c) != std::string_view::npos; });
+    std::erase_if(name, [](char c) { return !is_letter_or_digit(c); });
   std::string axes;
   for (const std::string_view candidate : {"xyz", "123", "012"}) {
     const bool fits = std::all_of(spelled.begin(), spelled.end(), [&](const std::string& name) {
@@ -74,7 +81,8 @@ bool has_repeated(const std::vector<std::string>& entries) {
 }
 
 /// The entry that a name ends in, of the upper triangle: two axes, not after more letters or digits of
-/// the kind, or one of x, y, z alone or after a separator. Empty if there is none.
+/// the kind, or one of x, y, z alone or after a separator. Else the one that its two digits are, or
+/// empty.
 std::string entry_at_end(std::string_view name, std::string_view digits) {
   const auto at = [&](std::string_view axes, std::size_t from_end) {
     return name.size() > from_end ? axes.find(name[name.size() - 1 - from_end]) : axes.npos;
@@ -90,7 +98,10 @@ std::string entry_at_end(std::string_view name, std::string_view digits) {
     if (before != axes.npos && at(axes == "xyz" ? axes : "0123456789", 2) == axes.npos)
       return spelled(before, last);
   }
-  return {};
+  std::string all;
+  std::copy_if(name.begin(), name.end(), std::back_inserter(all), is_digit);
+  if (all.size() != 2 || all.find_first_not_of(digits) != all.npos) return {};
+  return spelled(digits.find(all[0]), digits.find(all[1]));
 }
 
 /// Whether a name ends in another entry than the order has in its place (`tau_yz`, `E12`).
@@ -98,8 +109,7 @@ bool is_contradicted(std::vector<std::string> names, ComponentOrder order) {
   for (std::string& name : names) name = lower(name);
   strip_common(names);
   const bool from_zero = std::any_of(names.begin(), names.end(), [](const std::string& name) {
-    const std::size_t zero = name.find_last_of('0');
-    return zero != name.npos && zero + 2 >= name.size() && !entry_at_end(name, "012").empty();
+    return name.find('0') != name.npos && !entry_at_end(name, "012").empty();
   });
   constexpr std::array<std::string_view, 6> meant{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
   const auto places = places_in(order);

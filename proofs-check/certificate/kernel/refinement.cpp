@@ -317,7 +317,7 @@ bool Refinement::is_one_sided() {
       cells_[c].proof = Proof::empty;
       continue;
     }
-    if (cells_.size() > kMaxCells / 12) return false;
+    if (cells_.size() > kMaxCells / 12 || work_ > kMaxWork / 100) return false;
     bisect(edge, waiting);
     if (is_left(cells_[c])) wait(c, waiting);
     if (points_.back().above != points_.front().above) return false;

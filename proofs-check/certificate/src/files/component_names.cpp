@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -42,10 +43,10 @@ std::vector<Entry> entries_of(const std::vector<std::string>& names) {
   return {};
 }
 
-constexpr std::string_view kSeparators = "_-,.:; /";
+constexpr std::string_view kSeparators = "_-,.:; /([{";
 
 /// The entry that a name ends in: two axes, not after more letters or digits of the kind, or one of
-/// x, y, z alone or after a separator.
+/// x, y, z alone or after a separator. Else the one that its two digits are.
 std::optional<Entry> entry_at_end(std::string_view name, std::string_view digits) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto from_end = [&](std::size_t i) { return name[name.size() - 1 - i]; };
@@ -59,15 +60,18 @@ std::optional<Entry> entry_at_end(std::string_view name, std::string_view digits
       continue;
     return Entry{std::min(axes.find(from_end(1)), last), std::max(axes.find(from_end(1)), last)};
   }
-  return std::nullopt;
+  std::string all;
+  std::copy_if(name.begin(), name.end(), std::back_inserter(all), is_digit);
+  if (all.size() != 2 || all.find_first_not_of(digits) != all.npos) return std::nullopt;
+  return Entry{std::min(digits.find(all[0]), digits.find(all[1])),
+               std::max(digits.find(all[0]), digits.find(all[1]))};
 }
 
 /// Does one of the names end in another entry than the one in its place?
 bool is_contradicted(const std::vector<std::string>& names,
                      const std::array<std::size_t, 6>& places) {
   const bool from_zero = std::any_of(names.begin(), names.end(), [](const std::string& name) {
-    const std::size_t zero = name.find_last_of('0');
-    return zero != name.npos && zero + 2 >= name.size() && entry_at_end(name, "012");
+    return name.find('0') != name.npos && entry_at_end(name, "012");
   });
   for (std::size_t k = 0; k < 6; ++k) {
     const auto entry = entry_at_end(names[places[k]], from_zero ? "012" : "123");
@@ -89,7 +93,7 @@ Spelling spelling_of(std::vector<std::string> names, const std::array<std::size_
   }
   const std::vector<std::string> stripped = names;
   for (std::string& name : names)
-    std::erase_if(name, [](char c) { return kSeparators.find(c) != kSeparators.npos; });
+    std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
   std::vector<Entry> entries = entries_of(names);
   if (count == 6)
     for (Entry& e : entries) std::sort(e.begin(), e.end());

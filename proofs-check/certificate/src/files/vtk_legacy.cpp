@@ -52,7 +52,7 @@ class LegacyReader {
     const std::string_view first = line();
     if (!first.starts_with(kMagic)) fail("no legacy VTK file");
     const int version = std::atoi(first.data() + kMagic.size());
-    line();  // a title
+    line(256);  // a title
     const std::string mode = keyword();
     if (mode != "ascii" && mode != "binary") fail("neither ASCII nor BINARY");
     binary_ = mode == "binary";
@@ -61,7 +61,8 @@ class LegacyReader {
       if ((key == "points" || key == "cells" || key == "cell_types") && !seen_.insert(key).second)
         fail("says something twice");
       if (key == "points") {
-        const std::size_t count = natural();
+        points_ = natural();
+        const std::size_t count = points_;
         once(grid_.points, finite(numbers(3 * count, type())));
       } else if (key == "cells") {
         version < 5 ? read_cells() : read_labelled_cells();
@@ -80,17 +81,29 @@ class LegacyReader {
 
   [[noreturn]] void fail(const std::string& what) const { throw Malformed(file_, what); }
 
-  std::string_view line() {
+  /// Others cut what is longer, and end a text at a character of code zero.
+  std::string_view plain(std::string_view text, std::size_t longest = 250) const {
+    if (text.size() > longest) fail("a word or a line that is too long");
+    for (const char c : text)
+      if ((static_cast<unsigned char>(c) < 0x20 && !is_space(c)) || c == 0x7f)
+        fail("a control character");
+    return text;
+  }
+  std::string_view line(std::size_t longest = 250) {
     const std::string_view text = rest_.substr(0, rest_.find('\n'));
     rest_.remove_prefix(std::min(text.size() + 1, rest_.size()));
-    return text;
+    return plain(text, longest);
   }
 
   std::string_view word() {
     const auto begin = std::find_if_not(rest_.begin(), rest_.end(), is_space);
     const auto end = std::find_if(begin, rest_.end(), is_space);
     rest_ = {end, rest_.end()};
-    return {begin, end};
+    return plain({begin, end});
+  }
+  /// The end of a line on which nothing else is to stand.
+  void end_of_line() {
+    if (!is_blank(line())) fail("a line with more than belongs there");
   }
 
   std::string keyword() {
@@ -101,18 +114,18 @@ class LegacyReader {
 
   /// Names have %XX for white space and the like.
   std::string name() { return decoded(word()); }
-  static std::string decoded(std::string_view text) {
+  std::string decoded(std::string_view text) const {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
-      int code = 0;
+      result += text[i];
+      if (text[i] != '%') continue;
+      unsigned code = 0;
       const char* const digits = text.data() + i + 1;
-      if (text[i] == '%' && i + 2 < text.size() &&
-          std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2)
-        result += static_cast<char>(code), i += 2;
-      else
-        result += text[i];
+      if (i + 2 >= text.size() || std::from_chars(digits, digits + 2, code, 16).ptr != digits + 2)
+        fail("a name with '%' that no two hexadecimal digits follow");
+      result.back() = static_cast<char>(code), i += 2;
     }
-    return result;
+    return std::string(plain(result));
   }
 
   /// A count. What it counts takes a byte at least, so that products of some do not overflow.
@@ -177,7 +190,7 @@ class LegacyReader {
 
   /// The numbers that follow: bytes from the next line on, or words. None of what is no number.
   std::vector<double> numbers(std::size_t count, Type type) {
-    if (binary_ && !is_blank(line())) fail("a line with more than belongs there");
+    if (binary_) end_of_line();
     if (type.kind == Type::text) return skip_texts(count), std::vector<double>{};
     if (type.kind == Type::bit && binary_) return skip((count + 7) / 8), std::vector<double>{};
     if (count > rest_.size() / (binary_ ? type.size : 1)) fail("numbers that end too early");
@@ -259,6 +272,10 @@ class LegacyReader {
     if (key == "point_data" || key == "cell_data") {
       of_points_ = key == "point_data";
       items_ = natural();
+      names_.clear(), last_width_ = 0;
+      if (items_ != (of_points_ ? points_ : grid_.types.size()))
+        fail("data of other than all points or cells");
+      end_of_line();
     } else if (key == "metadata") {
       read_metadata();
     } else if (key == "field") {
@@ -267,7 +284,9 @@ class LegacyReader {
         std::string of_array = name();
         for (; of_array == "METADATA"; of_array = name()) read_metadata();
         const std::size_t components = natural(), items = natural();
-        take(of_array, components, numbers(components * items, type()));
+        const Type of_numbers = type();
+        if (!binary_) end_of_line();
+        take(of_array, components, numbers(components * items, of_numbers));
       }
     } else if (key == "scalars") {
       const std::string of_array = name();
@@ -280,22 +299,44 @@ class LegacyReader {
       take(of_array, components, numbers(components * items_, of_numbers));
     } else if (const auto found = widths.find(key); found != widths.end()) {
       const std::string of_array = name();
-      take(of_array, found->second, numbers(found->second * items_, type()));
+      const Type of_numbers = type();
+      if (!binary_) end_of_line();
+      take(of_array, found->second, numbers(found->second * items_, of_numbers));
     } else {
       fail("has '" + key.substr(0, 40) + "' where a keyword belongs");
     }
   }
 
-  /// Lines to a blank one, about the array that was read last: perhaps names of its components.
+  /// About the array that was read last, as VTK writes it: names of its components, all of them, or
+  /// other information, and then a line of no character.
   void read_metadata() {
-    line();
-    bool are_names = false;
-    for (std::string_view text = line(); !is_blank(text); text = line()) {
-      while (is_space(text.back())) text.remove_suffix(1);
-      if (text == "COMPONENT_NAMES" || text.starts_with("INFORMATION"))
-        are_names = text == "COMPONENT_NAMES";
-      else if (are_names && took_last_ && grid_.names.size() < width_)
-        grid_.names.push_back(decoded(text));
+    end_of_line();
+    if (last_width_ == 0) fail("METADATA without an array before");
+    const auto lower = [](std::string_view text) {
+      std::string result(text);
+      for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      return result;
+    };
+    for (std::string text = lower(line()); !text.empty(); text = lower(line())) {
+      if (text == "component_names") {
+        for (std::size_t i = 0; i < last_width_; ++i) {
+          const std::string_view of_component = line();
+          if (is_blank(of_component) || is_space(of_component.back()))
+            fail("a component without a name");
+          if (took_last_) grid_.names.push_back(decoded(of_component));
+        }
+        if (took_last_ && grid_.names.size() != last_width_) fail("says something twice");
+      } else if (text.starts_with("information ")) {
+        std::size_t count = 0;
+        const char* const end = text.data() + text.size();
+        if (std::from_chars(text.data() + 12, end, count).ptr != end || count > 100)
+          fail("METADATA that is not as VTK writes it");
+        for (; count > 0; --count)
+          if (!line().starts_with("NAME ") || !line().starts_with("DATA "))
+            fail("METADATA that is not as VTK writes it");
+      } else {
+        fail("METADATA that is not as VTK writes it");
+      }
     }
   }
 
@@ -304,6 +345,8 @@ class LegacyReader {
     if (name == "vtkGhostType" || name == "vtkGhostLevels")
       fail("has marks of ghost cells or points, '" + name +
            "'; leave them out, or make a file without with tensortopo convert");
+    if (!names_.insert(name).second) fail("has two arrays '" + name + "'");
+    last_width_ = components;
     took_last_ = of_points_ && name == tensor_;
     if (!took_last_) return;
     if (components != width_)
@@ -314,7 +357,9 @@ class LegacyReader {
   std::string file_, bytes_;
   std::string_view rest_;
   std::string tensor_;
-  std::size_t width_, items_ = 0;
+  std::size_t width_, items_ = 0, points_ = 0;
+  std::size_t last_width_ = 0;   ///< components of the last array; 0 if there is none
+  std::set<std::string> names_;  ///< of the arrays of points, or of cells
   bool binary_ = false, of_points_ = false, took_last_ = false;
   std::set<std::string> seen_;
   Grid grid_;

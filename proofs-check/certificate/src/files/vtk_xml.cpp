@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -19,6 +20,7 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
+#include "files/utf8.hpp"
 #include "run/parallel.hpp"
 
 static_assert(std::endian::native == std::endian::little);
@@ -68,6 +70,16 @@ bool read_words(std::string_view text, std::vector<double>& numbers) {
   }
 }
 
+/// Does an XML declaration name no other encoding?
+bool is_of_utf8(std::string_view declaration) {
+  std::string text(declaration);
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::size_t place = text.find("encoding");
+  if (place == text.npos) return true;
+  return text.find("encoding=\"utf-8\"") == place || text.find("encoding='utf-8'") == place ||
+         text.find("encoding=\"us-ascii\"") == place || text.find("encoding=\"ascii\"") == place;
+}
+
 std::size_t skip_past(std::string_view text, std::string_view end, std::size_t from) {
   const std::size_t place = text.find(end, from);
   return place == std::string_view::npos ? place : place + end.size();
@@ -115,10 +127,16 @@ std::string XmlFile::markup() {
     // Some readers take arrays as they are, others replace what stands for a character.
     if (all.substr(text, at - text).find('&') != kNone) fail("a text with '&'");
     const std::string_view rest = all.substr(at);
+    const std::size_t begin = at;
     if (rest.starts_with("<!--")) {
       at = skip_past(all, "-->", at + 4);
-    } else if (rest.starts_with("<?")) {
+      if (at != kNone && all.substr(begin + 1, at - begin - 1).find('<') != kNone)
+        fail("a comment with '<'");
+    } else if (at == 0 && rest.starts_with("<?xml ")) {
       at = skip_past(all, "?>", at);
+      if (at != kNone && !is_of_utf8(all.substr(0, at))) fail("is not encoded as UTF-8");
+    } else if (rest.starts_with("<?")) {
+      fail("an instruction");
     } else if (rest.starts_with("<!")) {
       fail("a declaration, or a part that is marked as text");
     } else {
@@ -196,7 +214,15 @@ void XmlFile::require_one_reading(const char* kind,
 XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::string_view> sections)
     : file_(file), bytes_(file_bytes(file)), budget_((1UL << 24) + 64 * bytes_.size()) {
   const std::string xml = markup();
-  if (!document_.load_buffer(xml.data(), xml.size())) fail("no VTK XML file");
+  // One encoding for all readers, of bytes as they are.
+  for (const char c : xml)
+    if (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r')
+      fail("a control character");
+  if (!xml.starts_with('<')) fail("does not begin with '<'");
+  for (std::string_view text = xml; !text.empty(); text.remove_prefix(length_of_character(text)))
+    if (length_of_character(text) == 0) fail("is not encoded as UTF-8");
+  if (!document_.load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8))
+    fail("no VTK XML file");
   const pugi::xml_node root = document_.child("VTKFile"), data = root.child(kind);
   if (root.attribute("type").value() != std::string_view(kind) || !data)
     fail(std::string("not of type ") + kind);
