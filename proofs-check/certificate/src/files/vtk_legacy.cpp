@@ -89,11 +89,12 @@ class LegacyReader {
         fail("a control character");
     return text;
   }
-  std::string_view line(std::size_t longest = 250) {
+  std::string_view line_of_text() {
     const std::string_view text = rest_.substr(0, rest_.find('\n'));
     rest_.remove_prefix(std::min(text.size() + 1, rest_.size()));
-    return plain(text, longest);
+    return text;
   }
+  std::string_view line(std::size_t longest = 250) { return plain(line_of_text(), longest); }
 
   std::string_view word() {
     const auto begin = std::find_if_not(rest_.begin(), rest_.end(), is_space);
@@ -174,7 +175,7 @@ class LegacyReader {
     for (std::size_t i = 0; i < count; ++i) {
       if (rest_.empty()) fail("data that end too early");
       if (!binary_) {
-        line();
+        line_of_text();
         continue;
       }
       const auto first = static_cast<unsigned char>(rest_.front());

@@ -9,18 +9,15 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <map>
-#include <set>
 #include <system_error>
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
-#include "files/utf8.hpp"
 #include "run/parallel.hpp"
 
 static_assert(std::endian::native == std::endian::little);
@@ -70,157 +67,14 @@ bool read_words(std::string_view text, std::vector<double>& numbers) {
   }
 }
 
-/// Does an XML declaration name no other encoding?
-bool is_of_utf8(std::string_view declaration) {
-  std::string text(declaration);
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const std::size_t place = text.find("encoding");
-  if (place == text.npos) return true;
-  return text.find("encoding=\"utf-8\"") == place || text.find("encoding='utf-8'") == place ||
-         text.find("encoding=\"us-ascii\"") == place || text.find("encoding=\"ascii\"") == place;
-}
-
-std::size_t skip_past(std::string_view text, std::string_view end, std::size_t from) {
-  const std::size_t place = text.find(end, from);
-  return place == std::string_view::npos ? place : place + end.size();
-}
-
-/// Attributes that change nothing, or are read here. There are others that other readers obey.
-bool is_known(const pugi::xml_node& element, std::string_view attribute) {
-  static const std::map<std::string_view, std::set<std::string_view>> known{
-      {"VTKFile", {"type", "version", "byte_order", "header_type", "compressor"}},
-      {"Piece",
-       {"NumberOfPoints", "NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips",
-        "NumberOfPolys"}},
-      {"PointData",
-       {"Scalars", "Vectors", "Normals", "Tensors", "TCoords", "Tangents", "GlobalIds",
-        "PedigreeIds", "EdgeFlag", "RationalWeights", "HigherOrderDegrees", "ProcessIds"}},
-      {"DataArray",
-       {"type", "Name", "NumberOfComponents", "format", "offset", "RangeMin", "RangeMax"}},
-      {"AppendedData", {"encoding"}},
-      {"InformationKey", {"name", "location", "length"}},
-      {"Value", {"index"}}};
-  std::string_view name = element.name();
-  if (name == "CellData") name = "PointData";
-  if (name == "Array") name = "DataArray";
-  const auto found = known.find(name);
-  if (found == known.end()) return false;
-  if (found->second.contains(attribute)) return true;
-  if (name != "DataArray") return false;
-  if (attribute == "NumberOfTuples") return element.parent().name() == std::string_view("FieldData");
-  constexpr std::string_view kName = "ComponentName";
-  return attribute.starts_with(kName) && attribute.size() > kName.size() &&
-         attribute.find_first_not_of("0123456789", kName.size()) == std::string_view::npos;
-}
-
 }  // namespace
 
 void XmlFile::fail(const std::string& what) const { throw Malformed(file_, what); }
 
-/// The part that is XML: from the underscore of the appended data on the bytes are none. Comments
-/// are skipped, so that nothing in them is taken for an element.
-std::string XmlFile::markup() {
-  constexpr std::size_t kNone = std::string_view::npos, kMaxDepth = 16;
-  const std::string_view all = bytes_;
-  std::size_t depth = 0, text = 0;  // where the text before an element begins
-  for (std::size_t at = all.find('<'); at != kNone; text = at, at = all.find('<', at)) {
-    // Some readers take arrays as they are, others replace what stands for a character.
-    if (all.substr(text, at - text).find('&') != kNone) fail("a text with '&'");
-    const std::string_view rest = all.substr(at);
-    const std::size_t begin = at;
-    if (rest.starts_with("<!--")) {
-      at = skip_past(all, "-->", at + 4);
-      if (at != kNone && all.substr(begin + 1, at - begin - 1).find('<') != kNone)
-        fail("a comment with '<'");
-    } else if (at == 0 && rest.starts_with("<?xml ")) {
-      at = skip_past(all, "?>", at);
-      if (at != kNone && !is_of_utf8(all.substr(0, at))) fail("is not encoded as UTF-8");
-    } else if (rest.starts_with("<?")) {
-      fail("an instruction");
-    } else if (rest.starts_with("<!")) {
-      fail("a declaration, or a part that is marked as text");
-    } else {
-      std::size_t end = at + 1;
-      for (char quote = 0; end < all.size() && (quote != 0 || all[end] != '>'); ++end) {
-        // VTK looks for the end of an element's tag without regard to quotes.
-        if (quote != 0 && (all[end] == '<' || all[end] == '>'))
-          fail(std::string("an attribute with '") + all[end] + "'");
-        if (quote != 0)
-          quote = all[end] == quote ? '\0' : quote;
-        else if (all[end] == '"' || all[end] == '\'')
-          quote = all[end];
-      }
-      if (end >= all.size()) fail("no VTK XML file");
-      if (rest.starts_with("</"))
-        depth -= depth > 0 ? 1 : 0;
-      else if (all[end - 1] != '/' && ++depth > kMaxDepth)
-        fail("elements that are nested too deeply");
-      if (rest.starts_with("<AppendedData")) {
-        const std::size_t start = all.find_first_not_of(" \t\r\n", end + 1);
-        if (start == kNone || all[start] != '_') fail("AppendedData without data");
-        appended_ = all.substr(start + 1);
-        return bytes_.substr(0, end) + "/></VTKFile>";
-      }
-      at = end + 1;
-    }
-    if (at == kNone) fail("no VTK XML file");
-  }
-  return bytes_;
-}
-
-/// Nothing is there twice, nor anything that would be left unread.
-void XmlFile::require_one_reading(const char* kind,
-                                  const std::vector<std::string_view>& sections) {
-  struct Walker : pugi::xml_tree_walker {
-    const XmlFile& file;
-    explicit Walker(const XmlFile& f) : file(f) {}
-    bool for_each(pugi::xml_node& node) override {
-      std::vector<std::string_view> names;
-      for (const pugi::xml_attribute a : node.attributes()) names.push_back(a.name());
-      std::sort(names.begin(), names.end());
-      if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
-        file.fail("attribute '" + std::string(*twice) + "' is given twice");
-      if (node.type() == pugi::node_element)
-        for (const std::string_view name : names)
-          if (!is_known(node, name))
-            file.fail("attribute '" + std::string(name) + "' of '" + node.name() +
-                      "', which is not known here");
-      return true;
-    }
-  } walker(*this);
-  document_.traverse(walker);
-  const auto only = [&](pugi::xml_node parent, const std::vector<std::string_view>& names) {
-    std::vector<std::string_view> seen;
-    for (const pugi::xml_node child : parent.children()) {
-      if (child.type() == pugi::node_declaration) continue;
-      const std::string_view name = child.name();
-      if (child.type() != pugi::node_element ||
-          std::find(names.begin(), names.end(), name) == names.end())
-        fail("'" + std::string(name) + "' does not belong into '" + parent.name() + "'");
-      if (std::find(seen.begin(), seen.end(), name) != seen.end())
-        fail("has two sections '" + std::string(name) + "'");
-      seen.push_back(name);
-    }
-  };
-  only(document_, {"VTKFile"});
-  const pugi::xml_node root = document_.child("VTKFile");
-  only(root, {kind, "AppendedData"});
-  only(root.child(kind), {"Piece", "FieldData"});
-  std::vector<std::string_view> all{"Points", "PointData", "CellData"};
-  all.insert(all.end(), sections.begin(), sections.end());
-  only(root.child(kind).child("Piece"), all);
-}
-
 XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::string_view> sections)
     : file_(file), bytes_(file_bytes(file)), budget_((1UL << 24) + 64 * bytes_.size()) {
   const std::string xml = markup();
-  // One encoding for all readers, of bytes as they are.
-  for (const char c : xml)
-    if (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r')
-      fail("a control character");
-  if (!xml.starts_with('<')) fail("does not begin with '<'");
-  for (std::string_view text = xml; !text.empty(); text.remove_prefix(length_of_character(text)))
-    if (length_of_character(text) == 0) fail("is not encoded as UTF-8");
+  require_utf8(xml);
   if (!document_.load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8))
     fail("no VTK XML file");
   const pugi::xml_node root = document_.child("VTKFile"), data = root.child(kind);
@@ -252,6 +106,8 @@ XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::str
       if (!arrays_.try_emplace({section.name(), array.attribute("Name").value()}, array).second)
         fail(std::string(section.name()) + " has two arrays '" + array.attribute("Name").value() +
              "'");
+      if (*array.attribute("Name").value() == '\0')
+        fail(std::string(section.name()) + " has an array without a name");
       // Cells that others leave out.
       const std::string_view called = array.attribute("Name").value();
       if (called == "vtkGhostType" || called == "vtkGhostLevels")
@@ -380,6 +236,8 @@ std::vector<double> XmlFile::read(pugi::xml_node array) const {
   for (const pugi::xml_node child : array.children())
     if (child.type() != pugi::node_element) ++texts;
   if (texts > (is_appended ? 0U : 1U)) fail("an array with several texts");
+  if (!is_appended && array.first_child() && array.first_child().type() != pugi::node_pcdata)
+    fail("an array that does not begin with its numbers");
   if (format == "ascii") {
     if (!read_words<Stored>(array.child_value(), result)) fail("text that is no number of its type");
     return result;

@@ -42,6 +42,7 @@ class XmlFile {
 
  private:
   std::string markup();
+  void require_utf8(std::string_view xml) const;
   void require_one_reading(const char* kind, const std::vector<std::string_view>& sections);
   std::size_t natural(pugi::xml_node node, const char* attribute, std::size_t otherwise) const;
   pugi::xml_node only_array(const char* section, const std::string& name) const;

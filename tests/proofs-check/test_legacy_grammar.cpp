@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// Legacy files that VTK reads otherwise than their grammar says.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certificate_check/check_certificate.hpp"
+#include "files/files.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+const std::string kTitle = "# vtk DataFile Version 5.1\na field\n";
+const std::string kGrid =
+    "ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 2 4\n"
+    "OFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2 3\nCELL_TYPES 1\n10\n";
+const std::string kNumbers = "1 2 3 4 5 6 6 5 4 3 2 1 1 0 0 0 0 1 0 0 1 1 0 0\n";
+const std::string kData = "POINT_DATA 4\nTENSORS6 stress double\n" + kNumbers;
+const std::string kNames = "XX\nYY\nZZ\nXY\nYZ\nXZ\n";
+
+TEST(LegacyGrammar, IsThatOfVtk) {
+  const auto folder = std::filesystem::temp_directory_path() / "tensortopo_legacy_grammar";
+  std::filesystem::create_directories(folder);
+  const std::string name = (folder / "field.vtk").string();
+  const auto is_read = [&](const std::string& text) {
+    std::ofstream(name, std::ios::binary) << text;
+    try {
+      certificate::read_input(name, "stress", "vtk");
+      return true;
+    } catch (const certificate::Malformed&) {
+      return false;
+    }
+  };
+  const std::string start = kTitle + kGrid, whole = start + kData;
+  const std::string information =
+      "INFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 1 2\n";
+  for (const std::string& text :
+       {whole, whole + "METADATA\nCOMPONENT_NAMES\n" + kNames + "\n",
+        whole + "METADATA\ncomponent_names\n" + kNames + information + "\n",
+        whole + "METADATA\n" + information + "\n",
+        start + "CELL_DATA 1\nSCALARS a%20b int\nLOOKUP_TABLE default\n1\n" + kData})
+    EXPECT_TRUE(is_read(text)) << text;
+  std::size_t refused = 0;
+  const std::string zero(1, '\0'), scalars = "SCALARS ";
+  for (const std::string& text : std::vector<std::string>{
+           // Names that end, or are changed, where they are decoded.
+           whole + "TENSORS6 stress" + zero + "x double\n" + kNumbers,
+           whole + "TENSORS6 stress%00 double\n" + kNumbers,
+           whole + "TENSORS6 stress%0Gx double\n" + kNumbers,
+           whole + "TENSORS6 stress%+0 double\n" + kNumbers,
+           whole + "TENSORS6 stress double\n" + kNumbers,
+           start + "CELL_DATA 1\nSCALARS vtkGhostType%00 unsigned_char\nLOOKUP_TABLE default\n1\n" + kData,
+           start + "CELL_DATA 1\nSCALARS vtkGhostType unsigned_char\nLOOKUP_TABLE default\n1\n" + kData,
+           // Where METADATA ends.
+           whole + "METADATA\n" + zero + "\nTENSORS6 other double\n" + kNumbers + "\n",
+           whole + "METADATA\n \nTENSORS6 other double\n" + kNumbers + "\n",
+           whole + "METADATA\nCOMPONENT_NAMES\nXX\nYY\n\nXY\nYZ\nXZ\n\n",
+           whole + "METADATA\nCOMPONENT_NAMES x\n" + kNames + "\n",
+           whole + "METADATA\nINFORMATION 2\nNAME a LOCATION b\nDATA 1 2\n\n",
+           start + "METADATA\n" + information + "\n" + kData,
+           whole + "METADATA\ncomponent_names\nXX\nYY\nZZ\nYZ\nXZ\nXY\n\n",
+           // Numbers of data, and what follows on a line.
+           start + "POINT_DATA 3\nTENSORS6 stress double\n" + kNumbers,
+           start + "CELL_DATA 2\nSCALARS a int\nLOOKUP_TABLE default\n1 2\n" + kData,
+           start + "POINT_DATA 4\nTENSORS6 stress double x\n" + kNumbers,
+           // Words and lines that are cut.
+           start + "POINT_DATA 4\nTENSORS6 stress double\n" + kNumbers + scalars +
+               std::string(255, 'y') + " int\nLOOKUP_TABLE default\n1 2 3 4\n",
+           "# vtk DataFile Version 5.1\n" + std::string(300, 'y') + "\n" + kGrid + kData}) {
+    EXPECT_FALSE(is_read(text)) << text;
+    ++refused;
+  }
+  EXPECT_EQ(refused, 19u);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
