@@ -60,6 +60,14 @@ class Collector {
   std::vector<std::pair<std::size_t, std::size_t>> places_;  // curve and point
 };
 
+/// A method for people.
+std::string shown(const std::string& method) {
+  if (method == "extract") return "tensortopo";
+  if (method == "a_patches") return "A-patches";
+  if (method == "vtk_subdivided") return "VTK, mesh subdivided";
+  return method == "hybrid" ? "hybrid method" : method;
+}
+
 }  // namespace
 
 std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<ModeValue>& modes,
@@ -112,18 +120,6 @@ std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<Mode
   }
   return all.timed(repeat, progress);
 }
-
-namespace {
-
-/// A method for people.
-std::string shown(const std::string& method) {
-  if (method == "extract") return "tensortopo";
-  if (method == "a_patches") return "A-patches";
-  if (method == "vtk_subdivided") return "VTK, mesh subdivided";
-  return method == "hybrid" ? "hybrid method" : method;
-}
-
-}  // namespace
 
 std::string curves_chart(const std::vector<ErrorCurve>& curves, const std::string& title) {
   LineChart chart{title, "seconds", "root mean square distance from the level, two-sided",

@@ -30,11 +30,12 @@ bool is_known(const pugi::xml_node& element, std::string_view attribute) {
       {"AppendedData", {"encoding"}},
       {"InformationKey", {"name", "location", "length"}},
       {"Value", {"index"}}};
-  const auto found = known.find(element.name());
+  const std::string_view of = element.name();
+  const auto found = known.find(of);
   if (found == known.end()) return false;
   const Names& names = found->second;
   if (std::find(names.begin(), names.end(), attribute) != names.end()) return true;
-  if (&names != &known.at("DataArray") && &names != &known.at("Array")) return false;
+  if (of != "DataArray" && of != "Array") return false;
   if (attribute == "NumberOfTuples")
     return element.parent().name() == std::string_view("FieldData");
   constexpr std::string_view name = "ComponentName";

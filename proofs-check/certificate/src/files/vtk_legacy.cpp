@@ -62,8 +62,7 @@ class LegacyReader {
         fail("says something twice");
       if (key == "points") {
         points_ = natural();
-        const std::size_t count = points_;
-        once(grid_.points, finite(numbers(3 * count, type())));
+        once(grid_.points, finite(numbers(3 * points_, type())));
       } else if (key == "cells") {
         version < 5 ? read_cells() : read_labelled_cells();
       } else if (key == "cell_types") {
@@ -107,11 +106,12 @@ class LegacyReader {
     if (!is_blank(line())) fail("a line with more than belongs there");
   }
 
-  std::string keyword() {
-    std::string text(word());
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
+  static std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
   }
+  std::string keyword() { return lower(word()); }
 
   /// Names have %XX for white space and the like.
   std::string name() { return decoded(word()); }
@@ -161,6 +161,13 @@ class LegacyReader {
     const auto found = types.find(keyword());
     if (found == types.end()) fail("an array of unknown type");
     return found->second;
+  }
+
+  /// The same as the last word of its line. (In a binary file `numbers` looks at that.)
+  Type last_type() {
+    const Type result = type();
+    if (!binary_) end_of_line();
+    return result;
   }
 
   void skip(std::size_t bytes) {
@@ -285,9 +292,7 @@ class LegacyReader {
         std::string of_array = name();
         for (; of_array == "METADATA"; of_array = name()) read_metadata();
         const std::size_t components = natural(), items = natural();
-        const Type of_numbers = type();
-        if (!binary_) end_of_line();
-        take(of_array, components, numbers(components * items, of_numbers));
+        take(of_array, components, numbers(components * items, last_type()));
       }
     } else if (key == "scalars") {
       const std::string of_array = name();
@@ -300,9 +305,7 @@ class LegacyReader {
       take(of_array, components, numbers(components * items_, of_numbers));
     } else if (const auto found = widths.find(key); found != widths.end()) {
       const std::string of_array = name();
-      const Type of_numbers = type();
-      if (!binary_) end_of_line();
-      take(of_array, found->second, numbers(found->second * items_, of_numbers));
+      take(of_array, found->second, numbers(found->second * items_, last_type()));
     } else {
       fail("has '" + key.substr(0, 40) + "' where a keyword belongs");
     }
@@ -313,11 +316,6 @@ class LegacyReader {
   void read_metadata() {
     end_of_line();
     if (last_width_ == 0) fail("METADATA without an array before");
-    const auto lower = [](std::string_view text) {
-      std::string result(text);
-      for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return result;
-    };
     for (std::string text = lower(line()); !text.empty(); text = lower(line())) {
       if (text == "component_names") {
         for (std::size_t i = 0; i < last_width_; ++i) {
