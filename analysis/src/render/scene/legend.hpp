@@ -16,7 +16,8 @@ struct LegendEntry {
   std::string text;
 };
 
-/// Draws swatches with words in the lower left corner; `unit` is the height of a line in pixels.
+/// Draws swatches with words on a light panel in the lower left corner; `unit` is the height of a
+/// line in pixels.
 void add_legend(vtkRenderer& renderer, const std::vector<LegendEntry>& entries, double unit);
 
 /// Words in the upper left corner of a scene that is so many pixels high.
