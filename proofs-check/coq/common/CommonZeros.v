@@ -8,6 +8,14 @@ From TensorTopo Require Import Tensors Frames SpectralTheorem.
 Require Import Reals Psatz Ring Field.
 Open Scope R_scope.
 
+(* A polynomial in functions whose continuity is known is continuous. *)
+Ltac continuous_polynomial :=
+  repeat lazymatch goal with
+  | |- continuity (fun x => @?f x + @?g x) => apply (continuity_plus f g)
+  | |- continuity (fun x => @?f x * @?g x) => apply (continuity_mult f g)
+  | _ => first [assumption|intros ?; apply continuity_pt_const; intros ? ?; reflexivity]
+  end.
+
 Lemma form_in_frame t x y z u v w :
   form t (combine x y z u v w) (combine x y z u v w)
   = form t u u * (x * x) + form t v v * (y * y) + form t w w * (z * z)
@@ -64,9 +72,7 @@ Proof.
     { intros t. apply (continuity_pt_comp g sqrt); [|apply continuity_pt_sqrt, G].
       unfold g, Rdiv. apply (continuity_pt_mult _ (fun _ => / (a + b))); [|apply continuity_pt_const; intros ? ?; reflexivity].
       apply derivable_continuous_pt. reg. }
-    assert (K : forall k, continuity (fun _ => k)) by (intros k t; apply continuity_pt_const; intros ? ?; reflexivity).
-    unfold f. repeat first [apply (continuity_plus (fun _ => _) (fun _ => _))
-      |apply (continuity_mult (fun _ => _) (fun _ => _))|assumption|apply K]. }
+    unfold f. continuous_polynomial. }
   (* the four vectors *)
   set (r := / sqrt 2).
   assert (R2 : r * r = / 2) by (unfold r; rewrite <- Rinv_mult; f_equal; apply sqrt_sqrt; lra).

@@ -155,11 +155,9 @@ Proof.
       apply derivable_continuous_pt. reg.
     - apply continuity_pt_sqrt. assert (X := square_nonneg (cos t)). assert (Y := square_nonneg (sin t)).
       apply Rmult_le_pos; [nra|left; apply Rinv_0_lt_compat; lra]. }
-  assert (Kc : forall k, continuity (fun _ => k)) by (intros k0 t; apply continuity_pt_const; intros ? ?; reflexivity).
   assert (F : continuity (fun t => form d e1 e1 * (cos t * cos t) + form d e2 e2 * (sin t * sin t) + form d e3 e3 * (height b1 b2 b3 t * height b1 b2 b3 t)
     + 2 * (form d e1 e2 * (cos t * sin t) + form d e2 e3 * (sin t * height b1 b2 b3 t) + form d e1 e3 * (cos t * height b1 b2 b3 t)))).
-  { repeat first [apply (continuity_plus (fun _ => _) (fun _ => _))
-      |apply (continuity_mult (fun _ => _) (fun _ => _))|assumption|apply Kc]. }
+  { continuous_polynomial. }
   intros t eps Ep. destruct (F t eps Ep) as [al [Al Q]]. exists al. split; [exact Al|].
   intros x X. assert (Y := Q x X). rewrite !G in Y. exact Y.
 Qed.
