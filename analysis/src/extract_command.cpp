@@ -215,8 +215,9 @@ class ExtractRun {
     std::optional<CertifiedLevel> level;
     std::vector<TetMesh::Index> farther;
     Extraction extraction = extract(mode, level, farther);
+    std::optional<ImprovementCounts> improvement;
     if (command_.improve) {
-      improve_triangles(read_.mesh, mode, extraction.surface);
+      improvement = improve_triangles(read_.mesh, mode, extraction.surface);
       extraction.not_embedded = tets_not_embedded(read_.mesh, extraction.surface);
     }
     report_.seconds_extract += clock.seconds();
@@ -228,6 +229,7 @@ class ExtractRun {
     SurfaceReport& known =
         report_.surfaces.emplace_back(surface_report(read_.mesh, mode, extraction));
     known.filter = filtered;
+    known.improvement = improvement;
     if (!command_.other) known.not_embedded = extraction.not_embedded.size();
     report_.seconds_invariants += invariants_clock.seconds();
     if (stability_)

@@ -45,6 +45,15 @@ Json filter_json(const FilterReport& filter, const char* size) {
   return json;
 }
 
+Json improvement_json(const ImprovementCounts& counts) {
+  return {{"flipped_edges", counts.flipped},
+          {"moved_vertices", counts.moved_in_tets + counts.moved_along_faces},
+          {"least_angle_before", counts.before.least},
+          {"least_angle", counts.after.least},
+          {"mean_least_angle_before", counts.before.mean},
+          {"mean_least_angle", counts.after.mean}};
+}
+
 Json surface_json(const SurfaceReport& surface) {
   Json json{{"mode", surface.mode.approx()},
             {"mode_exact", surface.mode.text()},
@@ -60,6 +69,7 @@ Json surface_json(const SurfaceReport& surface) {
   json["unresolved"] = counts(surface.unresolved);
   if (surface.stability) json["stability"] = stability_json(*surface.stability);
   if (surface.filter) json["filter"] = filter_json(*surface.filter, "area");
+  if (surface.improvement) json["improvement"] = improvement_json(*surface.improvement);
   json["parts"] = parts_json(surface.invariants);
   return json;
 }

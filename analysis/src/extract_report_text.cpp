@@ -125,6 +125,14 @@ std::string unresolved_advice(const ExtractReport& report) {
       mode_beside(found->modes.front()));
 }
 
+std::string improvement_line(const ModeValue& mode, const ImprovementCounts& counts) {
+  return fmt::format(
+      "mode {}: triangles improved: least angle {:.3g} degrees before, {:.3g} now; its mean over "
+      "the triangles {:.3g} before, {:.3g} now\n",
+      short_text(mode), counts.before.least, counts.after.least, counts.before.mean,
+      counts.after.mean);
+}
+
 std::string to_text(const ExtractReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -148,6 +156,8 @@ std::string to_text(const ExtractReport& report) {
     if (s.stability) text += stability_line(s);
   for (const SurfaceReport& s : report.surfaces)
     if (s.filter) text += filter_lines(s.mode, *s.filter);
+  for (const SurfaceReport& s : report.surfaces)
+    if (s.improvement) text += improvement_line(s.mode, *s.improvement);
   for (const CurveReport& c : report.curves)
     if (c.filter) text += filter_lines(c.mode, *c.filter);
   for (const CurveReport& c : report.curves)

@@ -3,6 +3,7 @@
 // What the checker spends on a level for which no proof closes.
 #include <gtest/gtest.h>
 
+#include "run/work_limit.hpp"
 #include "topology.hpp"
 
 namespace certificate {
@@ -33,13 +34,46 @@ TEST(CheckerBudget, OfALevelThatTouchesEdges) {
       input.cells = {0};
       const Level level(0, 1);
       const Field field(input, level.multiples(), for_all);
-      const Topology topology = derive_topology(input, field, level, {false}, for_all);
+      const Topology topology = derive_topology(input, field, level, {false}, for_all, for_all);
       for (const EdgeTopology& edge : topology.edges) if (!edge.is_decided()) ++undecided;
       asked += level.decided_exactly();
       EXPECT_LT(level.decided_exactly(), 3000u) << factor << ' ' << end;
     }
   EXPECT_GE(undecided, 16u);
   EXPECT_GT(asked, 1000u);
+}
+
+/// Many such tetrahedra take as much as the limit says, and then some that are decided together;
+/// what is left out is undecided, and always the same.
+TEST(CheckerBudget, OfManyTetrahedra) {
+  constexpr std::uint64_t kLimit = 20000;
+  Input input;
+  for (Vertex copy = 0; copy < 1000; ++copy) {
+    for (const std::array<double, 3>& p :
+         {std::array<double, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+      input.points.push_back(p);
+    input.tensors.insert(input.tensors.end(),
+                         {tangent(-1, 1), tangent(-2, 1), {3, 1, -4, 2, 5, 1}, tangent(2, 1)});
+    input.tets.push_back({4 * copy, 4 * copy + 1, 4 * copy + 2, 4 * copy + 3});
+    input.cells.push_back(copy);
+  }
+  const auto derive = [&](WorkLimit limit) {
+    const Level level(0, 1);
+    const Field field(input, level.multiples(), in_parallel({}));
+    const Topology topology =
+        derive_topology(input, field, level, std::vector<bool>(input.tets.size()), in_parallel({}),
+                        limit.within(level, {}));
+    EXPECT_TRUE(limit.is_reached());
+    EXPECT_LT(level.decided_by_balls() + level.decided_exactly(), 20 * kLimit);
+    std::vector<bool> decided;
+    for (const TetTopology& tet : topology.tets) decided.push_back(tet.is_decided());
+    for (const EdgeTopology& edge : topology.edges) decided.push_back(edge.is_decided());
+    return decided;
+  };
+  const auto once = derive(WorkLimit(kLimit)), again = derive(WorkLimit(kLimit));
+  EXPECT_EQ(once, again);
+  EXPECT_GT(std::count(once.begin(), once.end(), true), 20);
+  EXPECT_GT(std::count(once.begin(), once.end(), false), 2000);
 }
 
 }  // namespace

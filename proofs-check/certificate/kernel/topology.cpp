@@ -194,7 +194,8 @@ int orientation(const Input& input, const std::array<Vertex, 4>& tet) {
 }
 
 Topology derive_topology(const Input& input, const Field& field, const Level& level,
-                         const std::vector<bool>& left_out, const ForAll& for_all) {
+                         const std::vector<bool>& left_out, const ForAll& for_all,
+                         const ForAll& for_some) {
   Topology out;
   out.above.resize(input.points.size());
   std::atomic<std::size_t> on_level{0};
@@ -208,14 +209,11 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   const Derivation derivation(input, field, level, out);
   std::vector<Proved<4>> proofs(input.tets.size(), Proved<4>{Proof::empty, {}});
   const auto is_tip = [&](Vertex i) { return field.is_zero(i); };
-  for_all(
-      proofs.size(),
-      [&](std::size_t t) {
-        const auto& v = input.tets[t];
-        if (!left_out[t] && std::none_of(v.begin(), v.end(), is_tip))
-          proofs[t] = level.prove<4>(derivation.corners(v));
-      },
-      "where the level is");
+  for_all(proofs.size(), [&](std::size_t t) {
+    const auto& v = input.tets[t];
+    if (!left_out[t] && std::none_of(v.begin(), v.end(), is_tip))
+      proofs[t] = level.prove<4>(derivation.corners(v));
+  }, "where the level is");
   std::vector<std::array<Vertex, 2>> edges;
   std::vector<std::array<Vertex, 3>> faces;
   for (std::uint32_t t = 0; t < proofs.size(); ++t) {
@@ -240,7 +238,7 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
   out.edges = listed<EdgeTopology>(std::move(edges));
   out.faces = listed<FaceTopology>(std::move(faces));
   const auto settle_all = [&](auto& items, const char* what) {
-    for_all(items.size(), [&](std::size_t i) { derivation.settle(items[i]); }, what);
+    for_some(items.size(), [&](std::size_t i) { derivation.settle(items[i]); }, what);
   };
   settle_all(out.edges, "edges");
   settle_all(out.faces, "faces");

@@ -100,10 +100,12 @@ struct Topology {
   const ConeTopology* cone(std::size_t tet) const;  ///< null if there is none
 };
 
-/// The result does not depend on the order in which `for_all` calls.
+/// The result does not depend on the order in which `for_all` and `for_some` call.
 /// @param left_out tetrahedra of which nothing is asked
+/// @param for_some  may leave calls out, which leaves undecided what they would tell
 Topology derive_topology(const Input& input, const Field& field, const Level& level,
-                         const std::vector<bool>& left_out, const ForAll& for_all);
+                         const std::vector<bool>& left_out, const ForAll& for_all,
+                         const ForAll& for_some);
 
 /// The sign of the volume of a tetrahedron in the order of its vertices.
 int orientation(const Input& input, const std::array<Vertex, 4>& tet);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <future>
 #include <optional>
 #include <set>
@@ -9,6 +10,7 @@
 #include "claims/curve_names.hpp"
 #include "isotopy/compare_isotopy.hpp"
 #include "run/parallel.hpp"
+#include "run/work_limit.hpp"
 #include "surface/compare_distance.hpp"
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
@@ -53,6 +55,7 @@ Level level_of(const Json& claims) {
 void compare_embedding(const LevelCase& c, bool claimed, Ledger& ledger) {
   const std::span triangles =
       std::span(c.surface.triangles).subspan(c.triangles.first, c.triangles.count);
+  ledger.of_level().claims_embedded = true;
   if (!claimed) return ledger.refute("embedded", "false", "the key is left out instead");
   const EmbeddingResult result = find_conflict(c.surface.points, triangles);
   const auto name = [&](std::size_t t) {
@@ -80,14 +83,18 @@ std::string name_of(const Json& claims) {
 
 void check_level(const Json& claims, const Level& level, const std::string& input_file,
                  const Input& input, const Field& field, const Triangles& surface,
-                 Ledger& ledger, const Progress& progress) {
+                 WorkLimit& limit, Ledger& ledger, const Progress& progress) {
   ledger.begin_level(name_of(claims));
   std::vector<bool> left_out(input.tets.size());
   ledger.of_level().vertices = claims["vertices"][1].get<std::size_t>();
   ledger.begin("left out");
   if (!mark_left_out(claims, input, reason_of, left_out, ledger)) return;
   const std::size_t left_open = ledger.open();
-  const Topology topology = derive_topology(input, field, level, left_out, in_parallel(progress));
+  constexpr const char* kTooMuch = "more work than files of this size are given";
+  if (limit.is_reached()) return ledger.leave_open("topology", kTooMuch);
+  const Topology topology = derive_topology(input, field, level, left_out, in_parallel(progress),
+                                            limit.within(level, progress));
+  if (limit.is_reached()) ledger.leave_open("topology", kTooMuch);
   const Range vertices_of_level = range_of(claims["vertices"]);
   LevelCase c{input, field, level, surface, claims, vertices_of_level,
               range_of(claims["triangles"]), left_out, topology, progress, {}};
@@ -121,17 +128,16 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
   // Where something is refuted or open, the level may have more sheets, and vertices need not be
   // where they are claimed to be.
   const bool is_sound = placed && !ledger.has_refuted() && ledger.open() == left_open;
-  bool is_near = false;
   if (const Json& distance = claims["distance"]; !distance.is_null()) {
     ledger.of_level().bound = distance["bound"].get<std::string>();
     ledger.of_level().coarse = distance["coarse"].size();
     ledger.of_level().coarse_bound = distance["coarse_bound"].get<std::string>();
     if (placed) ledger.of_level().bounded = count_bounded(c, *placed);
-    is_near = compare_distance(c, is_sound ? &*placed : nullptr, ledger);
+    ledger.of_level().near = compare_distance(c, is_sound ? &*placed : nullptr, ledger);
   }
   ledger.begin("isotopic");
   if (claims.contains("isotopic"))
-    compare_isotopy(c, is_sound ? &*placed : nullptr, is_near, ledger);
+    compare_isotopy(c, is_sound ? &*placed : nullptr, ledger.of_level().near, ledger);
   ledger.begin("stability");
   if (claims.contains("stability"))
     compare_stability(c, input_file, is_sound ? &*placed : nullptr, ledger);
@@ -190,11 +196,14 @@ std::string repetition_of(const Json& levels) {
 /// A certificate's files, and what it claims of them.
 class Checking {
  public:
-  Checking(const std::string& input_file, const Json& certificate, const Progress& progress)
+  /// @param bytes  of all files
+  Checking(const std::string& input_file, const Json& certificate, std::size_t bytes,
+           const Progress& progress)
       : certificate_(certificate),
         progress_(progress),
         input_(read_input(input_file, certificate["input"]["tensor"],
                           certificate["input"]["components"])),
+        limit_(WorkLimit::of_files(bytes)),
         ledger_(report_) {
     Subject& s = report_.subject;
     s.input = input_file;
@@ -215,8 +224,8 @@ class Checking {
       const Level level = level_of(claims);
       if (!field || !(field->multiples() == level.multiples()))
         field.emplace(input_, level.multiples(), in_parallel({}));
-      check_level(claims, level, report_.subject.input, input_, *field, surface, ledger_,
-                  progress_);
+      check_level(claims, level, report_.subject.input, input_, *field, surface, limit_,
+                  ledger_, progress_);
     }
     std::erase_if(report_.subject.bound_only, [&](const std::string& name) {
       return !report_.levels.empty() &&
@@ -279,6 +288,7 @@ class Checking {
   const Progress& progress_;
   InputFile input_;
   Report report_;
+  WorkLimit limit_;
   Ledger ledger_;
 };
 
@@ -290,7 +300,10 @@ Report check_certificate(const std::string& input, const std::string& surface,
   auto triangles = std::async(std::launch::async, [&] { return read_triangles(surface); });
   const Json document = read_document(certificate);
   try {
-    Checking checking(input, document, progress);
+    std::size_t bytes = 0;
+    for (const std::string& file : {input, surface, certificate})
+      bytes += std::filesystem::file_size(file);
+    Checking checking(input, document, bytes, progress);
     return document.contains("polylines") ? checking.of_curves(surface)
                                           : checking.of_surface(surface, triangles.get());
   } catch (const Malformed& error) {

@@ -91,6 +91,7 @@ std::string stability_text(const LevelReport& level) {
 /// How far triangles and level are from each other.
 std::string distance_text(const LevelReport& level) {
   if (level.bound.empty()) return "  no distance is claimed\n";
+  if (!level.near) return "  the distances that are claimed are not shown\n";
   const auto bound = [](const std::string& text) {
     return "distance at most " + bound_text(std::strtod(text.c_str(), nullptr), 6);
   };
@@ -111,15 +112,17 @@ std::string text_of(const LevelReport& level, bool of_curves) {
     text += (i == 0 ? ": " : "; ") + text_of(level.components[i], of_curves);
   if (level.components.size() > kShown)
     text += "; and " + std::to_string(level.components.size() - kShown) + " more";
-  text += "\n  left out: ";
-  if (level.left_out.empty()) text += "nothing";
+  text += "\n  tetrahedra without claims: ";
+  if (level.left_out.empty()) text += "none";
   for (const auto& [reason, tets] : level.left_out) text += listed(reason, tets) + ' ';
   text += '\n';
   if (level.claims_stability) text += stability_text(level);
   if (of_curves)
     return text + "  of lines the ends and tetrahedra are claimed, but no distance\n";
   text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
-                         : "  that the triangles are embedded is not claimed\n";
+          : level.claims_embedded
+              ? "  that the triangles are embedded is claimed, but not shown\n"
+              : "  that the triangles are embedded is not claimed\n";
   if (level.residual)
     text += "  residual at most " + bound_text(*level.residual, 3) + ", at the vertices as written\n";
   for (const auto& [name, shown] : level.vectors)
@@ -195,7 +198,7 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
   std::string text;
   for (const std::string& demand : unmet) text += "not as demanded: " + demand + '\n';
   text += report.status() + ": " + std::to_string(report.claims()) + " claims, " + counts(report);
-  text += "input: " + s.input + ", tensor '" + printable(s.tensor) + "', components " + s.listing + " (" +
+  text += "input: " + printable(s.input) + ", tensor '" + printable(s.tensor) + "', components " + s.listing + " (" +
           s.order + (s.names_say_order || s.names.empty()
                          ? ""
                          : ", though the file's names do not say so: " + printable(s.names)) +
@@ -205,7 +208,7 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
           (s.doubled_points > 0 ? ", torn: " + counted(s.doubled_points, "point") +
                                       " at the place of another"
                                 : "") +
-          "\noutput: " + s.output + ", " + std::to_string(s.vertices) + " vertices, " +
+          "\noutput: " + printable(s.output) + ", " + std::to_string(s.vertices) + " vertices, " +
           counted(s.cells, s.of_curves ? "line" : "triangle") + '\n';
   for (const LevelReport& level : report.levels) text += text_of(level, s.of_curves);
   if (!s.bound_only.empty()) {
@@ -272,7 +275,7 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
   for (const auto& [reason, tets] : level.not_isotopic)
     json["isotopic"]["not_shown"][reason] = tets;
   json["distance"] = nullptr;
-  if (!level.bound.empty())
+  if (level.near)
     json["distance"] = {{"bound", std::strtod(level.bound.c_str(), nullptr)},
                         {"triangles", level.bounded},
                         {"coarse_tetrahedra", level.coarse},
@@ -296,6 +299,7 @@ std::string to_json(const Report& report, const std::vector<std::string>& unmet)
                      {"components", s.listing},
                      {"order", s.order},
                      {"component_names", s.names},
+                     {"names_say_order", s.names_say_order},
                      {"points", s.points},
                      {"tetrahedra", s.tetrahedra},
                      {"other_cells", s.other_cells},

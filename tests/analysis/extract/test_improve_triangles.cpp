@@ -90,6 +90,10 @@ TEST_P(ImproveTriangles, KeepsWhatWasProved) {
   EXPECT_EQ(sheets_of(before), sheets_of(after));
   EXPECT_EQ(rims_of(before), rims_of(after));
   EXPECT_EQ(before.tet, after.tet);
+  EXPECT_NEAR(counts.before.mean, mean_angle(before), 1e-9);
+  EXPECT_NEAR(counts.after.mean, mean_angle(after), 1e-9);
+  EXPECT_NEAR(counts.before.least, triangle_quality(before).least_angle, 1e-6);
+  EXPECT_NEAR(counts.after.least, triangle_quality(after).least_angle, 1e-6);
   EXPECT_GT(mean_angle(after), 1.05 * mean_angle(before));
   EXPECT_GE(triangle_quality(after).least_angle, triangle_quality(before).least_angle * (1 - 1e-9));
   for (std::size_t v = 0; v < before.points.size(); ++v) {

@@ -30,8 +30,8 @@ constexpr std::array kCases{
     Case{"two_components", "o.vtk", "f.vtp", "f.json", "refuted", "derived 1 component"},
     Case{"no_level", "b.vtk", "f.vtp", "f.json", "undecided", "claims nothing about any level"},
     // One closed curve around each of two degenerate points that are next to each other.
-    Case{"near_curves", "a.vtk", "a.vtp", "a.json", "certified", "left out: nothing"},
-    Case{"near_curves", "b.vtk", "b.vtp", "b.json", "certified", "left out: nothing"},
+    Case{"near_curves", "a.vtk", "a.vtp", "a.json", "certified", "tetrahedra without claims: none"},
+    Case{"near_curves", "b.vtk", "b.vtp", "b.json", "certified", "tetrahedra without claims: none"},
     Case{"two_sections", "b.vtk", "two_polys.vtp", "f.json", "malformed",
          "has two sections 'Polys'"},
     Case{"two_sections", "b.vtk", "f.vtp", "f.json", "malformed", "has two sections 'Points'"},

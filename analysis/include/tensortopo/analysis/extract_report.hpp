@@ -14,6 +14,7 @@
 #include "tensortopo/analysis/provenance.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/extract/improve_triangles.hpp"
 #include "tensortopo/extract/predicate_counts.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
@@ -61,6 +62,7 @@ struct SurfaceReport {
   std::map<std::string, std::size_t> unresolved;  ///< by the name of the reason
   std::optional<StabilityReport> stability;       ///< if the field was said to be uncertain
   std::optional<FilterReport> filter;             ///< if a filter was asked for
+  std::optional<ImprovementCounts> improvement;   ///< if better triangles were asked for
   ExtractStatistics statistics;
 };
 

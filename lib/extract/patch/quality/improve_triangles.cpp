@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,6 +41,7 @@ class Improver {
 
   ImprovementCounts run(int rounds) {
     ImprovementCounts counts;
+    counts.before = angles();
     for (int round = 0; round < rounds; ++round) {
       for (std::size_t i = 0; i < surface_.triangles.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) counts.flipped += flip(static_cast<Index>(i), k);
@@ -51,6 +53,7 @@ class Improver {
     }
     for (std::size_t v = 0; v < surface_.points.size(); ++v)
       if (moved_[v] != 0) describe(v);
+    counts.after = angles();
     return counts;
   }
 
@@ -75,6 +78,22 @@ class Improver {
     shape.least_sine = std::min(shape.least_sine, least_sine(p, q, r, twice_area));
     const double distance = level.distance((1.0 / 3) * (p + q + r));
     shape.squares += twice_area * distance * distance;
+  }
+
+  AngleSummary angles() const {
+    if (surface_.triangles.empty()) return {};
+    AngleSummary summary;
+    double sum = 0;
+    for (const Corners& t : surface_.triangles) {
+      const auto &p = surface_.points[as_size(t[0])], &q = surface_.points[as_size(t[1])],
+                 &r = surface_.points[as_size(t[2])];
+      const double angle =
+          std::asin(std::min(1.0, least_sine(p, q, r, length(normal(t))))) * 180 / std::numbers::pi;
+      summary.least = std::min(summary.least, angle);
+      sum += angle;
+    }
+    summary.mean = sum / static_cast<double>(surface_.triangles.size());
+    return summary;
   }
 
   /// Whether the new shape is worth the change: clearly better angles, at no cost in distance.

@@ -15,8 +15,8 @@ inline double least_sine(const Vector3<double>& p, const Vector3<double>& q,
                          const Vector3<double>& r, double twice_area) {
   std::array<double, 3> edges{dot(q - p, q - p), dot(r - q, r - q), dot(p - r, p - r)};
   std::sort(edges.begin(), edges.end());
-  const double multiprecision = std::sqrt(edges[1]) * std::sqrt(edges[2]);
-  return multiprecision > 0 ? twice_area / multiprecision : 0;
+  const double product = std::sqrt(edges[1]) * std::sqrt(edges[2]);
+  return product > 0 ? twice_area / product : 0;
 }
 
 }  // namespace tensortopo

@@ -68,7 +68,9 @@ struct LevelReport {
   /// At most by so much the mode, or other invariant, at the coordinates of vertices differs from the
   /// level's value; nothing if the triangles are not as claimed. Of surfaces.
   std::optional<double> residual;
-  bool embedded = false;   ///< whether it is certified that the triangles are
+  bool near = false;       ///< whether these bounds are certified
+  bool claims_embedded = false;  ///< that the triangles are
+  bool embedded = false;         ///< whether that is certified
   std::size_t vertices = 0;  ///< of the surface
   /// Arrays of eigenvectors and normals: at how many vertices they are shown to be that.
   std::map<std::string, std::size_t> vectors;

@@ -39,17 +39,19 @@ std::vector<std::array<double, Count>> grouped(const Named& file,
   return result;
 }
 
-/// Calls add(i, corners) for each cell of this many corners that is asked for.
+/// Calls add(i, corners) for each cell of this many corners that is asked for. The others' corners
+/// are not looked at, but each cell's follow those of the one before.
 template <std::size_t Count, class Asked, class Add>
 void read_cells(const Named& file, const std::vector<std::uint64_t>& connectivity,
                 const std::vector<std::uint64_t>& offsets, std::size_t points, const Asked& asked,
                 const Add& add) {
   for (std::size_t i = 0; i < offsets.size(); ++i) {
-    if (!asked(i)) continue;
     const std::string name = "cell " + std::to_string(i);
     const std::uint64_t first = i == 0 ? 0 : offsets[i - 1];
-    if (first > offsets[i] || offsets[i] - first != Count || offsets[i] > connectivity.size())
-      file.fail(name + " has the wrong number of corners");
+    if (first > offsets[i] || offsets[i] > connectivity.size())
+      file.fail(name + " has offsets that are none");
+    if (!asked(i)) continue;
+    if (offsets[i] - first != Count) file.fail(name + " has the wrong number of corners");
     std::array<std::uint32_t, Count> corners;
     for (std::size_t k = 0; k < Count; ++k) {
       if (connectivity[first + k] >= points) file.fail(name + " has a corner that is no point");
@@ -59,6 +61,8 @@ void read_cells(const Named& file, const std::vector<std::uint64_t>& connectivit
     }
     add(i, corners);
   }
+  if ((offsets.empty() ? 0 : offsets.back()) != connectivity.size())
+    file.fail("corners that no cell has");
 }
 
 /// SHA-256 of numbers of 64 bits, little-endian as the machine is.

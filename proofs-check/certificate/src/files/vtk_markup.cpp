@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What keeps a VTK XML file to one reading: bytes, elements and attributes.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -28,6 +29,12 @@ bool is_of_utf8(std::string_view declaration) {
 std::size_t skip_past(std::string_view text, std::string_view end, std::size_t from) {
   const std::size_t place = text.find(end, from);
   return place == std::string_view::npos ? place : place + end.size();
+}
+
+bool is_numeric(std::string_view type) {
+  constexpr std::array<std::string_view, 10> kTypes{"Int8",   "UInt8",  "Int16",   "UInt16",  "Int32",
+                                                    "UInt32", "Int64",  "UInt64",  "Float32", "Float64"};
+  return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
 /// Attributes that change nothing, or are read here. There are others that other readers obey.
@@ -119,6 +126,9 @@ void XmlFile::require_utf8(std::string_view xml) const {
     if (c < 0x20 && c != '\t' && c != '\n' && c != '\r') fail("a control character");
     const std::size_t length = c < 0x80 ? 1 : length_of_character(xml.substr(i));
     if (length == 0) fail("is not encoded as UTF-8");
+    if (const std::string_view rest = xml.substr(i, 4);
+        rest.starts_with("&#0") || rest.starts_with("&#x0") || rest.starts_with("&#X0"))
+      fail("a reference to a character of code zero");
     i += length;
   }
 }
@@ -140,6 +150,9 @@ void XmlFile::require_one_reading(const char* kind,
           if (!is_known(node, name))
             file.fail("attribute '" + std::string(name) + "' of '" + node.name() +
                       "', which is not known here");
+      if (node.name() == std::string_view("DataArray") && !is_numeric(node.attribute("type").value()))
+        file.fail("has an array of type '" + std::string(node.attribute("type").value()) +
+                  "', which is not known here");
       return true;
     }
   } walker(*this);

@@ -18,6 +18,7 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
+#include "files/word_number.hpp"
 #include "run/parallel.hpp"
 
 static_assert(std::endian::native == std::endian::little);
@@ -31,16 +32,7 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// The same number; of integers that doubles do not hold there is none.
-template <class Stored>
-double in_double(Stored x) {
-  const auto result = static_cast<double>(x);
-  return std::is_integral_v<Stored> && sizeof(Stored) == 8 && std::abs(result) > 0x1p53 ? HUGE_VAL
-                                                                                       : result;
-}
-
-/// The numbers of a text, each a word: of integers digits, and of others decimal ones, as other readers
-/// take no more for a number. False if a word is none.
+/// The numbers of a text, each a word. False if a word is none.
 template <class Stored>
 bool read_words(std::string_view text, std::vector<double>& numbers) {
   constexpr std::string_view kSpaces = " \t\r\n";
@@ -48,22 +40,11 @@ bool read_words(std::string_view text, std::vector<double>& numbers) {
     const std::size_t first = text.find_first_not_of(kSpaces);
     if (first == std::string_view::npos) return true;
     text.remove_prefix(first);
-    const std::string word(text.substr(0, text.find_first_of(kSpaces)));
+    const std::string_view word = text.substr(0, text.find_first_of(kSpaces));
     text.remove_prefix(word.size());
-    const char* const last = word.data() + word.size();
-    if constexpr (std::is_integral_v<Stored>) {
-      Stored x{};
-      if (const auto [end, error] = std::from_chars(word.data(), last, x); error != std::errc() || end != last)
-        return false;
-      numbers.push_back(in_double(x));
-    } else {
-      if (word.find_first_not_of("0123456789+-.eE") != std::string::npos) return false;
-      char* end = nullptr;
-      numbers.push_back(sizeof(Stored) == 4
-                            ? static_cast<double>(std::strtof(word.c_str(), &end))
-                            : std::strtod(word.c_str(), &end));
-      if (end != last) return false;
-    }
+    const auto number = number_of_word<Stored>(word);
+    if (!number) return false;
+    numbers.push_back(*number);
   }
 }
 
