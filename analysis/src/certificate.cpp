@@ -16,16 +16,6 @@ namespace tensortopo {
 
 namespace {
 
-CertificateSubject subject_of(const ReadResult& read) {
-  CertificateSubject subject;
-  subject.tensor = read.report.tensor_name;
-  subject.components = name_of(read.report.components.order);
-  subject.points = read.mesh.points.size();
-  subject.tetrahedra = read.mesh.tets.size();
-  subject.field_sha256 = field_sha256(read.mesh);
-  return subject;
-}
-
 using Kinds = std::map<std::string, std::size_t>;
 
 /// Claims by kind, as `claims` counts them.
@@ -68,6 +58,16 @@ CertificateReport write_levels(const std::filesystem::path& file, CertificateSub
 
 }  // namespace
 
+CertificateSubject subject_of(const ReadResult& read) {
+  CertificateSubject subject;
+  subject.tensor = read.report.tensor_name;
+  subject.components = name_of(read.report.components.order);
+  subject.points = read.mesh.points.size();
+  subject.tetrahedra = read.mesh.tets.size();
+  subject.field_sha256 = field_sha256(read.mesh);
+  return subject;
+}
+
 void require_certifiable(const ReadOptions& options, const std::filesystem::path& output,
                          const std::filesystem::path& certificate) {
   const std::string encoding = lower_extension(certificate);
@@ -84,22 +84,19 @@ void require_certifiable(const ReadOptions& options, const std::filesystem::path
                      option + " makes others; use it with tensortopo convert, and certify that");
 }
 
-CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
-                                    const SurfaceMesh& surface,
+CertificateReport write_certificate(const std::filesystem::path& file, CertificateSubject subject,
+                                    const ReadResult& read, const SurfaceMesh& surface,
                                     const std::vector<CellArray>& more,
-                                    const std::vector<CertifiedLevel>& levels,
-                                    const CertificateSubject* whole) {
-  CertificateSubject subject = whole != nullptr ? *whole : subject_of(read);
+                                    const std::vector<CertifiedLevel>& levels) {
   subject.cells = surface.triangles.size();
   subject.output_sha256 = surface_sha256(surface, read.mesh);
   return write_levels(file, std::move(subject), read, surface, array_hashes(surface, more), levels);
 }
 
-CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
-                                    const CurveMesh& curves,
+CertificateReport write_certificate(const std::filesystem::path& file, CertificateSubject subject,
+                                    const ReadResult& read, const CurveMesh& curves,
                                     const std::vector<CellArray>& more,
                                     const std::vector<CertifiedCurves>& kinds) {
-  CertificateSubject subject = subject_of(read);
   subject.cells = curves.lines.size();
   subject.output_sha256 = curves_sha256(curves, read.mesh);
   return write_levels(file, std::move(subject), read, curves, array_hashes(curves, more), kinds);

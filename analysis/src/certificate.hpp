@@ -16,21 +16,24 @@
 
 namespace tensortopo {
 
-/// Throws UsageError for options and files that a certificate cannot describe. (Of the input only
-/// its reader knows: `ReadOptions::for_certificate`.)
+/// What a certificate says of its input.
+CertificateSubject subject_of(const ReadResult& read);
+
+/// Throws UsageError for options and names of files that a certificate cannot describe. (Of the
+/// input see `require_checkable`.)
 void require_certifiable(const ReadOptions& options, const std::filesystem::path& output,
                          const std::filesystem::path& certificate);
 
 /// Writes the certificate of a surface, whole or not at all. Throws IoError.
+/// @param field  what to say of the input
 /// @param more  arrays that its file has besides
-/// @param whole  what to say of the field, where `read` has a part of it only
-CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
-                                    const SurfaceMesh& surface,
+CertificateReport write_certificate(const std::filesystem::path& file, CertificateSubject field,
+                                    const ReadResult& read, const SurfaceMesh& surface,
                                     const std::vector<CellArray>& more,
-                                    const std::vector<CertifiedLevel>& levels,
-                                    const CertificateSubject* whole = nullptr);
+                                    const std::vector<CertifiedLevel>& levels);
 /// The same of degenerate curves.
-CertificateReport write_certificate(const std::filesystem::path& file, const ReadResult& read,
+CertificateReport write_certificate(const std::filesystem::path& file, CertificateSubject field,
+                                    const ReadResult& read,
                                     const CurveMesh& curves,
                                     const std::vector<CellArray>& more,
                                     const std::vector<CertifiedCurves>& kinds);

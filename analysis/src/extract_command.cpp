@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "check/checkable.hpp"
 #include "component_filter.hpp"
 #include "extract_checks.hpp"
 #include "overall_progress.hpp"
@@ -129,6 +130,7 @@ class ExtractRun {
                                    [](const auto& mode) { return !is_degenerate(mode); });
     for (const ModeValue& mode : modes_) {
       if (!streamed_) overall_.begin("mode " + short_text(mode) + ": ");
+      if (checkable_) checkable_->look();
       if (is_degenerate(mode))
         add_curves(mode);
       else
@@ -154,6 +156,7 @@ class ExtractRun {
     } else {
       tell(progress_, "reading", 0);
       read_ = read_field(command_, report_);
+      if (is_certifying()) checkable_.emplace(command_.input, read_);
     }
     if (!uncertainty_) return;
     read_radii(command_.input, command_.read, read_, *uncertainty_);
@@ -262,6 +265,7 @@ class ExtractRun {
   }
 
   void write() {
+    if (checkable_) checkable_->require();
     overall_.finish("writing");
     // The writer needs half as much again, in large arrays that do not fit between what is left.
     prepared_.reset();
@@ -284,11 +288,12 @@ class ExtractRun {
 
   void write_claims(const std::vector<CellArray>& more) {
     const Clock clock;
+    const CertificateSubject& field = streamed_ ? streamed_->subject : checkable_->subject();
     report_.certificate =
         certified_curves_.empty()
-            ? write_certificate(command_.certificate, read_, surface_, more, certified_,
-                                streamed_ ? &streamed_->subject : nullptr)
-            : write_certificate(command_.certificate, read_, curves_, more, certified_curves_);
+            ? write_certificate(command_.certificate, field, read_, surface_, more, certified_)
+            : write_certificate(command_.certificate, field, read_, curves_, more,
+                                certified_curves_);
     report_.certificate->seconds = seconds_certify_ + clock.seconds();
     report_.certificate->counts_beyond_checker = command_.pieces == 1 && !streamed_;
     for (const SurfaceReport& s : report_.surfaces) {
@@ -307,6 +312,7 @@ class ExtractRun {
   ExtractOptions options_;
   std::optional<StreamedField> streamed_;
   ReadResult read_;
+  std::optional<CheckableInput> checkable_;  ///< if a certificate is asked for
   std::optional<StabilityRun> stability_;
   std::optional<PreparedField<double>> prepared_;  ///< what the modes have in common
   std::ptrdiff_t surfaces_left_ = 0;

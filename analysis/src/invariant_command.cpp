@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "check/checkable.hpp"
 #include "overall_progress.hpp"
 #include "read_field.hpp"
 #include "require_folder.hpp"
@@ -59,6 +60,8 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   report.output = command.output;
   if (progress) progress("reading", 0);
   const ReadResult read = read_field(command, report);
+  std::optional<CheckableInput> checkable;
+  if (certifying) checkable.emplace(command.input, read);
 
   SurfaceMesh surface;
   std::set<std::int64_t> unresolved;
@@ -69,6 +72,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   for (const InvariantLevel& level : command.levels) {
     if (std::find(done.begin(), done.end(), level) != done.end()) continue;
     done.push_back(level);
+    if (checkable) checkable->look();
     InvariantOptions options;
     options.pieces = command.pieces;
     overall.begin(std::string(name_of(level.invariant())) + ' ' + short_text(level) + ": ");
@@ -89,6 +93,7 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   }
   report.unresolved.assign(unresolved.begin(), unresolved.end());
   if (command.strict && !report.unresolved.empty()) return report;
+  if (checkable) checkable->require();
   overall.finish("writing");
   FileGroup files;
   std::string levels;
@@ -102,7 +107,8 @@ InvariantReport run_invariant_extract(const InvariantCommand& command, const Pro
   report.seconds_write = seconds_since(start);
   if (certifying) {
     start = Clock::now();
-    report.certificate = write_certificate(command.certificate, read, surface, {}, certified);
+    report.certificate = write_certificate(command.certificate, checkable->subject(), read, surface, {},
+                                           certified);
     report.certificate->seconds = seconds_certify + seconds_since(start);
   }
   files.commit();

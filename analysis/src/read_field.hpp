@@ -13,15 +13,12 @@
 namespace tensortopo {
 
 /// Reads the field of an extraction, and says in the report what there is to say of it. Throws
-/// IoError, also for what a certificate that is asked for cannot be about, and if the command is
-/// strict for a torn mesh.
+/// IoError, also for a torn mesh if the command is strict.
 template <class Command, class Report>
 ReadResult read_field(const Command& command, Report& report) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  ReadOptions options = command.read;
-  options.for_certificate = !command.certificate.empty();
-  ReadResult read = read_mesh(command.input, options);
+  ReadResult read = read_mesh(command.input, command.read);
   report.seconds_read = std::chrono::duration<double>(Clock::now() - start).count();
   report.provenance = command.provenance;
   report.sha256 = read.sha256;

@@ -91,7 +91,6 @@ ReadOptions options_for(const std::string& name, std::string_view bytes) {
   };
   ReadOptions options;
   options.tetrahedralize = true;
-  options.for_certificate = draw(16) == 0;
   options.cell_to_point = draw(2) == 0;
   options.merge_points = draw(2) == 0;
   options.symmetrize = draw(2) == 0;

@@ -151,11 +151,5 @@ TEST(ReadFrdRefuses, WhatDoesNotFit) {
   refused(less, {"missing at node 12"});
 }
 
-TEST(ReadFrdRefuses, ToBeCertified) {
-  ReadOptions options;
-  options.for_certificate = true;
-  expect_error(kPlate, IoError::Kind::inapplicable, {"reads no .frd", "tensortopo convert"}, options);
-}
-
 }  // namespace
 }  // namespace tensortopo::test

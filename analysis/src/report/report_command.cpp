@@ -11,6 +11,7 @@
 #include <span>
 
 #include "check/check_command.hpp"
+#include "check/checkable.hpp"
 #include "counted.hpp"
 #include "report/page.hpp"
 #include "report/page_arrays.hpp"
@@ -49,16 +50,14 @@ void require_sense(const ReportCommand& command) {
   require_folder(command.output);
 }
 
-/// Why the field's file is none that a certificate is about; empty if it is one.
-std::string no_certificate(const ReportCommand& command) {
+/// Why there is no certificate; empty if there is one.
+std::string no_certificate(const ReportCommand& command, const ReadResult& read) {
   if (!command.certify) return "None was asked for.";
-  const FieldFormat* const format = field_format_of(command.input);
-  if (format != nullptr && !format->is_checked)
-    return "A certificate is about the numbers of a .vtu or .vtk.";
   if (command.read.making_others() != nullptr)
     return "A certificate is about the numbers of a file as they are, not about means or parts of "
            "cells.";
-  return "";
+  const std::string why = why_not_checkable(command.input, subject_of(read));
+  return why.empty() ? "" : "The checker of certificates does not read the field's file as it is: " + why + '.';
 }
 
 /// Of triangles or lines, whether they are the same in all fields within the radii.
@@ -179,10 +178,10 @@ Json sweep_facts(const Sweep& sweep, const SweepOptions& options) {
 }
 
 /// The verdict of the checker, as HTML; fills the summary.
-std::string certificate_part(const ReportCommand& command, const ReadResult& read,
-                             const ModeSurfaces& made, ReportSummary& summary,
+/// @param reason  why there is none
+std::string certificate_part(const ReportCommand& command, const std::string& reason,
+                             const ReadResult& read, const ModeSurfaces& made, ReportSummary& summary,
                              const Progress& progress) {
-  const std::string reason = no_certificate(command);
   summary.verdict = "none";
   if (!reason.empty())
     return "<p><span class=\"verdict none\">none</span> " + html_text(reason) + "</p>";
@@ -252,9 +251,8 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
     if (progress) progress(stage, 0);
   };
   tell("reading");
-  ReadOptions options = command.read;
-  options.for_certificate = no_certificate(command).empty();
-  const ReadResult read = read_mesh(command.input, options);
+  const ReadResult read = read_mesh(command.input, command.read);
+  const std::string uncertified = no_certificate(command, read);
   const TetMesh& mesh = read.mesh;
   auto uncertainty = requested_uncertainty(command.uncertainty);
   if (uncertainty) read_radii(command.input, command.read, read, *uncertainty);
@@ -263,7 +261,7 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
   surfaces.uncertainty = uncertainty;
   surfaces.modes = modes_of(command);
   surfaces.resolution = command.resolution;
-  surfaces.certify = options.for_certificate;
+  surfaces.certify = uncertified.empty();
   surfaces.names = {read.report.tensor_name, std::string(name_of(read.report.components.order)), false};
   surfaces.progress = progress;
   const ModeSurfaces made = extractor.surfaces(surfaces);
@@ -315,7 +313,7 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
     facts["sweep"] = nullptr;
   }
 
-  const std::string certificate = certificate_part(command, read, made, summary, progress);
+  const std::string certificate = certificate_part(command, uncertified, read, made, summary, progress);
   tell("writing");
   const std::string page = page_of(
       {{"TITLE", "Mode surfaces of " + html_text(command.input.filename().string())},

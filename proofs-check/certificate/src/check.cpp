@@ -193,6 +193,19 @@ std::string repetition_of(const Json& levels) {
   return {};
 }
 
+Subject subject_of(const std::string& file, const std::string& tensor, const std::string& order,
+                   const InputFile& input) {
+  Subject s;
+  s.input = file, s.tensor = tensor, s.order = order;
+  s.listing = listing_of(order), s.names = input.names;
+  s.names_say_order = input.names_say_order;
+  s.points = input.points.size(), s.tetrahedra = input.tets.size();
+  s.other_cells = input.other_cells, s.symmetrized = input.symmetrized;
+  s.doubled_points = input.doubled_points;
+  s.sha256 = input.sha256();
+  return s;
+}
+
 /// A certificate's files, and what it claims of them.
 class Checking {
  public:
@@ -205,14 +218,8 @@ class Checking {
                           certificate["input"]["components"])),
         limit_(WorkLimit::of_files(bytes)),
         ledger_(report_) {
-    Subject& s = report_.subject;
-    s.input = input_file;
-    s.tensor = certificate["input"]["tensor"], s.order = certificate["input"]["components"];
-    s.listing = listing_of(s.order), s.names = input_.names;
-    s.names_say_order = input_.names_say_order;
-    s.points = input_.points.size(), s.tetrahedra = input_.tets.size();
-    s.other_cells = input_.other_cells, s.symmetrized = input_.symmetrized;
-    s.doubled_points = input_.doubled_points;
+    report_.subject = subject_of(input_file, certificate["input"]["tensor"],
+                                 certificate["input"]["components"], input_);
   }
 
   Report of_surface(const std::string& file, const Triangles& surface) {
@@ -260,7 +267,7 @@ class Checking {
     compare("points", input_claims["points"], input_.points.size());
     compare("tetrahedra", input_claims["tetrahedra"], input_.tets.size());
     Subject& s = report_.subject;
-    s.sha256 = input_.sha256(), s.vertices = output.points.size(), s.cells = cells;
+    s.vertices = output.points.size(), s.cells = cells;
     for (const Array& array : output.arrays)
       if (array.name != "mode" && array.name != "value" && array.name != "component")
         s.bound_only.push_back(array.name);
@@ -293,6 +300,10 @@ class Checking {
 };
 
 }  // namespace
+
+Subject read_subject(const std::string& input, const std::string& tensor, const std::string& order) {
+  return subject_of(input, tensor, order, read_input(input, tensor, order));
+}
 
 Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate, const Progress& progress) {

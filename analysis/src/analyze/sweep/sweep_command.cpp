@@ -9,6 +9,7 @@
 
 #include "analyze/sweep/sweep_chart.hpp"
 #include "certificate.hpp"
+#include "check/checkable.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -62,10 +63,9 @@ SweepReport run_sweep(const SweepCommand& command, const Progress& progress) {
   if (!command.picture.empty()) require_folder(command.picture);
   if (progress) progress("reading", 0);
   if (command.check_modes > 0) require_certifiable(command.read, "surface.vtp", "certificate.cbor");
-  ReadOptions options = command.read;
-  options.for_certificate = command.check_modes > 0;
   SweepReport report;
-  const ReadResult read = read_analyzed(command.input, options, report);
+  const ReadResult read = read_analyzed(command.input, command.read, report);
+  if (command.check_modes > 0) require_checkable(command.input, subject_of(read));
   report.options = command.sweep;
   // Checking takes most of the time.
   const double sweep_ends = command.check_modes > 0 ? 0.2 : 0.95;

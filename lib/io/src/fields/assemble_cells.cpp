@@ -119,11 +119,6 @@ class Assembly {
                       std::int64_t id) {
     const std::uint8_t type = grid.types[cell];
     const QuadraticKind kind = quadratic_kind(type);
-    if (options_.for_certificate)
-      throw IoError(IoError::Kind::inapplicable, grid.file,
-                    "has quadratic cells (cell " + std::to_string(cell) +
-                        "), which the checker of certificates does not read; write it anew with "
-                        "tensortopo convert");
     const std::string place = " (cell " + std::to_string(cell) + ")";
     if (nodes.size() != kind.nodes)
       throw IoError(IoError::Kind::invalid, grid.file,

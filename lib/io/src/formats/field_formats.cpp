@@ -41,12 +41,12 @@ std::vector<RawGrid> read_pieces(const FieldSource& source) {
 }
 
 std::vector<RawGrid> read_one_vtu(const FieldSource& source) {
-  return read_vtu(source.file, source.options.for_certificate);
+  return read_vtu(source.file);
 }
 
 std::vector<RawGrid> read_one_legacy(const FieldSource& source) {
   std::vector<RawGrid> grids;
-  grids.push_back(read_legacy(source.file, source.options.for_certificate));
+  grids.push_back(read_legacy(source.file));
   return grids;
 }
 
@@ -54,9 +54,9 @@ std::vector<RawGrid> read_one_legacy(const FieldSource& source) {
 
 const std::vector<FieldFormatEntry>& field_format_entries() {
   static const std::vector<FieldFormatEntry> entries{
-      {{.extension = ".vtu", .name = "VTK XML mesh", .fuzzed_as = "vtu", .is_checked = true}, read_one_vtu},
+      {{.extension = ".vtu", .name = "VTK XML mesh", .fuzzed_as = "vtu"}, read_one_vtu},
       {{.extension = ".pvtu", .name = "VTK XML mesh in pieces", .fuzzed_as = "pvtu", .names_files = true}, read_pieces},
-      {{.extension = ".vtk", .name = "VTK legacy mesh or image", .fuzzed_as = "vtk", .is_checked = true},
+      {{.extension = ".vtk", .name = "VTK legacy mesh or image", .fuzzed_as = "vtk"},
        read_one_legacy},
       {{.extension = ".vti", .name = "VTK XML image", .fuzzed_as = "vti"}, read_vti},
       {{.extension = ".pvd", .name = "VTK XML collection", .fuzzed_as = "pvd", .has_steps = true, .names_files = true},

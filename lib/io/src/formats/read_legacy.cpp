@@ -40,8 +40,8 @@ bool is_lower_equal(std::string_view text, std::string_view lower) {
 
 class LegacyReader {
  public:
-  LegacyReader(std::shared_ptr<const InputFile> file, bool for_certificate)
-      : file_(std::move(file)), scan_(file_->bytes), for_certificate_(for_certificate) {
+  explicit LegacyReader(std::shared_ptr<const InputFile> file)
+      : file_(std::move(file)), scan_(file_->bytes) {
     grid_.file = file_->path;
   }
 
@@ -92,10 +92,6 @@ class LegacyReader {
 
   /// DIMENSIONS, which says what there is room for, comes before all data.
   void read_dimensions() {
-    if (for_certificate_)
-      throw IoError(IoError::Kind::inapplicable, file_->path,
-                    "holds an image (STRUCTURED_POINTS), which the checker of certificates does "
-                    "not read; make a mesh of it with tensortopo convert, and certify that");
     if (scan_.peek_keyword() != "dimensions") throw FormatError("has no DIMENSIONS");
     scan_.word();
     Lattice lattice;
@@ -327,7 +323,6 @@ class LegacyReader {
 
   std::shared_ptr<const InputFile> file_;
   LegacyScanner scan_;
-  bool for_certificate_;
   RawGrid grid_;
   int major_ = 0;
   bool have_points_ = false, have_types_ = false, have_origin_ = false, have_spacing_ = false;
@@ -338,8 +333,8 @@ class LegacyReader {
 
 }  // namespace
 
-RawGrid read_legacy(const std::shared_ptr<const InputFile>& file, bool for_certificate) {
-  return LegacyReader(file, for_certificate).read();
+RawGrid read_legacy(const std::shared_ptr<const InputFile>& file) {
+  return LegacyReader(file).read();
 }
 
 }  // namespace tensortopo::detail

@@ -10,7 +10,6 @@
 namespace tensortopo::detail {
 
 /// The grid of a legacy .vtk file (versions up to 5.1, ASCII or binary). Throws IoError.
-/// @param for_certificate  as in ReadOptions
-RawGrid read_legacy(const std::shared_ptr<const InputFile>& file, bool for_certificate = false);
+RawGrid read_legacy(const std::shared_ptr<const InputFile>& file);
 
 }  // namespace tensortopo::detail

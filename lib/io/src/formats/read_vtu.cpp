@@ -8,7 +8,6 @@
 
 #include "bytes/format_error.hpp"
 #include "formats/xml_arrays.hpp"
-#include "vtk/known_attributes.hpp"
 #include "vtk/xml_document.hpp"
 
 namespace tensortopo::detail {
@@ -64,31 +63,11 @@ RawGrid read_piece(const Document& document, pugi::xml_node piece) {
   return grid;
 }
 
-void require_certifiable(const XmlDocument& document) {
-  const auto refuse = [&](const std::string& why) {
-    throw IoError(IoError::Kind::inapplicable, document.file->path, why);
-  };
-  const auto pieces = document.root.child("UnstructuredGrid").children("Piece");
-  if (const auto count = std::distance(pieces.begin(), pieces.end()); count > 1)
-    refuse("has " + std::to_string(count) +
-           " pieces (<Piece>), of which the checker of certificates reads one; make one of them");
-  if (const auto attribute = unknown_attribute(document.root))
-    refuse("has the " + *attribute +
-           ", which the checker of certificates does not know; write it anew with tensortopo convert");
-  using Compressor = BlockFormat::Compressor;
-  const Compressor compressor = document.format.compressor;
-  if (compressor == Compressor::lz4 || compressor == Compressor::lzma)
-    refuse(std::string("is compressed with ") + (compressor == Compressor::lz4 ? "LZ4" : "LZMA") +
-           ", which the checker of certificates does not read; write it with zlib or without "
-           "compression");
-}
-
 }  // namespace
 
-std::vector<RawGrid> read_vtu(const std::shared_ptr<const InputFile>& file, bool for_certificate) {
+std::vector<RawGrid> read_vtu(const std::shared_ptr<const InputFile>& file) {
   const Document document =
       naming_file(file->path, "", [&] { return parse_xml(file, "UnstructuredGrid"); });
-  if (for_certificate) require_certifiable(*document);
   std::vector<RawGrid> grids;
   for (const pugi::xml_node piece : document->root.child("UnstructuredGrid").children("Piece")) {
     const std::string place = grids.empty() && !piece.next_sibling("Piece")

@@ -11,9 +11,7 @@
 namespace tensortopo::detail {
 
 /// The pieces of a .vtu file. Throws IoError.
-/// @param for_certificate  as in ReadOptions
-std::vector<RawGrid> read_vtu(const std::shared_ptr<const InputFile>& file,
-                              bool for_certificate = false);
+std::vector<RawGrid> read_vtu(const std::shared_ptr<const InputFile>& file);
 
 /// The files that a .pvtu file names, resolved against its folder. Throws IoError.
 std::vector<std::filesystem::path> read_pvtu(const std::shared_ptr<const InputFile>& file);

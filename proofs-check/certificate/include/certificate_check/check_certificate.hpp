@@ -137,6 +137,11 @@ using Progress = std::function<void(std::string_view what, double part)>;
 /// Checks each claim of a certificate (proofs-check/certificate/FORMAT.md) about the field in
 /// `input` (.vtu, .vtk) and the triangles in `surface` (.vtp), deriving the truth from the input's bits.
 /// The report does not depend on the number of threads. Throws Malformed, std::bad_alloc.
+/// Reads a field as a check does, and says how: all of `Subject` that is about the input. Throws
+/// Malformed.
+/// @param order  of the components, by name
+Subject read_subject(const std::string& input, const std::string& tensor, const std::string& order);
+
 Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate, const Progress& progress = {});
 

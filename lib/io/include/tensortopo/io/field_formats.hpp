@@ -14,7 +14,6 @@ struct FieldFormat {
   std::string_view extension;  ///< in lower case, with its dot; may be of two parts (`.nii.gz`)
   std::string_view name;       ///< for people
   std::string_view fuzzed_as;  ///< the target in tests/fuzz
-  bool is_checked = false;     ///< the checker of certificates reads it, too
   bool has_steps = false;      ///< may hold several states of a field, see `ReadOptions::step`
   bool names_files = false;    ///< holds the names of files that hold the field
   bool takes_mask = false;     ///< see `ReadOptions::mask`

@@ -75,10 +75,6 @@ struct ReadOptions {
   /// are on cells. The syntax is that of ExprTk; a name that is no identifier stands between double
   /// quotation marks. Means are taken over all cells.
   std::string where;
-  /// Refuse (inapplicable), before any array is read, what the checker of certificates does not
-  /// read: other formats than .vtu and unstructured .vtk, several pieces, and arrays compressed
-  /// with LZ4 or LZMA.
-  bool for_certificate = false;
 
   /// The option, as the program calls it, by which the mesh is not the file's as it is; null if
   /// there is none.
