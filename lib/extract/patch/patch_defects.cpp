@@ -92,6 +92,18 @@ PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test) {
   return defects;
 }
 
+bool has_doubled_boundary(const PlacedPatch& patch) {
+  std::vector<Vector3<double>> points;
+  for (std::size_t i = 0; i < patch.ids.size(); ++i)
+    if (patch.ids[i] >= 0) points.push_back(patch.points[i]);
+  const auto key = [](const Vector3<double>& p) { return std::array{p.x, p.y, p.z}; };
+  std::sort(points.begin(), points.end(),
+            [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  return std::adjacent_find(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+           return key(a) == key(b);
+         }) != points.end();
+}
+
 template <class Scalar>
 std::vector<SampleRequest<Scalar>> samples_beside(const PatchDefects& defects,
                                                   const PlacedPatch& patch,

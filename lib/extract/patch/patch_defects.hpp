@@ -63,6 +63,10 @@ struct PatchDefects {
 
 PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test);
 
+/// Whether two vertices of the boundary loops have the same coordinates, as next to a tensor that is
+/// nearly isotropic: then no triangles with these loops are embedded.
+bool has_doubled_boundary(const PlacedPatch& patch);
+
 /// A request for the middle of each step along the tetrahedron's boundary loops that is a long side
 /// of a triangle with defects.
 template <class Scalar>

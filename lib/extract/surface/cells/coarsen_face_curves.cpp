@@ -108,7 +108,8 @@ class FaceCurveCoarsening {
 
   bool may_change(std::size_t t) const {
     const auto& mesh = meshes_.cells[t];
-    return !mesh.unresolved && mesh.mesher != Mesher::cone && proofs_[t].level == nullptr;
+    return !mesh.unresolved && !mesh.has_defects && mesh.mesher != Mesher::cone &&
+           proofs_[t].level == nullptr;
   }
 
   /// Whether samples of a face may go; for that both its tetrahedra may change.

@@ -84,6 +84,7 @@ bool CellMesher<Scalar>::find_defects() {
   if (mesh_.has_defects)
     state_.tried += mesh_.patch.triangles.size() + defects.intersecting.size() +
                     defects.tested / kTestsAsOne;
+  mesh_.has_doubled_boundary = mesh_.has_defects && tensortopo::has_doubled_boundary(patch);
   state_.beside_defects.clear();
   if (mesh_.has_defects && state_.must_be_embedded)
     state_.beside_defects = samples_beside(defects, patch, tet_, around_.arc_vertices(tet_));
@@ -168,8 +169,9 @@ bool CellMesher<Scalar>::try_mesher() {
   // Surfaces of more digits are there for their topology: their triangles are not mended.
   if (!std::is_same_v<Scalar, double> || state_.tried > kMostTried) state_.must_be_embedded = false;
   if (!find_defects()) return true;
+  if (mesh_.has_doubled_boundary) state_.must_be_embedded = false;
   if (!state_.must_be_embedded) {
-    if (std::is_same_v<Scalar, double> && !unfold()) untangle_few();
+    if (!mesh_.has_doubled_boundary && std::is_same_v<Scalar, double> && !unfold()) untangle_few();
     return true;
   }
   state_.was_meshed = true;

@@ -23,6 +23,7 @@ struct CellMesh {
   std::optional<UnresolvedReason> unresolved;  ///< not proved, or proved and not meshed
   bool was_mended = false;                     ///< other triangles were tried because of defects
   bool has_defects = false;                    ///< the patch has `PatchDefects`
+  bool has_doubled_boundary = false;  ///< and cannot be without, see `has_doubled_boundary`
 };
 
 /// The triangles of all tetrahedra, with the sampling of faces that meshing needed.
