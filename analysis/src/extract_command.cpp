@@ -139,7 +139,8 @@ class ExtractRun {
     report_.predicates = predicate_counts() - before;
     for (auto& [key, which] : unresolved_)
       report_.unresolved.push_back({key.first, key.second, std::move(which)});
-    if (!command_.strict || report_.unresolved.empty()) write();
+    if (!command_.strict || (report_.unresolved.empty() && doubtful_lines(report_).empty()))
+      write();
     return std::move(report_);
   }
 

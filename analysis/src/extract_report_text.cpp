@@ -120,9 +120,32 @@ std::string unresolved_advice(const ExtractReport& report) {
       [](const UnresolvedReport& cell) { return cell.reason.starts_with("level_constant_"); });
   if (found == report.unresolved.end()) return {};
   return fmt::format(
-      "ask for a mode next to it, for example --mode {}, which holds the surface "
-      "beside those edges and faces",
+      "where the level is constant, ask for a mode next to it, for example --mode {}, which holds "
+      "the surface beside those edges and faces",
       mode_beside(found->modes.front()));
+}
+
+std::vector<std::string> doubtful_lines(const ExtractReport& report) {
+  // Of modes; elsewhere residuals are some orders below.
+  constexpr double kOffTheLevel = 1e-6;
+  std::vector<std::string> lines;
+  for (const SurfaceReport& s : report.surfaces) {
+    std::string what;
+    if (s.max_abs_residual > kOffTheLevel)
+      what = fmt::format("vertices are off the mode by up to {:.1e}", s.max_abs_residual);
+    if (s.not_embedded.value_or(0) > 0)
+      what += fmt::format(
+          "{}in {} triangles intersect, or are at 90 degrees or more to the gradient",
+          what.empty() ? "" : "; ", counted_tets(*s.not_embedded));
+    if (!what.empty())
+      lines.push_back(fmt::format("mode {}: {}: the topology is proved, but coordinates in double "
+                                  "precision do not show the shape there",
+                                  short_text(s.mode), what));
+  }
+  if (!report.surfaces.empty() && report.tetrahedra > 0 &&
+      report.surfaces.front().statistics.tets_undefined == report.tetrahedra)
+    lines.emplace_back("all tetrahedra are isotropic, so that the mode is undefined everywhere");
+  return lines;
 }
 
 std::string improvement_line(const ModeValue& mode, const ImprovementCounts& counts) {
@@ -184,12 +207,6 @@ std::string to_text(const ExtractReport& report) {
         out, "critical mode: {} meshed at a mode next to it, of the same topology\n",
         counted_tets(total.tets_nearby));
   }
-  for (const SurfaceReport& s : report.surfaces)
-    if (s.not_embedded.value_or(0) > 0)
-      fmt::format_to(out,
-                     "mode {}: in {} triangles intersect, or are at 90 degrees or more to the "
-                     "gradient; their topology is the proved\n",
-                     short_text(s.mode), counted_tets(*s.not_embedded));
   if (total.sheets_loops > 0) {
     fmt::format_to(out, "filled between their boundary loops, without a vertex inside: {}\n",
                    counted(total.sheets_loops, "sheet"));

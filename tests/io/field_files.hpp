@@ -13,6 +13,7 @@
 namespace tensortopo::test {
 
 inline constexpr auto invalid = IoError::Kind::invalid;
+inline constexpr auto inapplicable = IoError::Kind::inapplicable;
 
 /// A file of this name in a folder of this test's own.
 std::filesystem::path temporary(const std::string& name);

@@ -11,7 +11,6 @@
 namespace tensortopo::test {
 namespace {
 
-constexpr auto inapplicable = IoError::Kind::inapplicable;
 
 /// Two tetrahedra with a face in common, the second with thrice the volume of the first.
 TextVtu two_cells() {

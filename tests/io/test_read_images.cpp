@@ -23,7 +23,6 @@ namespace tensortopo::test {
 namespace {
 
 const std::filesystem::path kExamples = std::filesystem::path(TENSORTOPO_EXAMPLES) / "formats";
-constexpr auto inapplicable = IoError::Kind::inapplicable;
 
 constexpr std::array<int, 3> kSize{4, 3, 3};
 float value(int sample, int component) {

@@ -115,8 +115,8 @@ bool needs_field(const RenderCommand& command) {
   return !command.modes.empty() || !command.frames.empty() || !command.levels.empty() ||
          command.tet || command.any_tet ||
          (command.texture != Texture::none && command.texture != Texture::dominant) ||
-         !read.tensor.empty() || read.components || read.symmetrize || read.cell_to_point ||
-         read.mean || !read.materials.empty() || read.cell_values != CellValues::one;
+         !read.tensor.empty() || read.components || read.symmetrize || read.zero_below > 0 ||
+         read.cell_to_point || read.mean || !read.materials.empty() || read.cell_values != CellValues::one;
 }
 
 }  // namespace

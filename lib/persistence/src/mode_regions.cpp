@@ -11,6 +11,7 @@ namespace tensortopo {
 ModeRegions mode_regions(const ContourTree& tree, const PersistenceInput& input) {
   ModeRegions result;
   result.is_complete = tree.is_complete;
+  if (tree.has_loops) return result;
   std::vector<int> signs;
   for (const ContourNode& node : tree.nodes) {
     signs.push_back(node.mode.low > 0 ? 1 : node.mode.high < 0 ? -1 : 0);

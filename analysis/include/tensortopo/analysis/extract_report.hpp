@@ -132,4 +132,9 @@ std::string unresolved_line(const ExtractReport& report);
 /// one can ask for instead. Empty if there are none of these.
 std::string unresolved_advice(const ExtractReport& report);
 
+/// What makes a surface useless to the eye though its topology is proved: vertices off the level, as
+/// next to tensors that are isotropic but for rounding, triangles that are not embedded, a field
+/// without a mode. One line each.
+std::vector<std::string> doubtful_lines(const ExtractReport& report);
+
 }  // namespace tensortopo

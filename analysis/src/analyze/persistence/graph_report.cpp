@@ -84,15 +84,22 @@ std::string to_text(const GraphReport& report) {
   }
   for (const ModeRegion& region : report.regions.regions) positive += region.sign > 0;
   fmt::format_to(out,
-                 "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, {} arcs{}\n",
+                 "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, ",
                  report.input.string(), report.tetrahedra, maxima, minima,
-                 report.tree.nodes.size() - maxima - minima, report.tree.arcs.size(),
-                 report.tree.has_loops     ? " (the mesh has loops: the Reeb graph may be no tree)"
-                 : report.tree.is_complete ? ""
+                 report.tree.nodes.size() - maxima - minima);
+  if (report.tree.has_loops)
+    text += "no arcs: the mesh has holes through it, and the Reeb graph may be no tree\n";
+  else
+    fmt::format_to(out, "{} arcs{}\n", report.tree.arcs.size(),
+                   report.tree.is_complete ? ""
                                            : " (not complete: points or curves are not proved)");
-  fmt::format_to(out, "regions of the neutral surface: {} positive, {} negative, {} borders{}\n",
-                 positive, report.regions.regions.size() - positive, report.regions.borders.size(),
-                 report.regions.is_complete ? "" : " (not complete)");
+  if (report.tree.has_loops)
+    text += "regions of the neutral surface: not known, for the same reason\n";
+  else
+    fmt::format_to(out, "regions of the neutral surface: {} positive, {} negative, {} borders{}\n",
+                   positive, report.regions.regions.size() - positive,
+                   report.regions.borders.size(),
+                   report.regions.is_complete ? "" : " (not complete)");
   for (const ModeRegion& region : report.regions.regions)
     if (!region.curves.empty())
       fmt::format_to(out, "  a {} region with {} degenerate curves\n",

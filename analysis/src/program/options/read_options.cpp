@@ -25,6 +25,11 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
       ->check(CLI::IsMember(std::vector<std::string>(component_order_names().begin(),
                                                      component_order_names().end())));
   app.add_flag("--symmetrize", options.symmetrize, "Take the symmetric part of 3x3 tensors");
+  app.add_option("--zero-below", options.zero_below,
+                 "Take components smaller than E as zero, and tensors with smaller deviators as "
+                 "isotropic: rounding next to isotropic points")
+      ->check(CLI::PositiveNumber)
+      ->type_name("E");
   app.add_flag("--cell-to-point", options.cell_to_point,
                "Average tensors on cells to the vertices");
   app.add_flag("--tetrahedralize", options.tetrahedralize,
@@ -78,7 +83,7 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
 namespace {
 
 const std::initializer_list<const char*> kNames{
-    "--tensor",    "--components",   "--symmetrize", "--cell-to-point", "--tetrahedralize",
+    "--tensor",    "--components",   "--symmetrize", "--zero-below", "--cell-to-point", "--tetrahedralize",
     "--quadratic", "--step",         "--mask",       "--cell-values",   "--mean",
     "--materials", "--merge-points", "--where"};
 

@@ -123,6 +123,11 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
               << (report.written ? "" : "; nothing written") << (advice.empty() ? "" : "; ")
               << advice << '\n';
   }
+  const std::vector<std::string> doubtful = doubtful_lines(report);
+  for (const std::string& line : doubtful)
+    if (!common.quiet || command.strict)
+      std::cerr << "tensortopo: " << report.input.string() << ": " << line
+                << (report.written ? "" : "; nothing written") << '\n';
   print_one(report);
   if (!common.quiet) say_crowded(report);
   bool is_farther = false;
@@ -139,7 +144,7 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
   }
   if (is_farther) return ExitStatus::undecided;
   if (say_undecided(report.certificate, common.quiet)) return ExitStatus::undecided;
-  return command.strict && !unresolved.empty() ? ExitStatus::undecided : ExitStatus::done;
+  return command.strict && !report.written ? ExitStatus::undecided : ExitStatus::done;
 }
 
 /// What stands in the name of an output for the number of a step.
@@ -283,7 +288,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->type_name("CERT");
   app.add_flag(
       "--strict", command.strict,
-      "If a tetrahedron stays unresolved, write nothing and exit with 1; if the mesh is torn "
+      "If a tetrahedron stays unresolved, a surface is not embedded or off its mode, or the field "
+      "has no mode anywhere, write nothing and exit with 1; if the mesh is torn "
       "(faces lie on others without being shared), with 3");
   add_read_options(app, common, command.read);
   add_common_options(app, common);

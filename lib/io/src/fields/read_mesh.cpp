@@ -19,6 +19,7 @@
 #include "fields/cells_where.hpp"
 #include "fields/merge_points.hpp"
 #include "fields/read_mesh_of.hpp"
+#include "fields/small_tensors.hpp"
 #include "fields/tensor_array.hpp"
 #include "fields/torn_faces.hpp"
 #include "formats/field_format.hpp"
@@ -92,6 +93,11 @@ void write_notes(const ReadOptions& options, ReadReport& report) {
   note(report.curved_edges, "curved edge", "curved edges", "of quadratic cells taken as straight");
   note(report.reoriented_cells, "tetrahedron", "tetrahedra", "of negative volume turned around");
   note(report.symmetrized_tensors, "tensor", "tensors", "symmetrized");
+  if (options.zero_below > 0)
+    report.notes.push_back(fmt::format("{} {} changed by --zero-below {:g}",
+                                       report.tensors_with_zeros,
+                                       report.tensors_with_zeros == 1 ? "tensor" : "tensors",
+                                       options.zero_below));
   note(report.averaged_vertices, "vertex", "vertices",
        options.mean == MeanWeights::volume ? "given the mean of the cells around them, by volume"
                                            : "given the mean of the cells around them");
@@ -221,10 +227,23 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
   ReadResult result;
   const SplitCells split = read_unchecked(file, options, what, result);
   ReadReport& report = result.report;
+  if (what == Reading::field) {
+    if (const NotFinite found = find_not_finite(result.mesh); found.count > 0)
+      throw IoError(IoError::Kind::invalid, file->path,
+                    fmt::format("a tensor component of `{}` is no finite number at vertex {}{}, of "
+                                "cells that --where takes",
+                                report.tensor_name, found.vertex,
+                                found.count > 1 ? fmt::format(" and {} more", found.count - 1)
+                                                : ""));
+    if (options.zero_below > 0)
+      report.tensors_with_zeros = take_as_zero(result.mesh, options.zero_below);
+  }
   const auto outer = check(file->path, result.mesh, report.cells_left_out);
   report.torn_faces = torn_faces(split.grids, split.map, result.mesh, outer);
   report.unreferenced_points = count_unreferenced_points(result.mesh);
   write_notes(options, report);
+  if (std::string note = note_of_nearly_isotropic(result.mesh); !note.empty())
+    report.notes.push_back(std::move(note));
   if (report.torn_faces.count > 0 && in_same_places(result.mesh, report.torn_faces.vertices))
     report.notes.push_back(
         "points of torn faces are doubled; --merge-points makes one of those with equal tensors, "
@@ -257,6 +276,7 @@ ReadResult detail::read_mesh_of(const std::shared_ptr<const InputFile>& file,
 const char* ReadOptions::making_others() const {
   if (cell_to_point || cell_values != CellValues::one) return "--cell-to-point";
   if (tetrahedralize) return "--tetrahedralize";
+  if (zero_below > 0) return "--zero-below";
   if (merge_points) return "--merge-points";
   if (!where.empty()) return "--where";
   return nullptr;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/tensor_array.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -243,6 +245,19 @@ TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& optio
   return choice;
 }
 
+namespace {
+
+bool is_not_finite(double x) { return !std::isfinite(x); }
+
+/// How many components are no finite numbers, but for the first.
+std::string further_ones(const std::vector<double>& values) {
+  const auto count = std::count_if(values.begin(), values.end(), is_not_finite);
+  return count > 1 ? fmt::format(", and {} more component{}", count - 1,
+                               count == 2 ? "" : "s") : "";
+}
+
+}  // namespace
+
 std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const TensorChoice& choice,
                                                   const ReadOptions& options,
                                                   std::size_t& symmetrized) {
@@ -267,10 +282,16 @@ std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const Ten
       return (choice.on_cells ? "cell " : "point ") + std::to_string(i / choice.per_cell) + " of `" + choice.name +
              "`";
     };
-    for (std::size_t k = 0; k < choice.components; ++k)
-      if (!std::isfinite(v[k]))
+    // With `where`, only those count that are taken.
+    if (const double* const x = std::find_if(v, v + choice.components, is_not_finite);
+        x != v + choice.components) {
+      if (options.where.empty())
         refuse(grid, std::string("a tensor component is ") +
-                         (std::isnan(v[k]) ? "not a number" : "infinite") + " (" + place() + ")");
+                         (std::isnan(*x) ? "not a number" : "infinite") + " (" + place() +
+                         further_ones(values) + "); --where takes the cells without");
+      tensors[i].xx = *x;
+      continue;
+    }
     if (choice.components == 6) {
       const auto at = [&](std::size_t k) { return v[places[k]]; };
       tensors[i] = {at(0), at(1), at(2), at(3), at(4), at(5)};

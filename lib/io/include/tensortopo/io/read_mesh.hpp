@@ -45,6 +45,9 @@ struct ReadOptions {
   std::optional<ComponentOrder> components;
   /// Take (T + T^t) / 2 of a 3x3 tensor that is asymmetric by more than 1e-9 of its norm.
   bool symmetrize = false;
+  /// Take components of less than this, in absolute value, as zero, and then tensors whose deviator's
+  /// norm is less as isotropic; 0: none. In the tensor's units.
+  double zero_below = 0;
   /// Let tensors on cells stand: each vertex gets the mean over the 3D cells around it, see
   /// `materials`. Of integration points each cell has their plain mean first.
   bool cell_to_point = false;
@@ -107,6 +110,7 @@ struct ReadReport {
   std::size_t curved_edges = 0;         ///< of quadratic cells, taken as two straight ones, or as one
   std::size_t reoriented_cells = 0;     ///< negative volume as listed; see repair_orientation
   std::size_t symmetrized_tensors = 0;  ///< xy and yx (or another pair) differed
+  std::size_t tensors_with_zeros = 0;   ///< changed by `ReadOptions::zero_below`
   std::size_t averaged_vertices = 0;    ///< got their tensor from cells
   std::size_t merged_points = 0;        ///< points dropped as copies of another
   std::size_t doubled_vertices = 0;     ///< added between materials

@@ -34,7 +34,8 @@ struct ModeRegions {
   bool is_complete = true;            ///< the tree is, and no node may have mode 0
 };
 
-/// What is left of the contour tree where mode 0 is taken out.
+/// What is left of the contour tree where mode 0 is taken out. Nothing, and not complete, if the mesh
+/// has loops: then there is no tree.
 ModeRegions mode_regions(const ContourTree& tree, const PersistenceInput& input);
 
 /// The vertices of a component of curves that is one closed line, in order, each once; nothing of
