@@ -31,7 +31,7 @@ std::vector<ModeValue> modes_of(const SurfaceRequest& request) {
   for (const ModeValue& mode : request.modes) {
     if (std::abs(mode.approx()) == 1)
       throw std::invalid_argument("mode " + mode.text() +
-                                  ": where the mode is 1 or -1 there are degenerate curves");
+                                  ": where the mode is 1 or -1 there are degenerate curves, which are asked for apart");
     add(mode);
     if (request.generalized) add(mode.opposite());
   }

@@ -99,9 +99,9 @@ def grid_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Opti
     other = sorted({int(t) for t in types[~tetra]} - _FLAT)
     if other:
         what = ", ".join(_LINEAR_NAMES.get(t, f"cells of VTK's type {t}") for t in other)
-        raise FileError(
-            f"{path}: has {what}; rewrite it with: tensortopo convert {path} -o OUT.vtu"
-        )
+        linear = all(t in _LINEAR_NAMES for t in other)
+        how = '"--tetrahedralize"' if linear else '"--quadratic", "split"'
+        raise FileError(f"{path}: has {what}; options=[{how}] splits them into tetrahedra")
     if (ends[tetra] - starts[tetra] != 4).any():
         raise FileError(f"{path}: a tetrahedron has not four vertices")
     ghosts = piece.sections.get("CellData", {}).get("vtkGhostType")
@@ -146,7 +146,9 @@ def _converted(file: Path, words: Sequence[str], tensor: Optional[str], componen
         done = subprocess.run([*command, "-o", str(made)], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             lines = done.stderr.strip().splitlines() or [f"{file}: tensortopo convert failed"]
-            raise FileError(lines[-1].removeprefix("tensortopo: "))
+            problem = lines[-1].removeprefix("tensortopo: ")
+            given = " (here: options=[...])" if " --" in problem else ""
+            raise FileError(problem + given)
         piece = read_piece(made)
     return _field_of(file, piece, None, None, False)
 
@@ -200,6 +202,8 @@ def read(
         As `Field`.
     """
     file = Path(path)
+    if isinstance(options, str):
+        raise TypeError(f"options: a list of words is expected, as {options.split()}")
     words = [*options]
     words += [] if step is None else ["--step", str(operator.index(step))]
     words += [] if mask is None else ["--mask", os.fspath(mask)]

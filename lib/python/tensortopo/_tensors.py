@@ -57,7 +57,7 @@ def tensor_rows(tensors: Any, components: str = "vtk", symmetrize: bool = False)
         return _from_matrices(array, symmetrize)
     if array.ndim < 1 or array.shape[-1] != 6:
         raise ValueError("tensors: expected shape (..., 6) or (..., 3, 3), not " + str(array.shape))
-    if components not in COMPONENT_ORDERS:
+    if not isinstance(components, str) or components not in COMPONENT_ORDERS:
         known = ", ".join(COMPONENT_ORDERS)
         raise ValueError(f"components: there is no order '{components}'; there are {known}")
     order = COMPONENT_ORDERS[components]
