@@ -21,6 +21,7 @@ LONGEST_FILE, LONG_FILE, LONGEST_README = 450, 400, 100
 # A small literal is a tolerance until proved otherwise: file|literal|why it is there.
 TOLERANCES = """
 lib/extract/patch/quality/improve_triangles.cpp|1e-13|a moved vertex is as close to the level as those of the meshing, else it stays
+lib/io/src/fields/small_tensors.cpp|1e-9|share below which a note says that a tensor is nearly isotropic
 lib/extract/patch/charts/dominant_chart.cpp|1e-15|the end of a Newton iteration
 lib/extract/patch/charts/dominant_chart.cpp|1e-12|a guess that did not converge is none; the place of what it gives is checked
 lib/extract/run/budget.hpp|2e-7|levels thinner than this are not worth the large budget

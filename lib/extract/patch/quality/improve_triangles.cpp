@@ -14,6 +14,7 @@
 #include "extract/patch/quality/least_sine.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/renumber.hpp"
+#include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 namespace {
@@ -88,7 +89,7 @@ class Improver {
       const auto &p = surface_.points[as_size(t[0])], &q = surface_.points[as_size(t[1])],
                  &r = surface_.points[as_size(t[2])];
       const double angle =
-          std::asin(std::min(1.0, least_sine(p, q, r, length(normal(t))))) * 180 / std::numbers::pi;
+          elementary::asin(std::min(1.0, least_sine(p, q, r, length(normal(t))))) * 180 / std::numbers::pi;
       summary.least = std::min(summary.least, angle);
       sum += angle;
     }

@@ -19,8 +19,13 @@ std::array<double, 6> components(const Tensor& t) { return {t.xx, t.yy, t.zz, t.
 /// Of the deviator, about.
 double deviator_norm(const Tensor& t) {
   const double mean = t.xx / 3 + t.yy / 3 + t.zz / 3;
-  const double off = std::hypot(t.xy, t.yz, t.xz);
-  return std::hypot(std::hypot(t.xx - mean, t.yy - mean, t.zz - mean), std::sqrt(2.0) * off);
+  const std::array<double, 9> all{t.xx - mean, t.yy - mean, t.zz - mean, t.xy, t.yz,
+                                  t.xz,        t.xy,        t.yz,        t.xz};
+  double largest = 0, sum = 0;
+  for (const double x : all) largest = std::max(largest, std::abs(x));
+  if (!(largest > 0)) return 0;
+  for (const double x : all) sum += x / largest * (x / largest);
+  return largest * std::sqrt(sum);
 }
 
 bool operator!=(const Tensor& s, const Tensor& t) { return components(s) != components(t); }
