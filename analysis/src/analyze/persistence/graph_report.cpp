@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyze/persistence/graph_command.hpp"
+#include "counted.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 
 namespace tensortopo {
@@ -102,8 +103,9 @@ std::string to_text(const GraphReport& report) {
                    report.regions.is_complete ? "" : " (not complete)");
   for (const ModeRegion& region : report.regions.regions)
     if (!region.curves.empty())
-      fmt::format_to(out, "  a {} region with {} degenerate curves\n",
-                     region.sign > 0 ? "positive" : "negative", region.curves.size());
+      fmt::format_to(out, "  a {} region with {}\n",
+                     region.sign > 0 ? "positive" : "negative",
+                     counted(region.curves.size(), "degenerate curve"));
   std::size_t transitions = 0;
   for (const GraphCurve& curve : report.curves) transitions += curve.transitions;
   fmt::format_to(out, "degenerate curves: {}, with {} transitions between wedges and trisectors\n",

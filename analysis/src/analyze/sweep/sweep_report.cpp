@@ -10,7 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analyze/sweep/sweep_command.hpp"
+#include "counted.hpp"
 #include "short_text.hpp"
+#include "tensortopo/analysis/extract_command.hpp"
 
 namespace tensortopo {
 namespace {
@@ -146,13 +148,22 @@ std::string to_text(const SweepReport& report) {
     text +=
         level.unresolved > 0 ? fmt::format("  {} tetrahedra unresolved\n", level.unresolved) : "\n";
   }
-  std::size_t points = 0, looked_at = 0;
-  for (const SweepEvent& event : sweep.events) points += event.points.size();
+  if (is_degenerate(report.options.from) || is_degenerate(report.options.to))
+    text += "(modes 1 and -1 have no row: there the level is a set of curves)\n";
+  std::size_t points = 0, looked_at = 0, undecided = 0;
+  for (const SweepEvent& event : sweep.events) {
+    points += event.points.size();
+    for (const MeshCriticalPoint& point : event.points)
+      undecided += point.effect.change == LocalChange::undecided;
+  }
   for (const std::size_t n : sweep.looked_at) looked_at += n;
   fmt::format_to(out,
                  "\n{} critical values ({} points, of {} at which the level of a cell changes);\n"
-                 "between them the topology is constant\n",
-                 sweep.events.size(), points, looked_at);
+                 "between them the topology is constant{}\n",
+                 sweep.events.size(), points, looked_at,
+                 undecided > 0 ? fmt::format("; what {} of them change is undecided",
+                                             counted(undecided, "point"))
+                               : "");
   for (const auto& [change, count] : count_changes(sweep))
     fmt::format_to(out, "  {:<10} {:>7}\n", change, count);
 
