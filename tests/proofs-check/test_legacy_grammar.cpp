@@ -53,6 +53,8 @@ TEST(LegacyGrammar, IsThatOfVtk) {
                 "TEXTURE_COORDINATES c 2 float\n0 0 0 1 1 0 1 1\nCOLOR_SCALARS k 1\n0 0.5 1 1\n"
                 "TENSORS6 stress double\n" + kNumbers,
         kTitle + grid_with(information) + kData,
+        start + "POINT_DATA 4\nFIELD f 2\nt 1 2 string\n" + std::string(300, 'a') +
+            "\nMETADATA\nstress 6 4 double\n" + kNumbers,
         start + "POINT_DATA 4\nFIELD FieldData 3\nNULL_ARRAY\nother 0 0 int\nstress 6 4 double\n" +
             kNumbers + "METADATA\n" + information + "\n",
         start + "CELL_DATA 1\nSCALARS a%20b int\nLOOKUP_TABLE default\n1\n" + kData})
@@ -98,7 +100,8 @@ TEST(LegacyGrammar, IsThatOfVtk) {
            start + "POINT_DATA 4\nTENSORS6 stress unsigned_int\n-6 " + kNumbers.substr(2),
            start + "POINT_DATA 4\nTENSORS6 stress int\n3454763386 " + kNumbers.substr(2),
            start + "POINT_DATA 4\nTENSORS6 stress bit\n" + kNumbers,
-           start + "POINT_DATA 4\nFIELD f 2\nt 1 1 string\na\n\nstress 6 4 double\n" + kNumbers,
+           start + "POINT_DATA 4\nFIELD f 2\nt 1 2 string\nstress 6 4 double\n" + kNumbers,
+           start + "POINT_DATA 4\nFIELD f 1\nstress 6 4 string\n" + kNumbers,
            start + "POINT_DATA 4\nFIELD f 2\nt 1 1 double\ninf\nstress 6 4 double\n" + kNumbers,
            start + "POINT_DATA 4\nFIELD f 2\nt 1 1 double\n1e999\nstress 6 4 double\n" + kNumbers,
            start + "POINT_DATA 4\nFIELD f 1\nstress 6 4 double\n" + kNumbers +
@@ -115,7 +118,7 @@ TEST(LegacyGrammar, IsThatOfVtk) {
     EXPECT_FALSE(is_read(text)) << text;
     ++refused;
   }
-  EXPECT_EQ(refused, 43u);
+  EXPECT_EQ(refused, 44u);
   std::filesystem::remove_all(folder);
 }
 

@@ -25,10 +25,10 @@ void require_checkable(const std::filesystem::path& input, const CertificateSubj
 /// The same beside other work.
 class CheckableInput {
  public:
-  /// Begins to read the file.
+  /// Begins to read the file, in a thread if there can be one.
   CheckableInput(const std::filesystem::path& input, const ReadResult& read)
       : subject_(subject_of(read)),
-        done_(std::async(std::launch::async, [input, subject = subject_] {
+        done_(std::async(std::launch::async | std::launch::deferred, [input, subject = subject_] {
           require_checkable(input, subject);
         })) {}
 

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 #include "tensortopo/analysis/exit_status.hpp"
 #include "tensortopo/io/file_group.hpp"
@@ -84,8 +85,10 @@ void prepare_for_exhaustion() {
 
 const char* exhausted(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return out_of_memory;
-  // What oneTBB throws when the system gives no thread.
-  if (std::string_view(error.what()).starts_with("pthread_create"))
+  // When the system gives no thread: what the standard library throws, and what oneTBB does.
+  const auto* const system = dynamic_cast<const std::system_error*>(&error);
+  if ((system != nullptr && system->code() == std::errc::resource_unavailable_try_again) ||
+      std::string_view(error.what()).starts_with("pthread_create"))
     return "cannot start threads: too little memory, or too many processes";
   return nullptr;
 }

@@ -13,6 +13,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -94,6 +95,8 @@ int main(int argc, char** argv) try {
   return fail(error.what());
 } catch (const std::bad_alloc&) {
   return fail("out of memory");
+} catch (const std::system_error& error) {
+  return fail(std::string("the system gives no thread, or file: ") + error.what());
 } catch (const std::exception& error) {
   return fail(std::string("internal error: ") + error.what());
 }

@@ -45,12 +45,12 @@ TEST(Checkable, IsWhatTheCheckerReadsAsTheProgramDoes) {
   const std::filesystem::path formats = std::filesystem::path(TENSORTOPO_DATA) / ".." / "formats";
   const std::vector<std::string> mode{"--mode", "1/2"};
   EXPECT_EQ(refusal(put("plain.vtk", kGrid + kData), mode), "");
-  const std::string texts = "FIELD f 1\ntexts 1 4 string\na\nb\nc\nd\n\n";
+  const std::string bits = "FIELD f 1\nbits 1 4 bit\n0 1 1 0\n";
   const std::string ghosts = "CELL_DATA 1\nSCALARS vtkGhostType unsigned_char\n"
                              "LOOKUP_TABLE default\n0\n";
   std::size_t refused = 0;
   for (const auto& [file, what] : std::vector<std::pair<std::string, std::string>>{
-           {put("texts.vtk", kGrid + kData + texts), "string"},
+           {put("bits.vtk", kGrid + kData + bits), "bit"},
            {put("ghosts.vtk", kGrid + ghosts + kData), "ghost"},
            {(formats / "plate.frd").string(), "neither a .vtu nor a .vtk"}})
     for (const std::vector<std::string>& level :

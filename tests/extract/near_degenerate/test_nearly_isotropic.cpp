@@ -29,12 +29,12 @@ TEST(NearlyIsotropic, VerticesKeepTheTopologyAndCostLittle) {
     const Extraction a = extract(plain, mode), b = extract(nearly, mode);
     if (unresolved_text(a) + unresolved_text(b) != "") continue;
     EXPECT_EQ(topology_in_tet(a).components, topology_in_tet(b).components);
-    EXPECT_LT(b.surface.triangles.size(), 2000u);
+    EXPECT_LT(b.surface.triangles.size(), 10000u);
     with_sheets += !b.surface.triangles.empty();
     not_embedded += b.not_embedded.size();
   }
   EXPECT_GT(with_sheets, 30u);
-  EXPECT_GT(not_embedded, 5u);
+  EXPECT_GT(not_embedded, 1u);
 }
 
 }  // namespace

@@ -109,6 +109,30 @@ std::vector<double> LegacyLines::numbers(std::size_t count, LegacyType type) {
   return result;
 }
 
+void LegacyLines::skip_texts(std::size_t count) {
+  const auto skip = [&](std::uint64_t bytes) {
+    if (bytes > rest_.size()) fail("data that end too early");
+    rest_.remove_prefix(bytes);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (rest_.empty()) fail("data that end too early");
+    if (!binary_) {
+      skip(std::min(rest_.find('\n'), rest_.size() - 1) + 1);
+      continue;
+    }
+    // The two highest bits of the first byte tell how many bytes the length takes.
+    const auto first = static_cast<unsigned char>(rest_.front());
+    const std::size_t more = (std::size_t{8} >> (first >> 6)) - 1;
+    if (more >= rest_.size()) fail("data that end too early");
+    std::uint64_t length = first & 63u;
+    for (std::size_t k = 1; k <= more; ++k)
+      length = length << 8 | static_cast<unsigned char>(rest_[k]);
+    skip(1 + more);
+    skip(length);
+  }
+  if (binary_ && count > 0 && !rest_.empty() && !is_blank(line())) fail("more than its texts");
+}
+
 std::size_t LegacyLines::natural(std::string_view word) const {
   std::size_t value = 0;
   const char* const end = word.data() + word.size();
@@ -123,7 +147,8 @@ LegacyType LegacyLines::type(std::string_view word) const {
       {"double", {real, 8}},         {"float", {real, 4}},          {"char", {whole, 1}},
       {"signed_char", {whole, 1}},   {"unsigned_char", {natural, 1}}, {"short", {whole, 2}},
       {"unsigned_short", {natural, 2}}, {"int", {whole, 4}},        {"unsigned_int", {natural, 4}},
-      {"vtktypeint64", {whole, 8}},  {"vtktypeuint64", {natural, 8}}, {"vtkidtype", {whole, 4}}};
+      {"vtktypeint64", {whole, 8}},  {"vtktypeuint64", {natural, 8}}, {"vtkidtype", {whole, 4}},
+      {"string", {text, 1}},         {"utf8_string", {text, 1}}};
   const auto found = types.find(lower_case(word));
   if (found == types.end())
     fail("an array of type '" + std::string(word) +

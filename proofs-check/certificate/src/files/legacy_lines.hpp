@@ -10,9 +10,9 @@
 
 namespace certificate {
 
-/// A type of number that legacy files name.
+/// A type of number, or text, that legacy files name.
 struct LegacyType {
-  enum Kind { real, whole, natural } kind;
+  enum Kind { real, whole, natural, text } kind;
   std::size_t size;  ///< bytes, in a binary file
 };
 
@@ -43,6 +43,8 @@ class LegacyLines {
   Words words_in(std::string_view line) const;
   /// The numbers from the next line on, in bytes with the highest first, or in words.
   std::vector<double> numbers(std::size_t count, LegacyType type);
+  /// Passes by texts: each a line of any length, or bytes after their number.
+  void skip_texts(std::size_t count);
 
   /// A count: digits. What it counts takes a byte of the file at least, so that products of some do
   /// not overflow.

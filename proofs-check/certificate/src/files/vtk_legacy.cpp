@@ -66,7 +66,9 @@ class LegacyReader {
     if (key == "points") {
       require(words, 3);
       points_ = lines_.natural(words[1]);
-      grid_.points = finite(lines_.numbers(3 * points_, lines_.type(words[2])));
+      const LegacyType type = lines_.type(words[2]);
+      if (type.kind == LegacyType::text) lines_.fail("points that are no numbers");
+      grid_.points = finite(lines_.numbers(3 * points_, type));
       last_width_ = 3, took_last_ = false;
     } else if (key == "cells") {
       require(words, 3);
@@ -193,7 +195,12 @@ class LegacyReader {
   void read_array(std::string_view word, std::size_t components, std::size_t items,
                   std::string_view type) {
     const std::string name = lines_.name(word);
-    std::vector<double> values = lines_.numbers(components * items, lines_.type(type));
+    const LegacyType stored = lines_.type(type);
+    std::vector<double> values;
+    if (stored.kind == LegacyType::text)
+      lines_.skip_texts(components * items);
+    else
+      values = lines_.numbers(components * items, stored);
     if (name == "vtkGhostType" || name == "vtkGhostLevels")
       lines_.fail("has marks of ghost cells or points, '" + name +
                   "'; leave them out, or make a file without with tensortopo convert");
@@ -201,8 +208,8 @@ class LegacyReader {
     last_width_ = components;
     took_last_ = place_ == Place::points && name == tensor_;
     if (!took_last_) return;
-    if (components != width_)
-      lines_.fail("an array of other than " + std::to_string(width_) + " components");
+    if (components != width_ || stored.kind == LegacyType::text)
+      lines_.fail("an array of other than " + std::to_string(width_) + " numbers each");
     grid_.tensors = finite(std::move(values));
   }
 

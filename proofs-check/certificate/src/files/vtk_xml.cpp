@@ -69,7 +69,7 @@ XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::str
   highest_first_ = order == "BigEndian";
   const std::string compressor = root.attribute("compressor").value();
   zlib_ = !compressor.empty();
-  if (zlib_ && compressor != "vtkZLibDataCompressor") fail("unknown compressor");
+  if (zlib_ && compressor != "vtkZLibDataCompressor") fail("is compressed by " + compressor + ", which is not read here");
   const std::string header = root.attribute("header_type").as_string("UInt32");
   if (header != "UInt32" && header != "UInt64") fail("unknown header_type");
   header_ = header == "UInt64" ? 8 : 4;

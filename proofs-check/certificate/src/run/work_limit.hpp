@@ -29,11 +29,11 @@ class WorkLimit {
     return [this, &level, progress](std::size_t count, const std::function<void(std::size_t)>& f,
                                     const char* what) {
       for (std::size_t first = 0; first < count && !is_reached();) {
+        if (progress) progress(what, static_cast<double>(first) / static_cast<double>(count));
         const std::size_t size =
             std::min(count - first, std::clamp<std::size_t>(left_ / kDear, 64, 8192));
         parallel_for(size, [&](std::size_t i) { f(first + i); });
         first += size;
-        if (progress) progress(what, static_cast<double>(first) / static_cast<double>(count));
         spend(level);
       }
     };
