@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -72,6 +73,21 @@ TEST(ReadFrd, AStepThatIsAskedForIsAnother) {
     options.step = none;
     expect_error(kPlate, IoError::Kind::inapplicable, {"--step", "steps 1 to 2"}, options);
   }
+}
+
+TEST(ReadFrd, AWholeStepOfAFileThatIsCutOffIsTaken) {
+  const std::string whole = slurp(kPlate);
+  const auto cut = put("cut.frd", whole.substr(0, whole.size() * 19 / 20));
+  ReadOptions options;
+  options.step = 1;
+  const auto read = read_mesh(cut, options);
+  expect_same_field(read.mesh, read_mesh(kPlate, options).mesh);
+  EXPECT_TRUE(std::any_of(read.report.notes.begin(), read.report.notes.end(), [](const auto& note) {
+    return note.find("after the step that is taken") != std::string::npos;
+  }));
+  expect_error(cut, invalid, {"cut off"});
+  options.step = 2;
+  expect_error(cut, invalid, {"cut off"}, options);
 }
 
 TEST(ReadFrd, NumbersAreThoseOfTheFile) {

@@ -145,12 +145,18 @@ class FrdReader {
   }
 
  private:
-  /// Reads nodes and elements, and finds the results.
+  /// Reads nodes and elements, and finds the results. A file that is cut off, or damaged, after the
+  /// step that is asked for will do.
   void locate() {
     try {
       read_blocks();
       if (nodes_.empty() || grid_.types.empty()) throw FormatError("holds no nodes or no elements");
     } catch (const FormatError& error) {
+      if (const auto& step = source_.options.step; step && *step > 0 && *step < steps_.size()) {
+        source_.notes.push_back(fmt::format("{} ({}), after the step that is taken", error.what(),
+                                            scan_.place()));
+        return;
+      }
       throw IoError(IoError::Kind::invalid, grid_.file,
                     std::string(error.what()) + " (" + scan_.place() + ")");
     }
