@@ -53,11 +53,11 @@ TEST(LegacyGrammar, IsThatOfVtk) {
                 "TEXTURE_COORDINATES c 2 float\n0 0 0 1 1 0 1 1\nCOLOR_SCALARS k 1\n0 0.5 1 1\n"
                 "TENSORS6 stress double\n" + kNumbers,
         kTitle + grid_with(information) + kData,
-        start + "POINT_DATA 4\nFIELD f 2\nt 1 2 string\n" + std::string(300, 'a') +
-            "\nMETADATA\nstress 6 4 double\n" + kNumbers,
-        start + "POINT_DATA 4\nFIELD FieldData 3\nNULL_ARRAY\nother 0 0 int\nstress 6 4 double\n" +
+        start + "POINT_DATA 4\nFIELD f 2\nt 1 4 string\n" + std::string(300, 'a') +
+            "\nMETADATA\n\nx\nstress 6 4 double\n" + kNumbers,
+        start + "POINT_DATA 4\nFIELD FieldData 3\nNULL_ARRAY\nother 0 4 int\nstress 6 4 double\n" +
             kNumbers + "METADATA\n" + information + "\n",
-        start + "CELL_DATA 1\nSCALARS a%20b int\nLOOKUP_TABLE default\n1\n" + kData})
+        start + "CELL_DATA 1\nSCALARS a%20b int\nLOOKUP_TABLE default\n1\nFIELD f 1\nt 1 1 string\na\n" + kData})
     EXPECT_TRUE(is_read(text)) << text;
   std::size_t refused = 0;
   const std::string zero(1, '\0'), scalars = "SCALARS ";
@@ -95,6 +95,20 @@ TEST(LegacyGrammar, IsThatOfVtk) {
            "# vtk DataFile Version 5.1x\na field\n" + kGrid + kData,
            "# vtk DataFile Version 05.1\na field\n" + kGrid + kData,
            start + "POINT_DATA 4\nTENSORS6 stress double\n" + kNumbers + kGrid.substr(32),
+           // Attributes at which others give up, and read what follows as data of points.
+           whole + "CELL_DATA 1\nVECTORS v string\na\nb\nc\nFIELD f 1\nother 6 4 double\n" + kNumbers,
+           whole + "CELL_DATA 1\nTEXTURE_COORDINATES t 0 double\n",
+           whole + "CELL_DATA 1\nTEXTURE_COORDINATES t 9 double\n1 2 3 4 5 6 7 8 9\n",
+           whole + "CELL_DATA 1\nEDGE_FLAGS e int\n1\n",
+           whole + "CELL_DATA 1\nPEDIGREE_IDS e string\na\n",
+           whole + "CELL_DATA 1\nFIELD f 1\nother 6 4 double\n" + kNumbers,
+           whole + "CELL_DATA 1\nFIELD f 1\nstress 6 1 double\n1 2 3 4 5 6\n",
+           // Arrays by another way.
+           whole + "COLOR_SCALARS stress 6\n" + kNumbers,
+           start + "POINT_DATA 4\nCOLOR_SCALARS stress 6\n" + kNumbers,
+           whole + "COLOR_SCALARS %73tress 6\n" + kNumbers,
+           whole + "CELL_DATA 1\nCOLOR_SCALARS vtkGhostType 1\n1\n",
+           whole + "COLOR_SCALARS other 1\n0 0 1 1\nMETADATA\n" + information + "\n",
            // Types that others wrap around, skip or read otherwise.
            start + "POINT_DATA 4\nTENSORS6 stress char\n186 " + kNumbers.substr(2),
            start + "POINT_DATA 4\nTENSORS6 stress unsigned_int\n-6 " + kNumbers.substr(2),
@@ -118,7 +132,7 @@ TEST(LegacyGrammar, IsThatOfVtk) {
     EXPECT_FALSE(is_read(text)) << text;
     ++refused;
   }
-  EXPECT_EQ(refused, 44u);
+  EXPECT_EQ(refused, 56u);
   std::filesystem::remove_all(folder);
 }
 

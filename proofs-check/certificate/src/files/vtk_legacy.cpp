@@ -66,9 +66,7 @@ class LegacyReader {
     if (key == "points") {
       require(words, 3);
       points_ = lines_.natural(words[1]);
-      const LegacyType type = lines_.type(words[2]);
-      if (type.kind == LegacyType::text) lines_.fail("points that are no numbers");
-      grid_.points = finite(lines_.numbers(3 * points_, type));
+      grid_.points = finite(lines_.numbers(3 * points_, number_type(words[2])));
       last_width_ = 3, took_last_ = false;
     } else if (key == "cells") {
       require(words, 3);
@@ -146,30 +144,36 @@ class LegacyReader {
     return naturals(count, type);
   }
 
+  /// Of kinds and shapes for which other readers do not give up: then they go on elsewhere.
   void read_attribute(const std::string& key, const Words& words) {
     static const std::map<std::string, std::size_t> widths{
-        {"vectors", 3},    {"normals", 3},      {"tensors", 9},   {"tensors6", 6},
-        {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}};
+        {"vectors", 3}, {"normals", 3}, {"tensors", 9}, {"tensors6", 6}, {"global_ids", 1}};
     if (const auto found = widths.find(key); found != widths.end()) {
       require(words, 3);
-      read_array(words[1], found->second, items_, words[2]);
+      read_array(words[1], found->second, items_, number_type(words[2]));
     } else if (key == "texture_coordinates") {
       require(words, 4);
-      read_array(words[1], lines_.natural(words[2]), items_, words[3]);
+      const std::size_t dimension = lines_.natural(words[2]);
+      if (dimension < 1 || dimension > 3) lines_.fail("TEXTURE_COORDINATES of other than 1 to 3 numbers");
+      read_array(words[1], dimension, items_, number_type(words[3]));
     } else if (key == "scalars") {
       if (words.size() != 3) require(words, 4);
       const std::size_t components = words.size() == 3 ? 1 : lines_.natural(words[3]);
       const Words table = lines_.words(2);
       if (lower_case(table[0]) != "lookup_table" || components == 0)
         lines_.fail("SCALARS without components or LOOKUP_TABLE");
-      read_array(words[1], components, items_, words[2]);
-    } else if (key == "color_scalars" || key == "lookup_table") {
+      read_array(words[1], components, items_, number_type(words[2]));
+    } else if (key == "color_scalars") {
       require(words, 3);
-      const std::size_t count = lines_.natural(words[2]);
-      lines_.numbers(key == "lookup_table" ? 4 * count : count * items_,
-                     lines_.is_binary() ? kByte : kFloat);
+      if (lines_.name(words[1]) == tensor_)
+        lines_.fail("the array '" + tensor_ + "' as COLOR_SCALARS, which are changed when they are read");
+      read_array(words[1], lines_.natural(words[2]), items_, lines_.is_binary() ? kByte : kFloat);
+      last_width_ = 0;
+    } else if (key == "lookup_table") {
+      require(words, 3);
+      lines_.numbers(4 * lines_.natural(words[2]), lines_.is_binary() ? kByte : kFloat);
     } else {
-      lines_.fail("has '" + key.substr(0, 40) + "' where a keyword belongs");
+      lines_.fail("has '" + key.substr(0, 40) + "', which is not known here; tensortopo convert makes a file without");
     }
   }
 
@@ -187,15 +191,24 @@ class LegacyReader {
       // After an array other readers look for these letters alone.
       if (words[0] == "NULL_ARRAY" || lower_case(words[0]).starts_with("metadata"))
         lines_.fail("an array with the name of a keyword");
-      read_array(words[0], lines_.natural(words[1]), lines_.natural(words[2]), words[3]);
+      const std::size_t items = lines_.natural(words[2]);
+      if (place_ != Place::grid && items != items_)
+        lines_.fail("an array of other than all points or cells");
+      read_array(words[0], lines_.natural(words[1]), items, lines_.type(words[3]));
     }
   }
 
-  /// Keeps the tensors, once.
+  /// Texts are of fields only.
+  LegacyType number_type(std::string_view word) const {
+    const LegacyType type = lines_.type(word);
+    if (type.kind == LegacyType::text) lines_.fail("an attribute of texts");
+    return type;
+  }
+
+  /// All arrays come through here. Keeps the tensors, once.
   void read_array(std::string_view word, std::size_t components, std::size_t items,
-                  std::string_view type) {
+                  LegacyType stored) {
     const std::string name = lines_.name(word);
-    const LegacyType stored = lines_.type(type);
     std::vector<double> values;
     if (stored.kind == LegacyType::text)
       lines_.skip_texts(components * items);
@@ -205,6 +218,8 @@ class LegacyReader {
       lines_.fail("has marks of ghost cells or points, '" + name +
                   "'; leave them out, or make a file without with tensortopo convert");
     if (!names_.insert(name).second) lines_.fail("has two arrays '" + name + "'");
+    if (name == tensor_ && place_ != Place::points)
+      lines_.fail("has an array '" + name + "' not of points, too; tensortopo convert makes a file without");
     last_width_ = components;
     took_last_ = place_ == Place::points && name == tensor_;
     if (!took_last_) return;

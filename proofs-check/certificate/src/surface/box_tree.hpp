@@ -34,14 +34,15 @@ class BoxTree {
     if (!order_.empty()) build(0, order_.size());
   }
 
+  static constexpr std::size_t kMostParts = 20000;
+
   /// Calls f(t) for the boxes t that meet box `of` and have larger numbers. False if there are more
-  /// parts to look at than the budget allows.
+  /// than `kMostParts` parts to look at.
   template <class F>
   bool for_meeting(std::size_t of, const F& f) const {
-    constexpr std::size_t kMostNodes = 100000;
     std::vector<std::size_t> waiting{0};
     for (std::size_t seen = 0; !waiting.empty(); ++seen) {
-      if (seen > kMostNodes) return false;
+      if (seen > kMostParts) return false;
       const Node& node = nodes_[waiting.back()];
       waiting.pop_back();
       if (!node.box.meets(boxes_[of])) continue;
@@ -50,7 +51,7 @@ class BoxTree {
         continue;
       }
       for (std::size_t i = node.begin; i < node.end; ++i)
-        if (order_[i] > of && boxes_[order_[i]].meets(boxes_[of])) f(order_[i]);
+        if (order_[i] > of && boxes_[order_[i]].meets(boxes_[of])) ++seen, f(order_[i]);
     }
     return true;
   }

@@ -3,6 +3,8 @@
 #include "surface/embedded.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <atomic>
 #include <mutex>
 
 #include "mesh/exact_signs.hpp"
@@ -112,6 +114,9 @@ class Pair {
   std::size_t count_ = 0;
 };
 
+/// Pairs that are compared in all: triangles meet the boxes of some 30 others mostly.
+constexpr std::uint64_t kLeast = 1000000, kPerTriangle = 100;
+
 }  // namespace
 
 EmbeddingResult find_conflict(const std::vector<Point>& points,
@@ -136,14 +141,32 @@ EmbeddingResult find_conflict(const std::vector<Point>& points,
     has_area[t] = axis_of(corner(t, 0), corner(t, 1), corner(t, 2)) < 3;
     if (!has_area[t]) note(t, t);
   });
-  parallel_for(triangles.size(), [&](std::size_t s) {
-    const bool all = !has_area[s] || tree.for_meeting(s, [&](std::size_t t) {
-      if (has_area[t] && Pair(points, triangles[s], triangles[t]).are_in_conflict()) note(s, t);
+  // In parts, after each of which is seen what is left to do: nothing once the first conflict is known.
+  std::uint64_t left = kLeast + kPerTriangle * triangles.size();
+  for (std::size_t first = 0; first < triangles.size();) {
+    if (result.conflict && result.conflict->first < first) break;
+    if (left == 0) {
+      result.decided = false;
+      break;
+    }
+    const std::size_t size = std::min(triangles.size() - first,
+                                      std::clamp<std::size_t>(left / BoxTree::kMostParts, 1, 8192));
+    std::atomic<std::uint64_t> pairs{0};
+    parallel_for(size, [&](std::size_t i) {
+      const std::size_t s = first + i;
+      std::uint64_t compared = 0;
+      const bool all = !has_area[s] || tree.for_meeting(s, [&](std::size_t t) {
+        ++compared;
+        if (has_area[t] && Pair(points, triangles[s], triangles[t]).are_in_conflict()) note(s, t);
+      });
+      pairs += compared;
+      if (all) return;
+      const std::lock_guard lock(mutex);
+      result.decided = false;
     });
-    if (all) return;
-    const std::lock_guard lock(mutex);
-    result.decided = false;
-  });
+    left -= std::min<std::uint64_t>(left, pairs);
+    first += size;
+  }
   return result;
 }
 
