@@ -74,11 +74,14 @@ class LegacyReader {
     } else if (key == "cell_types") {
       require(words, 2);
       grid_.types = naturals(lines_.natural(words[1]), kInt);
+      constexpr std::uint64_t kPolyhedron = 42;  // of faces, which are not looked at
+      if (std::find(grid_.types.begin(), grid_.types.end(), kPolyhedron) != grid_.types.end())
+        lines_.fail("has polyhedra; tensortopo convert makes a file without");
     } else if (of_data) {
       require(words, 2);
       place_ = key == "point_data" ? Place::points : Place::cells;
       items_ = lines_.natural(words[1]);
-      names_.clear();
+      names_.clear(), groups_.clear();
       if (items_ != (place_ == Place::points ? points_ : grid_.types.size()))
         lines_.fail("data of other than all points or cells");
     } else if (key == "field") {
@@ -130,24 +133,33 @@ class LegacyReader {
 
   /// As in XML, but that the offsets have a zero in front.
   void read_labelled_cells(const Words& words) {
-    grid_.offsets = labelled("offsets", lines_.natural(words[1]));
+    std::string type;  // other readers give up if the two differ
+    grid_.offsets = labelled("offsets", lines_.natural(words[1]), type);
     if (grid_.offsets.empty() || grid_.offsets.front() != 0)
       lines_.fail("offsets that do not begin with zero");
     grid_.offsets.erase(grid_.offsets.begin());
-    grid_.connectivity = labelled("connectivity", lines_.natural(words[2]));
+    grid_.connectivity = labelled("connectivity", lines_.natural(words[2]), type);
   }
-  std::vector<std::uint64_t> labelled(std::string_view label, std::size_t count) {
+  /// @param type  of the numbers; empty: any
+  std::vector<std::uint64_t> labelled(std::string_view label, std::size_t count,
+                                      std::string& type) {
     const Words words = lines_.words(2);
-    const LegacyType type = lines_.type(words[1]);
-    if (lower_case(words[0]) != label || type.kind != LegacyType::whole || type.size < 4)
+    const std::string own = lower_case(words[1]);
+    if (lower_case(words[0]) != label || (own != "int" && own != "vtktypeint64" && own != "vtkidtype"))
       lines_.fail("cells without " + std::string(label) + " of integers");
-    return naturals(count, type);
+    if (type.empty()) type = own;
+    if ((type == "int") != (own == "int")) lines_.fail("offsets and connectivity of different types");
+    return naturals(count, lines_.type(own));
   }
 
   /// Of kinds and shapes for which other readers do not give up: then they go on elsewhere.
   void read_attribute(const std::string& key, const Words& words) {
     static const std::map<std::string, std::size_t> widths{
         {"vectors", 3}, {"normals", 3}, {"tensors", 9}, {"tensors6", 6}, {"global_ids", 1}};
+    const std::string group = key == "color_scalars" ? "scalars" : key == "tensors6" ? "tensors" : key;
+    if (!groups_.insert(group).second && words.size() > 1 && lines_.name(words[1]) == tensor_)
+      lines_.fail("the array '" + tensor_ + "' is not the first of " + key +
+                  ", so that others leave it out; tensortopo convert makes a file without that");
     if (const auto found = widths.find(key); found != widths.end()) {
       require(words, 3);
       read_array(words[1], found->second, items_, number_type(words[2]));
@@ -284,7 +296,8 @@ class LegacyReader {
   Place place_ = Place::grid;
   std::size_t last_width_ = 0;   ///< components of the last array; 0 if METADATA cannot follow
   bool took_last_ = false;
-  std::set<std::string> names_;  ///< of the arrays of points, or of cells
+  std::set<std::string> names_;   ///< of the arrays of points, or of cells
+  std::set<std::string> groups_;  ///< of their attributes
   std::set<std::string> seen_;   ///< what is there once
   Grid grid_;
 };
