@@ -12,8 +12,8 @@ namespace tensortopo {
 
 /// Angles of a surface, in degrees: of each triangle the least one, at most 60.
 struct AngleSummary {
-  double least = 60;
-  double mean = 60;
+  double least = 60;  ///< the least of all
+  double mean = 60;   ///< the mean over the triangles
 };
 
 /// What `improve_triangles` did.
@@ -21,7 +21,8 @@ struct ImprovementCounts {
   std::size_t flipped = 0;            ///< edges inside tetrahedra
   std::size_t moved_in_tets = 0;      ///< steps of vertices inside tetrahedra, along the level
   std::size_t moved_along_faces = 0;  ///< steps of vertices inside faces, along their curve
-  AngleSummary before, after;
+  AngleSummary before;  ///< of the surface as it was
+  AngleSummary after;   ///< of the surface now
 };
 
 /// Better angles for an extracted surface: edges inside tetrahedra are flipped, vertices inside
