@@ -63,5 +63,21 @@ TEST(Checkable, IsWhatTheCheckerReadsAsTheProgramDoes) {
   EXPECT_EQ(refused, 9u);
 }
 
+TEST(Checkable, FilesThatAreNoneAreNamed) {
+  const Folder folder;
+  const std::string field = folder / "f.vtk", surface = folder / "s.vtp", file = folder / "c.json",
+                    none = folder / "none.vtu", place = std::filesystem::path(surface).parent_path();
+  std::ofstream(field, std::ios::binary) << kGrid << kData;
+  ASSERT_EQ(run_program({"extract", field, "-o", surface, "--mode", "1/2", "--certify", file}).status, 0);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", none, surface, file}, {"check", field, none, file},
+        {"check", field, surface, none}, {"check", place, surface, file}, {"check", field, place, file}}) {
+    const Outcome run = run_program(words);
+    if (run.err.find("built without") != std::string::npos) GTEST_SKIP();
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_EQ(run.err.find("internal error"), std::string::npos) << run.err;
+  }
+}
+
 }  // namespace
 }  // namespace tensortopo::test

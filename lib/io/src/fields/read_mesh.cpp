@@ -227,7 +227,7 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
   ReadResult result;
   const SplitCells split = read_unchecked(file, options, what, result);
   ReadReport& report = result.report;
-  if (what == Reading::field) {
+  if (what == Reading::field && !options.where.empty()) {
     if (const NotFinite found = find_not_finite(result.mesh); found.count > 0)
       throw IoError(IoError::Kind::invalid, file->path,
                     fmt::format("a tensor component of `{}` is no finite number at vertex {}{}, of "
@@ -235,9 +235,9 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
                                 report.tensor_name, found.vertex,
                                 found.count > 1 ? fmt::format(" and {} more", found.count - 1)
                                                 : ""));
-    if (options.zero_below > 0)
-      report.tensors_with_zeros = take_as_zero(result.mesh, options.zero_below);
   }
+  if (options.zero_below > 0)
+    report.tensors_with_zeros = take_as_zero(result.mesh, options.zero_below);
   const auto outer = check(file->path, result.mesh, report.cells_left_out);
   report.torn_faces = torn_faces(split.grids, split.map, result.mesh, outer);
   report.unreferenced_points = count_unreferenced_points(result.mesh);

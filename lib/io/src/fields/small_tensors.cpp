@@ -28,8 +28,6 @@ double deviator_norm(const Tensor& t) {
   return largest * std::sqrt(sum);
 }
 
-bool operator!=(const Tensor& s, const Tensor& t) { return components(s) != components(t); }
-
 }  // namespace
 
 std::size_t take_as_zero(TetMesh& mesh, double least) {
