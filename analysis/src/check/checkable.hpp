@@ -13,8 +13,9 @@
 
 namespace tensortopo {
 
-/// Why the independent checker does not read a field's file as a certificate's subject says, in words; empty if it
-/// does, or if this program was built without it. It reads the file anew, by its own reader.
+/// Why the independent checker does not read a field's file as a certificate's subject says, in
+/// words; empty if it does, or if this program was built without it. It reads the file anew, by its
+/// own reader.
 std::string why_not_checkable(const std::filesystem::path& input,
                               const CertificateSubject& subject);
 

@@ -4,7 +4,7 @@
 
 namespace tensortopo {
 
-// Built without the checker: whoever has one will see.
+// Built without the checker: nothing is known of what it reads.
 std::string why_not_checkable(const std::filesystem::path&, const CertificateSubject&) { return {}; }
 void require_checkable(const std::filesystem::path&, const CertificateSubject&) {}
 

@@ -88,19 +88,18 @@ std::string to_text(const GraphReport& report) {
                  "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, ",
                  report.input.string(), report.tetrahedra, maxima, minima,
                  report.tree.nodes.size() - maxima - minima);
-  if (report.tree.has_loops)
-    text += "no arcs: the mesh has holes through it, and the Reeb graph may be no tree\n";
-  else
+  if (report.tree.has_loops) {
+    text += "no arcs: the mesh has holes through it, and the Reeb graph may be no tree\n"
+            "regions of the neutral surface: not known, for the same reason\n";
+  } else {
     fmt::format_to(out, "{} arcs{}\n", report.tree.arcs.size(),
                    report.tree.is_complete ? ""
                                            : " (not complete: points or curves are not proved)");
-  if (report.tree.has_loops)
-    text += "regions of the neutral surface: not known, for the same reason\n";
-  else
     fmt::format_to(out, "regions of the neutral surface: {} positive, {} negative, {} borders{}\n",
                    positive, report.regions.regions.size() - positive,
                    report.regions.borders.size(),
                    report.regions.is_complete ? "" : " (not complete)");
+  }
   for (const ModeRegion& region : report.regions.regions)
     if (!region.curves.empty())
       fmt::format_to(out, "  a {} region with {}\n",

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace certificate {
@@ -17,5 +18,14 @@ struct Grid {
   std::vector<std::uint64_t> types, connectivity;
   std::vector<std::uint64_t> offsets;  ///< where each cell ends in `connectivity`
 };
+
+/// Whether an array marks cells or points that other readers leave out.
+inline bool marks_ghosts(std::string_view name) {
+  return name == "vtkGhostType" || name == "vtkGhostLevels";
+}
+inline std::string ghosts_refused(std::string_view name) {
+  return "has marks of ghost cells or points, '" + std::string(name) +
+         "'; leave them out, or make a file without with tensortopo convert";
+}
 
 }  // namespace certificate

@@ -226,9 +226,7 @@ class LegacyReader {
       lines_.skip_texts(components * items);
     else
       values = lines_.numbers(components * items, stored);
-    if (name == "vtkGhostType" || name == "vtkGhostLevels")
-      lines_.fail("has marks of ghost cells or points, '" + name +
-                  "'; leave them out, or make a file without with tensortopo convert");
+    if (marks_ghosts(name)) lines_.fail(ghosts_refused(name));
     if (!names_.insert(name).second) lines_.fail("has two arrays '" + name + "'");
     if (name == tensor_ && place_ != Place::points)
       lines_.fail("has an array '" + name + "' not of points, too; tensortopo convert makes a file without");

@@ -18,6 +18,7 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/document.hpp"
+#include "files/grid.hpp"
 #include "files/word_number.hpp"
 #include "run/parallel.hpp"
 
@@ -91,9 +92,7 @@ XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::str
         fail(std::string(section.name()) + " has an array without a name");
       // Cells that others leave out.
       const std::string_view called = array.attribute("Name").value();
-      if (called == "vtkGhostType" || called == "vtkGhostLevels")
-        fail("has marks of ghost cells or points, '" + std::string(called) +
-             "'; leave them out, or make a file without with tensortopo convert");
+      if (marks_ghosts(called)) fail(ghosts_refused(called));
     }
 }
 
