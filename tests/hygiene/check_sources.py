@@ -16,6 +16,9 @@ ORDER = """scalar algebra tensor field manifold mesh hash quadric families extra
 # Sources in lib/extract of members of a class that has a file for its definition.
 MEMBERS = {"subdivision/refinement_cuts", "surface/cells/embedded_cell"}
 
+# Files of code in one folder, so that a reader can take in its list.
+MOST_FILES = 25
+
 LONGEST_FILE, LONG_FILE, LONGEST_README = 450, 400, 100
 
 # A small literal is a tolerance until proved otherwise: file|literal|why it is there.
@@ -119,6 +122,12 @@ def check_layout(sources):
             - {"lib", "theory", "analysis", "tests", "proofs-check", "examples"}
             - {name.split("/")[0] for name in tracked() if name.startswith(".")}
         ),
+    )
+    code = [path for path in tracked() if re.search(r"\.(cpp|hpp|py|v)$", path)]
+    folders = [os.path.dirname(path) for path in code]
+    report(
+        f"more than {MOST_FILES} files of code in a folder",
+        sorted({folder for folder in folders if folders.count(folder) > MOST_FILES}),
     )
     in_lib = [path for path in sources if path.startswith("lib/")]
     for place, folder in enumerate(ORDER):

@@ -7,7 +7,7 @@
 #include <future>
 #include <string>
 
-#include "certificate.hpp"
+#include "extract/certificate.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Complex domains as the mode grows, and their boundary by alpha = v.T-bar v.
 #include "certificates/step.hpp"
-#include "steps/ordered_eigenvalues.hpp"
+#include "steps/common/ordered_eigenvalues.hpp"
 
 namespace proofs {
 namespace {

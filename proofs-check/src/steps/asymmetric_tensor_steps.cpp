@@ -3,8 +3,8 @@
 // The plane across a medium eigenvector v: the asymmetric tensor A(v), the boundary function Delta,
 // sigma, and the tensor that belongs to v.
 #include "certificates/step.hpp"
-#include "steps/asymmetric_tensor.hpp"
-#include "steps/general_matrices.hpp"
+#include "steps/common/asymmetric_tensor.hpp"
+#include "steps/common/general_matrices.hpp"
 
 namespace proofs {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eigenvalues by the mode, the range of the mode, and the equation of a mode surface.
 #include "certificates/step.hpp"
-#include "steps/deviator.hpp"
+#include "steps/common/deviator.hpp"
 
 namespace proofs {
 namespace {

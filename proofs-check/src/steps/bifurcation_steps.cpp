@@ -5,8 +5,8 @@
 #include <array>
 
 #include "certificates/step.hpp"
-#include "steps/boundary_edges.hpp"
-#include "steps/ordered_eigenvalues.hpp"
+#include "steps/common/boundary_edges.hpp"
+#include "steps/common/ordered_eigenvalues.hpp"
 
 namespace proofs {
 namespace {

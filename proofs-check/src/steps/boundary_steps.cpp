@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The complex domain boundary: A as the sum of an isotropic, a rotational and an anisotropic part.
 #include "certificates/step.hpp"
-#include "steps/asymmetric_tensor.hpp"
-#include "steps/general_matrices.hpp"
+#include "steps/common/asymmetric_tensor.hpp"
+#include "steps/common/general_matrices.hpp"
 
 namespace proofs {
 namespace {

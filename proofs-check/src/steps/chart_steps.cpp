@@ -3,7 +3,7 @@
 // The quad parameterization as printed, and what the sphero-conal coordinates do in its place; the
 // lines of singularities; the mode along an edge.
 #include "certificates/step.hpp"
-#include "steps/ordered_eigenvalues.hpp"
+#include "steps/common/ordered_eigenvalues.hpp"
 
 namespace proofs {
 namespace {

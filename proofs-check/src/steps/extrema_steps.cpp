@@ -6,8 +6,8 @@
 
 #include "algebra/univariate.hpp"
 #include "certificates/step.hpp"
-#include "steps/glued_cube.hpp"
-#include "steps/plane_determinant.hpp"
+#include "steps/common/glued_cube.hpp"
+#include "steps/common/plane_determinant.hpp"
 
 namespace proofs {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "certificates/step.hpp"
-#include "steps/deviator.hpp"
+#include "steps/common/deviator.hpp"
 
 namespace proofs {
 namespace {

@@ -3,9 +3,9 @@
 // From a tensor of the field, in its eigenvectors v1, v2, v3, to the asymmetric tensor A: the
 // vectors u = k v1 + l v3 and w = k v1 - l v3, and the condition that T-bar u is orthogonal to w.
 #include "certificates/step.hpp"
-#include "steps/asymmetric_tensor.hpp"
-#include "steps/general_matrices.hpp"
-#include "steps/rotation.hpp"
+#include "steps/common/asymmetric_tensor.hpp"
+#include "steps/common/general_matrices.hpp"
+#include "steps/common/rotation.hpp"
 
 namespace proofs {
 namespace {

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "certificates/step.hpp"
-#include "steps/boundary_edges.hpp"
-#include "steps/glued_cube.hpp"
+#include "steps/common/boundary_edges.hpp"
+#include "steps/common/glued_cube.hpp"
 
 namespace proofs {
 namespace {

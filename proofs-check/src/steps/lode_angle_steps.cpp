@@ -3,7 +3,7 @@
 // The Lode angle is 1-Lipschitz in the angle between tensors: eigenvalues in order are at most as
 // far apart as the tensors.
 #include "certificates/step.hpp"
-#include "steps/rotation.hpp"
+#include "steps/common/rotation.hpp"
 
 namespace proofs {
 namespace {

@@ -4,7 +4,7 @@
 // coordinates map the boundary to itself, and its tensors with it; averages of the weight of T0
 // over such tensors show which loops can avoid the plane at infinity.
 #include "certificates/step.hpp"
-#include "steps/ordered_eigenvalues.hpp"
+#include "steps/common/ordered_eigenvalues.hpp"
 
 namespace proofs {
 namespace {

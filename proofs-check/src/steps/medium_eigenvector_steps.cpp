@@ -4,8 +4,8 @@
 #include <array>
 
 #include "certificates/step.hpp"
-#include "steps/asymmetric_tensor.hpp"
-#include "steps/general_matrices.hpp"
+#include "steps/common/asymmetric_tensor.hpp"
+#include "steps/common/general_matrices.hpp"
 
 namespace proofs {
 namespace {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Critical points of the mode among all tensors orthogonal to T-bar, and to N1 and N2.
 #include "certificates/step.hpp"
-#include "steps/general_matrices.hpp"
-#include "steps/ordered_eigenvalues.hpp"
-#include "steps/rotation.hpp"
+#include "steps/common/general_matrices.hpp"
+#include "steps/common/ordered_eigenvalues.hpp"
+#include "steps/common/rotation.hpp"
 
 namespace proofs {
 namespace {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "analyze/sweep/sweep_chart.hpp"
-#include "certificate.hpp"
 #include "check/checkable.hpp"
+#include "extract/certificate.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"

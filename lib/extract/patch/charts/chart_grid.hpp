@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "extract/patch/charts/manifold_chart.hpp"
+#include "extract/patch/manifold/manifold_chart.hpp"
 #include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {

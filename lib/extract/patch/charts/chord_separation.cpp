@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "extract/patch/charts/manifold_chart.hpp"
+#include "extract/patch/manifold/manifold_chart.hpp"
 #include "extract/run/extractor_scalars.hpp"
 
 namespace tensortopo {

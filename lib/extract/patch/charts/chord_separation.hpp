@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "extract/patch/charts/manifold_crossings.hpp"
+#include "extract/patch/manifold/manifold_crossings.hpp"
 
 namespace tensortopo {
 

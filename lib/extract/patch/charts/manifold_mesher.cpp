@@ -12,7 +12,7 @@
 #include "extract/patch/charts/chart_grid.hpp"
 #include "extract/patch/charts/chart_mesher.hpp"
 #include "extract/patch/charts/chart_triangulation.hpp"
-#include "extract/patch/charts/manifold_chart.hpp"
+#include "extract/patch/manifold/manifold_chart.hpp"
 #include "extract/run/extractor_scalars.hpp"
 
 namespace tensortopo {

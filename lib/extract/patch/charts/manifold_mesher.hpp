@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "extract/patch/charts/manifold_crossings.hpp"
+#include "extract/patch/manifold/manifold_crossings.hpp"
 
 namespace tensortopo {
 

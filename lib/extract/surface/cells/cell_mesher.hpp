@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "extract/patch/charts/manifold_crossings.hpp"
+#include "extract/patch/manifold/manifold_crossings.hpp"
 #include "extract/surface/cells/mesh_cells.hpp"
 
 namespace tensortopo {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "certificate.hpp"
+#include "extract/certificate.hpp"
 
 #include <map>
 #include <string>
@@ -8,8 +8,8 @@
 
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/certificate.hpp"
-#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/hash/number_hash.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_text.hpp"
 
 namespace tensortopo {

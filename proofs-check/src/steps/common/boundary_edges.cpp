@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "steps/boundary_edges.hpp"
+#include "steps/common/boundary_edges.hpp"
 
-#include "steps/ordered_eigenvalues.hpp"
+#include "steps/common/ordered_eigenvalues.hpp"
 
 namespace proofs {
 namespace {

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "certificate_report_output.hpp"
+#include "extract/certificate_report_output.hpp"
+#include "extract/topology_json.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
-#include "topology_json.hpp"
 
 namespace tensortopo {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kListedCells = 100;
 
 Json counts(const std::map<std::string, std::size_t>& unresolved) {
   Json json = Json::object();
@@ -139,10 +138,7 @@ Json seconds_json(const ExtractReport& report, const ExtractStatistics& s) {
 std::string to_json(const ExtractReport& report) {
   const ExtractStatistics statistics = total_statistics(report);
   Json json = begin_json("tensortopo extract", report);
-  json["output"] = nullptr;
-  if (report.written) {
-    json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};
-  }
+  json["output"] = output_json(report);
   json["surfaces"] = Json::array();
   for (const SurfaceReport& surface : report.surfaces) {
     json["surfaces"].push_back(surface_json(surface));
@@ -150,10 +146,7 @@ std::string to_json(const ExtractReport& report) {
   json["curves"] = Json::array();
   for (const CurveReport& curve : report.curves) json["curves"].push_back(curve_json(curve));
   json["unresolved"] = counts(count_unresolved(report));
-  json["unresolved_cells"] = Json::array();
-  for (std::size_t i = 0; i < std::min(report.unresolved.size(), kListedCells); ++i) {
-    json["unresolved_cells"].push_back(unresolved_json(report.unresolved[i]));
-  }
+  json["unresolved_cells"] = listed_cells_json(report.unresolved, unresolved_json);
   json["certificate"] = certificate_json(report.certificate);
   json["seconds"] = seconds_json(report, statistics);
   json["statistics"] = statistics_json(statistics);

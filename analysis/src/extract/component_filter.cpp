@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "component_filter.hpp"
+#include "extract/component_filter.hpp"
 
 #include <algorithm>
 #include <cmath>

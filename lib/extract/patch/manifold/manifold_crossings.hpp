@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "extract/patch/charts/tet_manifold.hpp"
+#include "extract/patch/manifold/tet_manifold.hpp"
 #include "extract/patch/patch.hpp"
 
 namespace tensortopo {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports_of.hpp"
+#include "extract/reports_of.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <set>
 
-#include "certificate_report_output.hpp"
 #include "counted.hpp"
+#include "extract/certificate_report_output.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/extract_report.hpp"

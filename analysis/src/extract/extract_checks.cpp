@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "extract_checks.hpp"
+#include "extract/extract_checks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
-#include "certificate.hpp"
+#include "extract/certificate.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 

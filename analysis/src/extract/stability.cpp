@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "stability.hpp"
+#include "extract/stability.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -2,22 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "certificate_report_output.hpp"
 #include "counted.hpp"
+#include "extract/certificate_report_output.hpp"
+#include "extract/topology_json.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/invariant_command.hpp"
-#include "topology_json.hpp"
 
 namespace tensortopo {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kListedCells = 100;
 constexpr const char* kReason = "zero_tensor";
 
 Json counts(std::size_t unresolved) {
@@ -53,8 +51,7 @@ std::string unresolved_line(const InvariantReport& report) {
 
 std::string to_json(const InvariantReport& report) {
   Json json = begin_json("tensortopo extract --invariant", report);
-  json["output"] = nullptr;
-  if (report.written) json["output"] = {{"path", report.output.string()}, {"bytes", report.bytes}};
+  json["output"] = output_json(report);
   json["surfaces"] = Json::array();
   double tets = 0, stitch = 0;
   for (const auto& surface : report.surfaces) {
@@ -63,9 +60,9 @@ std::string to_json(const InvariantReport& report) {
     stitch += surface.statistics.seconds_stitch;
   }
   json["unresolved"] = counts(report.unresolved.size());
-  json["unresolved_cells"] = Json::array();
-  for (std::size_t i = 0; i < std::min(report.unresolved.size(), kListedCells); ++i)
-    json["unresolved_cells"].push_back({{"cell", report.unresolved[i]}, {"reason", kReason}});
+  json["unresolved_cells"] = listed_cells_json(report.unresolved, [](const auto cell) {
+    return Json{{"cell", cell}, {"reason", kReason}};
+  });
   json["certificate"] = certificate_json(report.certificate);
   json["seconds"] = {{"read", report.seconds_read},
                      {"tets", tets},

@@ -27,6 +27,24 @@ inline nlohmann::ordered_json torn_faces_json(const TornFaces& torn) {
   return json;
 }
 
+/// The file written, or null.
+template <class Report>
+nlohmann::ordered_json output_json(const Report& report) {
+  if (!report.written) return nullptr;
+  return {{"path", report.output.string()}, {"bytes", report.bytes}};
+}
+
+/// The first 100 of the tetrahedra that are left out.
+template <class Cells, class JsonOf>
+nlohmann::ordered_json listed_cells_json(const Cells& cells, const JsonOf& json_of) {
+  auto json = nlohmann::ordered_json::array();
+  for (const auto& cell : cells) {
+    if (json.size() == 100) break;
+    json.push_back(json_of(cell));
+  }
+  return json;
+}
+
 /// What the report of an extraction says of its field.
 template <class Report>
 nlohmann::ordered_json input_json(const Report& report) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "extract/patch/charts/tet_manifold.hpp"
+#include "extract/patch/manifold/tet_manifold.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "extract/patch/charts/manifold_chart.hpp"
+#include "extract/patch/manifold/manifold_chart.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "steps/glued_cube.hpp"
+#include "steps/common/glued_cube.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "overall_progress.hpp"
+#include "extract/overall_progress.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "streamed_field.hpp"
+#include "extract/streamed_field.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -9,18 +9,18 @@
 #include <set>
 #include <utility>
 
-#include "certificate.hpp"
 #include "check/checkable.hpp"
-#include "overall_progress.hpp"
-#include "read_field.hpp"
+#include "extract/certificate.hpp"
+#include "extract/overall_progress.hpp"
+#include "extract/read_field.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
-#include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/residual_bound.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/write_surface.hpp"
+#include "tensortopo/mesh/append_surface.hpp"
 
 namespace tensortopo {
 namespace {
