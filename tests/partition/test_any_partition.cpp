@@ -53,7 +53,9 @@ TEST(AnyNumberingAndPartition, GivesTheSameBits) {
     const PreparedField<double> prepared(mesh);
     ExtractOptions options;
     options.keep_topology = true;
-    for (const char* text : kModes) {
+    // One field alone is tried at every third mode.
+    for (std::size_t m = 0; m < kModes.size(); m += fields == 1 ? 3 : 1) {
+      const char* text = kModes[m];
       const std::string where = "field " + std::to_string(field) + ", mode " + text + ", " +
                                 std::to_string(pieces) + " pieces of kind " + std::to_string(kind);
       const ModeValue mode = ModeValue::parse(text);

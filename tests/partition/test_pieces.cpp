@@ -99,7 +99,7 @@ RC_GTEST_PROP(Pieces, NumberTheirVerticesAsTheyLike, ()) {
 TEST(ExtractInPieces, GivesTheSameSurfaceWithDenserCells) {
   Random random(20261125);
   for (const char* text : {"0", "1/2", "-99/100"}) {
-    const TetMesh mesh = field_of_any_kind(random, 4);
+    const TetMesh mesh = field_of_any_kind(random, 3);
     const ModeValue mode = ModeValue::parse(text);
     ExtractOptions options;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t)

@@ -126,7 +126,7 @@ TEST(CertifiedFields, FieldsThatNearlyVanishAreCertified) {
   Court court("small");
   for (const auto stratum :
        {Stratum::cone_apex_inside, Stratum::zero_on_face, Stratum::zero_on_edge})
-    for (std::uint64_t seed = 20241301; seed < 20241309; ++seed) {
+    for (std::uint64_t seed = 20241301; seed < 20241305; ++seed) {
       const auto tensors = nearly_in_stratum(stratum, 0x1p-36, seed);
       const Exhibit e = exhibit(reference_tet_mesh(tensors), {"1/2", "-9/10", "99/100"});
       EXPECT_EQ(court.verdict(e), "certified")

