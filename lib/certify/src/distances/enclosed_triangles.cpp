@@ -13,7 +13,10 @@ using Vector = Vector3<double>;
 
 namespace {
 
-/// Covers the rounding of what is computed of errors and values.
+/// With u = 2^-53: a difference is off by u of its modulus; a coordinate of a cross product by 2 u,
+/// and a product of two vectors by 3 u, of the same sum of products of moduli. `kUnit` is 32 u: it
+/// also covers that these sums are computed of rounded values. Bounds are sums and products of
+/// numbers that are not negative, in less than 20 roundings: `kSlack` covers them with 2^13 u.
 constexpr double kSlack = 1 + 0x1p-40, kUnit = 0x1p-48;
 
 Vector modulus(const Vector& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
