@@ -33,7 +33,7 @@ RC_GTEST_PROP(CriticalGaps, LeaveOutNoCriticalValue, ()) {
   const ModeValue mode = mode_of_gap(std::ldexp(1.0, -*rc::gen::inRange(1, 30)), sign);
   RC_PRE(mode.sign() != 0 && std::abs(mode.approx()) < 1);
   const double gap = gap_of_mode(mode);
-  const auto found = critical_gaps(tensors, mode, 0.9);
+  const auto found = critical_gaps(cell_critical_points(tensors), mode, 0.9);
   RC_PRE(found.has_value());
   bool beyond = false;
   for (const double g : known_gaps(field_of(tensors), sign)) {
@@ -53,7 +53,7 @@ TEST(CriticalGaps, ReachTheNearestCriticalValueAlmostAlways) {
     const int sign = random.integer(0, 1) == 0 ? 1 : -1;
     const ModeValue mode = mode_of_gap(std::ldexp(1.0, -random.integer(1, 12)), sign);
     const double gap = gap_of_mode(mode);
-    const auto found = critical_gaps(tensors, mode, 0.9);
+    const auto found = critical_gaps(cell_critical_points(tensors), mode, 0.9);
     const LongTensors field = field_of(tensors);
     const auto saddle = characteristic_tensor(TetrahedronField<Real50>{field});
     if (!found || !saddle) continue;
@@ -77,11 +77,11 @@ TEST(CriticalGaps, SeeTheSaddleInside) {
   };
   const TetTensors tensors{at(2, 2, 2), at(2, -2, -2), at(-2, 2, -2), at(-2, -2, 2)};
   const double saddle = 1 - 143.0 * 143 / (343.0 * 343);
-  const auto before = critical_gaps(tensors, ModeValue::parse("-0.418"), 0.99);
+  const auto before = critical_gaps(cell_critical_points(tensors), ModeValue::parse("-0.418"), 0.99);
   ASSERT_TRUE(before);
   EXPECT_LE(before->open_until, saddle * (1 + 1e-12));
-  EXPECT_FALSE(critical_gaps(tensors, ModeValue::parse("-143/343"), 0.99));
-  const auto after = critical_gaps(tensors, ModeValue::parse("-0.416"), 0.99);
+  EXPECT_FALSE(critical_gaps(cell_critical_points(tensors), ModeValue::parse("-143/343"), 0.99));
+  const auto after = critical_gaps(cell_critical_points(tensors), ModeValue::parse("-0.416"), 0.99);
   ASSERT_TRUE(after);
   EXPECT_FALSE(after->none_beyond);
 }

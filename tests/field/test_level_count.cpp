@@ -27,7 +27,7 @@ TEST(LevelCount, HasOneLevelFromBothSides) {
         return degenerate_arcs(tensors, {0, 0, 0, 0}, ModeValue::parse(side)).has_value();
       };
       if (!has_clean_arcs("9/10") || !has_clean_arcs("-9/10")) continue;
-      const auto above = count_level(tensors, mode, 1), below = count_level(tensors, mode, -1);
+      const auto above = count_level(cell_critical_points(tensors), mode, 1), below = count_level(cell_critical_points(tensors), mode, -1);
       if (!above || !below) continue;
       ++compared;
       other_than_a_disc += above->level() != 1 ? 1 : 0;
@@ -52,7 +52,7 @@ TEST(LevelCount, HasTheEulerCharacteristicThatBruteForceSees) {
       if (!degenerate_arcs(tensors, {0, 0, 0, 0}, ModeValue::parse("9/10")) ||
           !degenerate_arcs(tensors, {0, 0, 0, 0}, ModeValue::parse("-9/10")))
         continue;
-      const auto count = count_level(tensors, mode, 1);
+      const auto count = count_level(cell_critical_points(tensors), mode, 1);
       const auto seen = brute_force_topology(corners_of(tensors), mode.approx());
       if (!count || !seen) continue;
       int euler = 0;
@@ -78,8 +78,8 @@ TEST(LevelCount, ChangesByWhatIsBetweenTwoLevels) {
       for (const auto& mode : {near, far}) {
         const auto& from = side > 0 ? half : mode;
         const auto& to = side > 0 ? mode : half;
-        const auto first = count_level(tensors, from, side), last = count_level(tensors, to, side);
-        const auto change = count_change(tensors, from, to, side);
+        const auto first = count_level(cell_critical_points(tensors), from, side), last = count_level(cell_critical_points(tensors), to, side);
+        const auto change = count_change(cell_critical_points(tensors), from, to, side);
         if (!first || !last) continue;
         ++compared;
         ASSERT_TRUE(change) << exact_text(tensors);

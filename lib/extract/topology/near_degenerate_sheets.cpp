@@ -17,11 +17,11 @@ template <class Scalar>
 std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
     const std::vector<std::vector<BoundaryArc>>& loops, Budget budget) {
-  const auto tensors = detail::exact_tensors(tet.simplex);
-  const auto gaps = critical_gaps(tensors, level.value, detail::widest_gap());
+  const auto points = cell_critical_points(detail::exact_tensors(tet.simplex));
+  const auto gaps = critical_gaps(points, level.value, detail::widest_gap());
   if (gaps && gaps->none_beyond)
     if (auto sheets = detail::tubes(tet, level, loops)) return sheets;
-  if (auto sheets = detail::counted_sheets(tet, level, loops))
+  if (auto sheets = detail::counted_sheets(tet, points, level, loops))
     return NearDegenerateSheets{std::move(*sheets), {}};
   std::optional<std::vector<SheetTopology>> sheets;
   if (gaps)

@@ -44,8 +44,10 @@ inline Verdict sign_in(const Range& x) {
 
 inline Range root_of(const Range& x) { return CGAL::sqrt(Range(std::max(x.inf(), 0.0), x.sup())); }
 
-/// The mode is in [low, high] given that its square is 1 - gap.
+/// The mode is in [low, high], given that its square is 1 - gap; and the gap itself.
 inline void narrow_by_gap(CriticalPoint& point, const Range& gap, const Range& determinant) {
+  point.gap_low = std::max(point.gap_low, gap.inf());
+  point.gap_high = std::min(point.gap_high, gap.sup());
   const Range size = root_of(Range(1) - Range(std::max(gap.inf(), 0.0), std::min(gap.sup(), 1.0)));
   const bool up = determinant.inf() >= 0, down = determinant.sup() <= 0;
   if (!up) point.low = std::max(point.low, -size.sup());

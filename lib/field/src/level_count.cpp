@@ -3,16 +3,12 @@
 #include "tensortopo/field/level_count.hpp"
 
 #include <cstddef>
-#include <vector>
 
-#include "tensortopo/field/critical_points.hpp"
 #include "tensortopo/scalar/interval.hpp"
 
 namespace tensortopo {
 
 namespace {
-
-using Tensors = std::array<SymmetricTensor<double>, 4>;
 
 class Count {
  public:
@@ -52,12 +48,6 @@ class Count {
     return true;
   }
 
-  bool add(const std::vector<CriticalPoint>& points, int dimension) {
-    for (const auto& point : points)
-      if (!add(point, dimension)) return false;
-    return true;
-  }
-
  private:
   Interval mode_;
   std::optional<Interval> from_;
@@ -65,36 +55,23 @@ class Count {
   LevelCount result_;
 };
 
-std::optional<LevelCount> counted(Count count, const Tensors& t) {
-  for (std::size_t i = 0; i < 4; ++i)
-    if (!count.add(
-            critical_vertex(t[i], std::array{t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4]}), 0))
-      return std::nullopt;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      std::array<SymmetricTensor<double>, 2> around;
-      for (std::size_t k = 0, n = 0; k < 4; ++k)
-        if (k != i && k != j) around[n++] = t[k];
-      if (!count.add(critical_points_on_edge({t[i], t[j]}, around), 1)) return std::nullopt;
-    }
-  for (std::size_t i = 0; i < 4; ++i)
-    if (!count.add(critical_points_on_face({t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4]},
-                                           std::array{t[i]}),
-                   2))
-      return std::nullopt;
-  if (!count.add(critical_points_in_tet(t), 3)) return std::nullopt;
+std::optional<LevelCount> counted(Count count, const CellCriticalPoints& points) {
+  for (std::size_t dimension = 0; dimension < 4; ++dimension)
+    for (const CriticalPoint& point : points.of_dimension[dimension])
+      if (!count.add(point, static_cast<int>(dimension))) return std::nullopt;
   return count.result();
 }
 
 }  // namespace
 
-std::optional<LevelCount> count_level(const Tensors& t, const ModeValue& mode, int side) {
-  return counted(Count(mode, side), t);
+std::optional<LevelCount> count_level(const CellCriticalPoints& points, const ModeValue& mode,
+                                      int side) {
+  return counted(Count(mode, side), points);
 }
 
-std::optional<LevelCount> count_change(const Tensors& t, const ModeValue& from,
+std::optional<LevelCount> count_change(const CellCriticalPoints& points, const ModeValue& from,
                                        const ModeValue& mode, int side) {
-  return counted(Count(mode, side, &from), t);
+  return counted(Count(mode, side, &from), points);
 }
 
 }  // namespace tensortopo

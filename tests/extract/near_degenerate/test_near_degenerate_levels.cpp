@@ -10,6 +10,7 @@
 
 #include "extract/topology/regions/counted_sheets.hpp"
 #include "extract/cases/curved_tet.hpp"
+#include "extract/level/exact_tensors.hpp"
 #include "extract/level/segment_root.hpp"
 #include "extract/topology/near_degenerate_sheets.hpp"
 #include "extract/cases/extract_case.hpp"
@@ -129,7 +130,8 @@ TEST(ThinLevel, HasTheSheetsThatItsCriticalPointsCount) {
       const auto& level = c.simplex_case.level;
       auto proved = prove_cell(c.tet, level);
       if (!proved || proved->loops.empty()) continue;
-      const auto counted = detail::counted_sheets(c.tet, level, proved->loops);
+      const auto counted = detail::counted_sheets(
+          c.tet, cell_critical_points(detail::exact_tensors(c.tet.simplex)), level, proved->loops);
       if (!counted) continue;
       proved->subdivision.reset();
       if (!add_subdivision(c.tet, level, *proved)) continue;

@@ -116,10 +116,10 @@ LevelCount counted_by_cells(const Refinement<Scalar, 4>& refinement, bool above)
 /// from all curves and the critical points between the two.
 template <class Scalar>
 std::optional<LevelCount> counted_from_afar(const TetWithCurves<Scalar>& tet,
-                                            const std::array<SymmetricTensor<double>, 4>& tensors,
+                                            const CellCriticalPoints& points,
                                             const Level<Scalar>& level) {
   const auto afar = ModeValue::parse(level.sign < 0 ? "-1/2" : "1/2");
-  auto count = count_change(tensors, afar, level.value, -level.sign);
+  auto count = count_change(points, afar, level.value, -level.sign);
   if (!count) return std::nullopt;
   const auto far_level = make_level<Scalar>(afar);
   auto simplex = tet.simplex;
@@ -141,11 +141,11 @@ template <class Scalar>
 std::optional<std::vector<SheetTopology>> sheets_counted_from_distant_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
     const std::vector<std::vector<BoundaryArc>>& loops) {
-  const auto tensors = detail::exact_tensors(tet.simplex);
+  const auto points = cell_critical_points(detail::exact_tensors(tet.simplex));
   std::optional<LevelCount> count;
   if (has_mode_of_sign(tet.simplex, level.sign))
-    count = count_level(tensors, level.value, -level.sign);
-  if (!count) count = counted_from_afar(tet, tensors, level);
+    count = count_level(points, level.value, -level.sign);
+  if (!count) count = counted_from_afar(tet, points, level);
   if (!count) return std::nullopt;
   count->bridges = 1;  // for all that is known
   if (auto sheets = sheets_of(loops.size(), *count)) return sheets;
@@ -154,23 +154,22 @@ std::optional<std::vector<SheetTopology>> sheets_counted_from_distant_level(
 
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> counted_sheets(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const TetWithCurves<Scalar>& tet, const CellCriticalPoints& points, const Level<Scalar>& level,
     const std::vector<std::vector<BoundaryArc>>& loops) {
-  const auto tensors = detail::exact_tensors(tet.simplex);
   // Away from the degenerate curve next to the level there is most often no other.
   if (has_mode_of_sign(tet.simplex, level.sign))
-    if (const auto count = count_level(tensors, level.value, -level.sign)) {
+    if (const auto count = count_level(points, level.value, -level.sign)) {
       if (auto sheets = sheets_of(loops.size(), *count)) return sheets;
       if (auto sheets = joined_sheets(tet, level, loops, *count, Search::chords)) return sheets;
     }
-  if (!degenerate_arcs(tensors, tet.simplex.exponents, level.value)) return std::nullopt;
-  const auto count = count_level(tensors, level.value, level.sign);
+  if (!degenerate_arcs(detail::exact_tensors(tet.simplex), tet.simplex.exponents, level.value)) return std::nullopt;
+  const auto count = count_level(points, level.value, level.sign);
   return count ? sheets_of(loops.size(), *count) : std::nullopt;
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                  \
   template std::optional<std::vector<SheetTopology>> counted_sheets(                    \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                               \
+      const TetWithCurves<Scalar>&, const CellCriticalPoints&, const Level<Scalar>&,    \
       const std::vector<std::vector<BoundaryArc>>&);                                    \
   template std::optional<std::vector<SheetTopology>> sheets_counted_from_distant_level( \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,                               \

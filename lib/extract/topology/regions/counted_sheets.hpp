@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "extract/topology/boundary/cell_boundary.hpp"
+#include "tensortopo/field/cell_critical_points.hpp"
 
 namespace tensortopo::detail {
 
@@ -14,7 +15,7 @@ namespace tensortopo::detail {
 /// annulus.
 template <class Scalar>
 std::optional<std::vector<SheetTopology>> counted_sheets(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+    const TetWithCurves<Scalar>& tet, const CellCriticalPoints& points, const Level<Scalar>& level,
     const std::vector<std::vector<BoundaryArc>>& loops);
 
 /// The same with a larger budget. Where critical points next to the ends of the mode are not

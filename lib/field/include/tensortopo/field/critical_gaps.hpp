@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "tensortopo/field/cell_critical_points.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
-#include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo {
 
@@ -26,16 +25,9 @@ struct CriticalGaps {
 
 /// The critical gaps around the level of a mode.
 ///
-/// Critical points come without a search in space. Inside there is one at most, whose tensor is
-/// made from the characteristic tensor N; on a face those that are not degenerate are made from
-/// the zeros of a binary cubic on the tensors N orthogonal to the face. Their gap is mode(N)^2,
-/// which does not cancel near degenerate tensors. All of it is computed in intervals, so that the
-/// answer is proved.
-///
 /// @param widest no gap beyond it is looked at, and `open_until` is at most that
-/// @return nothing if the level cannot be told from a critical one, or the field of the tetrahedron
-///         or of a face is not of full rank, or only just
-std::optional<CriticalGaps> critical_gaps(const std::array<SymmetricTensor<double>, 4>& tensors,
-                                          const ModeValue& mode, double widest);
+/// @return nothing if the level cannot be told from a critical one, or the field is not of full rank
+std::optional<CriticalGaps> critical_gaps(const CellCriticalPoints& points, const ModeValue& mode,
+                                          double widest);
 
 }  // namespace tensortopo

@@ -16,6 +16,9 @@ namespace tensortopo {
 struct CriticalPoint {
   /// The mode there is in [low, high], within [-1, 1].
   double low = -1, high = 1;
+  /// 1 - mode^2 is in [gap_low, gap_high]: computed without cancellation, so narrow next to modes 1
+  /// and -1 as well.
+  double gap_low = 0, gap_high = 1;
   /// About where: barycentric weights of sum 1, the first ones used.
   std::array<double, 4> weights{};
   /// Proved: it is the only one in its enclosure, and not degenerate. If not, there may be several

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "tensortopo/field/cell_critical_points.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
-#include "tensortopo/tensor/symmetric_tensor.hpp"
 
 namespace tensortopo {
 
@@ -42,8 +41,8 @@ struct LevelCount {
 /// @pre the curve of mode `side` meets the tetrahedron in arcs from inside a face to inside a face,
 ///      across both, or not at all
 /// @return nothing if some critical point is not certain
-std::optional<LevelCount> count_level(const std::array<SymmetricTensor<double>, 4>& tensors,
-                                      const ModeValue& mode, int side);
+std::optional<LevelCount> count_level(const CellCriticalPoints& points, const ModeValue& mode,
+                                      int side);
 
 /// By how much the counts change from one level to another: what the critical points between the
 /// two add, those of `count_level` on one side of the one less those of the other.
@@ -56,7 +55,7 @@ std::optional<LevelCount> count_level(const std::array<SymmetricTensor<double>, 
 /// @param side  as above
 /// @pre the deviator vanishes nowhere in the tetrahedron
 /// @return nothing if some critical point is not certain; `bridges` of those between only
-std::optional<LevelCount> count_change(const std::array<SymmetricTensor<double>, 4>& tensors,
-                                       const ModeValue& from, const ModeValue& mode, int side);
+std::optional<LevelCount> count_change(const CellCriticalPoints& points, const ModeValue& from,
+                                       const ModeValue& mode, int side);
 
 }  // namespace tensortopo
