@@ -13,7 +13,7 @@ class TetrahedraInTwoPrecisions : public testing::TestWithParam<const char*> {};
 TEST_P(TetrahedraInTwoPrecisions, HaveTheSameTopology) {
   const std::string mode = GetParam();
   const bool given = mode.find("99") != std::string::npos;
-  expect_agreement_with_fifty_digits(mode, trials(given ? 12 : 35), 20240101);
+  expect_agreement_with_fifty_digits(mode, trials(given ? 8 : 20), 20240101);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, TetrahedraInTwoPrecisions, testing::ValuesIn(kLevels));
