@@ -63,8 +63,8 @@ std::optional<int> exact_transitions(const TetMesh& mesh, const Vector3<double>&
   for (std::size_t k = 0; k < 3; ++k)
     across += e[k] * (place[k].prime() * sum - place[k] * sum.prime());
   if (across.is_zero()) return std::nullopt;
-  // The sum over all products of weights of the sum of their signs at the zeros: 16 for each zero at
-  // which all weights are positive.
+  // The sum over all products of weights of the sum of their signs at the zeros: 16 for each zero
+  // at which all weights are positive.
   int positive = 0, negative = 0;
   for (unsigned chosen = 0; chosen < 16; ++chosen) {
     Polynomial product{Rational(1)};

@@ -61,7 +61,8 @@ std::optional<PlaceBox> place_of(std::array<E, 4> weights,
                   {place[0].sup(), place[1].sup(), place[2].sup()}};
 }
 
-/// Points of whose convex hull a part of the arc is one, enclosed; nothing if a sign is not certain.
+/// Points of whose convex hull a part of the arc is one, enclosed; nothing if a sign is not
+/// certain.
 template <class E>
 std::optional<std::array<PlaceBox, 5>> hull_of(const ArcWeights<E>& weights,
                                                const DyadicInterval& part,

@@ -68,8 +68,7 @@ std::array<E, N> right_half(std::array<E, N> p) {
 /// The polynomial on a part of [0, 1], times a power of two.
 template <class E, std::size_t N>
 std::array<E, N> restricted(std::array<E, N> p, const DyadicInterval& part) {
-  for (int k = part.depth; k-- > 0;)
-    p = (part.index >> k & 1) == 0 ? left_half(p) : right_half(p);
+  for (int k = part.depth; k-- > 0;) p = (part.index >> k & 1) == 0 ? left_half(p) : right_half(p);
   return p;
 }
 

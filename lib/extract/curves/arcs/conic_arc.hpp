@@ -44,8 +44,8 @@ std::optional<ConicArc<E>> conic_arc(SymmetricTensor<E> form, const Vector3<E>& 
     product = -product;
   }
   const E first = E(0.5) * (size * product);
-  // Both ends have about the same factor; not quite, so that the middle of a symmetric arc is not at
-  // a dyadic parameter.
+  // Both ends have about the same factor; not quite, so that the middle of a symmetric arc is not
+  // at a dyadic parameter.
   const double middle = EnclosureOf<E>::middle(first);
   const E r(0.9375 * std::sqrt(middle > 0 ? middle : 1.0));
   return ConicArc<E>{first * begin, r * cross(form * begin, form * end), (r * r) * end};

@@ -13,9 +13,10 @@ namespace tensortopo {
 
 /// The zeros of a polynomial between 0 and 1.
 struct IsolatedZeros {
-  int begin = 0, end = 0;              ///< its signs at 0 and at 1; 0 if not certain
-  std::vector<DyadicInterval> simple;  ///< with exactly one zero inside each, a simple one; ascending
-  std::vector<DyadicInterval> open;    ///< in which nothing is proved; elsewhere are no others
+  int begin = 0, end = 0;  ///< its signs at 0 and at 1; 0 if not certain
+  std::vector<DyadicInterval>
+      simple;                        ///< with exactly one zero inside each, a simple one; ascending
+  std::vector<DyadicInterval> open;  ///< in which nothing is proved; elsewhere are no others
 };
 
 /// Halvings of [0, 1] in which zeros are told apart, and in which each is enclosed.
@@ -25,9 +26,9 @@ inline int strict_sign(Verdict sign) {
   return sign == Verdict::positive ? 1 : sign == Verdict::negative ? -1 : 0;
 }
 
-/// By Descartes' rule for Bernstein's coefficients: no zeros between 0 and 1 if none of them changes
-/// sign, exactly one, which is simple, if one does. The parts in which more do, or a sign is not
-/// certain, are halved.
+/// By Descartes' rule for Bernstein's coefficients: no zeros between 0 and 1 if none of them
+/// changes sign, exactly one, which is simple, if one does. The parts in which more do, or a sign
+/// is not certain, are halved.
 template <class E, std::size_t N>
 class ZeroIsolation {
  public:

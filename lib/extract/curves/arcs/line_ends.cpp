@@ -54,8 +54,8 @@ std::optional<LineEnds> LineFinder::find(const CurveMesh& curves, std::size_t li
     BoundaryPoint point;
     point.face = i;
     for (std::size_t k = 0; k < 3; ++k)
-      point.corners[k] = as_size(std::find(vertices.begin(), vertices.end(), face[k]) -
-                                 vertices.begin());
+      point.corners[k] =
+          as_size(std::find(vertices.begin(), vertices.end(), face[k]) - vertices.begin());
     const FacePoints found = points_on(face);
     if (found.obstacle) return std::nullopt;
     for (const FacePoint& p : found.points) {

@@ -41,8 +41,9 @@ class LineFinder {
   Degeneracy kind_;
   CanonicalMesh canonical_;
   ScaledField<double> field_;
-  std::vector<Index> vertex_;  ///< the number in the canonical mesh of each vertex of the mesh given
-  std::vector<Index> tet_;     ///< the same of tetrahedra
+  std::vector<Index>
+      vertex_;              ///< the number in the canonical mesh of each vertex of the mesh given
+  std::vector<Index> tet_;  ///< the same of tetrahedra
 };
 
 }  // namespace tensortopo

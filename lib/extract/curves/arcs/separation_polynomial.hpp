@@ -12,10 +12,10 @@
 /// eigenvector.
 ///
 /// With p, q, e right-handed and orthonormal, m = p + i q, and G_k the derivative of the tensor
-/// along axis k: h_k = m.G_k m has as real and imaginary parts twice the components of G_k across e.
-/// The determinant is sum_k,l p_k q_l Im(conj(h_k) h_l) / 4 = e.C with C_x = Im(conj(h_y) h_z) / 4
-/// and so on around. conj(m) m^T = P + i J with P = 1 - e e^T and J v = v x e, hence
-/// Im(conj(h_k) h_l) = 2 tr(G_k J G_l P), which is
+/// along axis k: h_k = m.G_k m has as real and imaginary parts twice the components of G_k across
+/// e. The determinant is sum_k,l p_k q_l Im(conj(h_k) h_l) / 4 = e.C with C_x = Im(conj(h_y) h_z) /
+/// 4 and so on around. conj(m) m^T = P + i J with P = 1 - e e^T and J v = v x e, hence Im(conj(h_k)
+/// h_l) = 2 tr(G_k J G_l P), which is
 ///
 ///     2 (|e|^2 tr(J G_l G_k) - e.(G_k e x G_l e))
 ///

@@ -71,7 +71,8 @@ class CurveArcs {
   /// isolated by Descartes' rule for Bernstein's coefficients.
   LineSeparation separation(std::size_t line) const;
 
-  /// A line's arc in 2^depth parts; nothing if its position is special or 150 digits do not suffice.
+  /// A line's arc in 2^depth parts; nothing if its position is special or 150 digits do not
+  /// suffice.
   ///
   /// All points but the first and the last are inside the tetrahedron, these inside of faces.
   std::optional<EnclosedArc> enclosed(std::size_t line, int depth) const;
