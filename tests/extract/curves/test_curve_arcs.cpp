@@ -119,7 +119,18 @@ TEST(CurveArcs, SignsAreThoseOfVertices) {
           EXPECT_LT(distance(box.middle(), curves), 0.05);
         }
       }
-      for (std::size_t j = 0; j < all.jumps.size(); ++j) ++jumps;
+      for (const SeparationJump& jump : all.jumps) {
+        ++jumps;
+        EXPECT_LT(max_norm(jump.place.middle() - curves.points[as_size(jump.vertex)]), 1e-9);
+        EXPECT_LT(max_norm(jump.place.high - jump.place.low), 1e-10);
+        // Vertices have the mean over both tetrahedra: here each by itself.
+        double product = 1;
+        for (const std::size_t line : jump.lines)
+          product *= FieldInSpace(field, as_size(curves.tet[line]))
+                         .separation(curves.points[as_size(jump.vertex)],
+                                     curves.dominant_eigenvector[as_size(jump.vertex)]);
+        EXPECT_LT(product, 1e-9);
+      }
     }
   }
   std::cout << lines << " lines, " << zeros.so_far() << " transitions, " << jumps.so_far()

@@ -101,7 +101,14 @@ std::optional<LineSeparation> separation_in(const LineEnds& ends,
   const auto gradient = space_gradient<E>(ends.points, ends.tensors);
   const ZeroIsolation<E, 9> isolation(separation_along(gradient, conic->directions), depth);
   const IsolatedZeros& found = isolation.zeros();
-  LineSeparation result{found.begin, found.end, {}, {}};
+  LineSeparation result{found.begin, found.end, {}, {}, {}};
+  const auto& w = conic->weights;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t k = 4 * i;
+    const auto place = place_of<E>({w[0][k], w[1][k], w[2][k], w[3][k]}, ends.points);
+    if (!place || is_too_wide<E>(*place, ends)) return std::nullopt;
+    result.ends[i] = *place;
+  }
   if (!found.open.empty() || found.begin == 0 || found.end == 0)
     result.obstacle = ArcObstacle::not_told_apart;
   for (const DyadicInterval& part : found.simple) {
@@ -143,7 +150,7 @@ CurveArcs::~CurveArcs() = default;
 LineSeparation CurveArcs::separation(std::size_t line) const {
   const FloatingPointEnvironment environment;
   const auto ends = source_->finder.find(*curves_, line);
-  if (!ends) return {0, 0, {}, ArcObstacle::special_position};
+  if (!ends) return {0, 0, {}, {}, ArcObstacle::special_position};
   const auto columns = columns_of(*ends);
   std::optional<LineSeparation> result;
   {
@@ -152,9 +159,10 @@ LineSeparation CurveArcs::separation(std::size_t line) const {
   }
   if (!result || result->obstacle)
     result = separation_in<MultiprecisionInterval>(*ends, columns, kZeroDepth);
-  if (!result) return {0, 0, {}, ArcObstacle::not_told_apart};
+  if (!result) return {0, 0, {}, {}, ArcObstacle::not_told_apart};
   if (ends->is_reversed) {
     std::swap(result->begin, result->end);
+    std::swap(result->ends[0], result->ends[1]);
     std::reverse(result->zeros.begin(), result->zeros.end());
   }
   return *result;
@@ -188,21 +196,23 @@ CurveSeparation curve_separation(const CurveArcs& arcs, const ExtractOptions& op
   struct Ends {
     std::array<std::size_t, 2> lines{};
     std::array<int, 2> signs{};
+    PlaceBox place{};
     std::size_t count = 0;
   };
   std::vector<Ends> at(curves.points.size());
-  const auto add = [&](CurveMesh::Index v, std::size_t line, int sign) {
+  const auto add = [&](CurveMesh::Index v, std::size_t line, int sign, const PlaceBox& place) {
     Ends& ends = at[as_size(v)];
+    if (ends.count == 0) ends.place = place;
     if (ends.count < 2) ends.lines[ends.count] = line, ends.signs[ends.count] = sign;
     ++ends.count;
   };
   for (std::size_t i = 0; i < curves.lines.size(); ++i) {
-    add(curves.lines[i].front(), i, result.lines[i].begin);
-    add(curves.lines[i].back(), i, result.lines[i].end);
+    add(curves.lines[i].front(), i, result.lines[i].begin, result.lines[i].ends[0]);
+    add(curves.lines[i].back(), i, result.lines[i].end, result.lines[i].ends[1]);
   }
   for (std::size_t v = 0; v < at.size(); ++v)
     if (at[v].count == 2 && at[v].signs[0] * at[v].signs[1] < 0)
-      result.jumps.push_back({static_cast<CurveMesh::Index>(v), at[v].lines});
+      result.jumps.push_back({static_cast<CurveMesh::Index>(v), at[v].lines, at[v].place});
   return result;
 }
 

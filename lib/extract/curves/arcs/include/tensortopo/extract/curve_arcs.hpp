@@ -36,6 +36,9 @@ struct LineSeparation {
   /// Transitions inside: each box holds a point of the curve at which the separation has a simple
   /// zero. In the order of the line; they are different points.
   std::vector<PlaceBox> zeros;
+  /// Enclose the points of faces at which the line begins and ends; nothing if it is in special
+  /// position.
+  std::array<PlaceBox, 2> ends{};
   /// If nothing: these are all zeros, and the signs are certain.
   std::optional<ArcObstacle> obstacle;
 };
@@ -91,6 +94,7 @@ class CurveArcs {
 struct SeparationJump {
   CurveMesh::Index vertex = 0;         ///< of the curves, on a face of the mesh
   std::array<std::size_t, 2> lines{};  ///< that meet there, ascending
+  PlaceBox place;                      ///< encloses the point of the curve
 };
 
 /// The separation along all lines.
