@@ -24,7 +24,7 @@ TEST(Graph, CountsTransitionsOfTheFile) {
   const Folder folder;
   Compared compared("curves with transitions", 5);
   const std::string input = std::string(TENSORTOPO_DATA) + "/s4_slab_small_C3D8I.vtu";
-  const std::string output = (folder / "tree.vtp").string();
+  const std::string output = folder / "tree.vtp";
   const auto run = run_program({"analyze", input, "--graph", "--json", "-o", output});
   ASSERT_EQ(run.status, 0) << run.err;
   const Json report = Json::parse(run.out);
