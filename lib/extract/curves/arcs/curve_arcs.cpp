@@ -20,7 +20,7 @@ namespace {
 constexpr int kDepthInDoubles = 20;
 
 /// Boxes of doubles that are wider, for the size of the tetrahedron, are left to 150 digits.
-constexpr double kNarrow = 0x1p-36;
+constexpr double kNarrow = 0x1p-26;
 
 template <class E>
 bool is_too_wide(const PlaceBox& box, const LineEnds& ends) {
@@ -29,9 +29,32 @@ bool is_too_wide(const PlaceBox& box, const LineEnds& ends) {
   return std::is_same_v<E, FastInterval> && max_norm(box.high - box.low) > kNarrow * size;
 }
 
-std::array<std::size_t, 5> columns_of(const LineEnds& ends) {
-  return best_columns(CellRows<4>(ends.scaled).rows<Extended>());
-}
+/// The forms of a line's tetrahedron.
+class CellForms {
+ public:
+  explicit CellForms(const LineEnds& ends) : rows_(ends.scaled), scaled_(&ends.scaled) {
+    choose_columns();
+  }
+  /// See `CellRows::reduce`.
+  bool reduce() {
+    const bool is_reduced = rows_.reduce();
+    if (is_reduced) choose_columns();
+    return is_reduced;
+  }
+  FieldForms<FastInterval, 4> in(const FastInterval&) const {
+    return rows_.forms<FastInterval>(columns_);
+  }
+  FieldForms<MultiprecisionInterval, 4> in(const MultiprecisionInterval&) const {
+    return field_forms(coordinate_rows<MultiprecisionInterval>(*scaled_), columns_);
+  }
+
+ private:
+  void choose_columns() { columns_ = best_columns(rows_.rows<Extended>()); }
+
+  CellRows<4> rows_;
+  const std::array<ScaledTensor, 4>* scaled_;
+  std::array<std::size_t, 5> columns_{};
+};
 
 /// An arc with its directions and weights, for all numbers of enclosures.
 template <class E>
@@ -54,15 +77,14 @@ Vector3<MultiprecisionInterval> direction_of(const LineEnds& ends, const Boundar
 /// The one of a conic's two arcs on which the curve enters at its first point; nothing if a sign is
 /// not certain.
 template <class E>
-std::optional<EnclosedConic<E>> conic_of(const LineEnds& ends,
-                                         const std::array<std::size_t, 5>& columns) {
+std::optional<EnclosedConic<E>> conic_of(const LineEnds& ends, const CellForms& cell) {
   int largest = ends.scaled[0].exponent, smallest = largest;
   for (const ScaledTensor& t : ends.scaled) {
     largest = std::max(largest, t.exponent);
     smallest = std::min(smallest, t.exponent);
   }
   if (std::is_same_v<E, FastInterval> && largest - smallest >= kLargestRatio) return std::nullopt;
-  const auto forms = field_forms(coordinate_rows<E>(ends.scaled), columns);
+  const auto forms = cell.in(E(0.0));
   auto directions = conic_arc(forms.across[0], direction_of(ends, ends.begin, E(0.0)),
                               direction_of(ends, ends.end, E(0.0)));
   if (!directions) return std::nullopt;
@@ -94,9 +116,9 @@ std::optional<EnclosedConic<E>> conic_of(const LineEnds& ends,
 }
 
 template <class E>
-std::optional<LineSeparation> separation_in(const LineEnds& ends,
-                                            const std::array<std::size_t, 5>& columns, int depth) {
-  const auto conic = conic_of<E>(ends, columns);
+std::optional<LineSeparation> separation_in(const LineEnds& ends, const CellForms& cell) {
+  constexpr int depth = std::is_same_v<E, FastInterval> ? kDepthInDoubles : kZeroDepth;
+  const auto conic = conic_of<E>(ends, cell);
   if (!conic) return std::nullopt;
   const auto gradient = space_gradient<E>(ends.points, ends.tensors);
   const ZeroIsolation<E, 9> isolation(separation_along(gradient, conic->directions), depth);
@@ -120,9 +142,8 @@ std::optional<LineSeparation> separation_in(const LineEnds& ends,
 }
 
 template <class E>
-std::optional<EnclosedArc> arc_in(const LineEnds& ends, const std::array<std::size_t, 5>& columns,
-                                  int depth) {
-  const auto conic = conic_of<E>(ends, columns);
+std::optional<EnclosedArc> arc_in(const LineEnds& ends, const CellForms& cell, int depth) {
+  const auto conic = conic_of<E>(ends, cell);
   if (!conic) return std::nullopt;
   EnclosedArc result;
   for (std::uint64_t i = 0; i < std::uint64_t{1} << depth; ++i) {
@@ -134,6 +155,21 @@ std::optional<EnclosedArc> arc_in(const LineEnds& ends, const std::array<std::si
     result.hulls.push_back(*hull);
   }
   return result;
+}
+
+/// What `in_doubles` finds, by rows as they are and then reduced, or else `in_digits`.
+/// @param is_done  whether what doubles found is good enough
+template <class InDoubles, class IsDone, class InDigits>
+auto found_in_tiers(const LineEnds& ends, const InDoubles& in_doubles, const IsDone& is_done,
+                    const InDigits& in_digits) {
+  CellForms cell(ends);
+  for (const bool is_reduced : {false, true}) {
+    if (is_reduced && !cell.reduce()) break;
+    const FastIntervalScope scope;
+    auto found = in_doubles(cell);
+    if (found && is_done(*found)) return found;
+  }
+  return in_digits(cell);
 }
 
 }  // namespace
@@ -151,14 +187,10 @@ LineSeparation CurveArcs::separation(std::size_t line) const {
   const FloatingPointEnvironment environment;
   const auto ends = source_->finder.find(*curves_, line);
   if (!ends) return {0, 0, {}, {}, ArcObstacle::special_position};
-  const auto columns = columns_of(*ends);
-  std::optional<LineSeparation> result;
-  {
-    const FastIntervalScope scope;
-    result = separation_in<FastInterval>(*ends, columns, kDepthInDoubles);
-  }
-  if (!result || result->obstacle)
-    result = separation_in<MultiprecisionInterval>(*ends, columns, kZeroDepth);
+  auto result = found_in_tiers(
+      *ends, [&](const CellForms& cell) { return separation_in<FastInterval>(*ends, cell); },
+      [](const LineSeparation& found) { return !found.obstacle; },
+      [&](const CellForms& cell) { return separation_in<MultiprecisionInterval>(*ends, cell); });
   if (!result) return {0, 0, {}, {}, ArcObstacle::not_told_apart};
   if (ends->is_reversed) {
     std::swap(result->begin, result->end);
@@ -172,13 +204,10 @@ std::optional<EnclosedArc> CurveArcs::enclosed(std::size_t line, int depth) cons
   const FloatingPointEnvironment environment;
   const auto ends = source_->finder.find(*curves_, line);
   if (!ends) return std::nullopt;
-  const auto columns = columns_of(*ends);
-  std::optional<EnclosedArc> result;
-  {
-    const FastIntervalScope scope;
-    result = arc_in<FastInterval>(*ends, columns, depth);
-  }
-  if (!result) result = arc_in<MultiprecisionInterval>(*ends, columns, depth);
+  auto result = found_in_tiers(
+      *ends, [&](const CellForms& cell) { return arc_in<FastInterval>(*ends, cell, depth); },
+      [](const EnclosedArc&) { return true; },
+      [&](const CellForms& cell) { return arc_in<MultiprecisionInterval>(*ends, cell, depth); });
   if (result && ends->is_reversed) {
     std::reverse(result->points.begin(), result->points.end());
     std::reverse(result->hulls.begin(), result->hulls.end());
