@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "analysis/run_program.hpp"
+#include "persistence/linked_mesh.hpp"
 #include "support/compared.hpp"
 #include "support/folder.hpp"
 #include "tensortopo/extract/curve_arcs.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/io/read_surface_file.hpp"
+#include "tensortopo/io/write_mesh.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -74,6 +77,22 @@ TEST(Graph, CountsTransitionsOfTheFile) {
   for (const auto& [reason, count] : report.at("undecided_pairs").items())
     undecided += count.get<std::size_t>();
   EXPECT_EQ(report.at("certified_pairs").get<std::size_t>() + undecided, pairs);
+}
+
+TEST(Graph, CertifiesThatTwoCurvesAreLinked) {
+  const Folder folder;
+  const std::string input = folder / "linked.vtu";
+  write_mesh(linked_mesh(7), input);
+  const auto run = run_program({"analyze", input, "--graph", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json report = Json::parse(run.out);
+  ASSERT_EQ(report.at("links").size(), 1u);
+  const Json& link = report.at("links")[0];
+  EXPECT_EQ(std::abs(link.at("number").get<int>()), 1);
+  EXPECT_EQ(link.at("status"), "certified");
+  EXPECT_TRUE(link.at("reason").is_null());
+  for (const Json& curve : link.at("curves"))
+    EXPECT_TRUE(report.at("curves")[curve.get<std::size_t>()].at("closed").get<bool>());
 }
 
 }  // namespace

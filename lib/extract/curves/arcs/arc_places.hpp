@@ -36,7 +36,8 @@ inline Interval in_doubles(const MultiprecisionInterval& x) {
 template <class E>
 using ArcWeights = std::array<std::array<E, 5>, 4>;
 
-/// Where a point with these weights is; nothing if their sum is not certain to be positive.
+/// Where a point with these weights is; nothing if their sum is not certain to be positive, or the
+/// box is not finite.
 template <class E>
 std::optional<PlaceBox> place_of(std::array<E, 4> weights,
                                  const std::array<Vector3<double>, 4>& points) {
@@ -57,6 +58,8 @@ std::optional<PlaceBox> place_of(std::array<E, 4> weights,
     place[1] += share * (Interval(points[i].y) - Interval(points[0].y));
     place[2] += share * (Interval(points[i].z) - Interval(points[0].z));
   }
+  for (const Interval& x : place)
+    if (!std::isfinite(x.inf()) || !std::isfinite(x.sup())) return std::nullopt;
   return PlaceBox{{place[0].inf(), place[1].inf(), place[2].inf()},
                   {place[0].sup(), place[1].sup(), place[2].sup()}};
 }

@@ -11,6 +11,7 @@
 #include "extract/curves/arcs/separation_polynomial.hpp"
 #include "extract/curves/points/cell_rows.hpp"
 #include "extract/curves/points/exact_face_points.hpp"
+#include "extract/run/assert.hpp"
 #include "extract/run/parallel_stage.hpp"
 
 namespace tensortopo {
@@ -26,7 +27,7 @@ template <class E>
 bool is_too_wide(const PlaceBox& box, const LineEnds& ends) {
   double size = 0;
   for (const auto& p : ends.points) size = std::max(size, max_norm(p - ends.points[0]));
-  return std::is_same_v<E, FastInterval> && max_norm(box.high - box.low) > kNarrow * size;
+  return std::is_same_v<E, FastInterval> && !(max_norm(box.high - box.low) <= kNarrow * size);
 }
 
 /// The forms of a line's tetrahedron.
@@ -133,6 +134,9 @@ std::optional<LineSeparation> separation_in(const LineEnds& ends, const CellForm
   }
   if (!found.open.empty() || found.begin == 0 || found.end == 0)
     result.obstacle = ArcObstacle::not_told_apart;
+  else
+    TENSORTOPO_ASSERT(found.begin * found.end == (found.simple.size() % 2 == 0 ? 1 : -1),
+                      "each simple zero changes the sign");
   for (const DyadicInterval& part : found.simple) {
     const auto hull = hull_of(conic->weights, part, ends.points);
     if (!hull || is_too_wide<E>(box_around(*hull), ends)) return std::nullopt;

@@ -74,8 +74,8 @@ std::optional<LineEnds> LineFinder::find(const CurveMesh& curves, std::size_t li
     return face == faces[i] && unit_or_zero(vector_cast<double>(boundary[i].point.dominant)) ==
                                    curves.dominant_eigenvector[as_size(v)];
   };
-  constexpr double kWhole = 4;  // no samples between the ends: a turn that no arc makes
-  const CurveInTet joined = degenerate_curve_in_tet(result.scaled, boundary, kWhole);
+  constexpr double kLargestTurn = 4;  // nobody asks for samples between the ends
+  const CurveInTet joined = degenerate_curve_in_tet(result.scaled, boundary, kLargestTurn);
   if (joined.obstacle) return std::nullopt;
   const auto first = curves.lines[line].front(), last = curves.lines[line].back();
   for (const CurvePiece& piece : joined.pieces) {

@@ -51,7 +51,7 @@ struct CertifiedLink {
 /// The linking number does not change where a curve meets itself, so nothing is asked of that.
 class CertifiedLinks {
  public:
-  /// @param mesh  kept by reference
+  /// @param mesh  valid (see `validate`), with tetrahedra that do not overlap; kept by reference
   explicit CertifiedLinks(const TetMesh& mesh) : mesh_(&mesh) {}
 
   /// Adds a closed curve, and returns its number.
