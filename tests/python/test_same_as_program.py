@@ -17,6 +17,8 @@ NAMES = {
     "normal": "normals",
     "residual": "residual",
     "separation": "separation",
+    "crossing_instability": "crossing_instability",
+    "crossing_stable": "crossing_stable",
 }
 
 
@@ -77,6 +79,7 @@ def test_uncertain_surface_and_certificate(program, slab, slab_file, tmp_path):
     assert bits(surface.stable) == bits(cells["stable"].values)
     assert bits(surface.instability) == bits(cells["instability"].values)
     assert 0 < surface.stable.sum() < len(surface.stable)
+    assert set(np.unique(surface.crossing_stable)) == {-1, 0, 1}
     assert surface.certificate == certificate.read_bytes()
     assert len(surface.levels[0].not_embedded) == report["surfaces"][0]["not_embedded"]
     expected = report["surfaces"][0]["stability"]

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -42,6 +43,26 @@ TEST(Uncertainty, IsInTheReportAndInTheFile) {
     ASSERT_EQ(stable->values.size(), file.polygons.size());
     for (std::size_t i = 0; i < stable->values.size(); ++i)
       EXPECT_EQ(stable->values[i], instability->values[i] == 0 ? 1 : 0);
+    const SurfaceArray* crossings = file.find_point_data("crossing_stable");
+    const SurfaceArray* reasons_why = file.find_point_data("crossing_instability");
+    ASSERT_NE(crossings, nullptr);
+    ASSERT_NE(reasons_why, nullptr);
+    ASSERT_EQ(crossings->values.size(), file.points.size());
+    std::array<std::size_t, 3> told{};  // no crossing, not stable, stable
+    for (std::size_t v = 0; v < crossings->values.size(); ++v) {
+      const double reason = reasons_why->values[v];
+      EXPECT_EQ(crossings->values[v], reason < 0 ? -1 : reason == 0 ? 1 : 0);
+      ++told[static_cast<std::size_t>(crossings->values[v] + 1)];
+    }
+    std::size_t stable_crossings = 0, other_crossings = 0;
+    for (const SurfaceReport& surface : report.surfaces) {
+      const StabilitySummary& s = surface.stability->summary;
+      stable_crossings += s.stable_crossings;
+      for (const auto& [reason, count] : s.crossing_reasons) other_crossings += count;
+    }
+    EXPECT_EQ(told[2], stable_crossings);
+    EXPECT_EQ(told[1], other_crossings);
+    EXPECT_GT(told[1] + told[2], 0u);
     std::size_t triangles = 0;
     for (const SurfaceReport& surface : report.surfaces) {
       ASSERT_TRUE(surface.stability);
@@ -130,6 +151,18 @@ TEST(Uncertainty, OfCurvesIsInTheReportAndBesideThatOfASurface) {
     const SurfaceArray* component = file.find_cell_data("component");
     ASSERT_NE(stable, nullptr);
     ASSERT_EQ(stable->values.size(), file.lines.size() + file.polygons.size());
+    // Vertices of the surface come first, and each kind has its own crossings.
+    const SurfaceArray* crossings = file.find_point_data("crossing_stable");
+    ASSERT_NE(crossings, nullptr);
+    ASSERT_EQ(crossings->values.size(), file.points.size());
+    std::size_t of_reports = 0;
+    for (const SurfaceReport& surface : report.surfaces)
+      of_reports += surface.stability->summary.stable_crossings;
+    for (const CurveReport& curves : report.curves)
+      of_reports += curves.stability->summary.stable_crossings;
+    EXPECT_EQ(static_cast<std::size_t>(
+                  std::count(crossings->values.begin(), crossings->values.end(), 1.0)),
+              of_reports);
     // Lines come first, and of them those of mode 1; components of curves follow the surface's.
     std::map<double, bool> all_stable;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {

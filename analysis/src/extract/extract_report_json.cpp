@@ -23,6 +23,7 @@ Json stability_json(const StabilityReport& stability) {
   return {{"radius", stability.radius},       {"stable_tets", s.stable_tets},
           {"unstable_tets", s.unstable_tets}, {"crossed_stable_tets", s.crossed_stable_tets},
           {"crossings", s.crossings},         {"stable_crossings", s.stable_crossings},
+          {"crossing_reasons", counts(s.crossing_reasons)},
           {"reasons", counts(s.reasons)},     {"stable_components", s.components.size()},
           {"seconds", stability.seconds}};
 }

@@ -28,16 +28,19 @@ std::string mode_beside(const ModeValue& mode) {
 template <class Report>
 std::string stability_line(const Report& output) {
   const StabilitySummary& s = output.stability->summary;
-  std::string reasons;
-  for (const auto& [reason, count] : s.reasons)
-    reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", count, reason);
+  const auto listed = [](const std::map<std::string, std::size_t>& counts) {
+    std::string text;
+    for (const auto& [reason, count] : counts)
+      text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", count, reason);
+    return text.empty() ? text : text + ")";
+  };
   return fmt::format(
       "mode {}, uncertainty {}: {} of {} components stable, {} of {} crossed tetrahedra, {} of {} "
-      "crossings; {} of all tetrahedra not{}{}{}\n",
+      "crossings; not: {} crossings{}, {} of all tetrahedra{}\n",
       short_text(output.mode), output.stability->radius, s.components.size(),
       output.invariants.components, s.crossed_stable_tets, output.statistics.tets_crossed,
-      s.stable_crossings, s.crossings, s.unstable_tets, reasons.empty() ? "" : " (", reasons,
-      reasons.empty() ? "" : ")");
+      s.stable_crossings, s.crossings, s.crossings - s.stable_crossings,
+      listed(s.crossing_reasons), s.unstable_tets, listed(s.reasons));
 }
 
 /// What a filter left out.

@@ -142,7 +142,7 @@ std::vector<ArrayHash> array_hashes(const CurveMesh& curves, std::span<const Cel
   std::vector<ArrayHash> list;
   add_array(list, "lines", "component", 1, curves.component);
   for (const CellArray& array : more)
-    add_array(list, "lines", array.name.c_str(), 1, array.line_values);
+    add_array(list, array.of_points ? "points" : "lines", array.name.c_str(), 1, array.line_values);
   add_array(list, "points", "dominant_eigenvector", 3, curves.dominant_eigenvector);
   add_array(list, "points", "mode", 1, curves.mode);
   add_array(list, "points", "residual", 1, curves.residual);
@@ -161,7 +161,7 @@ std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface, std::span<const 
   add_array(list, "points", "value", 1, surface.value);
   add_array(list, "triangles", "component", 1, surface.component);
   for (const CellArray& array : more)
-    add_array(list, "triangles", array.name.c_str(), 1, array.values);
+    add_array(list, array.of_points ? "points" : "triangles", array.name.c_str(), 1, array.values);
   sort(list);
   return list;
 }

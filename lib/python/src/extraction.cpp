@@ -45,13 +45,16 @@ py::dict dict_of(const SurfaceInvariants::Part& part) {
 py::object stability_of(const std::optional<StabilitySummary>& summary) {
   using namespace py::literals;
   if (!summary) return py::none();
-  py::dict reasons;
+  py::dict reasons, crossing_reasons;
   for (const auto& [reason, count] : summary->reasons) reasons[py::str(reason)] = count;
+  for (const auto& [reason, count] : summary->crossing_reasons)
+    crossing_reasons[py::str(reason)] = count;
   return py::dict("stable_tets"_a = summary->stable_tets,
                   "unstable_tets"_a = summary->unstable_tets,
                   "crossed_stable_tets"_a = summary->crossed_stable_tets,
                   "crossings"_a = summary->crossings,
-                  "stable_crossings"_a = summary->stable_crossings, "reasons"_a = reasons,
+                  "stable_crossings"_a = summary->stable_crossings,
+                  "crossing_reasons"_a = crossing_reasons, "reasons"_a = reasons,
                   "stable_components"_a = summary->components.size());
 }
 

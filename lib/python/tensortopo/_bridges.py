@@ -191,6 +191,9 @@ def _point_data(output: Any) -> dict[str, Any]:
         data["normal"] = output.normals
     else:
         data["separation"] = output.separation
+    if output.stable is not None:
+        data["crossing_instability"] = output.crossing_instability
+        data["crossing_stable"] = output.crossing_stable
     return data
 
 

@@ -280,6 +280,8 @@ def _output_text(output: Union[_Output, MergedSurface]) -> str:
         raise TypeError(f"nothing is written of a {type(output).__name__}")
     if not isinstance(output, MergedSurface) and output.stable is not None:
         cell_data["instability"], cell_data["stable"] = output.instability, output.stable
+        point_data["crossing_instability"] = output.crossing_instability
+        point_data["crossing_stable"] = output.crossing_stable
     return piece_text(
         "PolyData",
         counts,

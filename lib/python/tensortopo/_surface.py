@@ -84,8 +84,9 @@ class SurfaceLevel:
         each other or are at 90 degrees or more to the gradient of the mode.
     stability : dict or None
         With ``uncertainty``: ``stable_tets`` and ``unstable_tets`` of the mesh, ``crossed_stable_tets``,
-        ``crossings`` (vertices on edges of the mesh) and ``stable_crossings`` of them, ``reasons`` (unstable
-        tetrahedra by the reason's name), ``stable_components``.
+        ``crossings`` (vertices on edges of the mesh) and ``stable_crossings`` of them, ``crossing_reasons``
+        (the others by the reason's name), ``reasons`` (unstable tetrahedra by the reason's name),
+        ``stable_components``.
     statistics : dict
         What the extraction counted, and its seconds.
     """
@@ -151,6 +152,8 @@ class _Output:
     component: Indices
     stable: Optional[Indices] = None
     instability: Optional[Indices] = None
+    crossing_stable: Optional[Indices] = None
+    crossing_instability: Optional[Indices] = None
 
     def __init__(self, made: dict[str, Any], cell_ids: Ids) -> None:
         for name, value in made.items():
@@ -191,6 +194,9 @@ class Surface(_Output):
         for all fields within it, else 0; and why it is not: 0 it is, 1 a deviator is not larger than
         its radius, 2 a vertex can be on either side, 3, 4 and 5 there is no proof for an edge, a face or
         the inside, 6 unresolved. 1 and 2 are exact: there are two such fields that differ.
+    crossing_stable, crossing_instability : ndarray of int32, shape (k,), or None
+        The same of crossings, the vertices on edges of the mesh: 1 where all these fields are proved to
+        cross the edge alike. -1 at other vertices.
     levels : tuple of SurfaceLevel
         One for each mode, with its topology.
     unresolved : tuple of Unresolved
@@ -287,6 +293,8 @@ class Curves(_Output):
         With ``uncertainty``, as in `Surface`: 1 where the curves are proved to be the same in that
         tetrahedron; the reasons are 1, 6, 7 a vertex can be degenerate, 8 an edge may be, and 9 and 10
         there is no proof for a face or the inside. 1 and 7 are exact.
+    crossing_stable, crossing_instability : ndarray of int32, shape (k,), or None
+        The same of the vertices on faces of the mesh; -1 at others.
     levels : tuple of CurveLevel
         One for each kind.
     unresolved, certificate, claims

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/stability/level_stability.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -78,6 +79,32 @@ void mark_unresolved(std::span<const UnresolvedCell> unresolved, LevelStability&
 void mark_unresolved(std::span<const UnresolvedCurve> unresolved, LevelStability& stability) {
   for (const UnresolvedCurve& cell : unresolved)
     stability.tets[as_size(cell.tet)] = Stability::unresolved;
+}
+
+namespace {
+
+template <std::size_t Vertices>
+Stability stability_of(const std::array<TetMesh::Index, Vertices>& vertices,
+                       const std::vector<std::array<TetMesh::Index, Vertices>>& stable,
+                       const std::vector<UnstableSimplex<Vertices>>& unstable) {
+  if (std::binary_search(stable.begin(), stable.end(), vertices)) return Stability::stable;
+  const auto found = std::lower_bound(
+      unstable.begin(), unstable.end(), vertices,
+      [](const UnstableSimplex<Vertices>& a, const auto& b) { return a.vertices < b; });
+  return found != unstable.end() && found->vertices == vertices ? found->reason
+                                                                : Stability::unresolved;
+}
+
+}  // namespace
+
+Stability crossing_stability(const LevelStability& stability,
+                             const std::array<TetMesh::Index, 2>& vertices) {
+  return stability_of(vertices, stability.stable_edges, stability.unstable_edges);
+}
+
+Stability crossing_stability(const LevelStability& stability,
+                             const std::array<TetMesh::Index, 3>& vertices) {
+  return stability_of(vertices, stability.stable_faces, stability.unstable_faces);
 }
 
 }  // namespace tensortopo

@@ -53,17 +53,27 @@ StabilitySummary summary_of(const LevelStability& level, std::vector<SurfaceMesh
   return summary;
 }
 
-/// Counts the vertices that simplices of one kind carry.
-template <class Output, std::size_t Vertices>
-void count_crossings(const Output& output, Carrier kind,
-                     const std::vector<std::array<TetMesh::Index, Vertices>>& stable,
-                     StabilitySummary& summary) {
+/// Counts the vertices that simplices of one kind carry, and adds the numbers of all vertices.
+template <std::size_t Vertices, class Output>
+void add_crossings(const Output& output, Carrier kind, const LevelStability& level,
+                   StabilitySummary& summary, std::vector<std::int32_t>& instability,
+                   std::vector<std::int32_t>& stable) {
   for (std::size_t v = 0; v < output.carrier.size(); ++v) {
-    if (output.carrier[v] != kind) continue;
+    if (output.carrier[v] != kind) {
+      instability.push_back(-1);
+      stable.push_back(-1);
+      continue;
+    }
     std::array<TetMesh::Index, Vertices> simplex;
     std::copy_n(output.carrier_vertices[v].begin(), Vertices, simplex.begin());
+    const Stability stability = crossing_stability(level, simplex);
     ++summary.crossings;
-    summary.stable_crossings += std::binary_search(stable.begin(), stable.end(), simplex);
+    if (stability == Stability::stable)
+      ++summary.stable_crossings;
+    else
+      ++summary.crossing_reasons[std::string(name_of(stability))];
+    instability.push_back(static_cast<std::int32_t>(stability));
+    stable.push_back(stability == Stability::stable);
   }
 }
 
@@ -75,7 +85,10 @@ StabilityRun::StabilityRun(const TetMesh& mesh, const Uncertainty& uncertainty)
       array_(uncertainty.array),
       radii_sha256_(uncertainty.radii_sha256),
       field_(mesh, vertex_radii(mesh, uncertainty)),
-      arrays_{{"instability", {}, {}}, {"stable", {}, {}}} {}
+      arrays_{{"instability", {}, {}},
+              {"stable", {}, {}},
+              {"crossing_instability", {}, {}, true},
+              {"crossing_stable", {}, {}, true}} {}
 
 StabilitySummary StabilityRun::add(const ModeValue& mode, const ExtractOptions& options,
                                    const Extraction& extraction) {
@@ -84,7 +97,7 @@ StabilitySummary StabilityRun::add(const ModeValue& mode, const ExtractOptions& 
   const SurfaceMesh& surface = extraction.surface;
   add_cells(surface.tet, level, arrays_[0].values, arrays_[1].values);
   StabilitySummary summary = summary_of(level, surface.tet);
-  count_crossings(surface, Carrier::edge, level.stable_edges, summary);
+  add_crossings<2>(surface, Carrier::edge, level, summary, arrays_[2].values, arrays_[3].values);
   summary.components =
       smallest_vertices(surface.triangles, surface.component,
                         surface_stability(*field_.mesh, surface, level).components);
@@ -98,7 +111,8 @@ StabilitySummary StabilityRun::add(Degeneracy kind, const ExtractOptions& option
   const CurveMesh& curves = extraction.curves;
   add_cells(curves.tet, level, arrays_[0].line_values, arrays_[1].line_values);
   StabilitySummary summary = summary_of(level, curves.tet);
-  count_crossings(curves, Carrier::face, level.stable_faces, summary);
+  add_crossings<3>(curves, Carrier::face, level, summary, arrays_[2].line_values,
+                   arrays_[3].line_values);
   summary.components =
       smallest_vertices(curves.lines, curves.component, stable_curves(*field_.mesh, curves, level));
   return summary;

@@ -132,12 +132,31 @@ LevelStability stable_cells(const UncertainField& field, const CellTests& tests,
     else if (!tests.tet(box(field, tensors, tet), kTetParts))
       stability = tests.reasons[3];
   });
+  /// Of a simplex that is not stable, with the reason if its boundary is.
+  const auto reason_of = [&](const auto& simplex, Stability own) {
+    for (const Index v : simplex)
+      if (field.may_vanish[as_size(v)]) return Stability::isotropic_within_radius;
+    return are_stable(simplex, vertices) ? own : tests.reasons[0];
+  };
   for (std::size_t e = 0; e < edges.size(); ++e)
-    if (edges[e]) result.stable_edges.push_back(cells.edges[e]);
+    if (edges[e])
+      result.stable_edges.push_back(cells.edges[e]);
+    else
+      result.unstable_edges.push_back(
+          {cells.edges[e], reason_of(cells.edges[e], tests.reasons[1])});
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (faces[f]) result.stable_faces.push_back(cells.faces[f]);
+    if (faces[f])
+      result.stable_faces.push_back(cells.faces[f]);
+    else
+      result.unstable_faces.push_back(
+          {cells.faces[f],
+           reason_of(cells.faces[f],
+                     tests.reasons[are_stable(cells.face_edges[f], edges) ? 2 : 1])});
   std::sort(result.stable_edges.begin(), result.stable_edges.end());
   std::sort(result.stable_faces.begin(), result.stable_faces.end());
+  const auto by_vertices = [](const auto& a, const auto& b) { return a.vertices < b.vertices; };
+  std::sort(result.unstable_edges.begin(), result.unstable_edges.end(), by_vertices);
+  std::sort(result.unstable_faces.begin(), result.unstable_faces.end(), by_vertices);
   tell(1);
   return result;
 }

@@ -40,7 +40,9 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
   /// How much the tensors may be in error: "0.5", in their unit, or "1%" of each point's deviator, in
   /// the Frobenius norm. Triangles and lines then have cell arrays `stable`, 1 where surface or
   /// curves have the same topology in the tetrahedron for all fields within it, and `instability`,
-  /// 0 there, else the number of the reason. Empty, the default, for none.
+  /// 0 there, else the number of the reason. Points have `crossing_stable` and
+  /// `crossing_instability`, the same of crossings of the grid's edges, or faces, and -1 elsewhere.
+  /// Empty, the default, for none.
   vtkSetStdStringFromCharMacro(Uncertainty);
   vtkGetCharFromStdStringMacro(Uncertainty);
   ///@}

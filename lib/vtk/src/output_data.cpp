@@ -110,13 +110,23 @@ void add_cell_data(vtkPolyData* output, const std::vector<Index>& tets,
   output->GetCellData()->AddArray(component);
 }
 
-void add_cell_array(vtkPolyData* output, const std::string& name,
-                    const std::vector<std::int32_t>& values,
-                    const std::vector<std::size_t>& which) {
+void add_numbers(vtkDataSetAttributes* data, const std::string& name,
+                 const std::vector<std::int32_t>& values, const std::vector<std::size_t>& which) {
   vtkNew<vtkTypeInt32Array> array;
   array->SetName(name.c_str());
   for (const std::size_t c : which) array->InsertNextValue(values[c]);
-  output->GetCellData()->AddArray(array);
+  data->AddArray(array);
+}
+
+/// @param values  those of the surface, or of the curves
+void add_more(vtkPolyData* output, const std::vector<CellArray>& more,
+              std::vector<std::int32_t> CellArray::*values, const std::vector<std::size_t>& cells,
+              const std::vector<std::size_t>& vertices) {
+  for (const CellArray& array : more)
+    if (array.of_points)
+      add_numbers(output->GetPointData(), array.name, array.*values, vertices);
+    else
+      add_numbers(output->GetCellData(), array.name, array.*values, cells);
 }
 
 }  // namespace
@@ -135,7 +145,7 @@ void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& gri
   data->SetNormals(vectors("normal", surface.normal, which));
   data->AddArray(numbers("residual", surface.residual, which));
   add_cell_data(output, surface.tet, surface.component, own, grid.mesh);
-  for (const CellArray& array : more) add_cell_array(output, array.name, array.values, own);
+  add_more(output, more, &CellArray::values, own, which);
 }
 
 void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
@@ -151,7 +161,7 @@ void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
   data->AddArray(numbers("residual", curves.residual, which));
   data->AddArray(numbers("separation", curves.separation, which));
   add_cell_data(output, curves.tet, curves.component, own, grid.mesh);
-  for (const CellArray& array : more) add_cell_array(output, array.name, array.line_values, own);
+  add_more(output, more, &CellArray::line_values, own, which);
 }
 
 void fill(vtkUnstructuredGrid* output, const std::vector<LeftOut>& cells, const TensorGrid& grid) {

@@ -22,32 +22,11 @@
 namespace tensortopo {
 namespace {
 
-/// A closed polygon and its box.
-struct Polygon {
-  std::size_t curve = 0;
-  std::vector<Vector3<double>> points;
-  std::array<double, 3> low{}, high{};
+/// A closed curve, and the polygon extracted of it, if it has three vertices.
+struct ClosedCurve {
+  std::size_t curve = 0;  ///< in the report
+  std::vector<Vector3<double>> polygon;
 };
-
-std::array<double, 3> coordinates_of(const Vector3<double>& p) { return {p.x, p.y, p.z}; }
-
-bool are_apart(const Polygon& a, const Polygon& b) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return true;
-  return false;
-}
-
-Polygon polygon_of(const CurveMesh& curves, const std::vector<CurveMesh::Index>& line) {
-  Polygon polygon;
-  for (const auto v : line) polygon.points.push_back(curves.points[as_size(v)]);
-  polygon.low = polygon.high = coordinates_of(polygon.points[0]);
-  for (const auto& p : polygon.points)
-    for (std::size_t i = 0; i < 3; ++i) {
-      polygon.low[i] = std::min(polygon.low[i], coordinates_of(p)[i]);
-      polygon.high[i] = std::max(polygon.high[i], coordinates_of(p)[i]);
-    }
-  return polygon;
-}
 
 void count_separations(const CurveMesh& curves, std::vector<GraphCurve>& components) {
   std::vector<int> last(components.size(), 0);
@@ -64,31 +43,65 @@ void count_separations(const CurveMesh& curves, std::vector<GraphCurve>& compone
   }
 }
 
-void add_curves(GraphReport& report, const PersistenceInput& input, std::vector<Polygon>& closed) {
+using SidesArcs = std::array<std::optional<CurveArcs>, 2>;
+
+void add_curves(GraphReport& report, const PersistenceInput& input, const SidesArcs& arcs,
+                CertifiedLinks& links, std::vector<ClosedCurve>& closed) {
   for (std::size_t side = 0; side < 2; ++side) {
     const CurveMesh& curves = input.curves[side].curves;
     std::vector<GraphCurve> made;
     for (const ModeMaximum& maximum : input.trees[side].maxima)
       if (maximum.curve)
-        made.push_back({side == 0 ? 1 : -1, *maximum.curve, maximum.is_closed, maximum.length});
+        made.push_back(
+            {side == 0 ? 1 : -1, *maximum.curve, maximum.is_closed, maximum.length, 0, 0, 0, {}});
     count_separations(curves, made);
+    const auto counts =
+        count_arcs(*arcs[side], made.size(), report.curves.size(), report.transitions);
     for (std::size_t c = 0; c < made.size(); ++c) {
+      made[c].arcs = counts[c];
       if (!made[c].is_closed) continue;
-      if (const auto line = closed_line(curves, c)) {
-        closed.push_back(polygon_of(curves, *line));
-        closed.back().curve = report.curves.size() + c;
-      }
+      const auto lines = lines_of_closed(curves, c);
+      if (!lines) continue;
+      links.add(*arcs[side], *lines);
+      closed.push_back({report.curves.size() + c, {}});
+      for (const auto v : closed_line(curves, c).value_or(std::vector<CurveMesh::Index>{}))
+        closed.back().polygon.push_back(curves.points[as_size(v)]);
     }
     report.curves.insert(report.curves.end(), made.begin(), made.end());
   }
 }
 
-void write_tree(const ContourTree& tree, const std::filesystem::path& file) {
+/// The linking numbers of all pairs: proved of the curves, or else computed of the polygons.
+void add_links(GraphReport& report, CertifiedLinks& links, const std::vector<ClosedCurve>& closed) {
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    for (std::size_t j = i + 1; j < closed.size(); ++j) {
+      ++report.pairs_of_closed;
+      CertifiedLink link = links.link(i, j);
+      report.certified_pairs += link.number.has_value();
+      if (link.obstacle) {
+        ++report.link_obstacles[*link.obstacle];
+        if (!closed[i].polygon.empty() && !closed[j].polygon.empty())
+          link.number = linking_number(closed[i].polygon, closed[j].polygon);
+        report.not_linkable += !link.number;
+      }
+      if (link.number.value_or(0) != 0)
+        report.links.push_back({closed[i].curve, closed[j].curve, *link.number, link.obstacle});
+    }
+}
+
+/// The tree as points and lines, and after its nodes the transitions as points.
+void write_tree(const GraphReport& report, const std::filesystem::path& file) {
+  const ContourTree& tree = report.tree;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> lines, transitions;
   for (const ContourNode& node : tree.nodes)
     points->InsertNextPoint(node.place.x, node.place.y, node.place.z);
+  for (const CurveTransition& transition : report.transitions) {
+    const auto p = transition.place.middle();
+    transitions->InsertNextCell(1);
+    transitions->InsertCellPoint(points->InsertNextPoint(p.x, p.y, p.z));
+  }
   for (const auto& arc : tree.arcs) {
     lines->InsertNextCell(2);
     for (const std::size_t node : arc) lines->InsertCellPoint(static_cast<vtkIdType>(node));
@@ -96,13 +109,19 @@ void write_tree(const ContourTree& tree, const std::filesystem::path& file) {
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetLines(lines);
-  add_array(*data, "mode", 1, tree.nodes.size(), [&](std::size_t i) {
-    return std::array<double, 3>{tree.nodes[i].mode.middle(), 0, 0};
+  if (!report.transitions.empty()) data->SetVerts(transitions);
+  const std::size_t nodes = tree.nodes.size();
+  add_array(*data, "mode", 1, nodes + report.transitions.size(), [&](std::size_t i) {
+    const double mode = i < nodes ? tree.nodes[i].mode.middle()
+                                  : report.curves[report.transitions[i - nodes].curve].mode;
+    return std::array<double, 3>{mode, 0, 0};
   });
   vtkNew<vtkIntArray> kinds;
   kinds->SetName("kind");
   for (const ContourNode& node : tree.nodes)
     kinds->InsertNextValue(node.maximum ? 1 : node.minimum ? -1 : 0);
+  for (const CurveTransition& transition : report.transitions)
+    kinds->InsertNextValue(transition.is_jump ? 3 : 2);
   data->GetPointData()->AddArray(kinds);
   write_poly_data(*data, file);
 }
@@ -123,8 +142,13 @@ GraphReport run_graph(const GraphCommand& command, const Progress& progress) {
   const PersistenceInput input = persistence_input(read.mesh, progress);
   report.tree = contour_tree(read.mesh, input);
   report.regions = mode_regions(report.tree, input);
-  std::vector<Polygon> closed;
-  add_curves(report, input, closed);
+  SidesArcs arcs;
+  arcs[0].emplace(read.mesh, Degeneracy::linear, input.curves[0].curves);
+  arcs[1].emplace(read.mesh, Degeneracy::planar, input.curves[1].curves);
+  std::vector<ClosedCurve> closed;
+  CertifiedLinks links(read.mesh);
+  add_curves(report, input, arcs, links, closed);
+  add_links(report, links, closed);
   const auto linear = static_cast<std::size_t>(
       std::count_if(report.curves.begin(), report.curves.end(),
                     [](const GraphCurve& curve) { return curve.mode > 0; }));
@@ -135,16 +159,7 @@ GraphReport run_graph(const GraphCommand& command, const Progress& progress) {
       if (const auto planar = input.trees[1].maxima[*node.minimum].curve) curve = linear + *planar;
     report.curve_of_node.push_back(curve);
   }
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    for (std::size_t j = i + 1; j < closed.size(); ++j) {
-      ++report.pairs_of_closed;
-      if (are_apart(closed[i], closed[j])) continue;
-      const auto number = linking_number(closed[i].points, closed[j].points);
-      report.not_linkable += !number;
-      if (number.value_or(0) != 0)
-        report.links.push_back({closed[i].curve, closed[j].curve, *number});
-    }
-  if (!command.output.empty()) write_tree(report.tree, command.output);
+  if (!command.output.empty()) write_tree(report, command.output);
   report.cell_ids = std::move(read.mesh.cell_ids);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;

@@ -5,12 +5,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analyze/analyzed_mesh.hpp"
+#include "analyze/persistence/curve_transitions.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/persistence/certified_linking.hpp"
 #include "tensortopo/persistence/mode_regions.hpp"
 
 namespace tensortopo {
@@ -19,7 +23,7 @@ namespace tensortopo {
 struct GraphCommand {
   std::filesystem::path input;
   ReadOptions read;
-  std::filesystem::path output;  ///< .vtp, for the tree; may be empty
+  std::filesystem::path output;  ///< .vtp, for the tree and transitions; may be empty
 };
 
 /// A component of degenerate curves.
@@ -29,13 +33,15 @@ struct GraphCurve {
   bool is_closed = false;
   double length = 0;
   std::size_t wedges = 0, trisectors = 0;  ///< vertices of the polyline, by the sign of separation
-  std::size_t transitions = 0;             ///< of one into the other, along it
+  std::size_t transitions = 0;             ///< of one into the other, along it, by these signs
+  CurveArcCounts arcs;                     ///< by proof
 };
 
 /// Two closed curves that are linked.
 struct CurveLink {
   std::size_t first = 0, second = 0;  ///< as indices into `GraphReport::curves`
-  int number = 0;
+  int number = 0;                     ///< of the curves, or if that is not proved, of the polygons
+  std::optional<LinkObstacle> obstacle;  ///< why it is not proved
 };
 
 struct GraphReport : AnalyzedMesh {
@@ -43,10 +49,15 @@ struct GraphReport : AnalyzedMesh {
   std::vector<std::int64_t> cell_ids;
   ContourTree tree;
   ModeRegions regions;
-  std::vector<GraphCurve> curves;   ///< those of mode 1 first
+  std::vector<GraphCurve> curves;  ///< those of mode 1 first
+  /// Between wedges and trisectors, curve by curve.
+  std::vector<CurveTransition> transitions;
   std::vector<CurveLink> links;     ///< with a linking number that is not 0
   std::size_t pairs_of_closed = 0;  ///< of which the linking number was looked at
-  std::size_t not_linkable = 0;     ///< of these, not known
+  std::size_t certified_pairs = 0;  ///< of these, with a number that is proved
+  std::size_t not_linkable = 0;     ///< of the others, not known of the polygons either
+  /// Of pairs without a proof: how many for each reason.
+  std::map<LinkObstacle, std::size_t> link_obstacles;
   double seconds = 0;
 
   /// The curve of a node, if it is one.

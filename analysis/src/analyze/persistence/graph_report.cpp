@@ -64,11 +64,35 @@ std::string to_json(const GraphReport& report) {
                               {"length", curve.length},
                               {"wedge_vertices", curve.wedges},
                               {"trisector_vertices", curve.trisectors},
-                              {"transitions", curve.transitions}});
+                              {"transitions", curve.transitions},
+                              {"wedge_arcs", curve.arcs.wedges},
+                              {"trisector_arcs", curve.arcs.trisectors},
+                              {"mixed_arcs", curve.arcs.mixed},
+                              {"arcs_not_proved", curve.arcs.not_proved},
+                              {"proved_transitions", curve.arcs.zeros},
+                              {"jumps", curve.arcs.jumps}});
+  json["transitions"] = Object::array();
+  for (const CurveTransition& transition : report.transitions) {
+    const auto point = transition.place.middle();
+    Object row{{"curve", transition.curve}, {"kind", transition.is_jump ? "jump" : "zero"}};
+    row["point"] = {point.x, point.y, point.z};
+    row["within"] = transition.radius();
+    row["tets"] = Object::array();
+    for (const auto t : transition.tets) row["tets"].push_back(report.cell_ids[as_size(t)]);
+    json["transitions"].push_back(std::move(row));
+  }
   json["links"] = Object::array();
   for (const CurveLink& link : report.links)
-    json["links"].push_back({{"curves", {link.first, link.second}}, {"number", link.number}});
+    json["links"].push_back(
+        {{"curves", {link.first, link.second}},
+         {"number", link.number},
+         {"status", link.obstacle ? "undecided" : "certified"},
+         {"reason", link.obstacle ? Object(name_of(*link.obstacle)) : Object(nullptr)}});
   json["pairs_of_closed_curves"] = report.pairs_of_closed;
+  json["certified_pairs"] = report.certified_pairs;
+  json["undecided_pairs"] = Object::object();
+  for (const auto& [obstacle, count] : report.link_obstacles)
+    json["undecided_pairs"][std::string(name_of(obstacle))] = count;
   json["links_not_known"] = report.not_linkable;
   if (!report.output.empty()) json["output"] = report.output.string();
   json["seconds"] = report.seconds;
@@ -105,14 +129,25 @@ std::string to_text(const GraphReport& report) {
       fmt::format_to(out, "  a {} region with {}\n",
                      region.sign > 0 ? "positive" : "negative",
                      counted(region.curves.size(), "degenerate curve"));
-  std::size_t transitions = 0;
-  for (const GraphCurve& curve : report.curves) transitions += curve.transitions;
-  fmt::format_to(out, "degenerate curves: {}, with {} transitions between wedges and trisectors\n",
-                 report.curves.size(), transitions);
-  fmt::format_to(
-      out, "linked: {} of {} pairs of closed curves{}\n", report.links.size(),
-      report.pairs_of_closed,
-      report.not_linkable > 0 ? fmt::format(" ({} not known)", report.not_linkable) : "");
+  CurveArcCounts all;
+  for (const GraphCurve& curve : report.curves) all += curve.arcs;
+  fmt::format_to(out, "degenerate curves: {}\n", report.curves.size());
+  fmt::format_to(out,
+                 "  in tetrahedra: {} of wedges, {} of trisectors, {} of both, {} not proved\n",
+                 counted(all.wedges, "arc"), all.trisectors, all.mixed, all.not_proved);
+  fmt::format_to(out, "  transitions: {} inside tetrahedra, {} at faces, where the sign jumps\n",
+                 all.zeros, all.jumps);
+  std::size_t certified = 0;
+  for (const CurveLink& link : report.links) certified += !link.obstacle;
+  fmt::format_to(out, "linked: {} of {} pairs of closed curves", report.links.size(),
+                 report.pairs_of_closed);
+  if (!report.links.empty()) fmt::format_to(out, ", {} of them certified", certified);
+  fmt::format_to(out, " (of all pairs {} certified", report.certified_pairs);
+  for (const auto& [obstacle, count] : report.link_obstacles)
+    fmt::format_to(out, ", {} undecided: {}", count, name_of(obstacle));
+  if (report.not_linkable > 0)
+    fmt::format_to(out, ", {} not known of polygons either", report.not_linkable);
+  text += ")\n";
   if (!report.output.empty()) fmt::format_to(out, "\n{}\n", report.output.string());
   return text;
 }

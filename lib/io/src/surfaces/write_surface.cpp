@@ -79,9 +79,11 @@ WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, c
   check(surface, mesh);
   check(curves, surface.points.size(), mesh);
   for (const CellArray& array : more)
-    require(array.values.size() == surface.triangles.size() &&
-                fits(array.line_values, curves.lines.size()),
-            "an array is not one for each triangle and line");
+    require(array.of_points ? array.values.size() == surface.points.size() &&
+                                  fits(array.line_values, curves.points.size())
+                            : array.values.size() == surface.triangles.size() &&
+                                  fits(array.line_values, curves.lines.size()),
+            "an array is not one for each triangle and line, or each point");
   if (!curves.lines.empty() && !entry->format.holds_curves)
     throw IoError(IoError::Kind::unwritable, file,
                   "cannot hold curves: use " + surface_extensions(true));

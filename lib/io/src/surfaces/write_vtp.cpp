@@ -139,6 +139,13 @@ std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const Te
   add_vectors("normal", of_modes || of_values, surface.normal, {});
   add_numbers("separation", of_curves, {}, curves.separation, Patterns::none);
   add_numbers("residual", of_any, surface.residual, curves.residual, Patterns::none);
+  for (const CellArray& array : more) {
+    if (!array.of_points) continue;
+    std::vector<std::int32_t> values = array.values;
+    values.insert(values.end(), array.line_values.begin(), array.line_values.end());
+    values.resize(before + after, -1);
+    section.add(array.name.c_str(), false, std::span<const std::int32_t>(values));
+  }
   out.close("PointData");
 
   const auto ids = cell_ids(surface, curves, mesh);
@@ -147,6 +154,7 @@ std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const Te
   section.add("tet", of_any, std::span(ids));
   section.add("component", of_any, std::span(parts));
   for (const CellArray& array : more) {
+    if (array.of_points) continue;
     std::vector<std::int32_t> values = array.line_values;
     values.resize(curves.lines.size(), 0);
     values.insert(values.end(), array.values.begin(), array.values.end());

@@ -63,11 +63,11 @@ struct ArrayHash {
 };
 
 /// All arrays of a surface in a .vtp without curves but `tet`, by `of` and `name`.
-/// @param more  further arrays of its triangles
+/// @param more  further arrays of its triangles, or vertices
 std::vector<ArrayHash> array_hashes(const SurfaceMesh& surface,
                                     std::span<const CellArray> more = {});
 /// All arrays of curves in a .vtp without a surface but `tet`, by `of` and `name`.
-/// @param more  further arrays of its lines
+/// @param more  further arrays of its lines, or vertices
 std::vector<ArrayHash> array_hashes(const CurveMesh& curves, std::span<const CellArray> more = {});
 
 }  // namespace tensortopo

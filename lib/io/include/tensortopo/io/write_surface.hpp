@@ -61,8 +61,8 @@ WriteReport write_surface(const SurfaceMesh& surface, const TetMesh& mesh,
 /// none. In a .vtp the curves add point data `separation`; arrays that only the surface has are
 /// zero at vertices of curves, and `separation` at vertices of the surface. Cell data come in VTK's
 /// order, lines before triangles. Without curves the bytes are those of the surface alone. A .vtp
-/// has the `notes` as field data, a string each, and `more` as cell data (zero at lines that they say nothing of); other formats
-/// have no place for them.
+/// has the `notes` as field data, a string each, and `more` as cell data (zero at lines that they say nothing of) or
+/// point data (-1 at vertices that they say nothing of); other formats have no place for them.
 ///
 /// Throws    also IoError if there are curves and the format holds no polylines.
 WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,

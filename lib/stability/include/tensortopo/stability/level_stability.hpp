@@ -41,6 +41,13 @@ std::string_view name_of(Stability stability);
 /// All numbers with their names: "0 stable, 1 isotropic_within_radius, ...".
 std::string stability_names();
 
+/// An edge or a face that is not proved to be crossed alike by all members, and why.
+template <std::size_t Vertices>
+struct UnstableSimplex {
+  std::array<TetMesh::Index, Vertices> vertices{};  ///< ascending
+  Stability reason = Stability::unresolved;         ///< the first thing that is not proved
+};
+
 /// What holds of one level, or of degenerate curves of one kind.
 struct LevelStability {
   std::vector<Stability> tets;  ///< one per tetrahedron of the mesh
@@ -48,7 +55,20 @@ struct LevelStability {
   /// be crossed alike by all members; ascending.
   std::vector<std::array<TetMesh::Index, 2>> stable_edges;
   std::vector<std::array<TetMesh::Index, 3>> stable_faces;  ///< as `stable_edges`
+  /// The others that may be crossed, by vertices.
+  std::vector<UnstableSimplex<2>> unstable_edges;
+  std::vector<UnstableSimplex<3>> unstable_faces;  ///< as `unstable_edges`
 };
+
+/// Whether all members cross the edge, or face, of a vertex of a surface, or of curves, alike; if
+/// not, why. The vertex then is a crossing that each member has, with the same place in their order
+/// along the edge.
+/// @param vertices  ascending
+Stability crossing_stability(const LevelStability& stability,
+                             const std::array<TetMesh::Index, 2>& vertices);
+/// The same of a degenerate point on a face: each member has as many.
+Stability crossing_stability(const LevelStability& stability,
+                             const std::array<TetMesh::Index, 3>& vertices);
 
 /// The tetrahedra in which the level {mode = mu} is the same, up to homeomorphism, for all members.
 ///

@@ -22,6 +22,7 @@ struct StabilitySummary {
   /// the edge, or face, is crossed alike by all members.
   std::size_t crossings = 0, stable_crossings = 0;
   std::map<std::string, std::size_t> reasons;  ///< unstable tetrahedra by the reason's name
+  std::map<std::string, std::size_t> crossing_reasons;  ///< crossings that are not stable, as well
   std::vector<SurfaceMesh::Index> components;  ///< stable ones, by smallest vertex, ascending
 };
 
@@ -54,7 +55,8 @@ class StabilityRun {
                        const CurveExtraction& extraction);
 
   /// Of all triangles and lines so far: `instability`, the number of the reason (see `Stability`),
-  /// and `stable`, 1 where that is 0, else 0.
+  /// and `stable`, 1 where that is 0, else 0. Of all vertices: `crossing_instability` and
+  /// `crossing_stable`, the same of crossings (see `crossing_stability`), and -1 for other vertices.
   const std::vector<CellArray>& arrays() const { return arrays_; }
 
   /// Nothing if each vertex has a radius of its own, from no array of the input.
