@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 #include <numbers>
+#include <numeric>
 
 #include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/tensor/mode.hpp"
@@ -13,14 +14,69 @@
 namespace tensortopo::test {
 namespace {
 
-using Simplex = std::vector<int>;  // vertices, ascending
+using Simplex = std::array<int, 4>;  // vertices, ascending; the last ones -1
 using Column = std::vector<std::size_t>;
 
-/// The column with the same rows once more taken out.
+/// The rows that are in one of the columns.
 Column added(const Column& a, const Column& b) {
   Column sum;
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sum));
   return sum;
+}
+
+Simplex simplex_of(const TetMesh& mesh, std::size_t tet, unsigned subset) {
+  Simplex simplex{-1, -1, -1, -1};
+  std::size_t count = 0;
+  for (unsigned i = 0; i < 4; ++i)
+    if ((subset >> i & 1U) != 0) simplex[count++] = mesh.tets[tet][i];
+  std::sort(simplex.begin(), simplex.begin() + static_cast<std::ptrdiff_t>(count));
+  return simplex;
+}
+
+/// The simplices of a dimension, and in which order they appear.
+struct Simplices {
+  std::vector<Simplex> all;        ///< ascending
+  std::vector<double> births;      ///< of each in order of appearance
+  std::vector<std::size_t> order;  ///< those that appear, one after the other
+  std::vector<std::size_t> rank;   ///< the inverse
+
+  void sort(const std::vector<double>& value) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::vector<double> born;
+    for (const Simplex& s : all) {
+      born.push_back(1);
+      for (const int v : s)
+        if (v >= 0) born.back() = std::min(born.back(), value[static_cast<std::size_t>(v)]);
+    }
+    order.resize(all.size());
+    rank.resize(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return born[a] > born[b]; });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      rank[order[i]] = i;
+      births.push_back(born[order[i]]);
+    }
+  }
+  std::size_t place_of(const Simplex& s) const {
+    return rank[static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), s) -
+                                         all.begin())];
+  }
+};
+
+/// Faces of a simplex, as they are numbered by appearance, ascending.
+Column boundary_of(const Simplex& simplex, std::size_t dimension, const Simplices& faces) {
+  Column column;
+  for (std::size_t k = 0; k <= dimension; ++k) {
+    Simplex face{-1, -1, -1, -1};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i <= dimension; ++i)
+      if (i != k) face[count++] = simplex[i];
+    column.push_back(faces.place_of(face));
+  }
+  std::sort(column.begin(), column.end());
+  return column;
 }
 
 }  // namespace
@@ -28,71 +84,50 @@ Column added(const Column& a, const Column& b) {
 SampledHomology sampled_homology(TetMesh mesh, int cuts, bool is_opposite) {
   for (int i = 0; i < cuts; ++i) mesh = subdivide(mesh);
   SampledHomology result;
+  const double sign = is_opposite ? -1 : 1;
   std::vector<double> value;
   std::vector<Deviator<double>> tensors;
+  const auto angle_of = [&](const Deviator<double>& t) {
+    return sign * (std::numbers::pi / 6 - lode_angle(t));
+  };
   for (const auto& t : mesh.tensors) {
     tensors.push_back(deviator(t));
-    const double angle = std::numbers::pi / 6 - lode_angle(tensors.back());
-    value.push_back(is_opposite ? -angle : angle);
+    value.push_back(angle_of(tensors.back()));
   }
-  std::array<std::map<Simplex, std::size_t>, 4> places;
-  std::array<std::vector<Simplex>, 4> simplices;
-  for (const auto& tet : mesh.tets)
+  std::array<Simplices, 4> simplices;
+  for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet)
     for (unsigned subset = 1; subset < 16; ++subset) {
-      Simplex simplex;
-      for (unsigned i = 0; i < 4; ++i)
-        if ((subset >> i & 1U) != 0) simplex.push_back(tet[i]);
-      std::sort(simplex.begin(), simplex.end());
-      places[simplex.size() - 1].try_emplace(simplex, 0);
+      const auto dimension = static_cast<std::size_t>(__builtin_popcount(subset)) - 1;
+      simplices[dimension].all.push_back(simplex_of(mesh, tet, subset));
     }
-  const auto born = [&](const Simplex& s) {
-    double least = 1;
-    for (const int v : s) least = std::min(least, value[static_cast<std::size_t>(v)]);
-    return least;
-  };
-  std::array<std::vector<double>, 4> births;
-  for (std::size_t d = 0; d < 4; ++d) {
-    for (const auto& [simplex, place] : places[d]) simplices[d].push_back(simplex);
-    std::stable_sort(simplices[d].begin(), simplices[d].end(),
-                     [&](const Simplex& a, const Simplex& b) { return born(a) > born(b); });
-    for (std::size_t i = 0; i < simplices[d].size(); ++i) {
-      places[d][simplices[d][i]] = i;
-      births[d].push_back(born(simplices[d][i]));
-    }
-  }
-  for (const auto& edge : simplices[1]) {
+  for (Simplices& list : simplices) list.sort(value);
+  for (const Simplex& edge : simplices[1].all) {
     const auto v = static_cast<std::size_t>(edge[0]), w = static_cast<std::size_t>(edge[1]);
-    const double sign = is_opposite ? -1 : 1;
-    const double between = sign * (std::numbers::pi / 6 - lode_angle(tensors[v] + tensors[w]));
+    const double between = angle_of(tensors[v] + tensors[w]);
     result.error = std::max(result.error, 2 * std::abs(between - (value[v] + value[w]) / 2));
   }
-  // From the largest dimension down: what a column kills bounds nothing itself.
+  // From the largest dimension down: what is a boundary has none itself.
   std::array<std::vector<char>, 4> is_paired;
-  for (std::size_t d = 0; d < 4; ++d) is_paired[d].assign(simplices[d].size(), 0);
+  for (std::size_t d = 0; d < 4; ++d) is_paired[d].assign(simplices[d].all.size(), 0);
   for (std::size_t d = 3; d > 0; --d) {
-    std::vector<Column> by_lowest(simplices[d - 1].size());
-    for (std::size_t i = 0; i < simplices[d].size(); ++i) {
+    const Simplices &here = simplices[d], &faces = simplices[d - 1];
+    std::vector<Column> by_lowest(faces.all.size());
+    for (std::size_t i = 0; i < here.all.size(); ++i) {
       if (is_paired[d][i] != 0) continue;
-      Column column;
-      for (std::size_t k = 0; k <= d; ++k) {
-        Simplex face = simplices[d][i];
-        face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
-        column.push_back(places[d - 1].at(face));
-      }
-      std::sort(column.begin(), column.end());
+      Column column = boundary_of(here.all[here.order[i]], d, faces);
       while (!column.empty() && !by_lowest[column.back()].empty())
         column = added(column, by_lowest[column.back()]);
       if (column.empty()) continue;
       const std::size_t low = column.back();
       is_paired[d][i] = is_paired[d - 1][low] = 1;
-      if (births[d - 1][low] > births[d][i])
-        result.pairs[d - 1].push_back({births[d - 1][low], births[d][i]});
+      if (faces.births[low] > here.births[i])
+        result.pairs[d - 1].push_back({faces.births[low], here.births[i]});
       by_lowest[low] = std::move(column);
     }
   }
   for (std::size_t d = 0; d < 3; ++d)
-    for (std::size_t i = 0; i < simplices[d].size(); ++i)
-      if (is_paired[d][i] == 0) result.pairs[d].push_back({births[d][i], -2});
+    for (std::size_t i = 0; i < is_paired[d].size(); ++i)
+      if (is_paired[d][i] == 0) result.pairs[d].push_back({simplices[d].births[i], -2});
   return result;
 }
 

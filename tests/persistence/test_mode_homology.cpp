@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
+#include <utility>
 
 #include "sampled_homology.hpp"
 #include "support/compared.hpp"
 #include "support/fields/random_fields.hpp"
+#include "support/fields/special_meshes.hpp"
 #include "tensortopo/persistence/mode_homology.hpp"
 
 namespace tensortopo::test {
@@ -48,8 +50,8 @@ std::vector<SampledPair> pairs_of(const ModeHomology& found, int dimension, Pair
   const double sign = kind == PairKind::sublevel ? -1 : 1;
   for (const PersistencePair& p : found.pairs)
     if (p.dimension == dimension && p.kind == kind)
-      pairs.push_back({sign * angle(p.birth.middle()),
-                       p.is_lasting ? -2 : sign * angle(p.death.middle())});
+      pairs.push_back(
+          {sign * angle(p.birth.middle()), p.is_lasting ? -2 : sign * angle(p.death.middle())});
   return pairs;
 }
 
@@ -70,8 +72,8 @@ struct Comparison {
 /// The sets {mode >= m}, or {mode <= m}, against those of the sampled function. Functions that
 /// differ by e at most are interleaved: what goes from a to b in one does so from a + e to b - e in
 /// the other.
-void compare(const TetMesh& mesh, const ModeHomology& found, int cuts, PairKind kind,
-             Comparison& comparison) {
+ModeHomology compare(const TetMesh& mesh, int cuts, PairKind kind, Comparison& comparison) {
+  const ModeHomology found = mode_homology(mesh, persistence_input(mesh));
   const bool is_opposite = kind == PairKind::sublevel;
   const SampledHomology sampled = sampled_homology(mesh, cuts, is_opposite);
   const double e = sampled.error, sign = is_opposite ? -1 : 1;
@@ -100,23 +102,145 @@ void compare(const TetMesh& mesh, const ModeHomology& found, int cuts, PairKind 
         }
       }
   }
+  return found;
 }
 
-TEST(ModeHomology, Explore) {
-  for (int n = 1; n <= 4; ++n) {
-    Comparison c;
-    std::size_t pairs=0, loops=0, points = 0;
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      const TetMesh mesh = strong_field(n < 3 ? cube_mesh(n) : cubes(3, n == 3 ? Hole::column : Hole::middle), seed);
-      const auto found = mode_homology(mesh, persistence_input(mesh));
-      EXPECT_TRUE(found.adds_up[0] && found.adds_up[1]);
-      for (const auto& p : found.pairs) pairs += p.dimension == 1;
-      for (const auto& l : found.loops) loops += l.count * l.is_birth;
-      points += found.not_proved[0];
-      for (auto kind : {PairKind::superlevel, PairKind::sublevel})
-        compare(mesh, found, n == 1 ? 4 : n < 3 ? 3 : 2, kind, c);
+/// A smooth field around a neutral tensor.
+TetMesh smooth_field(TetMesh mesh, std::uint64_t seed, double noise, double shortest) {
+  fill_with_smooth_tensors(mesh, seed, 3, shortest);
+  for (auto& tensor : mesh.tensors)
+    tensor = noise * tensor + SymmetricTensor<double>{2.5, 0, -2.5, 0, 0, 0};
+  return mesh;
+}
+
+// Another computation that shares nothing with the library's but the mode.
+TEST(ModeHomology, AgreesWithBruteForceWithinItsError) {
+  Comparison comparison;
+  for (const PairKind kind : {PairKind::superlevel, PairKind::sublevel}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed)
+      compare(strong_field(cube_mesh(1), seed), 3, kind, comparison);
+    for (std::uint64_t seed = 1; seed <= 2; ++seed)
+      for (const Hole hole : {Hole::none, Hole::column, Hole::middle})
+        compare(smooth_field(cubes(3, hole), seed, 0.3, 2.5), 2, kind, comparison);
+  }
+  const Counts least{30, 6, 3};
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_GE(comparison.betti[k], least[k]) << k;
+  EXPECT_GE(comparison.ranks[2], 500u);
+  EXPECT_GE(comparison.all_loops, 6u);
+}
+
+/// A field whose mode is largest on a circle, or on a sphere.
+TetMesh field_around(int n, bool is_sphere, std::uint64_t seed) {
+  TetMesh mesh = cube_mesh(n);
+  fill_with_normal_tensors(mesh, seed);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Vector3<double> x = mesh.points[v] - Vector3<double>{n / 2.0, n / 2.0, n / 2.0};
+    const double r = std::sqrt(x.x * x.x + x.y * x.y + (is_sphere ? x.z * x.z : 0)) - 0.31 * n;
+    const double distance = r * r + (is_sphere ? 0 : x.z * x.z);
+    const double s = std::exp(-distance / (0.05 * n * n));
+    mesh.tensors[v] = 0.01 * mesh.tensors[v] + s * SymmetricTensor<double>{2, -1, -1, 0, 0, 0} +
+                      (1 - s) * SymmetricTensor<double>{1, 0, -1, 0, 0, 0};
+  }
+  return mesh;
+}
+
+// The ring's loop dies where its hole is filled, the shell's void where its inside is.
+TEST(ModeHomology, RingAndShell) {
+  for (const bool is_sphere : {false, true}) {
+    const TetMesh mesh = field_around(6, is_sphere, 1);
+    Comparison comparison;
+    const ModeHomology found = compare(mesh, 1, PairKind::superlevel, comparison);
+    int long_ones = 0;
+    for (const PersistencePair& pair : found.pairs) {
+      if (pair.kind != PairKind::superlevel || angle_persistence(pair) < 0.2) continue;
+      EXPECT_EQ(pair.dimension, is_sphere ? 2 : 1);
+      EXPECT_TRUE(pair.is_certain && !pair.is_tie);
+      ++long_ones;
     }
-    printf("n %d: betti %zu %zu %zu ranks %zu %zu all loops %zu pairs %zu of %zu loops; notproved %zu\n", n, c.betti[0], c.betti[1], c.betti[2], c.ranks[1], c.ranks[2], c.all_loops, pairs, loops, points);
+    EXPECT_EQ(long_ones, 1);
+    EXPECT_GE(comparison.ranks[is_sphere ? 2 : 1], 30u);
+  }
+}
+
+// Nothing is left open on noise, and the changes add up to the Betti numbers of the mesh.
+TEST(ModeHomology, IsProvedOnNoise) {
+  Compared meshes("meshes", 30), lasting("voids of the mesh", 8), voids("voids", 100),
+      loops("pairs of loops", 60);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Hole hole = seed % 4 == 0 ? Hole::column : seed % 4 == 1 ? Hole::middle : Hole::none;
+    TetMesh mesh = hole == Hole::none ? cube_mesh(1 + static_cast<int>(seed % 2)) : cubes(3, hole);
+    fill_with_normal_tensors(mesh, seed);
+    const PersistenceInput input = persistence_input(mesh);
+    const ModeHomology found = mode_homology(mesh, input);
+    const ModePersistence components = mode_persistence(mesh, input);
+    EXPECT_EQ(found.mesh_betti,
+              (std::array<long, 3>{1, hole == Hole::column, hole == Hole::middle}));
+    // A path that is not found leaves its point open.
+    if (found.not_proved[0] + found.not_proved[1] > 0 || !components.not_proved[0].empty() ||
+        !components.not_proved[1].empty())
+      continue;
+    ++meshes;
+    EXPECT_TRUE(found.has_known_curves);
+    EXPECT_TRUE(found.adds_up[0] && found.adds_up[1]) << seed;
+    for (const auto& side : found.betti)
+      for (const BettiInterval& interval : side)
+        for (std::size_t k = 0; k < 3; ++k) {
+          EXPECT_TRUE(interval.is_certain[k]);
+          EXPECT_GE(interval.betti[k], 0);
+        }
+    for (const PersistencePair& pair : found.pairs) {
+      EXPECT_TRUE(pair.is_certain);
+      const double sign = pair.kind == PairKind::superlevel ? 1 : -1;
+      EXPECT_GE(sign * (pair.birth.middle() - pair.death.middle()), 0);
+      lasting.count(pair.is_lasting);
+      voids.count(pair.dimension == 2);
+      loops.count(pair.dimension == 1);
+    }
+    for (const LoopEvent& event : found.loops) EXPECT_LE(event.paired, event.count);
+  }
+}
+
+// Tensors in special position: where all is proved, it adds up.
+TEST(ModeHomology, AddsUpOnSpecialMeshes) {
+  Compared compared("meshes without anything open", 5);
+  Random random(1);
+  for (int trial = 0; trial < 80; ++trial)
+    for (const MeshKind kind : {MeshKind::small_integers, MeshKind::special_tensors}) {
+      const TetMesh mesh = special_mesh(kind, random);
+      if (mesh.tets.size() > 12) continue;
+      const PersistenceInput input = persistence_input(mesh);
+      const ModeHomology found = mode_homology(mesh, input);
+      const ModePersistence components = mode_persistence(mesh, input);
+      if (found.isotropic_vertices > 0 || !found.has_known_curves ||
+          found.not_proved != std::array<std::size_t, 2>{} || !components.not_proved[0].empty() ||
+          !components.not_proved[1].empty())
+        continue;
+      ++compared;
+      EXPECT_TRUE(found.adds_up[0] && found.adds_up[1]) << name_of(kind) << trial;
+    }
+}
+
+// The opposite tensors have the opposite mode: superlevel and sublevel sets are exchanged.
+TEST(ModeHomology, OfTheOppositeFieldIsTurnedAround) {
+  Compared compared("pairs", 20);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const TetMesh mesh = strong_field(cube_mesh(2), seed), other = opposite(mesh);
+    const ModeHomology found = mode_homology(mesh, persistence_input(mesh)),
+                       turned = mode_homology(other, persistence_input(other));
+    for (const int dimension : {1, 2}) {
+      auto above = pairs_of(found, dimension, PairKind::superlevel),
+           below = pairs_of(turned, dimension, PairKind::sublevel);
+      ASSERT_EQ(above.size(), below.size());
+      for (auto* list : {&above, &below})
+        std::sort(list->begin(), list->end(), [](const SampledPair& a, const SampledPair& b) {
+          return std::pair(a.birth, a.death) < std::pair(b.birth, b.death);
+        });
+      for (std::size_t i = 0; i < above.size(); ++i) {
+        EXPECT_NEAR(above[i].birth, below[i].birth, 1e-7);
+        EXPECT_NEAR(above[i].death, below[i].death, 1e-7);
+        ++compared;
+      }
+    }
   }
 }
 

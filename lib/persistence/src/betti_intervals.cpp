@@ -17,9 +17,9 @@ Betti sum(const Betti& a, const Betti& b, long factor) {
 class Intervals {
  public:
   explicit Intervals(const BettiChanges& changes) : given_(changes), sorted_(changes.changes) {
-    std::stable_sort(sorted_.begin(), sorted_.end(), [](const BettiChange& a, const BettiChange& b) {
-      return a.mode.low < b.mode.low;
-    });
+    std::stable_sort(
+        sorted_.begin(), sorted_.end(),
+        [](const BettiChange& a, const BettiChange& b) { return a.mode.low < b.mode.low; });
     for (const BettiChange& change : sorted_) all_ = sum(all_, change.by, 1);
     for (std::size_t i = 0; i < 2; ++i)
       for (const ModeRange& mode : changes.open[i]) {
@@ -55,9 +55,9 @@ class Intervals {
     interval.betti = {from_start[0], is_known_before[1] ? from_start[1] : from_end[1], from_end[2]};
     const bool has_components = given_.is_known && is_known_before[0];
     const bool has_voids = given_.is_known && is_known_after[1];
-    interval.is_certain = {
-        has_components,
-        has_components && has_voids && (is_known_before[1] || is_known_after[0]), has_voids};
+    interval.is_certain = {has_components,
+                           has_components && has_voids && (is_known_before[1] || is_known_after[0]),
+                           has_voids};
     // Equal ones next to each other are one.
     if (!intervals_.empty() && intervals_.back().high >= begin_ &&
         intervals_.back().betti == interval.betti &&

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh_boundary.hpp"
-#include "tensortopo/mesh/curve_mesh.hpp"
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
 
 namespace tensortopo::persistence {
 
@@ -18,7 +18,13 @@ struct CurveShape {
   std::vector<std::size_t> contacts;
 };
 
-/// One for each component.
-std::vector<CurveShape> curve_shapes(const CurveMesh& curves, const MeshBoundary& boundary);
+/// The shapes of all components of curves.
+struct CurveShapes {
+  std::vector<CurveShape> shapes;  ///< one for each component
+  /// Not so if a line without vertices inside may run in the boundary, or bulge from it.
+  bool are_known = true;
+};
+
+CurveShapes curve_shapes(const CurveExtraction& extraction, const MeshBoundary& boundary);
 
 }  // namespace tensortopo::persistence

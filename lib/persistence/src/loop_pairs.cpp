@@ -120,8 +120,8 @@ class Pairing {
   void make_pairs(Component& component) {
     if (!are_known(component)) return;
     std::vector<std::size_t> births, deaths;
-    for (const auto& [from, to] : {std::pair(&component.births, &births),
-                                   std::pair(&component.deaths, &deaths)})
+    for (const auto& [from, to] :
+         {std::pair(&component.births, &births), std::pair(&component.deaths, &deaths)})
       for (const LoopChange* change : *from) to->insert(to->end(), change->count, change->event);
     for (std::size_t i = 0; i < births.size(); ++i) {
       component.last_pairs.push_back(pairs_.size());

@@ -160,8 +160,9 @@ class Building {
       for (const Index v : point.vertices) reach(merge, v, point.low);
     } else {
       const auto ways = departures(mesh_, ends_.stars(), point);
-      const auto outer = parts_on_boundary(point.link, parts_of_sign(point.link, Verdict::positive));
-      if (ways.empty()) return;
+      const auto outer =
+          parts_on_boundary(point.link, parts_of_sign(point.link, Verdict::positive));
+      if (ways.empty() || (ways.size() == 1 && !changes_more_than_components(point, outer))) return;
       merge.is_proved = merge.is_proved_inside = true;
       for (std::size_t i = 0; i < ways.size(); ++i) {
         if (const auto maximum = ends_.above(ways[i], point.high)) {
@@ -180,6 +181,16 @@ class Building {
     }
     merge.tet = tet_of(point);
     tree_.merges.push_back(std::move(merge));
+  }
+
+  /// The component comes to touch the boundary there, or its loops or voids change: the mode falls
+  /// in several parts of the link, what is outside of the mesh counting as one.
+  static bool changes_more_than_components(const MeshCriticalPoint& point,
+                                           const std::vector<char>& outer_rises) {
+    const bool is_outer = point.effect.on_boundary;
+    const auto falls = parts_on_boundary(point.link, parts_of_sign(point.link, Verdict::negative));
+    return (is_outer && outer_rises[0] == 0) ||
+           std::count(falls.begin(), falls.end(), 0) + (is_outer ? 1 : 0) > 1;
   }
 
   void reach(ModeMerge& merge, Index vertex, double low) {

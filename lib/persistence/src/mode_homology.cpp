@@ -53,14 +53,15 @@ std::vector<char> ties_of(const MergeTree& tree, const std::vector<std::size_t>&
 /// The homology of {mode >= m}, or of {mode <= m}.
 class Side {
  public:
-  Side(std::size_t side, const PersistenceInput& input,
-       const std::array<std::vector<CurveShape>, 2>& shapes, const MeshBoundary& boundary)
+  Side(std::size_t side, const PersistenceInput& input, const std::array<CurveShapes, 2>& shapes,
+       const MeshBoundary& boundary)
       : side_(side),
         input_(input),
         shapes_(shapes),
         boundary_(boundary),
         tree_(input.trees[side]),
-        outside_(outside_tree(input.trees[1 - side], input.values, shapes[1 - side], boundary)),
+        outside_(
+            outside_tree(input.trees[1 - side], input.values, shapes[1 - side].shapes, boundary)),
         above_(above_points(input.trees[side])),
         below_(above_points(input.trees[1 - side])) {}
 
@@ -91,12 +92,8 @@ class Side {
 
  private:
   /// Modes of this side's merge tree, and of the other's, as the field has them.
-  ModeRange own(const ModeRange& m) const {
-    return side_ == 0 ? m : ModeRange{-m.high, -m.low};
-  }
-  ModeRange other(const ModeRange& m) const {
-    return side_ == 0 ? ModeRange{-m.high, -m.low} : m;
-  }
+  ModeRange own(const ModeRange& m) const { return side_ == 0 ? m : ModeRange{-m.high, -m.low}; }
+  ModeRange other(const ModeRange& m) const { return side_ == 0 ? ModeRange{-m.high, -m.low} : m; }
 
   using Member = std::optional<std::size_t>;
 
@@ -154,7 +151,8 @@ class Side {
     event.count = count;
     result.loops.push_back(event);
     ++loops_;
-    changes_.changes.push_back({mode, {0, is_birth ? static_cast<long>(count) : -static_cast<long>(count), 0}});
+    changes_.changes.push_back(
+        {mode, {0, is_birth ? static_cast<long>(count) : -static_cast<long>(count), 0}});
   }
 
   void add_components(ModeHomology& result) {
@@ -163,7 +161,7 @@ class Side {
       changes_.changes.push_back({own(maximum.mode), {1, 0, 0}});
       if (maximum.curve)
         add_loops(result, at_curve(maximum), own(maximum.mode),
-                  static_cast<std::size_t>(shapes_[side_][*maximum.curve].loops), true,
+                  static_cast<std::size_t>(shapes_[side_].shapes[*maximum.curve].loops), true,
                   {i, std::nullopt});
     }
     const auto deaths = deaths_at(tree_, persistence_pairs(tree_));
@@ -190,7 +188,8 @@ class Side {
       if (!merge.is_proved) continue;
       changes_.changes.push_back({other(merge.mode), {0, 0, static_cast<long>(deaths[i])}});
       const auto& curve = outside_.curves[i];
-      LoopEvent event = curve ? at_curve(opposite_tree.maxima[*curve]) : at_point(merge.point, merge.tet);
+      LoopEvent event =
+          curve ? at_curve(opposite_tree.maxima[*curve]) : at_point(merge.point, merge.tet);
       event.is_tie = is_tie[i] != 0;
       add_loops(result, event, other(merge.mode), merge.reached.size() - 1 - deaths[i], false,
                 {curve ? Member() : member_at(merge.point), merge.reached[0]});
@@ -199,10 +198,9 @@ class Side {
       const ModeMaximum& maximum = opposite_tree.maxima[i];
       if (maximum.curve)
         add_loops(result, at_curve(maximum), other(maximum.mode),
-                  static_cast<std::size_t>(shapes_[1 - side_][*maximum.curve].loops), false,
+                  static_cast<std::size_t>(shapes_[1 - side_].shapes[*maximum.curve].loops), false,
                   {std::nullopt, outside_.member[i]});
-      if (!outside_.is_outside(i))
-        changes_.changes.push_back({other(maximum.mode), {0, 0, -1}});
+      if (!outside_.is_outside(i)) changes_.changes.push_back({other(maximum.mode), {0, 0, -1}});
     }
     for (const MergePair& pair : pairs) {
       if (!pair.merge) continue;
@@ -232,9 +230,8 @@ class Side {
     }
   }
 
-  bool is_known(const ModeHomology& result) const {
-    return result.isotropic_vertices == 0 && input_.curves[0].unresolved.empty() &&
-           input_.curves[1].unresolved.empty();
+  static bool is_known(const ModeHomology& result) {
+    return result.isotropic_vertices == 0 && result.has_known_curves;
   }
 
   /// Notes in which components there may be loops that are not known.
@@ -297,7 +294,7 @@ class Side {
 
   std::size_t side_;
   const PersistenceInput& input_;
-  const std::array<std::vector<CurveShape>, 2>& shapes_;
+  const std::array<CurveShapes, 2>& shapes_;
   const MeshBoundary& boundary_;
   const MergeTree& tree_;
   OutsideTree outside_;
@@ -317,11 +314,12 @@ ModeHomology mode_homology(const TetMesh& mesh, const PersistenceInput& input) {
   for (const auto& tet : mesh.tets)
     for (const auto v : tet) is_used[as_size(v)] = 1;
   for (std::size_t v = 0; v < is_used.size(); ++v)
-    result.isotropic_vertices +=
-        is_used[v] != 0 && deviator(mesh.tensors[v]) == Deviator<double>{};
-  const std::array<std::vector<CurveShape>, 2> shapes{
-      curve_shapes(input.curves[0].curves, boundary),
-      curve_shapes(input.curves[1].curves, boundary)};
+    result.isotropic_vertices += is_used[v] != 0 && deviator(mesh.tensors[v]) == Deviator<double>{};
+  const std::array<CurveShapes, 2> shapes{curve_shapes(input.curves[0], boundary),
+                                          curve_shapes(input.curves[1], boundary)};
+  result.has_known_curves = shapes[0].are_known && shapes[1].are_known;
+  for (const CurveExtraction& curves : input.curves)
+    result.has_known_curves &= curves.unresolved.empty();
   for (const std::size_t side : {0u, 1u}) Side(side, input, shapes, boundary).add_to(result);
   std::stable_sort(result.pairs.begin(), result.pairs.end(), [](const auto& a, const auto& b) {
     return std::pair(a.dimension, a.kind) < std::pair(b.dimension, b.kind);

@@ -53,10 +53,12 @@ class PairsChart : public ChartItem {
  public:
   vtkTypeMacro(PairsChart, ChartItem) static PairsChart* New();
 
-  void show(const ModePersistence& persistence) {
-    for (const PersistencePair& pair : persistence.pairs)
-      if (pair.has_death) pairs_.push_back(&pair);
-    all_ = persistence.pairs.size();
+  void show(const std::vector<PersistencePair>& pairs) {
+    for (const PersistencePair& pair : pairs) {
+      if (pair.has_death || pair.is_lasting) pairs_.push_back(&pair);
+      ++count_[static_cast<std::size_t>(pair.dimension)];
+    }
+    all_ = pairs.size();
     std::stable_sort(pairs_.begin(), pairs_.end(), [](const auto* a, const auto* b) {
       return angle_persistence(*a) > angle_persistence(*b);
     });
@@ -76,7 +78,18 @@ class PairsChart : public ChartItem {
             colour_of(kind));
       x += 180;
     }
-    words(x, kPictureHeight - 80, "large: degenerate curves", 24, false, VTK_TEXT_LEFT);
+    x = kColumnLeft[1];
+    for (int dimension = 0; dimension < 3; ++dimension) {
+      mark(dimension, kInk, 10, x, kPictureHeight - 80);
+      words(x + 20, kPictureHeight - 80,
+            fmt::format(
+                "{} {}", count_[static_cast<std::size_t>(dimension)],
+                std::array{"components", "loops", "voids"}[static_cast<std::size_t>(dimension)]),
+            24, false, VTK_TEXT_LEFT);
+      x += 220;
+    }
+    words(kColumnLeft[1], kPictureHeight - 40, "large: degenerate curves", 24, false,
+          VTK_TEXT_LEFT);
     for (std::size_t i = 0; i < 2; ++i) {
       paint_diagram(kScales[i], kColumnLeft[i], kColumnRight[i]);
       paint_bars(kScales[i], kColumnLeft[i], kColumnRight[i]);
@@ -120,9 +133,28 @@ class PairsChart : public ChartItem {
     // The least persistent ones first: the others lie on top.
     for (std::size_t i = pairs_.size(); i-- > 0;) {
       const PersistencePair& pair = *pairs_[i];
-      pen(colour_of(pair.kind), pair.curve ? 11 : 6, 170);
-      painter_->DrawPoint(x_of(scale.of_mode(pair.birth.middle())),
-                          y_of(scale.of_mode(pair.death.middle())));
+      mark(pair.dimension, colour_of(pair.kind), pair.curve ? 11 : 6,
+           x_of(scale.of_mode(pair.birth.middle())), y_of(scale.of_mode(pair.death.middle())));
+    }
+  }
+
+  /// A dot, cross or square, by dimension.
+  void mark(int dimension, Rgb colour, float size, float x, float y) {
+    if (dimension == 0) {
+      pen(colour, size, 170);
+      painter_->DrawPoint(x, y);
+      return;
+    }
+    const float r = size * 0.8F;
+    pen(colour, 2, 220);
+    if (dimension == 1) {
+      painter_->DrawLine(x - r, y - r, x + r, y + r);
+      painter_->DrawLine(x - r, y + r, x + r, y - r);
+      return;
+    }
+    for (const float sign : {-1.0F, 1.0F}) {
+      painter_->DrawLine(x - r, y + sign * r, x + r, y + sign * r);
+      painter_->DrawLine(x + sign * r, y - r, x + sign * r, y + r);
     }
   }
 
@@ -157,22 +189,26 @@ class PairsChart : public ChartItem {
       const PersistencePair& pair = *pairs_[i];
       const float y = kBarcodeTop - (static_cast<float>(i) + 0.5F) * step;
       pen(colour_of(pair.kind), std::clamp(0.6F * step, 1.2F, 10.0F));
+      constexpr std::array kLines{vtkPen::SOLID_LINE, vtkPen::DASH_LINE, vtkPen::DOT_LINE};
+      painter_->GetPen()->SetLineType(kLines[static_cast<std::size_t>(pair.dimension)]);
       painter_->DrawLine(place(scale, scale.of_mode(pair.birth.middle()), left, right), y,
                          place(scale, scale.of_mode(pair.death.middle()), left, right), y);
     }
+    painter_->GetPen()->SetLineType(vtkPen::SOLID_LINE);
   }
 
-  std::vector<const PersistencePair*> pairs_;  ///< with a known death, the longest first
+  std::vector<const PersistencePair*> pairs_;  ///< with a known end, the longest first
   std::size_t all_ = 0;
+  std::array<std::size_t, 3> count_{};  ///< by dimension
 };
 
 vtkStandardNewMacro(PairsChart)
 
 }  // namespace
 
-std::string persistence_chart(const ModePersistence& persistence) {
+std::string persistence_chart(const std::vector<PersistencePair>& pairs) {
   vtkNew<PairsChart> chart;
-  chart->show(persistence);
+  chart->show(pairs);
   return picture_of(*chart, kPictureWidth, kPictureHeight);
 }
 
