@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "loop_pairs.hpp"
+#include "tensortopo/persistence/loop_pairs.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include "tensortopo/mesh/union_find.hpp"
 
-namespace tensortopo::persistence {
+namespace tensortopo {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
@@ -155,4 +155,4 @@ std::vector<LoopPair> loop_pairs(const MergeTree& tree, const std::vector<LoopCh
   return Pairing(tree.maxima.size()).run(steps, doubtful);
 }
 
-}  // namespace tensortopo::persistence
+}  // namespace tensortopo

@@ -9,9 +9,9 @@
 
 #include "betti_intervals.hpp"
 #include "curve_shape.hpp"
-#include "loop_pairs.hpp"
 #include "mesh_boundary.hpp"
 #include "outside_tree.hpp"
+#include "tensortopo/persistence/loop_pairs.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {

@@ -8,7 +8,7 @@
 
 #include "tensortopo/persistence/merge_tree.hpp"
 
-namespace tensortopo::persistence {
+namespace tensortopo {
 
 /// Loops appear or vanish in a component of {mode >= m} as m falls.
 struct LoopChange {
@@ -38,4 +38,4 @@ struct LoopPair {
 std::vector<LoopPair> loop_pairs(const MergeTree& tree, const std::vector<LoopChange>& changes,
                                  const std::vector<std::size_t>& doubtful);
 
-}  // namespace tensortopo::persistence
+}  // namespace tensortopo
