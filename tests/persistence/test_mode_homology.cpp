@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "sampled_homology.hpp"
@@ -218,6 +219,46 @@ TEST(ModeHomology, AddsUpOnSpecialMeshes) {
       ++compared;
       EXPECT_TRUE(found.adds_up[0] && found.adds_up[1]) << name_of(kind) << trial;
     }
+}
+
+/// The first Betti number of a link's vertices of positive sign, by the Euler characteristic.
+int loops_of_rise(const SignedLink& link) {
+  const auto rises = [&](int v) {
+    return link.signs[static_cast<std::size_t>(v)] == Verdict::positive;
+  };
+  std::set<std::pair<int, int>> edges;
+  int euler = static_cast<int>(std::count(link.signs.begin(), link.signs.end(), Verdict::positive));
+  for (const auto& t : link.triangles) {
+    euler += rises(t[0]) && rises(t[1]) && rises(t[2]);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const auto edge = std::minmax(t[i], t[(i + 1) % 3]);
+          rises(edge.first) && rises(edge.second))
+        edges.insert(edge);
+  }
+  euler -= static_cast<int>(edges.size());
+  return static_cast<int>(parts_of_sign(link, Verdict::positive).size()) - euler;
+}
+
+// Alexander duality in the link, a disc being a sphere with what is outside of the mesh: a loop of
+// the part with a larger mode separates components of the rest.
+TEST(ModeHomology, LoopsInLinksSeparateTheRest) {
+  Compared inside("links inside", 200), outside("links on the boundary", 200), loops("loops", 150);
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    TetMesh mesh = cubes(3, seed % 2 == 0 ? Hole::none : Hole::middle);
+    fill_with_normal_tensors(mesh, seed);
+    for (const MeshCriticalPoint& point : mesh_critical_values(mesh, -1, 1).points) {
+      if (point.effect.change == LocalChange::undecided) continue;
+      const auto falls = parts_of_sign(point.link, Verdict::negative);
+      const auto touches = parts_on_boundary(point.link, falls);
+      const bool on_boundary = point.effect.on_boundary;
+      const auto apart = std::count(touches.begin(), touches.end(), 0) + on_boundary;
+      if (apart == 0) continue;  // a minimum inside: the whole link rises
+      const int found = loops_of_rise(point.link);
+      EXPECT_EQ(found, apart - 1);
+      (on_boundary ? outside : inside).count();
+      loops.count(found > 0);
+    }
+  }
 }
 
 // The opposite tensors have the opposite mode: superlevel and sublevel sets are exchanged.
