@@ -22,11 +22,13 @@
 namespace tensortopo {
 namespace {
 
-constexpr int kPictureWidth = 1800, kPictureHeight = 1800;
+constexpr int kPictureWidth = 1800, kPictureHeight = 2420;
 constexpr std::array<float, 2> kColumnLeft{140, 1040},
     kColumnRight{860, 1760};  // of the two columns
-constexpr float kDiagramTop = 1640, kDiagramBottom = 920;
-constexpr float kBarcodeTop = 780, kBarcodeBottom = 110;
+constexpr float kDiagramTop = 2260, kDiagramBottom = 1540;
+constexpr float kBarcodeTop = 1400, kBarcodeBottom = 730;
+constexpr float kBettiTop = 560, kBettiBottom = 110;
+constexpr std::array<const char*, 3> kNames{"components", "loops", "voids"};
 constexpr std::size_t kMostBars = 220;
 constexpr std::array kNoiseLines{0.001, 0.01, 0.1};
 
@@ -53,7 +55,8 @@ class PairsChart : public ChartItem {
  public:
   vtkTypeMacro(PairsChart, ChartItem) static PairsChart* New();
 
-  void show(const std::vector<PersistencePair>& pairs) {
+  void show(const std::vector<PersistencePair>& pairs, const ModeHomology& homology) {
+    homology_ = &homology;
     for (const PersistencePair& pair : pairs) {
       if (pair.has_death || pair.is_lasting) pairs_.push_back(&pair);
       ++count_[static_cast<std::size_t>(pair.dimension)];
@@ -86,13 +89,14 @@ class PairsChart : public ChartItem {
                 "{} {}", count_[static_cast<std::size_t>(dimension)],
                 std::array{"components", "loops", "voids"}[static_cast<std::size_t>(dimension)]),
             24, false, VTK_TEXT_LEFT);
-      x += 220;
+      x += 260;
     }
     words(kColumnLeft[1], kPictureHeight - 40, "large: degenerate curves", 24, false,
           VTK_TEXT_LEFT);
     for (std::size_t i = 0; i < 2; ++i) {
       paint_diagram(kScales[i], kColumnLeft[i], kColumnRight[i]);
       paint_bars(kScales[i], kColumnLeft[i], kColumnRight[i]);
+      paint_betti(i, kColumnLeft[i], kColumnRight[i]);
     }
     return true;
   }
@@ -197,6 +201,46 @@ class PairsChart : public ChartItem {
     painter_->GetPen()->SetLineType(vtkPen::SOLID_LINE);
   }
 
+  /// The numbers of components, loops and voids against the mode, pale where not certain.
+  void paint_betti(std::size_t side, float left, float right) {
+    const auto& intervals = homology_->betti[side];
+    long most = 1;
+    for (const BettiInterval& interval : intervals)
+      most = std::max({most, interval.betti[0], interval.betti[1], interval.betti[2]});
+    const auto y_of = [&](double n) {
+      return kBettiBottom +
+             static_cast<float>(n / static_cast<double>(most)) * (kBettiTop - kBettiBottom);
+    };
+    words(left, kBettiTop + 28,
+          fmt::format("{{mode {} m}} for all m between critical values", side == 0 ? ">=" : "<="),
+          24, true, VTK_TEXT_LEFT);
+    const Scale& scale = kScales[1];
+    paint_axis(scale, left, right, kBettiBottom, kBettiTop, std::string("m: ") + scale.name);
+    for (const double n : axis_ticks(0, static_cast<double>(most), 6, true)) {
+      if (n > static_cast<double>(most)) continue;
+      pen(kPale, 1.5F);
+      painter_->DrawLine(left, y_of(n), right, y_of(n));
+      words(left - 12, y_of(n), fmt::format("{:g}", n), 20, false, VTK_TEXT_RIGHT);
+    }
+    constexpr std::array kColours{kInk, kBlue, kRed};
+    for (std::size_t k = 0; k < 3; ++k) {
+      float x = 0, y = 0;
+      for (std::size_t i = 0; i < intervals.size(); ++i) {
+        const BettiInterval& interval = intervals[i];
+        const float from = place(scale, scale.of_mode(interval.low), left, right);
+        const float to = place(scale, scale.of_mode(interval.high), left, right);
+        const float level = y_of(static_cast<double>(interval.betti[k]));
+        pen(kColours[k], 3, interval.is_certain[k] ? 255 : 90);
+        if (i > 0) painter_->DrawLine(x, y, from, level);
+        painter_->DrawLine(from, level, to, level);
+        x = to, y = level;
+      }
+      words(right - 440 + 160 * static_cast<float>(k), kBettiTop + 28, kNames[k], 24, true,
+            VTK_TEXT_LEFT, kColours[k]);
+    }
+  }
+
+  const ModeHomology* homology_ = nullptr;
   std::vector<const PersistencePair*> pairs_;  ///< with a known end, the longest first
   std::size_t all_ = 0;
   std::array<std::size_t, 3> count_{};  ///< by dimension
@@ -206,9 +250,10 @@ vtkStandardNewMacro(PairsChart)
 
 }  // namespace
 
-std::string persistence_chart(const std::vector<PersistencePair>& pairs) {
+std::string persistence_chart(const std::vector<PersistencePair>& pairs,
+                              const ModeHomology& homology) {
   vtkNew<PairsChart> chart;
-  chart->show(pairs);
+  chart->show(pairs, homology);
   return picture_of(*chart, kPictureWidth, kPictureHeight);
 }
 

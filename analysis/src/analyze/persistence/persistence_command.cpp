@@ -23,9 +23,9 @@ void require_name(const std::filesystem::path& file, const char* extension) {
   require_folder(file);
 }
 
-void draw(const std::vector<PersistencePair>& pairs, const std::filesystem::path& file) {
+void draw(const PersistenceReport& report, const std::filesystem::path& file) {
   try {
-    write_text(file, persistence_chart(pairs));
+    write_text(file, persistence_chart(report.pairs(), report.homology));
   } catch (const IoError&) {
     throw;
   } catch (const std::runtime_error& problem) {
@@ -61,7 +61,7 @@ PersistenceReport run_persistence(const PersistenceCommand& command, const Progr
   report.homology = mode_homology(read.mesh, found);
   report.cell_ids = std::move(read.mesh.cell_ids);
   if (!command.output.empty()) write_pairs(report.pairs(), command.output);
-  if (!command.picture.empty()) draw(report.pairs(), command.picture);
+  if (!command.picture.empty()) draw(report, command.picture);
   report.output = command.output;
   report.picture = command.picture;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
