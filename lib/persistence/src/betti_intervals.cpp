@@ -4,34 +4,64 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace tensortopo::persistence {
 namespace {
 
-using Betti = std::array<long, 3>;
+/// What has changed so far.
+struct Sum {
+  long components = 0, voids = 0, euler = 0;
+  void add(const BettiChange& change) {
+    components += change.by[0];
+    voids += change.by[2];
+    euler += change.by[0] - change.by[1] + change.by[2] + change.euler;
+  }
+  Sum without(const Sum& other) const {
+    return {components - other.components, voids - other.voids, euler - other.euler};
+  }
+};
 
-Betti sum(const Betti& a, const Betti& b, long factor) {
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
+/// Whether an interval from a mode on is in a range, for modes that are asked about in order.
+class Cover {
+ public:
+  explicit Cover(std::vector<ModeRange> ranges) : ranges_(std::move(ranges)) {
+    std::sort(ranges_.begin(), ranges_.end(),
+              [](const ModeRange& a, const ModeRange& b) { return a.low < b.low; });
+  }
+  bool meets(double low, double high) {
+    while (next_ < ranges_.size() && ranges_[next_].low < high)
+      end_ = std::max(end_, ranges_[next_++].high);
+    return low < end_;
+  }
+
+ private:
+  std::vector<ModeRange> ranges_;
+  std::size_t next_ = 0;
+  double end_ = -2;
+};
 
 class Intervals {
  public:
-  explicit Intervals(const BettiChanges& changes) : given_(changes), sorted_(changes.changes) {
+  explicit Intervals(const BettiChanges& changes)
+      : given_(changes),
+        sorted_(changes.changes),
+        doubts_{Cover(changes.doubts[0]), Cover(changes.doubts[1])} {
     std::stable_sort(
         sorted_.begin(), sorted_.end(),
         [](const BettiChange& a, const BettiChange& b) { return a.mode.low < b.mode.low; });
-    for (const BettiChange& change : sorted_) all_ = sum(all_, change.by, 1);
-    for (std::size_t i = 0; i < 2; ++i)
-      for (const ModeRange& mode : changes.open[i]) {
-        lowest_open_[i] = std::min(lowest_open_[i], mode.low);
-        highest_open_[i] = std::max(highest_open_[i], mode.high);
-      }
+    for (const BettiChange& change : sorted_) all_.add(change);
+    for (const ModeRange& mode : changes.undecided) {
+      lowest_undecided_ = std::min(lowest_undecided_, mode.low);
+      highest_undecided_ = std::max(highest_undecided_, mode.high);
+    }
   }
 
   std::vector<BettiInterval> run() {
     for (const BettiChange& change : sorted_) {
       end_at(change.mode.low);
-      below_ = sum(below_, change.by, 1);
+      below_.add(change);
       begin_ = std::max(begin_, change.mode.high);
     }
     end_at(1);
@@ -39,29 +69,30 @@ class Intervals {
   }
 
  private:
+  /// Of {mode >= m}, or {mode <= m}, between `begin_` and `high`.
+  std::optional<long> euler_characteristic(const Sum& before, const Sum& after, double high) const {
+    const bool none_below = lowest_undecided_ >= high, none_above = highest_undecided_ <= begin_;
+    if (given_.falls ? none_above : none_below) return before.euler;
+    if (given_.falls ? none_below : none_above)
+      return given_.mesh[0] - given_.mesh[1] + given_.mesh[2] - after.euler;
+    return std::nullopt;
+  }
+
   void end_at(double high) {
     if (!(begin_ < high)) return;
     BettiInterval interval;
     interval.low = begin_;
     interval.high = high;
-    const Betti above = sum(all_, below_, -1);
-    const Betti from_start = given_.falls ? above : below_;
-    const Betti from_end = sum(given_.mesh, given_.falls ? below_ : above, -1);
-    std::array<bool, 2> is_known_before{}, is_known_after{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      is_known_before[i] = given_.falls ? highest_open_[i] <= begin_ : lowest_open_[i] >= high;
-      is_known_after[i] = given_.falls ? lowest_open_[i] >= high : highest_open_[i] <= begin_;
-    }
-    interval.betti = {from_start[0], is_known_before[1] ? from_start[1] : from_end[1], from_end[2]};
-    const bool has_components = given_.is_known && is_known_before[0];
-    const bool has_voids = given_.is_known && is_known_after[1];
-    interval.is_certain = {has_components,
-                           has_components && has_voids && (is_known_before[1] || is_known_after[0]),
-                           has_voids};
+    const Sum above = all_.without(below_);
+    const Sum &before = given_.falls ? above : below_, &after = given_.falls ? below_ : above;
+    auto& [components, loops, voids] = interval.betti;
+    if (given_.is_known && !doubts_[0].meets(begin_, high)) components = before.components;
+    if (given_.is_known && !doubts_[1].meets(begin_, high)) voids = given_.mesh[2] - after.voids;
+    if (const auto euler = euler_characteristic(before, after, high); euler && components && voids)
+      loops = *components + *voids - *euler;
     // Equal ones next to each other are one.
     if (!intervals_.empty() && intervals_.back().high >= begin_ &&
-        intervals_.back().betti == interval.betti &&
-        intervals_.back().is_certain == interval.is_certain)
+        intervals_.back().betti == interval.betti)
       intervals_.back().high = high;
     else
       intervals_.push_back(interval);
@@ -69,8 +100,9 @@ class Intervals {
 
   const BettiChanges& given_;
   std::vector<BettiChange> sorted_;
-  Betti all_{}, below_{};
-  std::array<double, 2> lowest_open_{2, 2}, highest_open_{-2, -2};
+  std::array<Cover, 2> doubts_;
+  Sum all_, below_;
+  double lowest_undecided_ = 2, highest_undecided_ = -2;
   double begin_ = -1;
   std::vector<BettiInterval> intervals_;
 };

@@ -169,7 +169,7 @@ class Building {
           merge.reached.push_back(*maximum);
           merge.touches_boundary.push_back(outer[i]);
         } else {
-          merge.is_proved = false;
+          merge.is_proved = merge.has_paths = false;
           merge.is_proved_inside &= outer[i] != 0;
         }
       }
@@ -198,7 +198,10 @@ class Building {
     const SymmetricTensor<double>& t = mesh_.tensors[as_size(vertex)];
     const auto mode = mode_range(deviator_box({t, t, t, t}, {1, 0, 0, 0}));
     if (mode[1] < low) return;
-    if (const auto maximum = ends_.ascent().from_vertex(vertex)) merge.reached.push_back(*maximum);
+    if (const auto maximum = ends_.ascent().from_vertex(vertex))
+      merge.reached.push_back(*maximum);
+    else
+      merge.has_paths = false;
   }
 
   const TetMesh& mesh_;

@@ -9,6 +9,7 @@
 
 #include "betti_intervals.hpp"
 #include "curve_shape.hpp"
+#include "doubtful_ranges.hpp"
 #include "mesh_boundary.hpp"
 #include "outside_tree.hpp"
 #include "tensortopo/persistence/loop_pairs.hpp"
@@ -77,11 +78,16 @@ class Side {
                      });
     changes_.falls = side_ == 0;
     changes_.mesh = boundary_.betti();
+    for (const ModeRange& range : doubtful_ranges(tree_)) changes_.doubts[0].push_back(own(range));
+    for (const ModeRange& range : doubtful_ranges(outside_.tree))
+      changes_.doubts[1].push_back(other(range));
     for (const ModeMerge& merge : tree_.merges)
-      if (!merge.is_proved) changes_.open[0].push_back(own(merge.mode));
+      if (!merge.is_proved) add_open(merge, own(merge.mode), false);
     for (const ModeMerge& merge : outside_.tree.merges)
-      if (!merge.is_proved) changes_.open[1].push_back(other(merge.mode));
-    result.not_proved[side_] = changes_.open[1].size();
+      if (!merge.is_proved) {
+        add_open(merge, other(merge.mode), true);
+        ++result.not_proved[side_];
+      }
     changes_.is_known = is_known(result);
     result.betti[side_] = betti_intervals(changes_);
     std::array<long, 3> sum{};
@@ -232,6 +238,25 @@ class Side {
 
   static bool is_known(const ModeHomology& result) {
     return result.isotropic_vertices == 0 && result.has_known_curves;
+  }
+
+  /// Notes what is known of a point all the same: by how much the Euler characteristic grows there,
+  /// as loops or as components, or as voids or less loops.
+  void add_open(const ModeMerge& merge, const ModeRange& mode, bool is_outside) {
+    const MeshCriticalPoint& point = input_.values.points[merge.point];
+    if (point.effect.change == LocalChange::undecided) {
+      changes_.undecided.push_back(mode);
+      return;
+    }
+    const Verdict rise = side_ == 0 ? Verdict::positive : Verdict::negative;
+    const Verdict fall = side_ == 0 ? Verdict::negative : Verdict::positive;
+    const auto parts = parts_of_sign(point.link, is_outside ? fall : rise);
+    long count = static_cast<long>(parts.size());
+    if (is_outside && point.effect.on_boundary) {
+      const auto touches = parts_on_boundary(point.link, parts);
+      count = 1 + std::count(touches.begin(), touches.end(), 0);
+    }
+    changes_.changes.push_back({mode, {}, is_outside ? count - 1 : 1 - count});
   }
 
   /// Notes in which components there may be loops that are not known.

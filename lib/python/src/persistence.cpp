@@ -53,9 +53,7 @@ py::list list_of(const std::vector<BettiInterval>& intervals) {
   py::list list;
   for (const BettiInterval& i : intervals)
     list.append(py::dict("low"_a = i.low, "high"_a = i.high,
-                         "betti"_a = py::make_tuple(i.betti[0], i.betti[1], i.betti[2]),
-                         "certain"_a = py::make_tuple(bool{i.is_certain[0]}, bool{i.is_certain[1]},
-                                                      bool{i.is_certain[2]})));
+                         "betti"_a = py::make_tuple(i.betti[0], i.betti[1], i.betti[2])));
   return list;
 }
 

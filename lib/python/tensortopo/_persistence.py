@@ -112,16 +112,13 @@ class BettiInterval:
     ----------
     low, high : float
         low < m < high.
-    betti : tuple of int
-        Components, loops and voids.
-    certain : tuple of bool
-        Of each of these, that it is proved.
+    betti : tuple of int or None
+        Components, loops and voids; None where that is not known.
     """
 
     low: float
     high: float
-    betti: tuple[int, int, int]
-    certain: tuple[bool, bool, bool]
+    betti: tuple[Optional[int], Optional[int], Optional[int]]
 
 
 @dataclass(frozen=True)

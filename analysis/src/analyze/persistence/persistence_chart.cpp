@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "render/charts/chart_item.hpp"
@@ -201,19 +202,18 @@ class PairsChart : public ChartItem {
     painter_->GetPen()->SetLineType(vtkPen::SOLID_LINE);
   }
 
-  /// The numbers of components, loops and voids against the mode, pale where not certain.
+  /// The numbers of components, loops and voids against the mode, where they are known.
   void paint_betti(std::size_t side, float left, float right) {
     const auto& intervals = homology_->betti[side];
     long most = 1;
     for (const BettiInterval& interval : intervals)
-      most = std::max({most, interval.betti[0], interval.betti[1], interval.betti[2]});
+      for (const auto& number : interval.betti) most = std::max(most, number.value_or(0));
     const auto y_of = [&](double n) {
       return kBettiBottom +
              static_cast<float>(n / static_cast<double>(most)) * (kBettiTop - kBettiBottom);
     };
-    words(left, kBettiTop + 28,
-          fmt::format("{{mode {} m}} for all m between critical values", side == 0 ? ">=" : "<="),
-          24, true, VTK_TEXT_LEFT);
+    words(left, kBettiTop + 28, fmt::format("{{mode {} m}}", side == 0 ? ">=" : "<="), 24, true,
+          VTK_TEXT_LEFT);
     const Scale& scale = kScales[1];
     paint_axis(scale, left, right, kBettiBottom, kBettiTop, std::string("m: ") + scale.name);
     for (const double n : axis_ticks(0, static_cast<double>(most), 6, true)) {
@@ -224,16 +224,19 @@ class PairsChart : public ChartItem {
     }
     constexpr std::array kColours{kInk, kBlue, kRed};
     for (std::size_t k = 0; k < 3; ++k) {
-      float x = 0, y = 0;
-      for (std::size_t i = 0; i < intervals.size(); ++i) {
-        const BettiInterval& interval = intervals[i];
+      std::optional<std::array<float, 2>> last;
+      for (const BettiInterval& interval : intervals) {
+        if (!interval.betti[k]) {
+          last.reset();
+          continue;
+        }
         const float from = place(scale, scale.of_mode(interval.low), left, right);
         const float to = place(scale, scale.of_mode(interval.high), left, right);
-        const float level = y_of(static_cast<double>(interval.betti[k]));
-        pen(kColours[k], 3, interval.is_certain[k] ? 255 : 90);
-        if (i > 0) painter_->DrawLine(x, y, from, level);
+        const float level = y_of(static_cast<double>(*interval.betti[k]));
+        pen(kColours[k], 3);
+        if (last) painter_->DrawLine((*last)[0], (*last)[1], from, level);
         painter_->DrawLine(from, level, to, level);
-        x = to, y = level;
+        last = {to, level};
       }
       words(right - 440 + 160 * static_cast<float>(k), kBettiTop + 28, kNames[k], 24, true,
             VTK_TEXT_LEFT, kColours[k]);

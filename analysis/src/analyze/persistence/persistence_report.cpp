@@ -77,11 +77,12 @@ Json json_of(const PersistenceReport& report, const LoopEvent& event) {
 
 Json json_of(const std::vector<BettiInterval>& intervals) {
   Json json = Json::array();
-  for (const BettiInterval& interval : intervals)
-    json.push_back({{"from", interval.low},
-                    {"to", interval.high},
-                    {"betti", interval.betti},
-                    {"certain", interval.is_certain}});
+  for (const BettiInterval& interval : intervals) {
+    Json betti = Json::array();
+    for (const auto& number : interval.betti)
+      betti.push_back(number ? Json(*number) : Json(nullptr));
+    json.push_back({{"from", interval.low}, {"to", interval.high}, {"betti", betti}});
+  }
   return json;
 }
 
@@ -99,17 +100,23 @@ std::string homology_text(const ModeHomology& homology) {
   for (std::size_t side = 0; side < 2; ++side) {
     const PairKind kind = side == 0 ? PairKind::superlevel : PairKind::sublevel;
     std::array<long, 3> most{};
-    bool is_certain = true;
+    std::array<double, 3> known{};
     for (const BettiInterval& interval : homology.betti[side])
       for (std::size_t k = 0; k < 3; ++k) {
-        most[k] = std::max(most[k], interval.betti[k]);
-        is_certain &= interval.is_certain[k];
+        if (!interval.betti[k]) continue;
+        most[k] = std::max(most[k], *interval.betti[k]);
+        known[k] += (interval.high - interval.low) / 2;
       }
-    fmt::format_to(out,
-                   "{{mode {} m}}: up to {} components, {} loops and {} voids at one m{}; {} loops "
-                   "appear\n",
-                   side == 0 ? ">=" : "<=", most[0], most[1], most[2],
-                   is_certain ? "" : " (not certain)", loops_born(homology, kind));
+    fmt::format_to(out, "{{mode {} m}}:", side == 0 ? ">=" : "<=");
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (known[k] == 0)
+        fmt::format_to(out, " number of {} not known,", kNames[k]);
+      else
+        fmt::format_to(
+            out, " {} {} at most{},", most[k], kNames[k],
+            known[k] < 0.999 ? fmt::format(" (known for {:.3g} of all m)", known[k]) : "");
+    }
+    fmt::format_to(out, " {} loops appear\n", loops_born(homology, kind));
   }
   text +=
       "Of loops only those are paired of which no others are in one component (--json lists all)\n";

@@ -56,6 +56,8 @@ struct ModeMerge {
   bool is_proved = false;
   /// The same of the parts that do not touch the boundary of the mesh.
   bool is_proved_inside = false;
+  /// Each path that was looked for is there; where the link is not known, from the vertices around.
+  bool has_paths = true;
 };
 
 /// How the components of {mode >= m} of a piecewise linear field come and meet as m falls.

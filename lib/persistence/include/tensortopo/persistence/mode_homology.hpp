@@ -32,9 +32,9 @@ struct LoopEvent {
 
 /// The Betti numbers of {mode >= m} or {mode <= m} for all m between two modes.
 struct BettiInterval {
-  double low = -1, high = 1;         ///< the modes, low < m < high
-  std::array<long, 3> betti{};       ///< components, loops, voids
-  std::array<bool, 3> is_certain{};  ///< of each of these
+  double low = -1, high = 1;  ///< the modes, low < m < high
+  /// The numbers of components, loops and voids; nothing where that is not known.
+  std::array<std::optional<long>, 3> betti;
 };
 
 /// The homology of {mode >= m} and {mode <= m} above dimension 0, with coefficients modulo 2.
@@ -52,7 +52,7 @@ struct ModeHomology {
   std::array<std::size_t, 2> not_proved{};
   std::size_t isotropic_vertices = 0;  ///< vertices without a mode: they count as part of no set
   /// All degenerate curves are known, and where they meet the boundary. If not, no loops are paired
-  /// and no Betti number is certain.
+  /// and no Betti number is known.
   bool has_known_curves = true;
   /// All changes add up to the Betti numbers of the mesh, for superlevel and sublevel sets. Where
   /// all points are proved anything else is an error.
