@@ -54,6 +54,15 @@ class Pairing {
         // Any component may be the one.
         for (Component& component : components_) component.is_doubtful = true;
     }
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      const Component& component = components_[i];
+      if (classes_.find(static_cast<std::uint32_t>(i)) != i || component.is_doubtful ||
+          !component.deaths.empty())
+        continue;
+      for (const LoopChange* birth : component.births)
+        for (std::size_t n = 0; n < birth->count; ++n)
+          pairs_.push_back({birth->event, std::nullopt, component.is_tie});
+    }
     return std::move(pairs_);
   }
 

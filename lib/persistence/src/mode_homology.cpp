@@ -225,7 +225,7 @@ class Side {
       made.is_lasting = pair.maximum < outside_.surfaces;
       made.has_death = !made.is_lasting;
       if (made.is_lasting) {
-        made.death = side_ == 0 ? ModeRange{-1, -1} : ModeRange{1, 1};
+        made.death = end_of(made.kind);
       } else {
         made.death = other(maximum.mode);
         made.death_point = maximum.point;
@@ -281,38 +281,53 @@ class Side {
     std::vector<std::size_t> surfaces;
     for (std::size_t i = 0; boundary_.betti()[1] > 0 && i < outside_.surfaces; ++i)
       surfaces.push_back(i);
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> known;
+    std::map<std::pair<std::size_t, Member>, std::vector<std::size_t>> known;
     for (const LoopPair& pair : loop_pairs(tree_, loop_changes_[0], {}))
       known[{pair.birth, pair.death}].push_back(add_pair(result, pair));
-    for (LoopPair pair : loop_pairs(outside_.tree, loop_changes_[1], surfaces)) {
-      std::swap(pair.birth, pair.death);
+    for (const LoopPair& rising : loop_pairs(outside_.tree, loop_changes_[1], surfaces)) {
+      if (!rising.death) continue;
+      const LoopPair pair{*rising.death, rising.birth, rising.is_tie};
       auto& same = known[{pair.birth, pair.death}];
       if (!same.empty()) {
         // Proved in two ways, of which one may be apart.
         result.pairs[same.back()].is_tie &= pair.is_tie;
         same.pop_back();
-      } else if (is_free(result.loops[pair.birth]) && is_free(result.loops[pair.death])) {
+      } else if (is_free(result.loops[pair.birth]) && is_free(result.loops[*pair.death])) {
         add_pair(result, pair);
       }
     }
   }
 
+  /// The end of the modes, to which what lasts does.
+  static ModeRange end_of(PairKind kind) {
+    return kind == PairKind::superlevel ? ModeRange{-1, -1} : ModeRange{1, 1};
+  }
+
   static bool is_free(const LoopEvent& event) { return event.paired < event.count; }
 
   static std::size_t add_pair(ModeHomology& result, const LoopPair& pair) {
-    LoopEvent &birth = result.loops[pair.birth], &death = result.loops[pair.death];
-    ++birth.paired, ++death.paired;
+    LoopEvent& birth = result.loops[pair.birth];
+    ++birth.paired;
     PersistencePair made;
     made.dimension = 1;
     made.kind = birth.kind;
     made.birth = birth.mode;
-    made.death = death.mode;
     made.birth_point = birth.place;
-    made.death_point = death.place;
     made.birth_tet = birth.tet;
-    made.death_tet = death.tet;
-    made.is_tie = pair.is_tie || birth.is_tie || death.is_tie;
+    made.is_tie = pair.is_tie || birth.is_tie;
     made.curve = birth.curve;
+    if (pair.death) {
+      LoopEvent& death = result.loops[*pair.death];
+      ++death.paired;
+      made.death = death.mode;
+      made.death_point = death.place;
+      made.death_tet = death.tet;
+      made.is_tie |= death.is_tie;
+    } else {
+      made.is_lasting = true;
+      made.has_death = false;
+      made.death = end_of(birth.kind);
+    }
     result.pairs.push_back(made);
     return result.pairs.size() - 1;
   }

@@ -23,7 +23,8 @@ struct LoopChange {
 
 /// One loop, or several with the same birth or the same death, in one component.
 struct LoopPair {
-  std::size_t birth = 0, death = 0;  ///< the callers' numbers
+  std::size_t birth = 0;             ///< the caller's number
+  std::optional<std::size_t> death;  ///< the caller's number; nothing: it lasts to the end
   bool is_tie = false;               ///< enclosures of changes to the component overlap
 };
 
