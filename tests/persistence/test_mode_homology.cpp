@@ -206,6 +206,34 @@ TEST(ModeHomology, IsProvedOnNoise) {
   }
 }
 
+// Nothing in one part of a mesh meets what is in the other: the numbers are sums.
+TEST(ModeHomology, PartsAreApart) {
+  TetMesh both = cubes(3, Hole::middle);
+  fill_with_normal_tensors(both, 1);
+  TetMesh other = cube_mesh(2);
+  fill_with_normal_tensors(other, 2);
+  std::array<std::size_t, 3> pairs{};
+  for (const TetMesh* mesh : {&both, &other})
+    for (const PersistencePair& pair : mode_homology(*mesh, persistence_input(*mesh)).pairs)
+      ++pairs[static_cast<std::size_t>(pair.dimension)];
+  const auto shift = static_cast<TetMesh::Index>(both.points.size());
+  for (const auto& x : other.points) both.points.push_back(x + Vector3<double>{10, 0, 0});
+  both.tensors.insert(both.tensors.end(), other.tensors.begin(), other.tensors.end());
+  for (auto tet : other.tets) {
+    for (auto& v : tet) v += shift;
+    both.tets.push_back(tet);
+  }
+  both.cell_ids.resize(both.tets.size());
+  const ModeHomology found = mode_homology(both, persistence_input(both));
+  EXPECT_EQ(found.mesh_betti, (std::array<long, 3>{2, 0, 1}));
+  EXPECT_TRUE(found.adds_up[0] && found.adds_up[1]);
+  std::array<std::size_t, 3> sums{};
+  for (const PersistencePair& pair : found.pairs) ++sums[static_cast<std::size_t>(pair.dimension)];
+  EXPECT_EQ(sums, pairs);
+  EXPECT_GT(sums[1], 0u);
+  EXPECT_GT(sums[2], 5u);
+}
+
 // Tensors in special position: where all is proved, it adds up.
 TEST(ModeHomology, AddsUpOnSpecialMeshes) {
   Compared compared("meshes without anything open", 5);

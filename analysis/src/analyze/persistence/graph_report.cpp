@@ -84,17 +84,17 @@ std::string to_text(const GraphReport& report) {
     minima += node.minimum.has_value();
   }
   for (const ModeRegion& region : report.regions.regions) positive += region.sign > 0;
-  fmt::format_to(out, "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, ",
+  fmt::format_to(out,
+                 "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, ",
                  report.input.string(), report.tetrahedra, maxima, minima,
                  report.tree.nodes.size() - maxima - minima);
   if (report.tree.has_loops) {
-    text +=
-        "no arcs: the mesh has holes through it, and the Reeb graph may be no tree\n"
-        "regions of the neutral surface: not known, for the same reason\n";
+    text += "no arcs: the mesh has holes through it, and the Reeb graph may be no tree\n"
+            "regions of the neutral surface: not known, for the same reason\n";
   } else {
-    fmt::format_to(
-        out, "{} arcs{}\n", report.tree.arcs.size(),
-        report.tree.is_complete ? "" : " (not complete: points or curves are not proved)");
+    fmt::format_to(out, "{} arcs{}\n", report.tree.arcs.size(),
+                   report.tree.is_complete ? ""
+                                           : " (not complete: points or curves are not proved)");
     fmt::format_to(out, "regions of the neutral surface: {} positive, {} negative, {} borders{}\n",
                    positive, report.regions.regions.size() - positive,
                    report.regions.borders.size(),
@@ -102,7 +102,8 @@ std::string to_text(const GraphReport& report) {
   }
   for (const ModeRegion& region : report.regions.regions)
     if (!region.curves.empty())
-      fmt::format_to(out, "  a {} region with {}\n", region.sign > 0 ? "positive" : "negative",
+      fmt::format_to(out, "  a {} region with {}\n",
+                     region.sign > 0 ? "positive" : "negative",
                      counted(region.curves.size(), "degenerate curve"));
   std::size_t transitions = 0;
   for (const GraphCurve& curve : report.curves) transitions += curve.transitions;
