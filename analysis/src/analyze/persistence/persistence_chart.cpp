@@ -92,8 +92,8 @@ class PairsChart : public ChartItem {
             24, false, VTK_TEXT_LEFT);
       x += 260;
     }
-    words(kColumnLeft[1], kPictureHeight - 40, "large: degenerate curves", 24, false,
-          VTK_TEXT_LEFT);
+    words(kColumnRight[1], kPictureHeight - 40, "large: degenerate curves", 24, false,
+          VTK_TEXT_RIGHT);
     for (std::size_t i = 0; i < 2; ++i) {
       paint_diagram(kScales[i], kColumnLeft[i], kColumnRight[i]);
       paint_bars(kScales[i], kColumnLeft[i], kColumnRight[i]);
@@ -224,6 +224,7 @@ class PairsChart : public ChartItem {
     }
     constexpr std::array kColours{kInk, kBlue, kRed};
     for (std::size_t k = 0; k < 3; ++k) {
+      bool is_known = false;
       std::optional<std::array<float, 2>> last;
       for (const BettiInterval& interval : intervals) {
         if (!interval.betti[k]) {
@@ -237,9 +238,11 @@ class PairsChart : public ChartItem {
         if (last) painter_->DrawLine((*last)[0], (*last)[1], from, level);
         painter_->DrawLine(from, level, to, level);
         last = {to, level};
+        is_known = true;
       }
-      words(right - 440 + 160 * static_cast<float>(k), kBettiTop + 28, kNames[k], 24, true,
-            VTK_TEXT_LEFT, kColours[k]);
+      words(right - 540 + 210 * static_cast<float>(k), kBettiTop + 28,
+            fmt::format("{}{}", kNames[k], is_known ? "" : ": ?"), 24, true, VTK_TEXT_LEFT,
+            kColours[k]);
     }
   }
 
