@@ -52,10 +52,25 @@ def test_persistence_is_that_of_the_program(program, slab, slab_file):
     assert len(ours.pairs) == len(theirs["pairs"]) > 50
     assert ours.complete == theirs["complete"]
     for pair, other in zip(ours.pairs, theirs["pairs"]):
-        for key in ("kind", "birth", "death", "survives", "birth_tet", "death_tet", "curve", "tie", "certain"):
+        for key in (
+            "dimension", "kind", "birth", "death", "survives", "birth_tet", "death_tet", "curve",
+            "lasting", "tie", "certain",
+        ):
             assert getattr(pair, key) == other[key]
         low, high = pair.birth_range
         assert low <= pair.birth <= high
+    assert {pair.dimension for pair in ours.pairs} >= {0, 2}
+    assert len(ours.loops) == len(theirs["loops"]) > 50
+    for event, other in zip(ours.loops, theirs["loops"]):
+        for key in ("kind", "event", "mode", "count", "paired", "tet", "curve", "tie"):
+            assert getattr(event, key) == other[key]
+    for kind in ("superlevel", "sublevel"):
+        intervals = getattr(ours, kind + "_betti")
+        assert len(intervals) == len(theirs["betti"][kind]) > 50
+        for interval, other in zip(intervals, theirs["betti"][kind]):
+            assert (interval.low, interval.high) == (other["from"], other["to"])
+            assert list(interval.betti) == other["betti"]
+    assert list(ours.mesh_betti) == theirs["betti"]["mesh"]
     assert len(ours.curves) == len(theirs["curves"]) > 5
     for curve, other in zip(ours.curves, theirs["curves"]):
         assert (curve.mode, curve.component, curve.pair) == (other["mode"], other["component"], other["pair"])

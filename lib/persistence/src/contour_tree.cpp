@@ -9,43 +9,13 @@
 #include <set>
 #include <utility>
 
-#include "tensortopo/mesh/tet_complex.hpp"
+#include "mesh_boundary.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
-/// Whether the first Betti number is not 0: b0 + b2 less the Euler characteristic, b2 being the
-/// number of boundary surfaces less that of parts.
-bool has_loops_in(const TetMesh& mesh) {
-  std::vector<TetMesh::Index> all(mesh.tets.size());
-  std::iota(all.begin(), all.end(), 0);
-  const TetComplex complex = tet_complex(mesh, all);
-  UnionFind parts(mesh.points.size()), boundary(mesh.points.size());
-  std::vector<char> used(mesh.points.size(), 0), on_boundary(mesh.points.size(), 0);
-  const auto join = [](UnionFind& classes, TetMesh::Index v, TetMesh::Index w) {
-    classes.unite(static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(w));
-  };
-  for (const auto& tet : mesh.tets)
-    for (const auto v : tet) used[as_size(v)] = 1, join(parts, tet[0], v);
-  for (std::size_t f = 0; f < complex.faces.size(); ++f) {
-    if (complex.face_tets[f][1] >= 0) continue;
-    for (const auto v : complex.faces[f])
-      on_boundary[as_size(v)] = 1, join(boundary, complex.faces[f][0], v);
-  }
-  long vertices = 0, part_count = 0, surfaces = 0;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    const auto i = static_cast<std::uint32_t>(v);
-    vertices += used[v];
-    part_count += used[v] != 0 && parts.find(i) == i;
-    surfaces += on_boundary[v] != 0 && boundary.find(i) == i;
-  }
-  const long euler = vertices - static_cast<long>(complex.edges.size()) +
-                     static_cast<long>(complex.faces.size()) - static_cast<long>(mesh.tets.size());
-  return part_count + (surfaces - part_count) - euler != 0;
-}
 
 /// A tree in which each node has one neighbour towards the root at most.
 struct Tree {
@@ -86,7 +56,7 @@ class Contours {
                      [](const ContourNode& a, const ContourNode& b) {
                        return a.mode.middle() > b.mode.middle();
                      });
-    tree_.has_loops = has_loops_in(mesh_);
+    tree_.has_loops = persistence::MeshBoundary(mesh_).betti()[1] != 0;
     if (!tree_.has_loops) join_nodes();
     tree_.is_complete &= !tree_.has_loops;
     return std::move(tree_);

@@ -105,10 +105,10 @@ class Building {
     for (std::size_t i = 0; i < values_.points.size(); ++i)
       if (!is_maximum(i)) merges.push_back(i);
     for (const std::size_t i : merges) add_merge(i);
-    std::stable_sort(tree_.merges.begin(), tree_.merges.end(),
-                     [](const ModeMerge& a, const ModeMerge& b) {
-                       return a.mode.low + a.mode.high > b.mode.low + b.mode.high;
-                     });
+    for (auto* list : {&tree_.merges, &tree_.others})
+      std::stable_sort(list->begin(), list->end(), [](const ModeMerge& a, const ModeMerge& b) {
+        return a.mode.low + a.mode.high > b.mode.low + b.mode.high;
+      });
     return std::move(tree_);
   }
 
@@ -160,18 +160,37 @@ class Building {
       for (const Index v : point.vertices) reach(merge, v, point.low);
     } else {
       const auto ways = departures(mesh_, ends_.stars(), point);
-      if (ways.size() < 2) return;
-      merge.is_proved = true;
-      for (const auto& part : ways) {
-        const auto maximum = ends_.above(part, point.high);
-        if (maximum)
+      const auto outer =
+          parts_on_boundary(point.link, parts_of_sign(point.link, Verdict::positive));
+      if (ways.empty() || (ways.size() == 1 && !changes_more_than_components(point, outer))) return;
+      merge.is_proved = merge.is_proved_inside = true;
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        if (const auto maximum = ends_.above(ways[i], point.high)) {
           merge.reached.push_back(*maximum);
-        else
-          merge.is_proved = false;
+          merge.touches_boundary.push_back(outer[i]);
+        } else {
+          merge.is_proved = merge.has_paths = false;
+          merge.is_proved_inside &= outer[i] != 0;
+        }
+      }
+      if (ways.size() == 1) {
+        merge.tet = tet_of(point);
+        tree_.others.push_back(std::move(merge));
+        return;
       }
     }
     merge.tet = tet_of(point);
     tree_.merges.push_back(std::move(merge));
+  }
+
+  /// The component comes to touch the boundary there, or its loops or voids change: the mode falls
+  /// in several parts of the link, what is outside of the mesh counting as one.
+  static bool changes_more_than_components(const MeshCriticalPoint& point,
+                                           const std::vector<char>& outer_rises) {
+    const bool is_outer = point.effect.on_boundary;
+    const auto falls = parts_on_boundary(point.link, parts_of_sign(point.link, Verdict::negative));
+    return (is_outer && outer_rises[0] == 0) ||
+           std::count(falls.begin(), falls.end(), 0) + (is_outer ? 1 : 0) > 1;
   }
 
   void reach(ModeMerge& merge, Index vertex, double low) {
@@ -179,7 +198,10 @@ class Building {
     const SymmetricTensor<double>& t = mesh_.tensors[as_size(vertex)];
     const auto mode = mode_range(deviator_box({t, t, t, t}, {1, 0, 0, 0}));
     if (mode[1] < low) return;
-    if (const auto maximum = ends_.ascent().from_vertex(vertex)) merge.reached.push_back(*maximum);
+    if (const auto maximum = ends_.ascent().from_vertex(vertex))
+      merge.reached.push_back(*maximum);
+    else
+      merge.has_paths = false;
   }
 
   const TetMesh& mesh_;

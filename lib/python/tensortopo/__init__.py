@@ -38,7 +38,13 @@ from ._partition import (
     extract_piece,
     merge_pieces,
 )
-from ._persistence import CurvePersistence, Persistence, PersistencePair
+from ._persistence import (
+    BettiInterval,
+    CurvePersistence,
+    LoopEvent,
+    Persistence,
+    PersistencePair,
+)
 from ._surface import (
     CARRIERS,
     Component,
@@ -56,6 +62,7 @@ from ._verify import Statement, verify
 __version__ = "0.1.0"
 
 __all__ = [
+    "BettiInterval",
     "CARRIERS",
     "COMPONENT_ORDERS",
     "Cancelled",
@@ -71,6 +78,7 @@ __all__ = [
     "FileError",
     "Finding",
     "Generated",
+    "LoopEvent",
     "MergedSurface",
     "MeshError",
     "NodalAverage",

@@ -321,11 +321,12 @@ class Field:
         return curves
 
     def persistence(self, *, progress: Optional[Progress] = None) -> Persistence:
-        """At which modes components of the mode's level sets are born and die.
+        """At which modes components, loops and voids of the mode's level sets are born and die.
 
-        Every component of {mode >= m} and {mode <= m}, and with these every degenerate curve, with
-        the relative noise that it survives. Values are enclosed, and the paths that join critical
-        points are proved.
+        Every component of {mode >= m} and {mode <= m}, and with these every degenerate curve, and
+        every void, with the relative noise that it survives. Of loops the births and deaths, and
+        those pairs that are proved. Values are enclosed, and the paths that join critical points are
+        proved.
 
         Parameters
         ----------

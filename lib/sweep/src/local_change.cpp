@@ -97,6 +97,23 @@ std::vector<std::vector<int>> parts_of_sign(const SignedLink& link, Verdict sign
   return result;
 }
 
+std::vector<char> parts_on_boundary(const SignedLink& link,
+                                    const std::vector<std::vector<int>>& parts) {
+  std::map<Edge, int> edges;
+  for (const auto& t : link.triangles)
+    for (std::size_t i = 0; i < 3; ++i) ++edges[std::minmax(t[i], t[(i + 1) % 3])];
+  std::vector<char> is_outer(link.signs.size(), 0);
+  for (const auto& [edge, triangles] : edges)
+    if (triangles == 1)
+      for (const int v : {edge.first, edge.second}) is_outer[static_cast<std::size_t>(v)] = 1;
+  std::vector<char> result;
+  for (const auto& part : parts)
+    result.push_back(std::any_of(part.begin(), part.end(), [&](int v) {
+      return is_outer[static_cast<std::size_t>(v)] != 0;
+    }));
+  return result;
+}
+
 LocalEffect local_effect(const SignedLink& link) {
   LocalEffect effect;
   std::map<Edge, int> edges;

@@ -3,13 +3,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "tensortopo/persistence/mode_persistence.hpp"
+#include "tensortopo/persistence/mode_homology.hpp"
 
 namespace tensortopo {
 
 /// Persistence diagrams and barcodes, in the mode and in the signed Lode angle, as the bytes of a
-/// PNG. Throws std::runtime_error if there is no display (see `DisplayServer`).
-std::string persistence_chart(const ModePersistence& persistence);
+/// PNG: components as dots and full bars, loops as crosses and dashed bars, voids as squares and
+/// dotted bars; and the Betti numbers. Throws std::runtime_error if there is no display (see
+/// `DisplayServer`).
+std::string persistence_chart(const std::vector<PersistencePair>& pairs,
+                              const ModeHomology& homology);
 
 }  // namespace tensortopo

@@ -23,9 +23,9 @@ void require_name(const std::filesystem::path& file, const char* extension) {
   require_folder(file);
 }
 
-void draw(const ModePersistence& persistence, const std::filesystem::path& file) {
+void draw(const PersistenceReport& report, const std::filesystem::path& file) {
   try {
-    write_text(file, persistence_chart(persistence));
+    write_text(file, persistence_chart(report.pairs(), report.homology));
   } catch (const IoError&) {
     throw;
   } catch (const std::runtime_error& problem) {
@@ -37,9 +37,16 @@ void draw(const ModePersistence& persistence, const std::filesystem::path& file)
 
 bool PersistenceReport::is_complete() const {
   for (std::size_t side = 0; side < 2; ++side)
-    if (!persistence.not_proved[side].empty() || persistence.unresolved_curve_cells[side] > 0)
+    if (!persistence.not_proved[side].empty() || persistence.unresolved_curve_cells[side] > 0 ||
+        homology.not_proved[side] > 0)
       return false;
-  return true;
+  return homology.has_known_curves && homology.isotropic_vertices == 0;
+}
+
+std::vector<PersistencePair> PersistenceReport::pairs() const {
+  std::vector<PersistencePair> all = persistence.pairs;
+  all.insert(all.end(), homology.pairs.begin(), homology.pairs.end());
+  return all;
 }
 
 PersistenceReport run_persistence(const PersistenceCommand& command, const Progress& progress) {
@@ -49,10 +56,12 @@ PersistenceReport run_persistence(const PersistenceCommand& command, const Progr
   if (progress) progress("reading", 0);
   PersistenceReport report;
   ReadResult read = read_analyzed(command.input, command.read, report);
-  report.persistence = mode_persistence(read.mesh, persistence_input(read.mesh, progress));
+  const PersistenceInput found = persistence_input(read.mesh, progress);
+  report.persistence = mode_persistence(read.mesh, found);
+  report.homology = mode_homology(read.mesh, found);
   report.cell_ids = std::move(read.mesh.cell_ids);
-  if (!command.output.empty()) write_pairs(report.persistence, command.output);
-  if (!command.picture.empty()) draw(report.persistence, command.picture);
+  if (!command.output.empty()) write_pairs(report.pairs(), command.output);
+  if (!command.picture.empty()) draw(report, command.picture);
   report.output = command.output;
   report.picture = command.picture;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

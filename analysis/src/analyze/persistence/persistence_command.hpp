@@ -11,7 +11,7 @@
 #include "analyze/analyzed_mesh.hpp"
 #include "tensortopo/analysis/progress.hpp"
 #include "tensortopo/io/read_mesh.hpp"
-#include "tensortopo/persistence/mode_persistence.hpp"
+#include "tensortopo/persistence/mode_homology.hpp"
 
 namespace tensortopo {
 
@@ -26,11 +26,14 @@ struct PersistenceCommand {
 struct PersistenceReport : AnalyzedMesh {
   std::vector<std::int64_t> cell_ids;
   ModePersistence persistence;
+  ModeHomology homology;
   std::filesystem::path output, picture;
   double seconds = 0;
 
-  /// All points and paths are proved, and all curves known.
+  /// All points and paths are proved, all curves known, and a mode is everywhere.
   bool is_complete() const;
+  /// Of all dimensions: first those of dimension 0.
+  std::vector<PersistencePair> pairs() const;
 };
 
 /// Throws UsageError, IoError.

@@ -24,8 +24,7 @@ int number_of_kind(PairKind kind) {
 
 }  // namespace
 
-void write_pairs(const ModePersistence& persistence, const std::filesystem::path& file) {
-  const auto& pairs = persistence.pairs;
+void write_pairs(const std::vector<PersistencePair>& pairs, const std::filesystem::path& file) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> cells;
@@ -59,9 +58,11 @@ void write_pairs(const ModePersistence& persistence, const std::filesystem::path
     vtkNew<vtkIntArray> array;
     fill(array, name, value);
   };
+  add_integers("dimension", [](const auto& pair) { return pair.dimension; });
   add_integers("kind", [](const auto& pair) { return number_of_kind(pair.kind); });
   add("birth", [](const auto& pair) { return pair.birth.middle(); });
   add("death", death_of);
+  add_integers("lasting", [](const auto& pair) { return pair.is_lasting ? 1 : 0; });
   add("angle_persistence", [](const auto& pair) { return angle_persistence(pair); });
   add("survives", [](const auto& pair) { return survived_noise(pair); });
   add_integers("curve",

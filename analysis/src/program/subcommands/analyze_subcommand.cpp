@@ -145,8 +145,9 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                  "area of the mode surfaces of N modes, evenly spaced")
       ->type_name("A:B:N");
   app.add_flag("--persistence", options->persistence,
-               "Of a mesh: at which modes components of {mode >= m} and {mode <= m} and degenerate "
-               "curves are born and die, and what relative noise they survive");
+               "Of a mesh: at which modes components, loops and voids of {mode >= m} and "
+               "{mode <= m} and degenerate curves are born and die, and what relative noise they "
+               "survive");
   app.add_flag("--graph", options->graph,
                "Of a mesh: the contour tree of the mode, the regions that the neutral surface "
                "bounds with the degenerate curves in them, and which closed curves are linked");
@@ -194,7 +195,7 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                                 "surface with its curvatures (.vtp)"))
       ->type_name("FILE");
   writes(common, app.add_option("--chart", options->chart,
-                                "With --persistence: diagrams and barcodes (.png)"))
+                                "With --persistence: diagrams, barcodes and Betti numbers (.png)"))
       ->type_name("FILE");
   add_read_options(app, common, options->read);
   add_common_options(app, common);

@@ -49,14 +49,25 @@ struct ModeMerge {
   /// Maxima to which paths lead from the point along which the mode is larger than at it: for each
   /// part of the link with a larger mode one. A path not proved is left out.
   std::vector<std::size_t> reached;
+  /// One for each of `reached`, if the link is known: the part touches the link's boundary, and so
+  /// the point reaches the boundary of the mesh by it.
+  std::vector<char> touches_boundary;
   /// The link is known, and each part of it has its path.
   bool is_proved = false;
+  /// The same of the parts that do not touch the boundary of the mesh.
+  bool is_proved_inside = false;
+  /// Each path that was looked for is there; where the link is not known, from the vertices around.
+  bool has_paths = true;
 };
 
 /// How the components of {mode >= m} of a piecewise linear field come and meet as m falls.
 struct MergeTree {
   std::vector<ModeMaximum> maxima;  ///< curves first
   std::vector<ModeMerge> merges;    ///< by falling mode
+  /// Critical points from which the mode rises in one part of the link, with the path from there: on
+  /// the boundary of the mesh, where the part does not touch it, a component of {mode >= m} comes to
+  /// touch the boundary. Others change its loops and voids. By falling mode.
+  std::vector<ModeMerge> others;
 };
 
 /// The merge tree of the mode.

@@ -21,10 +21,12 @@ enum class PairKind {
 
 std::string_view name_of(PairKind kind);
 
-/// A pair of critical values of the mode, in dimension 0.
+/// A pair of critical values of the mode: of a component, or of a class of cycles of a larger
+/// dimension.
 struct PersistencePair {
+  int dimension = 0;                     ///< 0: a component; 1: a loop; 2: a void
   PairKind kind = PairKind::superlevel;  ///< of which sets
-  /// The modes at which the component is born and gone.
+  /// The modes at which it is born and gone.
   ModeRange birth, death;
   /// About where that is.
   Vector3<double> birth_point{}, death_point{};
@@ -32,8 +34,11 @@ struct PersistencePair {
   TetMesh::Index birth_tet = -1, death_tet = -1;
   bool is_tie = false;     ///< see `MergePair`
   bool is_certain = true;  ///< see `MergePair`
-  bool has_death = true;   ///< if not, the component may meet older ones, at a mode not known
-  std::optional<std::size_t> curve;  ///< component of the curves of mode 1 (sublevel: -1)
+  bool has_death = true;   ///< if not, it may meet older ones, at a mode not known
+  bool is_lasting = false; ///< a class of the mesh itself, which has no death (dimensions 1 and 2)
+  /// The component of the curves at which it is born: of mode 1 (sublevel: -1). Of dimension 2 at
+  /// which it dies: of mode -1 (sublevel: 1).
+  std::optional<std::size_t> curve;
 };
 
 /// A component of the degenerate curves.

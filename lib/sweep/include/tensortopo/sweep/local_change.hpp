@@ -20,6 +20,10 @@ struct SignedLink {
 /// The connected parts of a link with one strict sign, each as its vertices, ascending; in order of
 /// their first vertices.
 std::vector<std::vector<int>> parts_of_sign(const SignedLink& link, Verdict sign);
+/// Of each of these parts, whether it has a vertex on the link's boundary, if it has one: then it
+/// reaches the boundary of the mesh.
+std::vector<char> parts_on_boundary(const SignedLink& link,
+                                    const std::vector<std::vector<int>>& parts);
 
 /// What becomes of the level next to a point as the mode passes the point's.
 enum class LocalChange {
