@@ -47,7 +47,7 @@ lib/io/src/formats/nifti_image.cpp|1e-7|where the standard takes a turn by half 
 lib/io/src/fields/tensor_array.cpp|1e-9|largest asymmetry taken for rounding by the program that wrote the file
 lib/sweep/src/sweep.cpp|1e-280|a smaller mode is not written with the digits of a decimal that ModeValue reads
 lib/persistence/src/ascent.cpp|1e-2|how close a face is for a step to be tried towards it; steps are proved in intervals
-lib/persistence/src/linking_number.cpp|1e-9|wider boxes of segments, so that rounding misses no crossing; crossings are decided exactly
+lib/persistence/src/linking/linking_number.cpp|1e-9|wider boxes of segments, so that rounding misses no crossing; crossings are decided exactly
 lib/persistence/src/numeric_mode.cpp|1e-5|a step of finite differences, for a guess
 lib/persistence/src/numeric_mode.cpp|1e-9|keeps a quotient finite, for a guess
 lib/persistence/src/persistence_pairs.cpp|1e-9|lengths that agree to nine digits are reported as a tie

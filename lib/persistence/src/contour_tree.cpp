@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "mesh_boundary.hpp"
+#include "homology/mesh_boundary.hpp"
 #include "tensortopo/mesh/union_find.hpp"
 
 namespace tensortopo {

@@ -29,7 +29,6 @@ constexpr std::array<float, 2> kColumnLeft{140, 1040},
 constexpr float kDiagramTop = 2260, kDiagramBottom = 1540;
 constexpr float kBarcodeTop = 1400, kBarcodeBottom = 730;
 constexpr float kBettiTop = 560, kBettiBottom = 110;
-constexpr std::array<const char*, 3> kNames{"components", "loops", "voids"};
 constexpr std::size_t kMostBars = 220;
 constexpr std::array kNoiseLines{0.001, 0.01, 0.1};
 
@@ -241,7 +240,7 @@ class PairsChart : public ChartItem {
         is_known = true;
       }
       words(right - 540 + 210 * static_cast<float>(k), kBettiTop + 28,
-            fmt::format("{}{}", kNames[k], is_known ? "" : ": ?"), 24, true, VTK_TEXT_LEFT,
+            fmt::format("{}{}", kFeatureNames[k], is_known ? "" : ": ?"), 24, true, VTK_TEXT_LEFT,
             kColours[k]);
     }
   }

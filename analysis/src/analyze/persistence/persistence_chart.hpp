@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "tensortopo/persistence/mode_homology.hpp"
 
 namespace tensortopo {
+
+/// What each dimension counts, as people read it.
+inline constexpr std::array<const char*, 3> kFeatureNames{"components", "loops", "voids"};
 
 /// Persistence diagrams and barcodes, in the mode and in the signed Lode angle, as the bytes of a
 /// PNG: components as dots and full bars, loops as crosses and dashed bars, voids as squares and

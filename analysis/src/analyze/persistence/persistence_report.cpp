@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "analyze/persistence/persistence_chart.hpp"
 #include "analyze/persistence/persistence_command.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 
@@ -17,7 +18,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kNoise{1e-6, 1e-4, 1e-2};
 constexpr std::size_t kMostPairs = 20;
-constexpr std::array<const char*, 3> kNames{"components", "loops", "voids"};
 
 /// Cells as the file numbers them.
 Json cell_of(const PersistenceReport& report, TetMesh::Index tet) {
@@ -110,10 +110,10 @@ std::string homology_text(const ModeHomology& homology) {
     fmt::format_to(out, "{{mode {} m}}:", side == 0 ? ">=" : "<=");
     for (std::size_t k = 0; k < 3; ++k) {
       if (known[k] == 0)
-        fmt::format_to(out, " number of {} not known,", kNames[k]);
+        fmt::format_to(out, " number of {} not known,", kFeatureNames[k]);
       else
         fmt::format_to(
-            out, " {} {} at most{},", most[k], kNames[k],
+            out, " {} {} at most{},", most[k], kFeatureNames[k],
             known[k] < 0.999 ? fmt::format(" (known for {:.3g} of all m)", known[k]) : "");
     }
     fmt::format_to(out, " {} loops appear\n", loops_born(homology, kind));
@@ -187,7 +187,7 @@ std::string to_text(const PersistenceReport& report) {
       std::vector<const PersistencePair*> pairs;
       for (const PersistencePair& pair : report.homology.pairs)
         if (pair.kind == kind && pair.dimension == dimension) pairs.push_back(&pair);
-      row(fmt::format("{} {}", name_of(kind), kNames[static_cast<std::size_t>(dimension)]), pairs);
+      row(fmt::format("{} {}", name_of(kind), kFeatureNames[static_cast<std::size_t>(dimension)]), pairs);
     }
   for (const int mode : {1, -1})
     for (const bool closed : {true, false}) {

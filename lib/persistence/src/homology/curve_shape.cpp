@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "curve_shape.hpp"
+#include "homology/curve_shape.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "doubtful_ranges.hpp"
+#include "homology/doubtful_ranges.hpp"
 
 #include <algorithm>
 #include <cstddef>

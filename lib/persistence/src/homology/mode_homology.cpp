@@ -7,11 +7,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "betti_intervals.hpp"
-#include "curve_shape.hpp"
-#include "doubtful_ranges.hpp"
-#include "mesh_boundary.hpp"
-#include "outside_tree.hpp"
+#include "homology/betti_intervals.hpp"
+#include "homology/curve_shape.hpp"
+#include "homology/doubtful_ranges.hpp"
+#include "homology/mesh_boundary.hpp"
+#include "homology/outside_tree.hpp"
 #include "tensortopo/persistence/loop_pairs.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 

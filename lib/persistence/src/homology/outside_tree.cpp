@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "outside_tree.hpp"
+#include "homology/outside_tree.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesh_boundary.hpp"
+#include "homology/mesh_boundary.hpp"
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 
 namespace tensortopo::persistence {

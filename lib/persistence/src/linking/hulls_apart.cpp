@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "hulls_apart.hpp"
+#include "linking/hulls_apart.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "curve_shape.hpp"
+#include "homology/curve_shape.hpp"
 #include "tensortopo/persistence/merge_tree.hpp"
 
 namespace tensortopo::persistence {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_boundary.hpp"
+#include "homology/mesh_boundary.hpp"
 
 #include <algorithm>
 #include <numeric>

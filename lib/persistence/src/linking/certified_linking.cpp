@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "hulls_apart.hpp"
+#include "linking/hulls_apart.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 
 namespace tensortopo {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "betti_intervals.hpp"
+#include "homology/betti_intervals.hpp"
 
 #include <algorithm>
 #include <cstddef>
