@@ -11,6 +11,7 @@
 #include <string>
 
 #include "pieces_of_fields.hpp"
+#include "support/compared.hpp"
 #include "support/fields/renumbered_mesh.hpp"
 #include "tensortopo/partition/extract_in_pieces.hpp"
 
@@ -115,6 +116,32 @@ TEST(ExtractInPieces, GivesTheSameSurfaceWithDenserCells) {
   }
   const TetMesh mesh = field_of_any_kind(random, 1);
   EXPECT_THROW(extract_in_pieces(mesh, ModeValue::parse("0"), 0), std::invalid_argument);
+}
+
+/// What ghosts are told and tell is the same in all pieces; if it were not, that would be noticed.
+TEST(PieceMessages, AreCompared) {
+  Random random(20261126);
+  Compared compared("messages between pieces", 100);
+  Compared refused("altered messages", 20);
+  for (int trial = 0; trial < 6; ++trial) {
+    const TetMesh mesh = field_of_any_kind(random, 3);
+    const auto owner = random_owners(mesh, 3, random);
+    const ModeValue mode = ModeValue::parse(kModes[static_cast<std::size_t>(trial)]);
+    const auto pieces = extract_pieces(mesh, owner, 3, mode);
+    ASSERT_NO_THROW(merge_pieces(pieces));
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      for (std::size_t m = 0; m < pieces[p].heard.size(); ++m) compared.count();
+      for (std::size_t m = 0; m < pieces[p].heard.size(); m += 1 + pieces[p].heard.size() / 3) {
+        auto altered = pieces;
+        if (m % 2 == 0)
+          ++altered[p].heard[m].digest;
+        else
+          altered[p].heard.erase(altered[p].heard.begin() + static_cast<std::ptrdiff_t>(m));
+        EXPECT_THROW(merge_pieces(altered), PiecesDiffer);
+        refused.count();
+      }
+    }
+  }
 }
 
 class WrongPieces : public testing::Test {

@@ -25,6 +25,8 @@ ExtractOptions in_canonical_order(const ExtractOptions& options, const Canonical
   ExtractOptions result = options;
   for (std::size_t t = 0; t < result.density.size(); ++t)
     result.density[t] = options.density[as_size(canonical.tets[t])];
+  for (std::size_t t = 0; t < result.part.size(); ++t)
+    result.part[t] = options.part[as_size(canonical.tets[t])];
   return result;
 }
 
@@ -68,8 +70,14 @@ Extraction extract(const PreparedField<Scalar>& prepared, const ModeValue& mu,
     for (auto& proof : proofs) proof.topology.reset();
   if (!options.keep_samples) coarsen_face_curves<Scalar>(input, sides, cells, proofs, meshes);
   seconds.tets += watch.lap();
+  auto messages = std::move(meshes.messages);
+  for (MeshingMessage& message : messages) {
+    message.from = cells.tets[as_size(message.from)];
+    message.to = cells.tets[as_size(message.to)];
+  }
   Extraction result =
       assemble(input, sides, std::move(active), std::move(proofs), std::move(meshes));
+  result.messages = std::move(messages);
   renumber(result, canonical.vertices, canonical.tets);
   auto& statistics = result.statistics;
   statistics.vertices_on_level = sides.count_on_level;

@@ -132,11 +132,27 @@ std::vector<Index> new_numbers(const Starts& old, const CellMeshes<Scalar>& mesh
   return result;
 }
 
+/// Adds what was said in a part, as the next pass.
+void add_messages(const Part& part, std::span<const MeshingMessage> of_part,
+                  std::vector<MeshingMessage>& messages) {
+  std::int32_t pass = 0;
+  for (const MeshingMessage& message : messages) pass = std::max(pass, message.pass);
+  std::vector<Index> whole(part.cells.tets.size(), -1);
+  for (std::size_t t = 0; t < part.tets.size(); ++t)
+    if (part.tets[t] >= 0) whole[as_size(part.tets[t])] = static_cast<Index>(t);
+  for (MeshingMessage message : of_part) {
+    message.from = whole[as_size(message.from)], message.to = whole[as_size(message.to)];
+    message.pass = pass + 1;
+    messages.push_back(message);
+  }
+}
+
 /// Puts a part in the place of what the whole had there.
 template <class Scalar>
 void merge(const SurfaceInput<Scalar>& input, const VertexSides& sides, const TetComplex& cells,
            const Part& part, MeshedLevel<Scalar>& level, MeshedLevel<Scalar> again) {
   auto& meshes = level.meshes;
+  add_messages(part, again.meshes.messages, meshes.messages);
   const Starts old(meshes), old_of_part(again.meshes);
   auto rounds = std::move(meshes.vertices.round_of_face);
   for (std::size_t f = 0; f < rounds.size(); ++f)

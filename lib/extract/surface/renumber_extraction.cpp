@@ -52,6 +52,11 @@ std::vector<MovedEdge> renumber(Extraction& extraction, std::span<const Index> v
   renumber_tets(extraction.unresolved, tets);
   for (Index& t : extraction.not_embedded) t = tets[as_size(t)];
   std::sort(extraction.not_embedded.begin(), extraction.not_embedded.end());
+  for (MeshingMessage& message : extraction.messages) {
+    message.from = tets[as_size(message.from)];
+    message.to = tets[as_size(message.to)];
+  }
+  std::sort(extraction.messages.begin(), extraction.messages.end());
   auto& topology = extraction.topology;
   for (auto& face : topology.faces) {
     for (Index& v : face.vertices) v = vertices[as_size(v)];

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "piece_messages.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 #include "topology_parts.hpp"
 #include "vertices_on_level.hpp"
@@ -197,7 +198,9 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
                            const ExtractOptions& options) {
   require_sound(given);
   const MeshPiece piece = in_order_of_ids(given);
-  Extraction extraction = extract_mode_surface<double>(piece.mesh, mode, options);
+  ExtractOptions in_parts = options;
+  in_parts.part = piece.is_owned;
+  Extraction extraction = extract_mode_surface<double>(piece.mesh, mode, in_parts);
   PieceSurface result;
   result.surface = std::move(extraction.surface);
   for (const UnresolvedCell& cell : extraction.unresolved)
@@ -222,6 +225,7 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
     };
     result.ghost_across.push_back({across(0), across(1), across(2)});
   }
+  add_messages(piece, extraction.messages, result);
   gather_cells(piece, extraction.unresolved, result);
   return result;
 }

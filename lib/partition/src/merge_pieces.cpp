@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "crossed_cells.hpp"
+#include "piece_messages.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
@@ -325,6 +326,7 @@ class Merger {
 
 MergedSurface merge_pieces(std::span<const PieceSurface> pieces) {
   require_all_cells(pieces);
+  require_same_messages(pieces);
   return Merger(pieces).run();
 }
 

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -47,6 +48,24 @@ py::list list_of(const std::vector<UnresolvedOwnedCell>& cells) {
   return list;
 }
 
+using MessageRow = std::array<std::int64_t, 5>;
+
+std::vector<MessageRow> message_rows(const std::vector<PieceMessage>& messages) {
+  std::vector<MessageRow> rows;
+  for (const PieceMessage& m : messages)
+    rows.push_back(
+        {m.from_cell, m.to_cell, m.pass, m.round, std::bit_cast<std::int64_t>(m.digest)});
+  return rows;
+}
+
+std::vector<PieceMessage> messages_of(const std::vector<MessageRow>& rows) {
+  std::vector<PieceMessage> messages;
+  for (const auto& [from, to, pass, round, digest] : rows)
+    messages.push_back({from, to, static_cast<std::int32_t>(pass), static_cast<std::int32_t>(round),
+                        std::bit_cast<std::uint64_t>(digest)});
+  return messages;
+}
+
 py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64_t>& vertex_ids,
                const Input<bool>& owned, std::int64_t whole_cells, double resolution,
                bool all_samples, bool certify, const py::object& progress) {
@@ -77,6 +96,8 @@ py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64
   out["owned_ids"] = array_of<std::int64_t>(std::move(made.owned_ids));
   out["whole_cells"] = made.whole_tets;
   out["on_level"] = made.on_level;
+  out["told"] = array_of<std::int64_t>(message_rows(made.told));
+  out["heard"] = array_of<std::int64_t>(message_rows(made.heard));
   if (made.topology) {
     TopologyNumbers proofs = numbers_of(*made.topology);
     out["proofs"] = array_of<std::int32_t>(std::move(proofs.integers));
@@ -148,6 +169,8 @@ PieceSurface piece_from(const py::dict& d) {
   piece.owned_ids = rows<std::array<std::int64_t, 2>, std::int64_t>(d, "owned_ids");
   piece.whole_tets = d["whole_cells"].cast<std::int64_t>();
   piece.on_level = d["on_level"].cast<std::vector<std::int64_t>>();
+  piece.told = messages_of(rows<MessageRow, std::int64_t>(d, "told"));
+  piece.heard = messages_of(rows<MessageRow, std::int64_t>(d, "heard"));
   require_indices(piece);
   if (d.contains("proofs"))
     piece.topology =

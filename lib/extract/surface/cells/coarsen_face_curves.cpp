@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
 #include "extract/surface/boundary/trace_faces.hpp"
+#include "extract/surface/cells/part_seam.hpp"
 #include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
@@ -49,6 +51,7 @@ class FaceCurveCoarsening {
         cells_(cells),
         proofs_(proofs),
         meshes_(meshes),
+        seam_(input.options, cells),
         level_(make_level<double>(input.level.value)),
         states_(meshes.cells.size()),
         is_going_(meshes.vertices.position.size(), 0),
@@ -58,11 +61,18 @@ class FaceCurveCoarsening {
     const auto cells = cells_with_needles_around();
     for_each_of(cells, [&](std::size_t t) { look(t); });
     for_each_of(cells, [&](std::size_t t) { propose(t); });
+    for (const auto t : cells) {
+      const State& state = *states_[t];
+      note(t, MeshingMessage::kProposal,
+           {&state.at_needles, &state.proposal.accepted, &state.proposal.wanted});
+    }
     std::vector<std::size_t> changing = cells;
-    while (!changing.empty()) {
+    for (std::int32_t step = 0; !changing.empty(); ++step) {
       for (const auto t : changing)
         for (const Index f : cells_.tet_faces[t]) decide(as_size(f));
       for_each_of(changing, [&](std::size_t t) { carry_out(t); });
+      for (const auto t : changing)
+        note(t, MeshingMessage::kFirstRefusal + step, {&states_[t]->refused});
       changing = cells_of_refused(changing);
     }
     for_each_of(cells, [&](std::size_t t) {
@@ -236,7 +246,35 @@ class FaceCurveCoarsening {
     state.taken_out = std::move(going);
   }
 
-  /// Notes what was refused; the tetrahedra that this concerns.
+  /// Notes what a tetrahedron says of the samples on faces between parts.
+  void note(std::size_t t, std::int32_t round,
+            std::initializer_list<const std::vector<CellPatch::Id>*> lists) {
+    if (!seam_.exists()) return;
+    for (std::size_t face = 0; face < 4; ++face) {
+      const Index other = seam_.across(t, face);
+      const auto f = as_size(cells_.tet_faces[t][face]);
+      if (other < 0 || !may_change_on_[f]) continue;
+      const auto first = meshes_.vertices.of_face[f];
+      Index count = 0;
+      for (const auto& arc : meshes_.boundary.arcs[f])
+        count += static_cast<Index>(arc.samples.size());
+      bool any = round == MeshingMessage::kProposal;
+      std::uint64_t digest = 0;
+      double kind = 0;
+      for (const auto* list : lists) {
+        kind += 1;
+        for (const auto v : *list) {
+          if (v < first || v >= first + count) continue;
+          any = true;
+          const auto& p = meshes_.vertices.position[as_size(v)];
+          digest += digest_of(std::array{kind, p.x, p.y, p.z});
+        }
+      }
+      if (any) meshes_.messages.push_back({static_cast<Index>(t), other, 0, round, digest});
+    }
+  }
+
+  /// Keeps in place what was refused; the tetrahedra that this concerns.
   std::vector<std::size_t> cells_of_refused(const std::vector<std::size_t>& changed) {
     std::vector<std::size_t> result;
     for (const auto t : changed) {
@@ -258,6 +296,7 @@ class FaceCurveCoarsening {
   const TetComplex& cells_;
   std::span<const CellProof<Scalar>> proofs_;
   CellMeshes<Scalar>& meshes_;
+  const PartSeam seam_;
   const Level<double> level_;
   std::vector<char> may_change_on_;             ///< of each face
   std::vector<std::unique_ptr<State>> states_;  ///< of the tetrahedra that are looked at

@@ -3,7 +3,9 @@
 #include "extract/surface/cells/mesh_cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 #include "extract/run/assert.hpp"
@@ -11,6 +13,7 @@
 #include "extract/run/parallel_stage.hpp"
 #include "extract/run/release.hpp"
 #include "extract/surface/cells/cell_mesher.hpp"
+#include "extract/surface/cells/part_seam.hpp"
 #include "extract/surface/cells/sample_requests.hpp"
 
 namespace tensortopo {
@@ -34,6 +37,56 @@ void begin(const SurfaceInput<Scalar>& input, const VertexSides& sides, const Te
   });
 }
 
+/// Notes what tetrahedra that could not be meshed ask for on faces between parts.
+template <class Scalar>
+void note_requests(const PartSeam& seam, std::span<const std::size_t> failed,
+                   std::span<const MeshingState<Scalar>> states, int round,
+                   std::vector<MeshingMessage>& messages) {
+  for (const auto t : failed)
+    for (std::size_t face = 0; face < 4; ++face) {
+      const auto other = seam.across(t, face);
+      if (other < 0) continue;
+      bool any = false;
+      std::uint64_t digest = 0;
+      for (const auto& request : states[t].requests) {
+        if (as_size(request.face) != face || request.arc < 0) continue;
+        any = true;
+        digest += digest_of(std::array{static_cast<double>(request.arc),
+                                       static_cast<double>(request.place)});
+      }
+      if (any)
+        messages.push_back({static_cast<TetMesh::Index>(t), other, 0,
+                            MeshingMessage::kFirstRequest - 1 + round, digest});
+    }
+}
+
+/// Notes which tetrahedra were left out beside another part, and which around them were mended.
+template <class Scalar>
+void note_left_out(const PartSeam& seam, const SurfaceInput<Scalar>& input, const TetComplex& cells,
+                   std::span<const MeshingState<Scalar>> states, CellMeshes<Scalar>& meshes) {
+  std::map<TetMesh::Index, std::vector<std::size_t>> left_out;  // at a vertex
+  for (std::size_t t = 0; t < meshes.cells.size(); ++t)
+    if (meshes.cells[t].unresolved == UnresolvedReason::inconsistent_samples)
+      for (const auto v : input.vertices_of(cells, t)) left_out[v].push_back(t);
+  if (left_out.empty()) return;
+  const auto is_mended = [&](std::size_t t) { return states[t].tried > 0 ? 1u : 0u; };
+  std::vector<MeshingMessage> found;
+  for (std::size_t u = 0; u < meshes.cells.size(); ++u)
+    for (const auto v : input.vertices_of(cells, u)) {
+      const auto at = left_out.find(v);
+      if (at == left_out.end()) continue;
+      for (const std::size_t t : at->second) {
+        if (!seam.parts(t, u)) continue;
+        const auto from = static_cast<TetMesh::Index>(t), to = static_cast<TetMesh::Index>(u);
+        found.push_back({from, to, 0, MeshingMessage::kLeftOut, 2 + is_mended(t)});
+        found.push_back({to, from, 0, MeshingMessage::kLeftOut, is_mended(u)});
+      }
+    }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  meshes.messages.insert(meshes.messages.end(), found.begin(), found.end());
+}
+
 /// Corners on the boundary have numbers, those inside are among the patch's own.
 template <class Scalar>
 [[maybe_unused]] bool are_corners_known(const Patch<Scalar>& patch,
@@ -51,7 +104,8 @@ template <class Scalar>
 CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSides& sides,
                               const TetComplex& cells, LevelBoundary<Scalar> boundary,
                               std::vector<CellProof<Scalar>>& proofs) {
-  CellMeshes<Scalar> meshes{std::vector<CellMesh<Scalar>>(proofs.size()), std::move(boundary), {}};
+  CellMeshes<Scalar> meshes{
+      std::vector<CellMesh<Scalar>>(proofs.size()), std::move(boundary), {}, {}};
   meshes.vertices = number_boundary<Scalar>(input, sides, cells, meshes.boundary, proofs,
                                             std::vector<int>(cells.faces.size(), 0));
   std::vector<MeshingState<Scalar>> states(proofs.size());
@@ -64,6 +118,7 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
   const auto is_open = [&](std::size_t t) {
     return proofs[t].topology && !meshes.cells[t].unresolved;
   };
+  const PartSeam seam(input.options, cells);
   std::vector<std::size_t> meshing;
   for (std::size_t t = 0; t < proofs.size(); ++t)
     if (is_open(t)) meshing.push_back(t);
@@ -81,6 +136,7 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
       if (!done[i]) failed.push_back(meshing[i]);
     parallel_stage(input.options, "tetrahedra", failed.size(), 16,
                    [&](std::size_t i) { mesher_of(failed[i]).choose_next(); });
+    if (seam.exists()) note_requests<Scalar>(seam, failed, states, round, meshes.messages);
     const auto changed = add_requested_samples<Scalar>(input, sides, cells, failed, states, meshes);
     for (const auto f : changed) meshes.vertices.round_of_face[f] = round;
     number_samples<Scalar>(input, cells, meshes.boundary, changed, meshes.vertices);
@@ -93,6 +149,7 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
     std::sort(meshing.begin(), meshing.end());
     meshing.erase(std::unique(meshing.begin(), meshing.end()), meshing.end());
   }
+  if (seam.exists()) note_left_out<Scalar>(seam, input, cells, states, meshes);
   parallel_stage(input.options, "tetrahedra", proofs.size(), 1024, [&](std::size_t t) {
     release(states[t].manifold, states[t].requests);
     if (!proofs[t].topology) return;

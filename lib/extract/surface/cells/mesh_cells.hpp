@@ -7,6 +7,7 @@
 
 #include "extract/patch/patch.hpp"
 #include "extract/surface/cells/boundary_vertices.hpp"
+#include "tensortopo/extract/meshing_message.hpp"
 
 namespace tensortopo {
 
@@ -32,6 +33,7 @@ struct CellMeshes {
   std::vector<CellMesh<Scalar>> cells;
   LevelBoundary<Scalar> boundary;
   BoundaryVertices vertices;
+  std::vector<MeshingMessage> messages;  ///< between parts, of tetrahedra of the complex
 };
 
 /// Meshes what is proved. A tetrahedron that cannot be meshed with the samples that its faces have

@@ -21,6 +21,14 @@ struct UnresolvedOwnedCell {
   UnresolvedReason reason;    ///< why
 };
 
+/// A `MeshingMessage`, in terms that other pieces understand.
+struct PieceMessage {
+  std::int64_t from_cell = -1, to_cell = -1;  ///< ids in the whole mesh
+  std::int32_t pass = 0, round = 0;           ///< as in `MeshingMessage`
+  std::uint64_t digest = 0;                   ///< as in `MeshingMessage`
+  auto operator<=>(const PieceMessage&) const = default;
+};
+
 /// The part of a mode surface that lies in the tetrahedra that a piece owns, in terms that other
 /// pieces understand.
 struct PieceSurface {
@@ -49,15 +57,16 @@ struct PieceSurface {
   /// The ids of vertices whose mode is exactly the surface's, ascending: of those of owned
   /// tetrahedra, and of those that no tetrahedron of the piece has.
   std::vector<std::int64_t> on_level;
+  /// What owned tetrahedra told ghosts while they were meshed, and what ghosts told them, as this
+  /// piece saw it; ascending.
+  std::vector<PieceMessage> told, heard;
 };
 
 /// Extracts the mode surface in the tetrahedra that a piece owns.
 ///
 /// The triangles are those of the extraction from the whole mesh, bit for bit: what becomes of a
-/// tetrahedron depends on tetrahedra that are at most three faces away, and these share a vertex
-/// with it. Where it depends on more (a ghost on the outside asks for samples that a tetrahedron
-/// beyond it would have asked for as well), pieces may differ where they meet, and `merge_pieces`
-/// says so.
+/// tetrahedron depends on its own field and on what its neighbours tell it, step by step. A ghost may
+/// tell otherwise than in its owner's piece, as it lacks neighbours: `merge_pieces` compares.
 ///
 /// @pre the contract of `MeshPiece`; the mode is not +-1
 /// @param options  `density` counts the tetrahedra of the piece
@@ -95,10 +104,13 @@ class PiecesDiffer : public std::invalid_argument {
 /// Law       The result is the surface that the whole mesh gives, bit for bit and in the same
 ///           order.
 /// Proved    Every tetrahedron of the whole mesh is owned by exactly one of the pieces: the ids
-///           that they own are distinct, and as many as the whole mesh has tetrahedra.
+///           that they own are distinct, and as many as the whole mesh has tetrahedra. In each piece
+///           ghosts told owned tetrahedra what they told them in the pieces of their owners: so, step
+///           by step, all were meshed as in the whole mesh.
 /// @throws std::invalid_argument if a piece is missing; with the place, if the pieces are not those
 ///         of one mesh: if a vertex has two places or tensors, or a tetrahedron two owners
-/// @throws PiecesDiffer with the place, if vertices with one key differ, if what was proved of an
+/// @throws PiecesDiffer with the place, if a ghost tells otherwise than in its owner's piece, if vertices
+///         with one key differ, if what was proved of an
 ///         edge or face differs, or if a triangle's side on the seam of a piece has no partner in
 ///         another piece
 MergedSurface merge_pieces(std::span<const PieceSurface> pieces);

@@ -38,6 +38,9 @@ struct ExtractOptions {
   /// listed in `Extraction::not_embedded`; nothing is looked at, or listed, without this.
   bool embedded = true;
   bool keep_topology = false;  ///< fill `Extraction::topology`
+  /// Of each tetrahedron, a part that it belongs to: what tetrahedra of different parts tell each
+  /// other is kept in `Extraction::messages`. Empty: nothing is kept.
+  std::vector<char> part;
   /// Called now and then, from one thread at a time, with the stage and how much of it is done.
   std::function<void(std::string_view stage, double fraction)> progress;
 };

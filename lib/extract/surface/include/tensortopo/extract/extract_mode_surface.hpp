@@ -7,6 +7,7 @@
 
 #include "tensortopo/extract/extract_options.hpp"
 #include "tensortopo/extract/level_topology.hpp"
+#include "tensortopo/extract/meshing_message.hpp"
 #include "tensortopo/extract/prepared_field.hpp"
 #include "tensortopo/extract/unresolved_reason.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
@@ -54,6 +55,7 @@ struct Extraction {
   /// degrees to the gradient of the mode or more.
   std::vector<TetMesh::Index> not_embedded;
   LevelTopology topology;                  ///< if asked for
+  std::vector<MeshingMessage> messages;    ///< between parts, see `ExtractOptions`; ascending
   ExtractStatistics statistics;            ///< what was done
 };
 
