@@ -8,66 +8,44 @@
 #include <set>
 
 #include "cell_signatures.hpp"
-#include "members.hpp"
-#include "random_tet.hpp"
+#include "compare_members.hpp"
 #include "support/compared.hpp"
 #include "tensortopo/stability/level_stability.hpp"
 
 namespace tensortopo::test {
 namespace {
 
-constexpr std::array<double, 4> kShares{1e-4, 1e-3, 1e-2, 1e-1};
-
 std::optional<std::string> signature(const TetMesh& mesh, Degeneracy kind) {
   return curve_signatures(mesh, extract_degenerate_curves(mesh, kind))[0];
 }
 
-struct Counts {
-  int stable = 0, crossed = 0, unstable = 0, members = 0;
-};
+struct CurvesInTet {
+  Degeneracy kind;
 
-void expect_the_same_in_members(std::uint64_t seed, int fields, int members, bool towards_critical,
-                                Compared& compared) {
-  Counts counts;
-  for (int k = 0; k < fields; ++k) {
-    Random random(seed + static_cast<std::uint64_t>(k));
-    const TetMesh mesh = random_tet(random);
-    const auto kind = k % 2 == 0 ? Degeneracy::linear : Degeneracy::planar;
-    const double share = kShares[static_cast<std::size_t>(random.integer(0, 3))];
-    const auto radii = vertex_radii(mesh, {Uncertainty::Kind::relative, share, {}});
-    if (curve_stability(UncertainField(mesh, radii), kind).tets[0] != Stability::stable) {
-      ++counts.unstable;
-      continue;
-    }
-    ++counts.stable;
-    const auto own = signature(mesh, kind);
-    if (!own) continue;
-    counts.crossed += !own->empty();
-    const auto compare = [&](const TetMesh& member) {
-      const auto other = signature(member, kind);
-      if (!other) return;
-      ++compared, ++counts.members;
-      EXPECT_EQ(*own, *other) << "seed " << seed + static_cast<std::uint64_t>(k) << ", share "
-                              << share;
-    };
-    if (towards_critical)
-      for (const TetMesh& member : members_that_may_differ(mesh, 0, radii, kind, 1))
-        compare(member);
-    else
-      for (int i = 0; i < members; ++i) compare(random_member(mesh, radii, random));
+  static CurvesInTet draw(Random&, int k) {
+    return {k % 2 == 0 ? Degeneracy::linear : Degeneracy::planar};
   }
-  std::cout << counts.stable << " stable, " << counts.crossed << " of them crossed, "
-            << counts.unstable << " not; " << counts.members << " members compared\n";
-}
+  Stability stability(const UncertainField& field) const {
+    return curve_stability(field, kind).tets[0];
+  }
+  std::pair<std::optional<std::string>, bool> signature(const TetMesh& mesh) const {
+    auto text = test::signature(mesh, kind);
+    const bool is_present = text && !text->empty();
+    return {std::move(text), is_present};
+  }
+  std::vector<TetMesh> may_differ(const TetMesh& mesh, std::span<const double> radii) const {
+    return members_that_may_differ(mesh, 0, radii, kind, 1);
+  }
+};
 
 TEST(StableCurves, AreTheSameInRandomMembers) {
   Compared compared("members of boxes", 100);
-  expect_the_same_in_members(1, trials(40), 20, false, compared);
+  expect_the_same_in_members(1, trials(40), {20, false}, CurvesInTet::draw, compared);
 }
 
 TEST(StableCurves, AreTheSameInMembersMovedTowardsDegenerateTensors) {
   Compared compared("members of boxes", 100);
-  expect_the_same_in_members(200001, trials(12), 0, true, compared);
+  expect_the_same_in_members(200001, trials(12), {0, true}, CurvesInTet::draw, compared);
 }
 
 // Of the tetrahedra of random fields that are not stable, at least half differ in a member.

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cell_signatures.hpp"
-#include "members.hpp"
-#include "random_tet.hpp"
+#include "compare_members.hpp"
 #include "support/compared.hpp"
 #include "support/generators.hpp"
 #include "tensortopo/stability/level_stability.hpp"
@@ -17,57 +19,32 @@ namespace {
 
 constexpr std::array<const char*, 7> kLevels{"0",    "1/10", "-3/10",  "1/2",
                                              "-3/4", "9/10", "-99/100"};
-constexpr std::array<double, 4> kShares{1e-4, 1e-3, 1e-2, 1e-1};
+struct LevelInTet {
+  ModeValue mu;
 
-struct Counts {
-  int stable = 0, crossed = 0, unstable = 0;
-};
-
-/// Compares a field in one tetrahedron with members of its box.
-void expect_the_same_in_members(std::uint64_t seed, int fields, int members, bool towards_critical,
-                                Compared& compared) {
-  Counts counts;
-  for (int k = 0; k < fields; ++k) {
-    Random random(seed + static_cast<std::uint64_t>(k));
-    const TetMesh mesh = random_tet(random);
-    const auto mu = ModeValue::parse(kLevels[static_cast<std::size_t>(random.integer(0, 6))]);
-    const double share = kShares[static_cast<std::size_t>(random.integer(0, 3))];
-    const auto radii = vertex_radii(mesh, {Uncertainty::Kind::relative, share, {}});
-    const auto stability = level_stability(UncertainField(mesh, radii), mu);
-    if (stability.tets[0] != Stability::stable) {
-      ++counts.unstable;
-      continue;
-    }
-    ++counts.stable;
-    const auto extraction = extract_with_topology(mesh, mu);
-    const auto own = cell_signatures(mesh, mu, extraction)[0];
-    if (!own) continue;
-    counts.crossed += !extraction.surface.triangles.empty();
-    const auto compare = [&](const TetMesh& member) {
-      const auto other = cell_signatures(member, mu, extract_with_topology(member, mu))[0];
-      if (!other) return;
-      ++compared;
-      EXPECT_EQ(*own, *other) << "seed " << seed + static_cast<std::uint64_t>(k) << ", mode "
-                              << mu.text() << ", share " << share;
-    };
-    if (towards_critical)
-      for (const TetMesh& member : members_that_may_differ(mesh, 0, radii, mu.approx(), 1))
-        compare(member);
-    else
-      for (int i = 0; i < members; ++i) compare(random_member(mesh, radii, random));
+  static LevelInTet draw(Random& random, int) {
+    return {ModeValue::parse(kLevels[static_cast<std::size_t>(random.integer(0, 6))])};
   }
-  std::cout << counts.stable << " stable, " << counts.crossed << " of them crossed, "
-            << counts.unstable << " not; " << compared.so_far() << " members compared\n";
-}
+  Stability stability(const UncertainField& field) const {
+    return level_stability(field, mu).tets[0];
+  }
+  std::pair<std::optional<std::string>, bool> signature(const TetMesh& mesh) const {
+    const auto extraction = extract_with_topology(mesh, mu);
+    return {cell_signatures(mesh, mu, extraction)[0], !extraction.surface.triangles.empty()};
+  }
+  std::vector<TetMesh> may_differ(const TetMesh& mesh, std::span<const double> radii) const {
+    return members_that_may_differ(mesh, 0, radii, mu.approx(), 1);
+  }
+};
 
 TEST(StableTetrahedra, AreTheSameInRandomMembers) {
   Compared compared("members of boxes", 100);
-  expect_the_same_in_members(1, trials(40), 20, false, compared);
+  expect_the_same_in_members(1, trials(40), {20, false}, LevelInTet::draw, compared);
 }
 
 TEST(StableTetrahedra, AreTheSameInMembersMovedTowardsCriticalPoints) {
   Compared compared("members of boxes", 100);
-  expect_the_same_in_members(100001, trials(8), 0, true, compared);
+  expect_the_same_in_members(100001, trials(8), {0, true}, LevelInTet::draw, compared);
 }
 
 // The same with fields that shrink.

@@ -23,9 +23,12 @@ struct UnresolvedOwnedCell {
 
 /// A `MeshingMessage`, in terms that other pieces understand.
 struct PieceMessage {
-  std::int64_t from_cell = -1, to_cell = -1;  ///< ids in the whole mesh
-  std::int32_t pass = 0, round = 0;           ///< as in `MeshingMessage`
-  std::uint64_t digest = 0;                   ///< as in `MeshingMessage`
+  std::int64_t from_cell = -1;  ///< id in the whole mesh
+  std::int64_t to_cell = -1;    ///< as well
+  std::int32_t pass = 0;        ///< as in `MeshingMessage`
+  std::int32_t round = 0;       ///< as in `MeshingMessage`
+  std::uint64_t digest = 0;     ///< as in `MeshingMessage`
+  /// In the order of the members.
   auto operator<=>(const PieceMessage&) const = default;
 };
 
@@ -57,9 +60,10 @@ struct PieceSurface {
   /// The ids of vertices whose mode is exactly the surface's, ascending: of those of owned
   /// tetrahedra, and of those that no tetrahedron of the piece has.
   std::vector<std::int64_t> on_level;
-  /// What owned tetrahedra told ghosts while they were meshed, and what ghosts told them, as this
-  /// piece saw it; ascending.
-  std::vector<PieceMessage> told, heard;
+  /// What owned tetrahedra told ghosts while they were meshed; ascending.
+  std::vector<PieceMessage> told;
+  /// What ghosts told owned tetrahedra, as this piece saw it; ascending.
+  std::vector<PieceMessage> heard;
 };
 
 /// Extracts the mode surface in the tetrahedra that a piece owns.

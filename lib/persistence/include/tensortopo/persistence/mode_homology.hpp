@@ -32,7 +32,8 @@ struct LoopEvent {
 
 /// The Betti numbers of {mode >= m} or {mode <= m} for all m between two modes.
 struct BettiInterval {
-  double low = -1, high = 1;  ///< the modes, low < m < high
+  double low = -1;  ///< m is larger
+  double high = 1;  ///< m is smaller
   /// The numbers of components, loops and voids; nothing where that is not known.
   std::array<std::optional<long>, 3> betti;
 };

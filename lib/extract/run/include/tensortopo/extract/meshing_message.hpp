@@ -25,11 +25,13 @@ struct MeshingMessage {
   /// From here on: across a face, which samples it refuses to let go.
   static constexpr std::int32_t kFirstRefusal = kProposal + 1;
 
-  TetMesh::Index from = -1, to = -1;
+  TetMesh::Index from = -1;  ///< the tetrahedron that tells
+  TetMesh::Index to = -1;    ///< the one that is told
   std::int32_t pass = 0;     ///< around vertices that were treated otherwise, all is done again
   std::int32_t round = 0;    ///< see the constants
   std::uint64_t digest = 0;  ///< of what is said, in any order
 
+  /// In the order of the members.
   auto operator<=>(const MeshingMessage&) const = default;
 };
 
