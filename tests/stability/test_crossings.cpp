@@ -85,6 +85,16 @@ void compare(const std::map<Simplex, std::size_t>& own,
   }
 }
 
+/// Some are stable and others not, and of the latter some differ in a member.
+void expect_several_kinds(const Tally& tally, const Compared& compared) {
+  for (const auto& [reason, count] : tally.reasons)
+    std::cout << count << ' ' << name_of(static_cast<Stability>(reason)) << ", ";
+  std::cout << compared.so_far() << " compared; of others a member differs " << tally.differ
+            << " times\n";
+  EXPECT_GT(tally.reasons.size(), 1u);
+  EXPECT_GT(tally.differ, 0u);
+}
+
 TEST(StableCrossings, OfSurfacesAreInEachMember) {
   Compared compared("stable crossings in members", 1000);
   Tally tally;
@@ -114,12 +124,7 @@ TEST(StableCrossings, OfSurfacesAreInEachMember) {
       compare(own, reasons, crossings_of(other.surface, Carrier::edge), compared, tally);
     }
   }
-  for (const auto& [reason, count] : tally.reasons)
-    std::cout << count << ' ' << name_of(static_cast<Stability>(reason)) << ", ";
-  std::cout << compared.so_far() << " compared; of others a member differs " << tally.differ
-            << " times\n";
-  EXPECT_GT(tally.reasons.size(), 1u);
-  EXPECT_GT(tally.differ, 0u);
+  expect_several_kinds(tally, compared);
 }
 
 TEST(StableCrossings, OfCurvesAreInEachMember) {
@@ -148,12 +153,7 @@ TEST(StableCrossings, OfCurvesAreInEachMember) {
       compare(own, reasons, crossings_of(other.curves, Carrier::face), compared, tally);
     }
   }
-  for (const auto& [reason, count] : tally.reasons)
-    std::cout << count << ' ' << name_of(static_cast<Stability>(reason)) << ", ";
-  std::cout << compared.so_far() << " compared; of others a member differs " << tally.differ
-            << " times\n";
-  EXPECT_GT(tally.reasons.size(), 1u);
-  EXPECT_GT(tally.differ, 0u);
+  expect_several_kinds(tally, compared);
 }
 
 }  // namespace

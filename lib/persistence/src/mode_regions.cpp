@@ -47,18 +47,30 @@ ModeRegions mode_regions(const ContourTree& tree, const PersistenceInput& input)
   return result;
 }
 
-std::optional<std::vector<CurveMesh::Index>> closed_line(const CurveMesh& curves,
-                                                         std::size_t component) {
-  std::vector<CurveMesh::Index> line;
+std::optional<std::vector<std::size_t>> lines_of_closed(const CurveMesh& curves,
+                                                        std::size_t component) {
+  std::vector<std::size_t> lines;
   for (std::size_t i = 0; i < curves.lines.size(); ++i) {
     if (as_size(curves.component[i]) != component) continue;
-    const auto& part = curves.lines[i];
-    if (!line.empty() && line.back() != part.front()) return std::nullopt;
-    line.insert(line.end(), part.begin() + (line.empty() ? 0 : 1), part.end());
+    if (!lines.empty() && curves.lines[lines.back()].back() != curves.lines[i].front())
+      return std::nullopt;
+    lines.push_back(i);
   }
-  if (line.size() < 4 || line.front() != line.back()) return std::nullopt;
-  line.pop_back();
-  return line;
+  if (lines.empty() || curves.lines[lines.back()].back() != curves.lines[lines.front()].front())
+    return std::nullopt;
+  return lines;
+}
+
+std::optional<std::vector<CurveMesh::Index>> closed_line(const CurveMesh& curves,
+                                                         std::size_t component) {
+  const auto lines = lines_of_closed(curves, component);
+  if (!lines) return std::nullopt;
+  // The last vertex of a line is the first one of the next.
+  std::vector<CurveMesh::Index> vertices;
+  for (const std::size_t i : *lines)
+    vertices.insert(vertices.end(), curves.lines[i].begin(), curves.lines[i].end() - 1);
+  if (vertices.size() < 3) return std::nullopt;
+  return vertices;
 }
 
 }  // namespace tensortopo

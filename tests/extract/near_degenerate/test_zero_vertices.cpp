@@ -217,7 +217,7 @@ TEST(ZeroVertex, NoSurfaceEndsAtAnEdgeBetweenTwoOfThemInside) {
         }
     }
   }
-  EXPECT_GT(joined, 5);
+  EXPECT_GT(joined, 10);
 }
 
 // Components, crossings and fans do not depend on frame, units, or numbering.

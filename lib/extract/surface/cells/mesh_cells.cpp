@@ -41,8 +41,12 @@ void begin(const SurfaceInput<Scalar>& input, const VertexSides& sides, const Te
 template <class Scalar>
 void note_requests(const PartSeam& seam, std::span<const std::size_t> failed,
                    std::span<const MeshingState<Scalar>> states, int round,
-                   std::vector<MeshingMessage>& messages) {
-  for (const auto t : failed)
+                   CellMeshes<Scalar>& meshes) {
+  for (const auto t : failed) {
+    // As for those who add the samples: nothing is asked for by what is left out, and the mesh of a
+    // subdivision needs these very points.
+    if (meshes.cells[t].unresolved) continue;
+    const double is_needed = meshes.cells[t].mesher == Mesher::subdivision ? 1 : 0;
     for (std::size_t face = 0; face < 4; ++face) {
       const auto other = seam.across(t, face);
       if (other < 0) continue;
@@ -51,13 +55,14 @@ void note_requests(const PartSeam& seam, std::span<const std::size_t> failed,
       for (const auto& request : states[t].requests) {
         if (as_size(request.face) != face || request.arc < 0) continue;
         any = true;
-        digest += digest_of(std::array{static_cast<double>(request.arc),
+        digest += digest_of(std::array{is_needed, static_cast<double>(request.arc),
                                        static_cast<double>(request.place)});
       }
       if (any)
-        messages.push_back({static_cast<TetMesh::Index>(t), other, 0,
-                            MeshingMessage::kFirstRequest - 1 + round, digest});
+        meshes.messages.push_back({static_cast<TetMesh::Index>(t), other, 0,
+                                   MeshingMessage::kFirstRequest - 1 + round, digest});
     }
+  }
 }
 
 /// Notes which tetrahedra were left out beside another part, and which around them were mended.
@@ -136,7 +141,7 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
       if (!done[i]) failed.push_back(meshing[i]);
     parallel_stage(input.options, "tetrahedra", failed.size(), 16,
                    [&](std::size_t i) { mesher_of(failed[i]).choose_next(); });
-    if (seam.exists()) note_requests<Scalar>(seam, failed, states, round, meshes.messages);
+    if (seam.exists()) note_requests<Scalar>(seam, failed, states, round, meshes);
     const auto changed = add_requested_samples<Scalar>(input, sides, cells, failed, states, meshes);
     for (const auto f : changed) meshes.vertices.round_of_face[f] = round;
     number_samples<Scalar>(input, cells, meshes.boundary, changed, meshes.vertices);

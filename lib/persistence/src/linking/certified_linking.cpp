@@ -117,18 +117,4 @@ CertifiedLink CertifiedLinks::link(std::size_t a, std::size_t b) {
   return {number, {}};
 }
 
-std::optional<std::vector<std::size_t>> lines_of_closed(const CurveMesh& curves,
-                                                        std::size_t component) {
-  std::vector<std::size_t> lines;
-  for (std::size_t i = 0; i < curves.lines.size(); ++i) {
-    if (as_size(curves.component[i]) != component) continue;
-    if (!lines.empty() && curves.lines[lines.back()].back() != curves.lines[i].front())
-      return std::nullopt;
-    lines.push_back(i);
-  }
-  if (lines.empty() || curves.lines[lines.back()].back() != curves.lines[lines.front()].front())
-    return std::nullopt;
-  return lines;
-}
-
 }  // namespace tensortopo

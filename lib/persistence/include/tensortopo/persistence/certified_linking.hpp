@@ -80,8 +80,4 @@ class CertifiedLinks {
   std::vector<Curve> curves_;
 };
 
-/// The lines of a component of curves that is one closed line, in order; nothing of others.
-std::optional<std::vector<std::size_t>> lines_of_closed(const CurveMesh& curves,
-                                                        std::size_t component);
-
 }  // namespace tensortopo

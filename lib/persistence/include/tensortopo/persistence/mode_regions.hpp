@@ -38,6 +38,10 @@ struct ModeRegions {
 /// has loops: then there is no tree.
 ModeRegions mode_regions(const ContourTree& tree, const PersistenceInput& input);
 
+/// The lines of a component of curves that is one closed line, in order; nothing of others.
+std::optional<std::vector<std::size_t>> lines_of_closed(const CurveMesh& curves,
+                                                        std::size_t component);
+
 /// The vertices of a component of curves that is one closed line, in order, each once; nothing of
 /// other components.
 std::optional<std::vector<CurveMesh::Index>> closed_line(const CurveMesh& curves,
