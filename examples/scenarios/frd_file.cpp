@@ -17,9 +17,9 @@ namespace {
 
 // Lines of text between blocks of binary numbers. A line that opens a block has its count in
 // columns 25 to 36, and in its last column what the numbers are.
-class Reader {
+class FrdReader {
  public:
-  Reader(std::string bytes, const std::filesystem::path& file)
+  FrdReader(std::string bytes, const std::filesystem::path& file)
       : file_(file), bytes_(std::move(bytes)) {}
 
   FrdFile read() {
@@ -125,7 +125,7 @@ class Reader {
 }  // namespace
 
 FrdFile parse_frd_file(std::string bytes, const std::filesystem::path& file) {
-  return Reader(std::move(bytes), file).read();
+  return FrdReader(std::move(bytes), file).read();
 }
 
 FrdFile read_frd_file(const std::filesystem::path& file) {

@@ -23,9 +23,9 @@ constexpr std::size_t kNodes = 9, kElements = 10;  // numbers of the records wit
 
 using Records = std::vector<std::string_view>;
 
-class Reader {
+class RestartReader {
  public:
-  Reader(std::string bytes, const std::filesystem::path& file)
+  RestartReader(std::string bytes, const std::filesystem::path& file)
       : file_(file), bytes_(std::move(bytes)) {}
 
   RestartFile read() const {
@@ -132,7 +132,7 @@ class Reader {
 }  // namespace
 
 RestartFile parse_restart_file(std::string bytes, const std::filesystem::path& file) {
-  return Reader(std::move(bytes), file).read();
+  return RestartReader(std::move(bytes), file).read();
 }
 
 RestartFile read_restart_file(const std::filesystem::path& file) {

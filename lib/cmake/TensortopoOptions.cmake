@@ -76,12 +76,12 @@ function(tensortopo_headers name)
 endfunction()
 
 # tensortopo_in_batches(TARGET...)
-# Compiles sources four at a time. What headers of inline functions ask for (JSON, RapidCheck,
-# CLI11) is instantiated in every source that includes them, precompiled or not, and takes half the
+# Compiles as many sources at a time as CMAKE_UNITY_BUILD_BATCH_SIZE says. What headers of inline
+# functions ask for (JSON, RapidCheck, CLI11) is instantiated in every source that includes them, precompiled or not, and takes half the
 # time of a small one. Builds without precompiled headers compile each source by itself.
 function(tensortopo_in_batches)
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)
     # A batch includes its sources, whose anonymous namespaces GCC then takes for those of headers.
     foreach(target IN LISTS ARGN)
       target_compile_options(${target} PRIVATE

@@ -11,7 +11,7 @@ namespace {
 
 using namespace scenarios;
 
-Reactions read(const std::string& text) {
+Reactions reactions_in(const std::string& text) {
   const Folder folder;
   put(folder / "job.dat", text);
   return read_reactions(folder / "job.dat");
@@ -22,7 +22,7 @@ const std::string kTotal = "\n total force (fx,fy,fz) for set BOTTOM and time  0
 
 TEST(Reactions, EachAndTheTotalAreRead) {
   const Reactions written{{{0, {1, -2, 3}}, {6, {0.5, 0, 1e-30}}}, {1.5, -2, 3}};
-  const Reactions found = read(dat_text(written));
+  const Reactions found = reactions_in(dat_text(written));
   ASSERT_EQ(found.nodes.size(), 2u);
   EXPECT_EQ(found.nodes[1].point, 6);
   EXPECT_EQ(found.nodes[0].force, written.nodes[0].force);
@@ -31,17 +31,17 @@ TEST(Reactions, EachAndTheTotalAreRead) {
 
 TEST(Reactions, ExponentsOfThreeDigitsHaveNoLetter) {
   const auto found =
-      read(kNodes + "  1  1.000000-120 -2.500000+101  3.0E+00\n" + kTotal + " 0.0 0.0 1-400\n");
+      reactions_in(kNodes + "  1  1.000000-120 -2.500000+101  3.0E+00\n" + kTotal + " 0.0 0.0 1-400\n");
   EXPECT_EQ(found.nodes.front().force, (Vector3<double>{1e-120, -2.5e101, 3}));
   EXPECT_EQ(found.total.z, 0);
 }
 
 TEST(Reactions, WhatIsMissingOrNoNumberIsRefused) {
-  EXPECT_THROW(read(""), IoError);
-  EXPECT_THROW(read(kNodes + "  1 1.0 2.0 3.0\n"), IoError);
-  EXPECT_THROW(read(kTotal + " 1.0 2.0 3.0\n"), IoError);
-  EXPECT_THROW(read(kNodes + "  1 1.0 NaN? 3.0\n" + kTotal + " 1 1 1\n"), IoError);
-  EXPECT_THROW(read(kNodes + "  0 1.0 1.0 3.0\n" + kTotal + " 1 1 1\n"), IoError);
+  EXPECT_THROW(reactions_in(""), IoError);
+  EXPECT_THROW(reactions_in(kNodes + "  1 1.0 2.0 3.0\n"), IoError);
+  EXPECT_THROW(reactions_in(kTotal + " 1.0 2.0 3.0\n"), IoError);
+  EXPECT_THROW(reactions_in(kNodes + "  1 1.0 NaN? 3.0\n" + kTotal + " 1 1 1\n"), IoError);
+  EXPECT_THROW(reactions_in(kNodes + "  0 1.0 1.0 3.0\n" + kTotal + " 1 1 1\n"), IoError);
 }
 
 }  // namespace

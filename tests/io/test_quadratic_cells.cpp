@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "field_files.hpp"
+#include "support/surfaces/measures.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -75,15 +76,6 @@ TextVtu quadratic_vtu(std::vector<Point> points, const std::vector<Cell>& cells,
   file.cells = std::to_string(cells.size());
   file.point_data = TextVtu::array("stress", 6, tensors);
   return file;
-}
-
-double volume(const TetMesh& mesh) {
-  double sum = 0;
-  for (const auto& t : mesh.tets) {
-    const auto at = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(t[i])]; };
-    sum += dot(at(1) - at(0), cross(at(2) - at(0), at(3) - at(0))) / 6;
-  }
-  return sum;
 }
 
 /// Every vertex has the value of the quadratic field: so have the centres that were added.

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "field_files.hpp"
+#include "support/surfaces/measures.hpp"
 #include "tensortopo/mesh/validate.hpp"
 
 namespace tensortopo::test {
@@ -39,15 +40,6 @@ struct Cells {
     return put(name, text.str());
   }
 };
-
-double volume(const TetMesh& mesh) {
-  double sum = 0;
-  for (const auto& t : mesh.tets) {
-    const auto p = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(t[i])]; };
-    sum += dot(cross(p(1) - p(0), p(2) - p(0)), p(3) - p(0)) / 6;
-  }
-  return sum;
-}
 
 /// Number of faces with one tetrahedron.
 std::size_t outer_faces(const TetMesh& mesh) {

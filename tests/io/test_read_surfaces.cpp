@@ -107,15 +107,13 @@ TEST_P(ReadVtp, TakesWhatVtkWrites) {
 
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
-  using Mode = VtkStyle::Mode;
-  if (mode == Mode::ascii) writer->SetDataModeToAscii();
-  if (mode == Mode::binary) writer->SetDataModeToBinary();
-  if (mode == Mode::appended_base64 || mode == Mode::appended_raw) writer->SetDataModeToAppended();
-  writer->SetEncodeAppendedData(mode == Mode::appended_base64);
-  using Compressor = VtkStyle::Compressor;
-  writer->SetCompressorType(compressor == Compressor::none   ? vtkXMLWriter::NONE
-                            : compressor == Compressor::zlib ? vtkXMLWriter::ZLIB
-                            : compressor == Compressor::lz4  ? vtkXMLWriter::LZ4
+  if (mode == VtkStyle::Mode::ascii) writer->SetDataModeToAscii();
+  if (mode == VtkStyle::Mode::binary) writer->SetDataModeToBinary();
+  if (mode == VtkStyle::Mode::appended_base64 || mode == VtkStyle::Mode::appended_raw) writer->SetDataModeToAppended();
+  writer->SetEncodeAppendedData(mode == VtkStyle::Mode::appended_base64);
+  writer->SetCompressorType(compressor == VtkStyle::Compressor::none   ? vtkXMLWriter::NONE
+                            : compressor == VtkStyle::Compressor::zlib ? vtkXMLWriter::ZLIB
+                            : compressor == VtkStyle::Compressor::lz4  ? vtkXMLWriter::LZ4
                                                              : vtkXMLWriter::LZMA);
   wide ? writer->SetHeaderTypeToUInt64() : writer->SetHeaderTypeToUInt32();
   big ? writer->SetByteOrderToBigEndian() : writer->SetByteOrderToLittleEndian();

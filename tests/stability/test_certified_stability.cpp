@@ -5,13 +5,19 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "certificate_check/check_certificate.hpp"
+#include "crossing_counts.hpp"
+#include "members.hpp"
 #include "slab_with_radii.hpp"
 #include "support/compared.hpp"
 #include "support/folder.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
+#include "tensortopo/extract/extract_mode_surface.hpp"
+#include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/stability/uncertain_field.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -46,7 +52,7 @@ certificate::Report check(const Certified& c) {
 }
 
 TEST(CertifiedStability, OfAnHonestExtractionIsDerivedByTheChecker) {
-  Compared compared("stable components");
+  Compared compared("stable components"), crossings("stable crossings", 500);
   const Folder folder;
   for (const char* radius : {"0.01%", "1%", "500"}) {
     const Certified c = certified(folder, radius);
@@ -58,6 +64,75 @@ TEST(CertifiedStability, OfAnHonestExtractionIsDerivedByTheChecker) {
     EXPECT_EQ(level.stable_components.size(),
               c.report.surfaces.at(0).stability->summary.components.size());
     for (std::size_t i = 0; i < level.stable_components.size(); ++i) ++compared;
+    EXPECT_EQ(level.stable_crossings,
+              c.report.surfaces.at(0).stability->summary.crossed_simplices.size());
+    for (std::size_t i = 0; i < level.stable_crossings; ++i) ++crossings;
+  }
+}
+
+/// How many crossings there are in each edge, or of curves face.
+std::map<Simplex, std::size_t> crossings_in(const TetMesh& mesh, const char* mode) {
+  if (std::string(mode) == "1")
+    return crossings_of(extract_degenerate_curves(mesh, Degeneracy::linear).curves, Carrier::face);
+  return crossings_of(extract_mode_surface<double>(mesh, ModeValue::parse(mode)).surface,
+                      Carrier::edge);
+}
+
+/// Of these simplices the places of those that a member of the box crosses otherwise.
+std::vector<std::size_t> crossed_otherwise(const Json& simplices, std::size_t vertices,
+                                           const TetMesh& mesh, double radius, const char* mode) {
+  const auto radii = vertex_radii(mesh, {Uncertainty::Kind::relative, radius, {}});
+  const auto own = crossings_in(mesh, mode);
+  Random random(1);
+  std::vector<std::size_t> found;
+  std::vector<char> is_known(simplices.size(), 0);
+  for (int k = 0; k < 4; ++k) {
+    const auto other = crossings_in(random_member(mesh, radii, random), mode);
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      Simplex simplex{-1, -1, -1, -1};
+      for (std::size_t c = 0; c < vertices; ++c) simplex[c] = simplices[i][c].get<TetMesh::Index>();
+      const auto a = own.find(simplex), b = other.find(simplex);
+      const bool differ = (a == own.end() ? 0 : a->second) != (b == other.end() ? 0 : b->second);
+      if (differ && is_known[i]++ == 0) found.push_back(i);
+    }
+  }
+  return found;
+}
+
+TEST(CertifiedStability, CrossingsThatAreNotStableAreNotCertified) {
+  Compared compared("edges and faces that members cross otherwise", 30);
+  const Folder folder;
+  const TetMesh mesh = read_mesh(slab_file(), {}).mesh;
+  for (const char* mode : {"1/2", "1"}) {
+    Certified c = certified(folder, "1%", slab_file().string(), mode);
+    Json& level = c.claims.at("levels").at(0);
+    Json& stability = level.at("stability");
+    const Json honest = stability;
+    const auto verdict = [&] {
+      std::ofstream(c.certificate) << c.claims;
+      try {
+        return check(c).status();
+      } catch (const certificate::Malformed&) {
+        return std::string("malformed");
+      }
+    };
+    ASSERT_EQ(verdict(), "certified");
+    const bool is_surface = level.contains("edges");
+    const Json& simplices = level[is_surface ? "edges" : "faces"];
+    auto otherwise = crossed_otherwise(simplices, is_surface ? 2 : 3, mesh, 0.01, mode);
+    if (otherwise.size() > 25) otherwise.resize(25);
+    for (const std::size_t i : otherwise) {
+      ++compared;
+      stability["crossings"] = Json::array({i});
+      EXPECT_NE(verdict(), "certified") << mode << ' ' << i;
+    }
+    const auto stable = honest["crossings"].get<std::vector<std::size_t>>();
+    stability["crossings"] = Json::array({simplices.size()});
+    EXPECT_EQ(verdict(), "refuted");
+    stability["crossings"] = Json::array({stable[1], stable[0]});
+    EXPECT_EQ(verdict(), "malformed");
+    stability["crossings"] = Json::array({stable[0]});
+    EXPECT_EQ(verdict(), "certified");
   }
 }
 

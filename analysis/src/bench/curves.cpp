@@ -17,7 +17,7 @@
 namespace tensortopo {
 namespace {
 
-constexpr std::size_t kLargest = 1'000'000;  // tetrahedra of a subdivided mesh
+constexpr std::size_t kMostSubdivided = 1'000'000;  // tetrahedra of a subdivided mesh
 
 TetMesh subdivided(const TetMesh& mesh, int times) {
   TetMesh fine = mesh;
@@ -94,7 +94,7 @@ std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<Mode
   std::vector<double> values;
   for (const ModeValue& mode : modes) values.push_back(mode.approx());
   std::size_t tetrahedra = mesh.tets.size();
-  for (int times = 0; tetrahedra <= kLargest; ++times, tetrahedra *= 8) {
+  for (int times = 0; tetrahedra <= kMostSubdivided; ++times, tetrahedra *= 8) {
     const TetMesh fine = subdivided(mesh, times);
     all.add(counted(times, "subdivision"),
             baseline_surfaces(Baseline::marching, fine, modes), fine, [&, times] {

@@ -156,10 +156,10 @@ class Page {
   /// The comparisons that are made at a mode.
   std::vector<std::string> comparisons_at(const ModeValue& mode) const {
     std::vector<std::string> result{"certified"};
-    constexpr double kLargest = 0.5;  // of A-patches
+    constexpr double kLargestOfPatches = 0.5;  // of A-patches
     for (const std::string& method : command_.only)
       if (method == "hybrid" ? mode.sign() == 0
-                             : method != "a_patches" || std::abs(mode.approx()) <= kLargest)
+                             : method != "a_patches" || std::abs(mode.approx()) <= kLargestOfPatches)
         result.push_back(method);
     return result;
   }

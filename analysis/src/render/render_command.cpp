@@ -27,7 +27,7 @@
 namespace tensortopo {
 namespace {
 
-constexpr int kSmallest = 16, kLargest = 4096;
+constexpr int kSmallestPicture = 16, kLargestPicture = 4096;
 
 // Two numbers and what stands between them; nothing if the text is anything else.
 template <class Number>
@@ -113,10 +113,10 @@ void parse_focus(std::string_view text, View& view) {
 
 void parse_size(std::string_view text, View& view) {
   const auto size = two_numbers<int>(text, 'x');
-  const auto fits = [](int n) { return n >= kSmallest && n <= kLargest; };
+  const auto fits = [](int n) { return n >= kSmallestPicture && n <= kLargestPicture; };
   if (!size || !fits(size->first) || !fits(size->second)) {
     throw UsageError(fmt::format("--size {}: must be WIDTHxHEIGHT, each from {} to {}", text,
-                                 kSmallest, kLargest));
+                                 kSmallestPicture, kLargestPicture));
   }
   std::tie(view.width, view.height) = *size;
   view.sized = true;

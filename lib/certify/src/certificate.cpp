@@ -127,17 +127,19 @@ Json distance_json(const DistanceClaim& claim, const Ids& ids) {
           {"coarse_bound", exact(claim.coarse_bound)}};
 }
 
-Json stability_json(const StabilityClaim& claim, std::size_t first_vertex) {
+/// @param crossings  indices of edges or faces of the level
+Json stability_json(const StabilityClaim& claim, const std::vector<std::size_t>& crossings,
+                    std::size_t first_vertex) {
   Json components = Json::array();
   for (const auto v : claim.components) components.push_back(first_vertex + as_size(v));
+  Json json;
   if (!claim.array.empty())
-    return {{"array", claim.array},
-            {"sha256", claim.radii_sha256},
-            {"of", "array"},
-            {"components", std::move(components)}};
-  return {{"radius", exact(claim.radius)},
-          {"of", claim.of_deviator ? "deviator" : "tensor"},
-          {"components", std::move(components)}};
+    json = {{"array", claim.array}, {"sha256", claim.radii_sha256}, {"of", "array"}};
+  else
+    json = {{"radius", exact(claim.radius)}, {"of", claim.of_deviator ? "deviator" : "tensor"}};
+  json["components"] = std::move(components);
+  if (!crossings.empty()) json["crossings"] = crossings;
+  return json;
 }
 
 Json undecided_json(const std::vector<UndecidedCell>& cells,
@@ -176,7 +178,9 @@ LevelFrame level_frame(const CertifiedLevel& level, std::size_t first_vertex,
   before["undecided"] = undecided_json(level.undecided, ids.cells);
   after["components"] = std::move(components);
   after["distance"] = distance_json(level.distance, ids);
-  if (level.stability) after["stability"] = stability_json(*level.stability, first_vertex);
+  if (level.stability)
+    after["stability"] =
+        stability_json(*level.stability, level.claimed_crossings(), first_vertex);
   if (level.embedded) after["embedded"] = true;
   if (level.not_isotopic) after["isotopic"] = {{"except", cells_json(*level.not_isotopic, ids)}};
   return {std::move(before), std::move(after)};
@@ -245,7 +249,9 @@ Json curves_json(const CertifiedCurves& kind, std::size_t first_vertex, std::siz
   json["faces"] = curve_faces_json(kind, first_vertex);
   json["tets"] = pieces_json(kind, first_vertex, mesh);
   json["curves"] = std::move(curves);
-  if (kind.stability) json["stability"] = stability_json(*kind.stability, first_vertex);
+  if (kind.stability)
+    json["stability"] =
+        stability_json(*kind.stability, kind.claimed_crossings(), first_vertex);
   return json;
 }
 

@@ -56,6 +56,7 @@ StabilitySummary summary_of(const LevelStability& level, std::vector<SurfaceMesh
 /// Counts the vertices that simplices of one kind carry, and adds the numbers of all vertices.
 template <std::size_t Vertices, class Output>
 void add_crossings(const Output& output, Carrier kind, const LevelStability& level,
+                   const std::vector<std::array<TetMesh::Index, Vertices>>& claimed,
                    StabilitySummary& summary, std::vector<std::int32_t>& instability,
                    std::vector<std::int32_t>& stable) {
   for (std::size_t v = 0; v < output.carrier.size(); ++v) {
@@ -67,14 +68,21 @@ void add_crossings(const Output& output, Carrier kind, const LevelStability& lev
     std::array<TetMesh::Index, Vertices> simplex;
     std::copy_n(output.carrier_vertices[v].begin(), Vertices, simplex.begin());
     const Stability stability = crossing_stability(level, simplex);
+    instability.push_back(static_cast<std::int32_t>(stability));
+    stable.push_back(stability == Stability::stable);
     ++summary.crossings;
     if (stability == Stability::stable)
       ++summary.stable_crossings;
     else
       ++summary.crossing_reasons[std::string(name_of(stability))];
-    instability.push_back(static_cast<std::int32_t>(stability));
-    stable.push_back(stability == Stability::stable);
+    if (!std::binary_search(claimed.begin(), claimed.end(), simplex)) continue;
+    auto& added = summary.crossed_simplices.emplace_back();
+    added.fill(-1);
+    std::copy(simplex.begin(), simplex.end(), added.begin());
   }
+  auto& simplices = summary.crossed_simplices;
+  std::sort(simplices.begin(), simplices.end());
+  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
 }
 
 }  // namespace
@@ -97,7 +105,7 @@ StabilitySummary StabilityRun::add(const ModeValue& mode, const ExtractOptions& 
   const SurfaceMesh& surface = extraction.surface;
   add_cells(surface.tet, level, arrays_[0].values, arrays_[1].values);
   StabilitySummary summary = summary_of(level, surface.tet);
-  add_crossings<2>(surface, Carrier::edge, level, summary, arrays_[2].values, arrays_[3].values);
+  add_crossings<2>(surface, Carrier::edge, level, level.claimed_edges, summary, arrays_[2].values, arrays_[3].values);
   summary.components =
       smallest_vertices(surface.triangles, surface.component,
                         surface_stability(*field_.mesh, surface, level).components);
@@ -111,7 +119,7 @@ StabilitySummary StabilityRun::add(Degeneracy kind, const ExtractOptions& option
   const CurveMesh& curves = extraction.curves;
   add_cells(curves.tet, level, arrays_[0].line_values, arrays_[1].line_values);
   StabilitySummary summary = summary_of(level, curves.tet);
-  add_crossings<3>(curves, Carrier::face, level, summary, arrays_[2].line_values,
+  add_crossings<3>(curves, Carrier::face, level, level.claimed_faces, summary, arrays_[2].line_values,
                    arrays_[3].line_values);
   summary.components =
       smallest_vertices(curves.lines, curves.component, stable_curves(*field_.mesh, curves, level));
@@ -121,7 +129,7 @@ StabilitySummary StabilityRun::add(Degeneracy kind, const ExtractOptions& option
 std::optional<StabilityClaim> StabilityRun::claim(const StabilitySummary& summary) const {
   if (kind_ == Uncertainty::Kind::per_vertex && array_.empty()) return std::nullopt;
   return StabilityClaim{kind_ == Uncertainty::Kind::relative, value_, summary.components, array_,
-                        radii_sha256_};
+                        radii_sha256_, summary.crossed_simplices};
 }
 
 }  // namespace tensortopo

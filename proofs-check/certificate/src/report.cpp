@@ -79,13 +79,18 @@ bool is_seen(std::string_view character) {
 }
 
 /// Which components are in all fields within a radius.
-std::string stability_text(const LevelReport& level) {
+std::string stability_text(const LevelReport& level, bool of_curves) {
   return "  " + std::to_string(level.stable_components.size()) + " of the components " +
          "are in every field whose deviators differ by at most " + bound_text(level.radius, 6, true) +
          (level.radius_of_deviator ? " of themselves" : "") + " at the vertices" +
          (level.radius_array.empty() ? ""
                                      : ", at each by at most what '" + printable(level.radius_array) + "' says") +
-         "\n";
+         "\n" +
+         (level.stable_crossings == 0
+              ? ""
+              : "  " + std::to_string(level.stable_crossings) +
+                    (of_curves ? " faces have the same points" : " edges have the same crossings") +
+                    " in all these fields\n");
 }
 
 /// How far triangles and level are from each other.
@@ -116,7 +121,7 @@ std::string text_of(const LevelReport& level, bool of_curves) {
   if (level.left_out.empty()) text += "none";
   for (const auto& [reason, tets] : level.left_out) text += listed(reason, tets) + ' ';
   text += '\n';
-  if (level.claims_stability) text += stability_text(level);
+  if (level.claims_stability) text += stability_text(level, of_curves);
   if (of_curves)
     return text + "  of lines the ends and tetrahedra are claimed, but no distance\n";
   text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
@@ -258,7 +263,8 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
                          {"of", !level.radius_array.empty()  ? "array"
                                 : level.radius_of_deviator ? "deviator"
                                                            : "tensor"},
-                         {"stable_components", level.stable_components.size()}};
+                         {"stable_components", level.stable_components.size()},
+                         {"stable_crossings", level.stable_crossings}};
     if (!level.radius_array.empty()) json["stability"]["array"] = level.radius_array;
   }
   if (of_curves) return json;

@@ -145,7 +145,7 @@ Answer simplex_is_free(const std::array<Widened, V>& corners, const ModeBall& mo
   return holds_in_parts<V>(
       corners,
       [&](const std::array<Point<V>, V>& part) {
-        for (const int steps : {0, 2})
+        for (const int steps : {0, 2, 8})
           if (part_is_free(corners, part,
                            guess_direction<V, V>(corners, weights_of(part), nu, steps), mode))
             return true;
@@ -153,7 +153,7 @@ Answer simplex_is_free(const std::array<Widened, V>& corners, const ModeBall& mo
       },
       [&](const std::array<Point<V>, 1>& middle) {
         return part_is_free(corners, middle,
-                            guess_direction<V, 1>(corners, weights_of(middle), nu, 4), mode);
+                            guess_direction<V, 1>(corners, weights_of(middle), nu, 8), mode);
       });
 }
 

@@ -13,17 +13,24 @@ namespace {
 template <std::size_t V>
 using Simplices = std::vector<std::array<std::uint32_t, V>>;
 
-/// All simplices of V vertices of some tetrahedra, each once.
-template <std::size_t V>
-Simplices<V> simplices_of(const Input& input, const std::vector<std::size_t>& tets) {
+/// The vertices of some tetrahedra.
+Simplices<4> tets_of(const Input& input, const std::vector<std::size_t>& tets) {
+  Simplices<4> result;
+  for (const std::size_t t : tets) result.push_back(input.tets[t]);
+  return result;
+}
+
+/// All parts of V vertices of some simplices, each once.
+template <std::size_t V, std::size_t N>
+Simplices<V> parts_of(const Simplices<N>& simplices) {
   std::set<std::array<std::uint32_t, V>> all;
-  for (const std::size_t t : tets)
-    for (unsigned corners = 1; corners < 16; ++corners) {
+  for (const auto& whole : simplices)
+    for (unsigned corners = 1; corners < 1U << N; ++corners) {
       std::array<std::uint32_t, V> simplex{};
       std::size_t count = 0;
-      for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t i = 0; i < N; ++i)
         if (corners >> i & 1U) {
-          if (count < V) simplex[count] = input.tets[t][i];
+          if (count < V) simplex[count] = whole[i];
           ++count;
         }
       if (count == V) all.insert(simplex);
@@ -71,12 +78,11 @@ namespace {
 
 /// @param vertex_is_fine  of a tensor that is not zero
 /// @param is_fine  of larger simplices
-template <class OfVertex, class OfSimplex>
-Freedom ask_all(const Input& input, const Field& field, const Radius& radius,
-                const std::vector<std::size_t>& tets, const ForAll& for_all,
-                const OfVertex& vertex_is_fine, const OfSimplex& is_fine) {
+template <std::size_t N, class OfVertex, class OfSimplex>
+Freedom ask_all(const Field& field, const Radius& radius, const Simplices<N>& simplices,
+                const ForAll& for_all, const OfVertex& vertex_is_fine, const OfSimplex& is_fine) {
   Freedom result;
-  ask(simplices_of<1>(input, tets), for_all, "vertex",
+  ask(parts_of<1>(simplices), for_all, "vertex",
       [&](const auto& v) {
         return field.is_zero(v[0]) ? Answer::no : vertex_is_fine(widened(field, v[0], radius));
       },
@@ -86,9 +92,10 @@ Freedom ask_all(const Input& input, const Field& field, const Radius& radius,
     for (std::size_t i = 0; i < V; ++i) corners[i] = widened(field, simplex[i], radius);
     return is_fine(corners);
   };
-  ask(simplices_of<2>(input, tets), for_all, "edge", simplex_is_fine, result);
-  ask(simplices_of<3>(input, tets), for_all, "face", simplex_is_fine, result);
-  ask(simplices_of<4>(input, tets), for_all, "tetrahedron", simplex_is_fine, result);
+  ask(parts_of<2>(simplices), for_all, "edge", simplex_is_fine, result);
+  if constexpr (N >= 3) ask(parts_of<3>(simplices), for_all, "face", simplex_is_fine, result);
+  if constexpr (N >= 4)
+    ask(parts_of<4>(simplices), for_all, "tetrahedron", simplex_is_fine, result);
   return result;
 }
 
@@ -98,23 +105,23 @@ Widened opposite(Widened ball) {
   return ball;
 }
 
-}  // namespace
-
-Freedom are_free(const Input& input, const Field& field, const ModeBall& mode, const Radius& radius,
-                 const std::vector<std::size_t>& tets, const ForAll& for_all) {
+template <std::size_t N>
+Freedom all_free(const Field& field, const ModeBall& mode, const Radius& radius,
+                 const Simplices<N>& simplices, const ForAll& for_all) {
   return ask_all(
-      input, field, radius, tets, for_all,
+      field, radius, simplices, for_all,
       [&](const Widened& vertex) { return vertex_is_free(vertex, mode); },
       [&]<std::size_t V>(const std::array<Widened, V>& corners) {
         return simplex_is_free<V>(corners, mode);
       });
 }
 
-Freedom are_transverse(const Input& input, const Field& field, bool planar, const Radius& radius,
-                       const std::vector<std::size_t>& tets, const ForAll& for_all) {
+template <std::size_t N>
+Freedom all_transverse(const Field& field, bool planar, const Radius& radius,
+                       const Simplices<N>& simplices, const ForAll& for_all) {
   const ModeBall one(1, 1);
   return ask_all(
-      input, field, radius, tets, for_all,
+      field, radius, simplices, for_all,
       [&](const Widened& vertex) {
         return vertex_is_free(planar ? opposite(vertex) : vertex, one);
       },
@@ -123,6 +130,29 @@ Freedom are_transverse(const Input& input, const Field& field, bool planar, cons
           for (Widened& corner : corners) corner = opposite(corner);
         return simplex_is_transverse<V>(corners);
       });
+}
+
+}  // namespace
+
+Freedom are_free(const Input& input, const Field& field, const ModeBall& mode, const Radius& radius,
+                 const std::vector<std::size_t>& tets, const ForAll& for_all) {
+  return all_free(field, mode, radius, tets_of(input, tets), for_all);
+}
+
+Freedom are_free(const Field& field, const ModeBall& mode, const Radius& radius,
+                 const std::vector<std::array<std::uint32_t, 2>>& edges, const ForAll& for_all) {
+  return all_free(field, mode, radius, edges, for_all);
+}
+
+Freedom are_transverse(const Input& input, const Field& field, bool planar, const Radius& radius,
+                       const std::vector<std::size_t>& tets, const ForAll& for_all) {
+  return all_transverse(field, planar, radius, tets_of(input, tets), for_all);
+}
+
+Freedom are_transverse(const Field& field, bool planar, const Radius& radius,
+                       const std::vector<std::array<std::uint32_t, 3>>& faces,
+                       const ForAll& for_all) {
+  return all_transverse(field, planar, radius, faces, for_all);
 }
 
 }  // namespace certificate

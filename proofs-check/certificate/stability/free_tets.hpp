@@ -3,6 +3,7 @@
 // Tetrahedra in which the level, or degenerate curves, are the same for all members.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -37,10 +38,19 @@ Widened widened(const Field& field, std::uint32_t vertex, const Radius& radius);
 Freedom are_free(const Input& input, const Field& field, const ModeBall& mode, const Radius& radius,
                  const std::vector<std::size_t>& tets, const ForAll& for_all);
 
+/// The same of edges of the mesh and their vertices.
+Freedom are_free(const Field& field, const ModeBall& mode, const Radius& radius,
+                 const std::vector<std::array<std::uint32_t, 2>>& edges, const ForAll& for_all);
+
 /// Are all members, in tetrahedra, their faces, edges and vertices, transverse to the linear (or planar)
 /// degenerate tensors, and nowhere zero? On edges and at vertices: not degenerate.
 /// @pre the field is of a mode's tensors
 Freedom are_transverse(const Input& input, const Field& field, bool planar, const Radius& radius,
                        const std::vector<std::size_t>& tets, const ForAll& for_all);
+
+/// The same of faces of the mesh, their edges and vertices.
+Freedom are_transverse(const Field& field, bool planar, const Radius& radius,
+                       const std::vector<std::array<std::uint32_t, 3>>& faces,
+                       const ForAll& for_all);
 
 }  // namespace certificate

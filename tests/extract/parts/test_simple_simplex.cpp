@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "extract/cases/exact_edge.hpp"
+#include "mode_of_deviator.hpp"
 #include "support/oracles/exact_increase.hpp"
 #include "extract/cases/extract_case.hpp"
 #include "tensortopo/scalar/rational.hpp"
@@ -15,11 +16,6 @@
 
 namespace tensortopo::test {
 namespace {
-
-Real50 mode_of_deviator(const Deviator<Real50>& d) {
-  const Real50 p = norm_form(d);
-  return sqrt(Real50(2)) * determinant_form(d) / (p * sqrt(p));
-}
 
 // Four tensors within `spread` of one of them, so that proofs close often: as in a smooth field.
 template <std::size_t Vertices>

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "extract/cases/extract_case.hpp"
+#include "mode_of_deviator.hpp"
 #include "support/oracles/brute_force.hpp"
 #include "tensortopo/scalar/real.hpp"
 
@@ -99,11 +100,6 @@ TEST(SubdivisionMesh, IsAnOrientedSurfaceWithTheTopologyThatBruteForceSees) {
   }
   std::cout << "brute force decided " << decided << " of " << count << '\n';
   EXPECT_GT(10 * decided, 8 * count);
-}
-
-Real50 mode_of_deviator(const Deviator<Real50>& d) {
-  const Real50 p = norm_form(d);
-  return sqrt(Real50(2)) * determinant_form(d) / (p * sqrt(p));
 }
 
 // The field at homogeneous weights, from the input's own bits.

@@ -7,19 +7,10 @@
 
 #include "extract/cases/bundled_fields.hpp"
 #include "extract/cases/extract_case.hpp"
+#include "support/surfaces/measures.hpp"
 
 namespace tensortopo::test {
 namespace {
-
-double area(const SurfaceMesh& surface) {
-  double sum = 0;
-  for (const auto& t : surface.triangles) {
-    const auto at = [&](std::size_t i) { return surface.points[static_cast<std::size_t>(t[i])]; };
-    const auto n = cross(at(1) - at(0), at(2) - at(0));
-    sum += std::sqrt(dot(n, n)) / 2;
-  }
-  return sum;
-}
 
 Extraction extract_by(const TetMesh& mesh, const std::string& mode, MeshingMethod meshing,
                 double resolution = Sampling().resolution) {

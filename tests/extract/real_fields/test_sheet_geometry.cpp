@@ -8,6 +8,7 @@
 
 #include "extract/cases/bundled_fields.hpp"
 #include "extract/cases/extract_case.hpp"
+#include "support/surfaces/measures.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::test {
@@ -17,15 +18,6 @@ using Vector = Vector3<double>;
 
 Vector twice_area(const Vector& a, const Vector& b, const Vector& c) {
   return cross(b - a, c - a);
-}
-
-double area(const SurfaceMesh& surface) {
-  double sum = 0;
-  for (const auto& t : surface.triangles) {
-    const auto at = [&](std::size_t i) { return surface.points[static_cast<std::size_t>(t[i])]; };
-    sum += length(twice_area(at(0), at(1), at(2))) / 2;
-  }
-  return sum;
 }
 
 Extraction extract_finely(const TetMesh& mesh, const std::string& mode, double resolution) {

@@ -11,7 +11,7 @@ namespace {
 
 using Tensor = SymmetricTensor<double>;
 
-constexpr Tensor xy{0, 0, 0, 1, 0, 0}, yz{0, 0, 0, 0, 1, 0}, xz{0, 0, 0, 0, 0, 1};
+constexpr Tensor unit_xy{0, 0, 0, 1, 0, 0}, unit_yz{0, 0, 0, 0, 1, 0}, unit_xz{0, 0, 0, 0, 0, 1};
 constexpr Tensor on_level{11, 2, -13, 0, 0, 0};  // of mode -143/343
 constexpr Tensor uniaxial{2, -1, -1, 0, 0, 0};   // of mode 1
 
@@ -57,8 +57,8 @@ void around_extremum(TetTensors& t, Random& random) {
   const auto& p = triangles[static_cast<std::size_t>(random.integer(0, 2))];
   const int size = random.integer(1, 3);
   for (std::size_t i = 0; i < 3; ++i)
-    t[i] = on_level + static_cast<double>(size * p[2 * i]) * xy +
-           static_cast<double>(size * p[2 * i + 1]) * xz;
+    t[i] = on_level + static_cast<double>(size * p[2 * i]) * unit_xy +
+           static_cast<double>(size * p[2 * i + 1]) * unit_xz;
 }
 
 TetTensors upright(Stratum stratum, Random& random) {
@@ -103,9 +103,9 @@ TetTensors upright(Stratum stratum, Random& random) {
       t[0] = t[1] = t[3] = {};
       return t;
     case Stratum::neutral_complement:
-      return combinations({{{1, -2, 1, 0, 0, 0}, xy, yz, xz}}, random);
+      return combinations({{{1, -2, 1, 0, 0, 0}, unit_xy, unit_yz, unit_xz}}, random);
     case Stratum::uniaxial_complement:
-      return combinations({{{1, -1, 0, 0, 0, 0}, xy, yz, xz}}, random);
+      return combinations({{{1, -1, 0, 0, 0, 0}, unit_xy, unit_yz, unit_xz}}, random);
     case Stratum::plane_strain:
       for (auto& corner : t) corner.xz = corner.yz = 0;
       return t;
@@ -117,16 +117,16 @@ TetTensors upright(Stratum stratum, Random& random) {
       return t;
     case Stratum::tangent_edge:
       // On the edge from 0 to 1 the largest mode, at sqrt(5/2), is 4/5.
-      t[0] = xy + xz + 2.0 * yz;
-      t[1] = xy + 2.0 * xz + 2.0 * yz;
+      t[0] = unit_xy + unit_xz + 2.0 * unit_yz;
+      t[1] = unit_xy + 2.0 * unit_xz + 2.0 * unit_yz;
       return t;
     case Stratum::face_saddle:
-      t[0] = xy - 4.0 * xz - 2.0 * yz;
-      t[1] = xy + 4.0 * xz - 2.0 * yz;
-      t[2] = xy + 5.0 * yz;
+      t[0] = unit_xy - 4.0 * unit_xz - 2.0 * unit_yz;
+      t[1] = unit_xy + 4.0 * unit_xz - 2.0 * unit_yz;
+      t[2] = unit_xy + 5.0 * unit_yz;
       return t;
     case Stratum::tet_saddle:
-      return around_origin({11, -13, 2, 0, 0, 0}, xy, xz, yz, random);
+      return around_origin({11, -13, 2, 0, 0, 0}, unit_xy, unit_xz, unit_yz, random);
     case Stratum::constant_edge:
       t[0] = on_level, t[1] = weight(random, 1, 3) * on_level;
       return t;

@@ -13,7 +13,7 @@ namespace tensortopo::test {
 namespace {
 
 using Vector = Vector3<Real50>;
-using Tensor = SymmetricTensor<Real50>;
+using Tensor50 = SymmetricTensor<Real50>;
 
 Vector widen(const Vector3<double>& v) { return {Real50(v.x), Real50(v.y), Real50(v.z)}; }
 
@@ -64,20 +64,20 @@ PreciseMode precise_mode(const TetMesh& mesh, TetMesh::Index tet, const Vector3<
 
   // mode = 3 sqrt(6) det(D) / |D|^3 with D the deviator; its derivative in the direction E is
   // 3 sqrt(6) / |D|^3 (<cofactor(D), E> - 3 det(D) <D, E> / |D|^2).
-  std::array<Tensor, 4> corner;
-  Tensor d{};
+  std::array<Tensor50, 4> corner;
+  Tensor50 d{};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& t = mesh.tensors[static_cast<std::size_t>(corners[i])];
     const auto wide = tensor_cast<Real50>(t);
     const Real50 mean = trace(wide) / Real50(3);
     corner[i] =
-        wide - mean * Tensor{Real50(1), Real50(1), Real50(1), Real50(0), Real50(0), Real50(0)};
+        wide - mean * Tensor50{Real50(1), Real50(1), Real50(1), Real50(0), Real50(0), Real50(0)};
     d = d + b[i] * corner[i];
   }
   const Real50 square_norm = inner(d, d), det = determinant(d);
   const Real50 factor = Real50(3) * sqrt(Real50(6)) / (square_norm * sqrt(square_norm));
   result.residual = to_double(factor * det - Real50(level));
-  const Tensor cofactor{d.yy * d.zz - d.yz * d.yz, d.xx * d.zz - d.xz * d.xz,
+  const Tensor50 cofactor{d.yy * d.zz - d.yz * d.yz, d.xx * d.zz - d.xz * d.xz,
                         d.xx * d.yy - d.xy * d.xy, d.yz * d.xz - d.xy * d.zz,
                         d.xy * d.xz - d.xx * d.yz, d.xy * d.yz - d.yy * d.xz};
   Vector slope{};

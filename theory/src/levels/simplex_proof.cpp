@@ -10,7 +10,7 @@
 namespace tensortopo::theory {
 namespace {
 
-using Number = Bounded<double>;
+using BoundedDouble = Bounded<double>;
 
 // P = 3 |T|^2 and Q = 27 det T as polynomials in the weights of the vertices.
 template <std::size_t N>
@@ -21,30 +21,30 @@ struct ModeForms {
 
 template <std::size_t N>
 ModeForms<N> mode_forms(const std::array<BoundedDeviator, N>& tensors) {
-  const auto linear = [&](Number BoundedDeviator::*entry) { return linear_form(tensors, entry); };
+  const auto linear = [&](BoundedDouble BoundedDeviator::*entry) { return linear_form(tensors, entry); };
   const Form<N, 1> a = linear(&BoundedDeviator::a), b = linear(&BoundedDeviator::b);
   const Form<N, 1> xy = linear(&BoundedDeviator::xy), yz = linear(&BoundedDeviator::yz),
                    xz = linear(&BoundedDeviator::xz);
   // Diagonal entries of three times the tensor, of sum zero.
-  const Form<N, 1> x = a + a + b, y = b - a, z = Number(-1) * (a + b + b);
+  const Form<N, 1> x = a + a + b, y = b - a, z = BoundedDouble(-1) * (a + b + b);
   const Form<N, 2> xy2 = xy * xy, yz2 = yz * yz, xz2 = xz * xz;
   ModeForms<N> forms;
-  forms.p = Number(2) * (a * a + a * b + b * b) + Number(6) * (xy2 + yz2 + xz2);
-  forms.q = x * (y * z - Number(9) * yz2) - Number(9) * (y * xz2 + z * xy2) +
-            Number(54) * ((xy * yz) * xz);
+  forms.p = BoundedDouble(2) * (a * a + a * b + b * b) + BoundedDouble(6) * (xy2 + yz2 + xz2);
+  forms.q = x * (y * z - BoundedDouble(9) * yz2) - BoundedDouble(9) * (y * xz2 + z * xy2) +
+            BoundedDouble(54) * ((xy * yz) * xz);
   return forms;
 }
 
 // The coefficient of the highest power of one weight: the value at its vertex.
 template <std::size_t N, std::size_t Degree>
-const Number& corner(const Form<N, Degree>& form, std::size_t vertex) {
+const BoundedDouble& corner(const Form<N, Degree>& form, std::size_t vertex) {
   std::size_t row = 0;
   while (form.exponents[row][vertex] != Degree) ++row;
   return form.coefficients[row];
 }
 
 template <std::size_t N>
-bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const Number& square) {
+bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const BoundedDouble& square) {
   const Verdict sign = certified_sign(forms.q.coefficients[0]);
   const Verdict at_level = level.sign > 0 ? Verdict::positive : Verdict::negative;
   if ((level.is_neutral() || sign != at_level) && sign != Verdict::unknown &&
@@ -53,15 +53,15 @@ bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const Number& s
   }
   if (level.is_neutral()) return false;
   // Positive where |mode| is beyond mu; first at the vertices alone.
-  const auto excess_at = [&](const Number& p, const Number& q) {
-    return certified_sign(Number(2) * q * q - square * (p * p * p));
+  const auto excess_at = [&](const BoundedDouble& p, const BoundedDouble& q) {
+    return certified_sign(BoundedDouble(2) * q * q - square * (p * p * p));
   };
   const Verdict first = excess_at(forms.p.coefficients[0], forms.q.coefficients[0]);
   if (first != Verdict::positive && first != Verdict::negative) return false;
   for (std::size_t i = 1; i < N; ++i) {
     if (excess_at(corner(forms.p, i), corner(forms.q, i)) != first) return false;
   }
-  return strict_sign(Number(2) * (forms.q * forms.q) - square * (forms.p * (forms.p * forms.p))) ==
+  return strict_sign(BoundedDouble(2) * (forms.q * forms.q) - square * (forms.p * (forms.p * forms.p))) ==
          first;
 }
 
@@ -69,11 +69,11 @@ bool is_empty(const ModeForms<N>& forms, const ModeLevel& level, const Number& s
 template <std::size_t N>
 std::array<Form<N, 4>, N> increase_forms(const ModeForms<N>& forms) {
   std::array<Form<N, 4>, N> result;
-  const Form<N, 2> twice_p = Number(2) * forms.p;
-  const Form<N, 3> thrice_q = Number(3) * forms.q;
+  const Form<N, 2> twice_p = BoundedDouble(2) * forms.p;
+  const Form<N, 3> thrice_q = BoundedDouble(3) * forms.q;
   for (std::size_t k = 0; k < N; ++k) {
-    std::array<Number, N> along{};
-    along[k] = Number(1);
+    std::array<BoundedDouble, N> along{};
+    along[k] = BoundedDouble(1);
     result[k] = twice_p * derivative(forms.q, along) - thrice_q * derivative(forms.p, along);
   }
   return result;
@@ -127,15 +127,15 @@ bool is_monotone(const ModeForms<N>& forms) {
   }
   // A guess, as any direction may be; only what follows counts.
   const std::array<double, N> d = likely_direction(rows);
-  Form<N, 4> along = Number(d[0], 0) * increase[0];
-  for (std::size_t k = 1; k < N; ++k) along = along + Number(d[k], 0) * increase[k];
+  Form<N, 4> along = BoundedDouble(d[0], 0) * increase[0];
+  for (std::size_t k = 1; k < N; ++k) along = along + BoundedDouble(d[k], 0) * increase[k];
   return strict_sign(along) == Verdict::positive;
 }
 
 constexpr int kEdgeDepth = 8;
 
 int crossings_below(const std::array<BoundedDeviator, 2>& ends, const std::array<bool, 2>& above,
-                    const ModeLevel& level, const Number& square, int depth) {
+                    const ModeLevel& level, const BoundedDouble& square, int depth) {
   if (prove<2>(ends, level, square) != SimplexProof::none) return above[0] != above[1] ? 1 : 0;
   if (depth == kEdgeDepth) return 2;
   const BoundedDeviator middle = ends[0] + ends[1];

@@ -10,7 +10,7 @@ namespace {
 template <std::size_t Degree>
 using Form = BarycentricPolynomial<Integer, 3, Degree>;
 
-Form<1> variable(std::size_t i) {
+Form<1> weight_form(std::size_t i) {
   Form<1> form;
   form.coefficients[i] = 1;
   return form;
@@ -41,7 +41,7 @@ struct Cell {
                     square(c[1]), mixed(1, 2), square(c[2])};
     size = {{inner(c[0], c[0]), two * inner(c[0], c[1]), two * inner(c[0], c[2]), inner(c[1], c[1]),
              two * inner(c[1], c[2]), inner(c[2], c[2])}};
-    for (std::size_t i = 0; i < 3; ++i) cube = cube + variable(i) * squared_along(c[i]);
+    for (std::size_t i = 0; i < 3; ++i) cube = cube + weight_form(i) * squared_along(c[i]);
   }
 
   // <T^2, D> and <T, D>.

@@ -20,7 +20,7 @@ Vector3<Rational> lifted(const Tensor& n, const Vector3<Rational>& v, const Vect
   return sigma_of(n, v, d) > 0 ? -v : v;
 }
 
-struct Angle {
+struct CircleAngle {
   Rational cosine, sine;
 };
 
@@ -30,12 +30,12 @@ struct CirclePoint {
   Vector3<Rational> medium;
   Tensor tensor;
 };
-CirclePoint on_circle(const Rational& s, const Angle& a, const Basis& e) {
+CirclePoint on_circle(const Rational& s, const CircleAngle& a, const Basis& e) {
   const Vector3<Rational> v = a.cosine * e[0] + a.sine * e[1];
   return {v, tensor_with(s, v, e[2])};
 }
 
-Angle random_angle(Random& random) {
+CircleAngle random_circle_angle(Random& random) {
   const Rational t = random.fraction(), size = Rational(1) + t * t;
   return {Rational((Rational(1) - t * t) / size), Rational((t + t) / size)};
 }
@@ -47,7 +47,7 @@ void crossing_test(const Trial& trial, Facts<Rational>& facts) {
   const Rational p(random.nonzero(9)), q(random.integer(-9, 9));
   // Any field with the circle in it.
   const Tensor n = p * product_of(e[2], e[0]) + q * product_of(e[2], e[1]);
-  const std::array<Angle, 2> angles = {random_angle(random), random_angle(random)};
+  const std::array<CircleAngle, 2> angles = {random_circle_angle(random), random_circle_angle(random)};
   const Rational half = facts.claimed(1, 2);
   std::array<CirclePoint, 2> at;
   std::array<Rational, 2> sigma;
@@ -84,7 +84,7 @@ void crossing_test(const Trial& trial, Facts<Rational>& facts) {
 Outcome dot_product_fails() {
   const Tensor n = {0, 0, 0, 0, 1, 0};
   const Rational s = fraction(1, 2), three = fraction(3, 5), four = fraction(4, 5), zero(0), one(1);
-  const auto product = [&](const Angle& a, const Angle& b) {
+  const auto product = [&](const CircleAngle& a, const CircleAngle& b) {
     const CirclePoint p = on_circle(s, a, axes()), q = on_circle(s, b, axes());
     return dot(lifted(n, p.medium, axes()[2]), lifted(n, q.medium, axes()[2]));
   };

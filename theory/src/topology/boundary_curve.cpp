@@ -37,14 +37,14 @@ Signs weights_at(const BoundaryLoop& loop, const Interval& alpha, int sign_y) {
 }
 
 // Far more parts than a loop takes that keeps its distance from the faces.
-constexpr int kParts = 20000;
+constexpr int kMostSteps = 20000;
 
 // Whether all of the loop's tensors have weights of the signs wanted.
 template <class IsWanted>
 bool is_everywhere(const BoundaryLoop& loop, const IsWanted& is_wanted) {
   for (const int sign_y : {1, -1}) {
     std::vector<Interval> waiting = {Interval(loop.low.inf(), loop.high.sup())};
-    for (int left = kParts; !waiting.empty(); --left) {
+    for (int left = kMostSteps; !waiting.empty(); --left) {
       if (left == 0) return false;
       const Interval alpha = waiting.back();
       waiting.pop_back();

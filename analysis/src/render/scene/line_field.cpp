@@ -103,11 +103,11 @@ class Walker {
   }
 
   void join() {
-    struct Side {
+    struct SideOfFace {
       Index low, high, triangle;
       int corner;
     };
-    std::vector<Side> sides;
+    std::vector<SideOfFace> sides;
     for (std::size_t i = 0; i < facets_.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
         const Index u = surface_.triangles[i][as_size((k + 1) % 3)],
@@ -115,11 +115,11 @@ class Walker {
         sides.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), k});
       }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+    std::sort(sides.begin(), sides.end(), [](const SideOfFace& s, const SideOfFace& t) {
       return std::array{s.low, s.high, s.triangle} < std::array{t.low, t.high, t.triangle};
     });
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-      const Side &s = sides[i], &t = sides[i + 1];
+      const SideOfFace &s = sides[i], &t = sides[i + 1];
       if (s.low != t.low || s.high != t.high) continue;
       facets_[as_size(s.triangle)].beyond[as_size(s.corner)] = t.triangle;
       facets_[as_size(t.triangle)].beyond[as_size(t.corner)] = s.triangle;

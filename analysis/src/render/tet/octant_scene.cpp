@@ -25,12 +25,12 @@ namespace {
 constexpr int kRows = 500;      // of small triangles
 constexpr int kSamples = 2000;  // of the boundary
 constexpr double kBall = 0.013, kLift = 0.001;
-const double kHeight = std::sqrt(3.0) / 2;
+const double kTriangleHeight = std::sqrt(3.0) / 2;
 
 using Place = std::array<double, 3>;
 
 // Of squares of coordinates that add up to 1, in a triangle of side 1.
-Place place_of(double a2, double b2, double lift) { return {a2 + b2 / 2, kHeight * b2, lift}; }
+Place place_of(double a2, double b2, double lift) { return {a2 + b2 / 2, kTriangleHeight * b2, lift}; }
 
 Place place_of(const TetDirections& directions, const Vector3<double>& v, double lift) {
   const auto& e = directions.manifold().characteristic().eigenvectors;
@@ -121,10 +121,10 @@ std::vector<LegendEntry> octant_legend() {
 void aim_at_octant(vtkRenderer& renderer, double aspect, double share, double rise) {
   vtkCamera& camera = *renderer.GetActiveCamera();
   camera.ParallelProjectionOn();
-  camera.SetFocalPoint(0.5, kHeight / 2, 0);
-  camera.SetPosition(0.5, kHeight / 2, 5);
+  camera.SetFocalPoint(0.5, kTriangleHeight / 2, 0);
+  camera.SetPosition(0.5, kTriangleHeight / 2, 5);
   camera.SetViewUp(0, 1, 0);
-  camera.SetParallelScale(std::max(1 / aspect, kHeight) / share / 2);
+  camera.SetParallelScale(std::max(1 / aspect, kTriangleHeight) / share / 2);
   camera.SetWindowCenter(0, -rise);
   camera.SetClippingRange(1, 9);
 }

@@ -29,7 +29,7 @@ using Polyline = std::vector<Vector3<double>>;
 
 constexpr double kSphereShare = 0.84;                                     // of its panel
 constexpr double kGrain = 1.7;                                            // pixels
-constexpr double kPanelWidth = 720, kPanelHeight = 960, kLargest = 4096;  // pixels
+constexpr double kPanelWidth = 720, kPanelHeight = 960, kLargestSide = 4096;  // pixels
 
 // Sizes that all panels share.
 struct Scale {
@@ -260,7 +260,7 @@ std::vector<Panel> parse_panels(std::string_view text) {
 void set_default_size(TetPicture& picture) {
   const Scale scale = scale_of(picture);
   const double fit = std::min(
-      {1.0, kLargest / (kPanelWidth * scale.columns), kLargest / (kPanelHeight * scale.rows)});
+      {1.0, kLargestSide / (kPanelWidth * scale.columns), kLargestSide / (kPanelHeight * scale.rows)});
   picture.view.width = static_cast<int>(fit * kPanelWidth * scale.columns);
   picture.view.height = static_cast<int>(fit * kPanelHeight * scale.rows);
 }

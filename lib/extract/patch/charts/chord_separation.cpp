@@ -40,7 +40,7 @@ bool cross_each_other(const Step& s, const Step& t) {
 }
 
 /// How often a step is halved, and the number of steps at which it is given up: pairs are compared.
-constexpr int kRounds = 6;
+constexpr int kChordRounds = 6;
 constexpr std::size_t kMostSteps = 600;
 
 template <class Scalar>
@@ -96,7 +96,7 @@ class Separation {
   }
 
   std::vector<SampleRequest<Scalar>> separate() {
-    for (int round = 0; round < kRounds && steps_.size() <= kMostSteps; ++round) {
+    for (int round = 0; round < kChordRounds && steps_.size() <= kMostSteps; ++round) {
       std::vector<char> crossed(steps_.size(), 0);
       for (std::size_t i = 0; i < steps_.size(); ++i)
         for (std::size_t j = i + 1; j < steps_.size(); ++j)

@@ -22,7 +22,7 @@ namespace tensortopo {
 
 namespace {
 
-constexpr int kRounds = 16;
+constexpr int kGraphRounds = 16;
 
 /// Meshes the sheets of one tetrahedron as graphs.
 template <class Scalar>
@@ -58,7 +58,7 @@ class GraphMesher {
     };
     if (!triangulation.build(
             points, segments_, [](const auto&) { return std::vector<ChartTriangulation::Point>(); },
-            judge, [&](const auto& place) { return add(place); }, kRounds + defect_rounds_))
+            judge, [&](const auto& place) { return add(place); }, kGraphRounds + defect_rounds_))
       return false;
     return emit(triangulation.triangles);
   }

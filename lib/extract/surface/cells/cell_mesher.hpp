@@ -100,7 +100,7 @@ class CellMesher {
 
   const SurfaceInput<Scalar>& input_;
   const VertexSides& sides_;
-  const CellSurroundings<Scalar>& around_;
+  const CellSurroundings<Scalar> around_;
   CellProof<Scalar>& proof_;
   MeshingState<Scalar>& state_;
   CellMesh<Scalar>& mesh_;

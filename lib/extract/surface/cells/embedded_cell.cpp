@@ -25,7 +25,7 @@ constexpr int kMostHalvings = 4, kMostRefinements = 8;
 constexpr std::size_t kMostDefects = 2;
 
 /// How often a chart gets further vertices where triangles have defects.
-constexpr int kRounds = 12;
+constexpr int kDefectRounds = 12;
 
 /// Triangles and intersecting pairs of all patches with defects that are tried for one tetrahedron,
 /// and pairs tested, of which so many count as one. What is meshed then stays.
@@ -149,11 +149,11 @@ bool CellMesher<Scalar>::mend() {
   auto& mesher = mesh_.mesher;
   if (mesher == Mesher::manifold) {
     mesher = Mesher::dominant;
-    if (mesh_without_defects(0) || (are_defects_few() && mesh_without_defects(kRounds)))
+    if (mesh_without_defects(0) || (are_defects_few() && mesh_without_defects(kDefectRounds)))
       return true;
     mesher = Mesher::manifold;
   }
-  if (is_in_chart() && are_few && mesh_without_defects(kRounds)) return true;
+  if (is_in_chart() && are_few && mesh_without_defects(kDefectRounds)) return true;
   mesh_.patch = std::move(before);
   mesh_.has_defects = true;
   state_.defects = defects;

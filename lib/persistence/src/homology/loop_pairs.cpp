@@ -11,7 +11,7 @@
 namespace tensortopo {
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoClass = std::numeric_limits<std::size_t>::max();
 
 /// The changes to a component since it last had no loops.
 struct Component {
@@ -20,7 +20,7 @@ struct Component {
   bool is_doubtful = false;  ///< that is not known
   bool is_tie = false;
   std::vector<std::size_t> last_pairs;  ///< made where it last had no loops
-  std::size_t last_point = kNone;
+  std::size_t last_point = kNoClass;
   double last_low = 2;  ///< the least bound at the last point
   double low = 2;       ///< and at all before
 };
@@ -38,9 +38,9 @@ bool are_one_mode(const std::vector<const LoopChange*>& changes) {
   });
 }
 
-class Pairing {
+class LoopPairing {
  public:
-  explicit Pairing(std::size_t maxima) : classes_(maxima), components_(maxima) {}
+  explicit LoopPairing(std::size_t maxima) : classes_(maxima), components_(maxima) {}
 
   std::vector<LoopPair> run(const std::vector<Step>& steps,
                             const std::vector<std::size_t>& doubtful) {
@@ -161,7 +161,7 @@ std::vector<LoopPair> loop_pairs(const MergeTree& tree, const std::vector<LoopCh
                      nullptr, &change});
   std::stable_sort(steps.begin(), steps.end(),
                    [](const Step& a, const Step& b) { return a.middle > b.middle; });
-  return Pairing(tree.maxima.size()).run(steps, doubtful);
+  return LoopPairing(tree.maxima.size()).run(steps, doubtful);
 }
 
 }  // namespace tensortopo

@@ -84,6 +84,7 @@ struct LevelReport {
   std::string radius_array = {};  ///< the input's array that has one for each point, or empty
   bool radius_of_deviator = false;  ///< a share of each vertex' deviator, else in the tensor's units
   std::vector<std::uint64_t> stable_components;  ///< certified, by their smallest vertices
+  std::size_t stable_crossings = 0;  ///< certified: edges, or faces of curves, crossed alike in all
 
   std::size_t left_out_count() const;
 };

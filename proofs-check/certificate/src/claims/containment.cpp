@@ -8,18 +8,10 @@
 #include <vector>
 
 #include "ball.hpp"
+#include "mesh/exact_vectors.hpp"
 
 namespace certificate {
 namespace {
-
-using Exact = std::array<mpq_class, 3>;
-
-Exact exact(const Point3& p) { return {p[0], p[1], p[2]}; }
-Exact minus(const Exact& a, const Exact& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Exact cross(const Exact& a, const Exact& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-mpq_class dot(const Exact& a, const Exact& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 double slack_on(std::span<const Point3> corners, std::size_t axis) {
   double largest = 0;
@@ -29,17 +21,17 @@ double slack_on(std::span<const Point3> corners, std::size_t axis) {
 
 /// Do a box around x and the hull of the corners have a common point? Two convex polytopes have
 /// none exactly if the normal of a face of one, or of an edge of each, separates them.
-bool meets_box(const Exact& x, const Exact& slack, const std::vector<Exact>& corners) {
-  std::vector<Exact> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, edges;
+bool meets_box(const ExactVector& x, const ExactVector& slack, const std::vector<ExactVector>& corners) {
+  std::vector<ExactVector> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, edges;
   for (std::size_t i = 0; i < corners.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) edges.push_back(minus(corners[i], corners[j]));
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) axes.push_back(cross(edges[i], axes[k]));
     for (std::size_t j = 0; j < i; ++j) axes.push_back(cross(edges[i], edges[j]));
   }
-  return std::all_of(axes.begin(), axes.end(), [&](const Exact& d) {
+  return std::all_of(axes.begin(), axes.end(), [&](const ExactVector& d) {
     mpq_class least = dot(d, corners[0]), most = least;
-    for (const Exact& p : corners) {
+    for (const ExactVector& p : corners) {
       const mpq_class at = dot(d, p);
       if (at < least) least = at;
       if (at > most) most = at;
@@ -95,7 +87,7 @@ bool lies_in(const Point3& x, std::span<const Point3> corners) {
                                          [](double w) { return w >= 0 && w <= 2; });
     if (are_weights && is_near(x, corners, weights)) return true;
   }
-  std::vector<Exact> all;
+  std::vector<ExactVector> all;
   for (const Point3& p : corners) all.push_back(exact(p));
   return meets_box(exact(x), {slack_on(corners, 0), slack_on(corners, 1), slack_on(corners, 2)},
                    all);
@@ -107,7 +99,7 @@ bool lies_between(const Point3& x, const Point3& a, const Point3& b, const mpq_c
   const auto weights = weights_near(x, corners);
   const double t = weights[1] / (weights[0] + weights[1]);
   if (t >= 0 && t <= 1 && from <= t && t <= to && is_near(x, corners, {1 - t, t})) return true;
-  Exact first = exact(a), last = first, along = minus(exact(b), first);
+  ExactVector first = exact(a), last = first, along = minus(exact(b), first);
   for (std::size_t k = 0; k < 3; ++k) first[k] += from * along[k], last[k] += to * along[k];
   return meets_box(exact(x), {slack_on(corners, 0), slack_on(corners, 1), slack_on(corners, 2)},
                    {first, last});

@@ -44,7 +44,8 @@ Json make_shape() {
       "embedded or none": "boolean",
       "isotopic or none": {"except": ["*1", "natural"]},
       "stability or none": {"of": "text", "components": ["*1", "natural"], "radius or none": "text",
-                            "array or none": "text", "sha256 or none": "text"},
+                            "array or none": "text", "sha256 or none": "text",
+                            "crossings or none": ["*1", "natural"]},
       "distance or null": {"reach": ["*0", "integer"], "bound": "text",
                            "coarse": ["*1", "natural"], "coarse_bound": "text"}}]})");
   Json level = result["levels"][1];

@@ -10,7 +10,7 @@ namespace certificate {
 namespace {
 
 /// The sign of the turn from a to b to c.
-int turn(const Place<3>& a, const Place<3>& b, const Place<3>& c) {
+int side_of_turn(const Place<3>& a, const Place<3>& b, const Place<3>& c) {
   return sgn(determinant(std::array{a, b, c}));
 }
 
@@ -22,7 +22,7 @@ long winding(const std::vector<Place<3>>& polygon, const Place<3>& around) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Place<3> &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     if (is_up(p) == is_up(q)) continue;
-    const int side = turn(p, q, around);
+    const int side = side_of_turn(p, q, around);
     if (is_up(q) && side > 0) ++result;
     if (is_up(p) && side < 0) --result;
   }

@@ -8,20 +8,14 @@
 #include "claims/curve_names.hpp"
 #include "claims/half_edges.hpp"
 #include "places.hpp"
+#include "mesh/exact_vectors.hpp"
 #include "surface/compare_places.hpp"
 
 namespace certificate {
 namespace {
 
-using Exact = std::array<mpq_class, 3>;
-
-Exact cross(const Exact& a, const Exact& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Exact from(const Point3& origin, const Point3& p) {
-  Exact result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = mpq_class(p[k]) - mpq_class(origin[k]);
-  return result;
+ExactVector from(const Point3& origin, const Point3& p) {
+  return minus(exact(p), exact(origin));
 }
 
 /// Do larger values lie inside a closed curve of a face? It crosses edges of the refinement with
@@ -63,13 +57,13 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop, std::s
   const bool above = is_above_inside(face, static_cast<std::size_t>(name - names.begin()));
   // The area as seen from where the face's vertices are counter-clockwise.
   const auto point = [&](std::size_t i) { return c.input.points[face.vertices[i]]; };
-  const Exact normal = cross(from(point(0), point(1)), from(point(0), point(2)));
-  Exact area;
+  const ExactVector normal = cross(from(point(0), point(1)), from(point(0), point(2)));
+  ExactVector area;
   double around = 0, slack = 0;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
     const Point3 &p = c.surface.points[loop.vertices[i]],
                  &q = c.surface.points[loop.vertices[(i + 1) % loop.vertices.size()]];
-    const Exact part = cross(from(point(0), p), from(point(0), q));
+    const ExactVector part = cross(from(point(0), p), from(point(0), q));
     for (std::size_t k = 0; k < 3; ++k) area[k] += part[k];
     around += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     for (const double x : p) slack = std::max(slack, 8 * rounding_of(std::abs(x)));
@@ -93,8 +87,8 @@ mpq_class volume_of(const LevelCase& c, const std::vector<std::size_t>& triangle
   };
   const Point3& origin = corner(triangles[0], 0);
   for (const std::size_t t : triangles) {
-    const Exact ab = cross(from(origin, corner(t, 0)), from(origin, corner(t, 1)));
-    const Exact d = from(origin, corner(t, 2));
+    const ExactVector ab = cross(from(origin, corner(t, 0)), from(origin, corner(t, 1)));
+    const ExactVector d = from(origin, corner(t, 2));
     for (std::size_t k = 0; k < 3; ++k) sum += ab[k] * d[k];
   }
   return sum;

@@ -3,6 +3,7 @@
 #include "surface/compare_stability.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,9 +16,9 @@
 namespace certificate {
 namespace {
 
-using Face = std::array<std::uint32_t, 3>;
+using FaceOfTet = std::array<std::uint32_t, 3>;
 
-std::array<Face, 4> faces_of(const std::array<std::uint32_t, 4>& tet) {
+std::array<FaceOfTet, 4> faces_of(const std::array<std::uint32_t, 4>& tet) {
   return {{{tet[1], tet[2], tet[3]},
            {tet[0], tet[2], tet[3]},
            {tet[0], tet[1], tet[3]},
@@ -65,18 +66,47 @@ std::optional<Radius> given_radius(const Json& claims, const std::string& input_
 
 std::string name_of(const Json& vertex) { return "stable component " + vertex.dump(); }
 
+constexpr const char* kCrossings = "stable crossings";
+
 void leave_all_open(const Json& claims, const char* why, Ledger& ledger) {
   for (const Json& vertex : claims["components"]) ledger.leave_open(name_of(vertex), why);
+  if (claims.contains("crossings")) ledger.leave_open(kCrossings, why);
+}
+
+/// @param simplices  the level's, with what is derived of them: N vertices come first
+/// @param question  are some of them crossed alike by all members?
+template <std::size_t N, class Question>
+void compare_crossings(const Json& claims, const Json& simplices, const Question& question,
+                       Ledger& ledger) {
+  if (!claims.contains("crossings")) return;
+  std::vector<std::array<std::uint32_t, N>> named;
+  for (const Json& place : claims["crossings"]) {
+    if (place.get<Number>() >= simplices.size())
+      return ledger.refute(kCrossings, place.dump(),
+                           std::to_string(simplices.size()) + " are listed");
+    auto& vertices = named.emplace_back();
+    for (std::size_t i = 0; i < N; ++i)
+      vertices[i] = static_cast<std::uint32_t>(simplices[place.get<Number>()][i].get<Number>());
+  }
+  const Freedom freedom = question(named);
+  switch (freedom.answer) {
+    case Answer::yes:
+      ledger.of_level().stable_crossings = named.size();
+      ledger.certify();
+      break;
+    case Answer::no: ledger.refute(kCrossings, "stable", freedom.place + " is not"); break;
+    case Answer::unsure: ledger.leave_open(kCrossings, freedom.place + ": no proof closes");
+  }
 }
 
 /// @param question  are some tetrahedra the same for all members?
 template <class Question>
 void compare_components(const Json& claims, const Input& input, const std::vector<bool>& left_out,
                         const Components& components, const Question& question, Ledger& ledger) {
-  std::set<Face> beside;  // what is left out
+  std::set<FaceOfTet> beside;  // what is left out
   for (std::size_t t = 0; t < left_out.size(); ++t)
     if (left_out[t])
-      for (const Face& face : faces_of(input.tets[t])) beside.insert(face);
+      for (const FaceOfTet& face : faces_of(input.tets[t])) beside.insert(face);
   for (const Json& vertex : claims["components"]) {
     const std::string name = name_of(vertex);
     const auto found = components.find(vertex.get<Number>());
@@ -89,7 +119,7 @@ void compare_components(const Json& claims, const Input& input, const std::vecto
     const auto is_left_out = [&](std::size_t t) {
       const auto faces = faces_of(input.tets[t]);
       return left_out[t] || std::any_of(faces.begin(), faces.end(),
-                                        [&](const Face& f) { return beside.contains(f); });
+                                        [&](const FaceOfTet& f) { return beside.contains(f); });
     };
     if (const auto left = std::find_if(found->second.begin(), found->second.end(), is_left_out);
         left != found->second.end()) {
@@ -130,6 +160,11 @@ void compare_stability(const LevelCase& c, const std::string& input_file,
                                        in_parallel(c.progress));
                      },
                      ledger);
+  compare_crossings<2>(claims, c.claims["edges"],
+                       [&](const std::vector<std::array<std::uint32_t, 2>>& edges) {
+                         return are_free(c.field, mode, *radius, edges, in_parallel(c.progress));
+                       },
+                       ledger);
 }
 
 void compare_stability(const CurveCase& c, const std::string& input_file, bool is_sound,
@@ -150,6 +185,12 @@ void compare_stability(const CurveCase& c, const std::string& input_file, bool i
                                              in_parallel(progress));
                      },
                      ledger);
+  compare_crossings<3>(claims, c.claims["faces"],
+                       [&](const std::vector<std::array<std::uint32_t, 3>>& faces) {
+                         return are_transverse(c.field, is_planar, *radius, faces,
+                                               in_parallel(progress));
+                       },
+                       ledger);
 }
 
 }  // namespace certificate

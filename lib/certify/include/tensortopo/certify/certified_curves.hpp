@@ -52,11 +52,16 @@ struct CertifiedCurves {
   std::vector<Curve> curves;             ///< by first vertex
   std::optional<StabilityClaim> stability;  ///< of an uncertain field
 
-  /// Entities claimed: faces and tetrahedra that the curves meet, components, stable ones, and that there
-  /// are no others.
+  /// The faces, as indices into `faces`, that `stability` claims to have their points in all fields;
+  /// ascending.
+  std::vector<std::size_t> claimed_crossings() const;
+
+  /// Entities claimed: faces and tetrahedra that the curves meet, components, stable ones, that there
+  /// are no others, and that faces have their points in all fields.
   std::size_t claims() const {
     return faces.size() + tets.size() + curves.size() + 1 +
-           (stability ? stability->components.size() : 0);
+           (stability ? stability->components.size() : 0) +
+           (claimed_crossings().empty() ? 0 : 1);
   }
 };
 

@@ -74,11 +74,17 @@ struct CertifiedLevel {
   /// and the mesh's own `cell_ids`.
   std::vector<std::int64_t> vertex_ids, cell_ids;
 
-  /// Entities claimed: crossed edges, faces and tetrahedra, components, distance, stable components.
+  /// The edges, as indices into those of `topology`, that `stability` claims to be crossed alike in
+  /// all fields; ascending.
+  std::vector<std::size_t> claimed_crossings() const;
+
+  /// Entities claimed: crossed edges, faces and tetrahedra, components, distance, stable components,
+  /// that edges are crossed alike.
   std::size_t claims() const {
     return topology.edges.size() + topology.faces.size() + topology.tets.size() +
            topology.cones.size() + components.size() + 1 + (embedded ? 1 : 0) + (not_isotopic ? 1 : 0) +
-           (stability ? stability->components.size() : 0);
+           (stability ? stability->components.size() : 0) +
+           (claimed_crossings().empty() ? 0 : 1);
   }
 };
 

@@ -55,6 +55,10 @@ struct LevelStability {
   /// be crossed alike by all members; ascending.
   std::vector<std::array<TetMesh::Index, 2>> stable_edges;
   std::vector<std::array<TetMesh::Index, 3>> stable_faces;  ///< as `stable_edges`
+  /// Those of them that a certificate claims: proved for larger radii, so that another derivation
+  /// closes as well.
+  std::vector<std::array<TetMesh::Index, 2>> claimed_edges;
+  std::vector<std::array<TetMesh::Index, 3>> claimed_faces;  ///< as `claimed_edges`
   /// The others that may be crossed, by vertices.
   std::vector<UnstableSimplex<2>> unstable_edges;
   std::vector<UnstableSimplex<3>> unstable_faces;  ///< as `unstable_edges`

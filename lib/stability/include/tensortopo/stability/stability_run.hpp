@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -24,6 +25,9 @@ struct StabilitySummary {
   std::map<std::string, std::size_t> reasons;  ///< unstable tetrahedra by the reason's name
   std::map<std::string, std::size_t> crossing_reasons;  ///< crossings that are not stable, as well
   std::vector<SurfaceMesh::Index> components;  ///< stable ones, by smallest vertex, ascending
+  /// The edges, or faces, with crossings of which a certificate claims that they are stable: their
+  /// vertices, ascending (of edges the last is -1).
+  std::vector<std::array<TetMesh::Index, 3>> crossed_simplices;
 };
 
 /// Components that are in every field whose deviators differ by at most a radius at each vertex:
@@ -35,6 +39,7 @@ struct StabilityClaim {
   /// In place of `radius`, the input's array that has one for each vertex, and the SHA-256 of these
   /// (`numbers_sha256`); else empty.
   std::string array = {}, radii_sha256 = {};
+  std::vector<std::array<TetMesh::Index, 3>> crossed_simplices = {};  ///< as in `StabilitySummary`
 };
 
 /// What is stable of surfaces and degenerate curves of one mesh, for reports and files.
