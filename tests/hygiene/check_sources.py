@@ -39,7 +39,7 @@ lib/extract/patch/charts/manifold_mesher.cpp|1e-9|how far rounding may misplace 
 lib/extract/curves/special/degenerate_throughout.cpp|1e-9|deviators farther from parallel than rounding are; all others are compared in rationals
 lib/extract/level/level_in_tet.cpp|1e-4|keeps moved vertices off the sides; shape only
 lib/extract/level/level_in_tet.cpp|1e-14|the end of a Newton iteration
-lib/extract/level/proofs/screen.hpp|2e-7|bound of the rounding of a Lode angle, derived beside it
+lib/extract/level/proofs/screen.hpp|2.2e-7|bound of the rounding of a Lode angle, derived beside it
 lib/extract/level/proofs/screen.hpp|1e-3|size below which the bound is not claimed
 lib/mesh/src/unmatched_faces.cpp|1e-13|bound of the rounding of a product of normals, derived beside it
 lib/mesh/src/validate.cpp|1e-100|shortest edge of which the cube is a normal double; shorter ones are refused

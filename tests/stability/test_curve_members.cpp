@@ -106,7 +106,7 @@ std::map<std::string, int> components_of(const CurveMesh& curves, const std::vec
 }
 
 TEST(StableCurves, AsComponentsAreInEveryMember) {
-  Compared compared("stable components in members", 20);
+  Compared compared("stable components in members", 10);
   for (int k = 0; k < trials(20); ++k) {
     Random random(1200 + static_cast<std::uint64_t>(k));
     TetMesh mesh = cube_mesh(3);

@@ -35,7 +35,7 @@ TEST(CurveArcs, TransitionsAreThoseOfTangentsAcrossInRationals) {
   const std::uint64_t seed = 20261101;
   SCOPED_TRACE(announce(seed));
   Random random(seed);
-  Compared fields("fields", 300), zeros("transitions", 100), several("several in one field", 20);
+  Compared fields("fields", 150), zeros("transitions", 50), several("several in one field", 10);
   std::size_t skipped = 0;
   for (int trial = 0; trial < trials(500); ++trial) {
     const auto entry = [&](int bound) {
@@ -72,7 +72,7 @@ TEST(CurveArcs, TransitionsAreThoseOfTangentsAcrossInRationals) {
 TEST(CurveArcs, SignsAreThoseOfVertices) {
   const std::uint64_t seed = 20261102;
   SCOPED_TRACE(announce(seed));
-  Compared vertices("vertices", 2000), zeros("transitions", 50), jumps("jumps", 10);
+  Compared vertices("vertices", 1000), zeros("transitions", 25), jumps("jumps", 5);
   std::size_t not_proved = 0, lines = 0;
   for (int trial = 0; trial < trials(3); ++trial) {
     TetMesh mesh = cube_mesh(3);

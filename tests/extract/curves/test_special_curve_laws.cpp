@@ -68,9 +68,9 @@ TEST(SpecialCurves, AreFlawlessAndCompleteButForSurfaces) {
       surfaces += extraction.unresolved.size();
     }
   }
-  EXPECT_GT(carriers[Carrier::vertex], 20);
-  EXPECT_GT(carriers[Carrier::edge], 20);
-  EXPECT_GT(surfaces, 20u);
+  EXPECT_GT(carriers[Carrier::vertex], 10);
+  EXPECT_GT(carriers[Carrier::edge], 10);
+  EXPECT_GT(surfaces, 10u);
 }
 
 // Degenerate tensors are a closed set: where the curves of fields close to this one run, there must

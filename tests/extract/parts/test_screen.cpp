@@ -43,6 +43,20 @@ TEST(Screen, AnglesAreAsAccurateAsStated) {
   EXPECT_LT(worst, screen::kAngleError);
 }
 
+// As a function of the angle the error changes by less than 1e-6 for each radian, so between these
+// places by less than 2e-10.
+TEST(Screen, ArcCosineIsAsAccurateAsStated) {
+  constexpr int kPlaces = 20000;
+  double worst = 0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    const double x = std::cos(3.141592653589793 * k / kPlaces);
+    worst = std::max(worst, std::abs(static_cast<double>(acos(Real50(x)) -
+                                                         Real50(screen::arc_cosine(x)))));
+  }
+  EXPECT_LT(worst, 2.25e-8);
+  EXPECT_GT(worst, 1e-8);
+}
+
 TEST(Screen, NeverExcludesATetrahedronThatBruteForceSeesCrossed) {
   const std::uint64_t seed = 20240502;
   SCOPED_TRACE(announce(seed));
