@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "support/compared.hpp"
+#include "support/fields/random_fields.hpp"
+#include "support/trials.hpp"
 #include "tensortopo/persistence/persistence_pairs.hpp"
 
 namespace tensortopo::test {
@@ -59,8 +66,9 @@ TEST(PersistencePairs, BirthsThatOverlapAreTies) {
   tree.merges = {merge(0.1, 0.11, {0, 1})};
   const auto pairs = persistence_pairs(tree);
   EXPECT_EQ(pairs[0].merge, std::optional<std::size_t>(0));
+  // Either may be the one that lasts.
   EXPECT_TRUE(pairs[0].is_tie);
-  EXPECT_FALSE(pairs[1].is_tie);
+  EXPECT_TRUE(pairs[1].is_tie);
 }
 
 TEST(PersistencePairs, OfCurvesTheLongerIsTheOlder) {
@@ -85,6 +93,76 @@ TEST(PersistencePairs, UnprovedPointsMakePairsUncertain) {
   EXPECT_FALSE(pairs[1].is_certain);
   EXPECT_TRUE(pairs[2].is_certain);
   EXPECT_EQ(pairs[1].merge, std::optional<std::size_t>(1));
+}
+
+// A merge with a wide enclosure may come after several with narrow ones, not only after the next.
+TEST(PersistencePairs, WideEnclosuresAreComparedWithAllThatFollow) {
+  MergeTree tree;
+  tree.maxima = {maximum(0.99, 0.99), maximum(0.95, 0.95), maximum(0.97, 0.97), maximum(0.9, 0.9)};
+  tree.merges = {merge(0.1, 0.9, {0, 1}), merge(0.48, 0.49, {0, 3}), merge(0.3, 0.31, {1, 2})};
+  // With 0.15 in the first one the second maximum dies at the last.
+  const auto pairs = persistence_pairs(tree);
+  EXPECT_TRUE(pairs[1].is_tie);
+  EXPECT_TRUE(pairs[2].is_tie);
+}
+
+/// Merges of as many maxima, with enclosures of any width.
+MergeTree random_tree(Random& random) {
+  MergeTree tree;
+  const int count = random.integer(3, 8);
+  const auto range = [&](double from) {
+    const double middle = from + 0.5 * random.uniform();
+    const double half = std::ldexp(random.uniform(), -random.integer(2, 12));
+    return ModeRange{middle - half, middle + half};
+  };
+  for (int i = 0; i < count; ++i) {
+    const ModeRange mode = range(0.4);
+    tree.maxima.push_back(maximum(mode.low, mode.high));
+  }
+  for (int i = 0; i < 2 * count; ++i) {
+    const ModeRange mode = range(-0.4);
+    const int a = random.integer(0, count - 1), b = random.integer(0, count - 2);
+    tree.merges.push_back(merge(mode.low, mode.high,
+                                {static_cast<std::size_t>(a), static_cast<std::size_t>(b + (b >= a))}));
+  }
+  std::stable_sort(tree.merges.begin(), tree.merges.end(), [](const auto& a, const auto& b) {
+    return a.mode.middle() > b.mode.middle();
+  });
+  return tree;
+}
+
+// Whatever the values are in their enclosures, a pair that is certain and no tie is one of theirs.
+TEST(PersistencePairs, AreThoseOfAllValuesInTheEnclosures) {
+  Compared compared("pairs", 1000);
+  Random random(20261126);
+  for (int k = 0; k < trials(2000); ++k) {
+    const MergeTree tree = random_tree(random);
+    const auto pairs = persistence_pairs(tree);
+    for (int j = 0; j < 8; ++j) {
+      const auto value_in = [&](const ModeRange& range) {
+        const double value = range.low + (range.high - range.low) * random.uniform();
+        return ModeRange{value, value};
+      };
+      MergeTree values = tree;
+      for (auto& each : values.maxima) each.mode = value_in(each.mode);
+      std::vector<std::size_t> order(tree.merges.size());
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      for (auto& each : values.merges) each.mode = value_in(each.mode);
+      std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return values.merges[a].mode.low > values.merges[b].mode.low;
+      });
+      MergeTree sorted = values;
+      for (std::size_t i = 0; i < order.size(); ++i) sorted.merges[i] = values.merges[order[i]];
+      const auto of_values = persistence_pairs(sorted);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!pairs[i].is_certain || pairs[i].is_tie) continue;
+        ++compared;
+        ASSERT_EQ(pairs[i].merge.has_value(), of_values[i].merge.has_value()) << k;
+        if (!pairs[i].merge) continue;
+        ASSERT_EQ(*pairs[i].merge, order[*of_values[i].merge]) << k;
+      }
+    }
+  }
 }
 
 }  // namespace

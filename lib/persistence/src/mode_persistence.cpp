@@ -59,7 +59,7 @@ class Pairing {
     made.birth_point = maximum.point;
     made.birth_tet = maximum.tet;
     made.is_tie = pair.is_tie;
-    made.is_certain = pair.is_certain;
+    made.is_certain = pair.is_certain && input_.curves[side].unresolved.empty();
     made.curve = maximum.curve;
     return made;
   }
@@ -118,8 +118,10 @@ class Pairing {
       made.death = low.birth;
       made.death_point = low.birth_point;
       made.death_tet = low.birth_tet;
+      made.is_tie |= low.is_tie;
       // That there is one such component is certain; where its extrema are is a matter of values.
-      made.is_certain = true;
+      made.is_certain =
+          input_.curves[0].unresolved.empty() && input_.curves[1].unresolved.empty();
       keep(0, highest[0], made);
       if (low.curve) {
         const ModeMaximum& curve = input_.trees[1].maxima[lowest[0].maximum];

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "tensortopo/mesh/union_find.hpp"
 
@@ -13,10 +15,10 @@ namespace {
 /// A component of {mode >= m}, by its class.
 struct Component {
   std::size_t oldest = 0;      ///< maximum
+  ModeRange birth;             ///< of the oldest one, whichever that is
   double doubtful_until = -2;  ///< points that are not proved touch it up to this mode
-  std::size_t last_merge = 0;
-  double last_low = 2;                      ///< of it
-  std::optional<std::size_t> last_maximum;  ///< that died there
+  /// Maxima that died in it, by the lower bound of the mode at which they did.
+  std::multimap<double, std::size_t> died = {};
 };
 
 bool have_one_length(const ModeMaximum& a, const ModeMaximum& b) {
@@ -29,14 +31,30 @@ bool is_older(const ModeMaximum& a, const ModeMaximum& b) {
   return mode_a != mode_b ? mode_a > mode_b : a.length > b.length;
 }
 
-bool may_be_other_way(const ModeMaximum& a, const ModeMaximum& b) {
-  if (a.curve && b.curve) return have_one_length(a, b);
-  return a.mode.overlaps(b.mode);
+/// Whether the older one of two components may be the younger.
+bool may_be_other_way(const MergeTree& tree, const Component& x, const Component& y) {
+  const ModeMaximum &a = tree.maxima[x.oldest], &b = tree.maxima[y.oldest];
+  return a.curve && b.curve ? have_one_length(a, b) : x.birth.overlaps(y.birth);
 }
 
-/// Whether the last merge of a component, at another point, may be the later one.
-bool may_be_exchanged(const Component& component, std::size_t merge, const ModeRange& mode) {
-  return component.last_maximum && component.last_merge != merge && component.last_low <= mode.high;
+/// Notes as ties all that died in a component at points which may come after this merge.
+/// @return whether there are any
+bool note_exchanges(const MergeTree& tree, const Component& component, std::size_t merge,
+                    std::vector<MergePair>& pairs) {
+  bool any = false;
+  const auto end = component.died.upper_bound(tree.merges[merge].mode.high);
+  for (auto died = component.died.begin(); died != end; ++died) {
+    MergePair& pair = pairs[died->second];
+    if (pair.merge == merge) continue;
+    any = pair.is_tie = true;
+  }
+  return any;
+}
+
+/// Adds what died in b to what died in a.
+void add(std::multimap<double, std::size_t>& a, std::multimap<double, std::size_t>&& b) {
+  if (a.size() < b.size()) a.swap(b);
+  a.merge(b);
 }
 
 }  // namespace
@@ -44,7 +62,10 @@ bool may_be_exchanged(const Component& component, std::size_t merge, const ModeR
 std::vector<MergePair> persistence_pairs(const MergeTree& tree) {
   std::vector<MergePair> pairs(tree.maxima.size());
   std::vector<Component> components(tree.maxima.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].maximum = components[i].oldest = i;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i].maximum = components[i].oldest = i;
+    components[i].birth = tree.maxima[i].mode;
+  }
   UnionFind classes(tree.maxima.size());
   const auto class_of = [&](std::size_t maximum) {
     return classes.find(static_cast<std::uint32_t>(maximum));
@@ -62,27 +83,27 @@ std::vector<MergePair> persistence_pairs(const MergeTree& tree) {
       const auto first = class_of(merge.reached[0]), second = class_of(merge.reached[i]);
       if (first == second) {
         // With other values in the enclosures this point may be the one that joins.
-        const Component& whole = components[first];
-        if (may_be_exchanged(whole, m, merge.mode)) pairs[*whole.last_maximum].is_tie = true;
+        note_exchanges(tree, components[first], m, pairs);
         continue;
       }
-      Component older = components[first], younger = components[second];
+      Component older = std::move(components[first]), younger = std::move(components[second]);
       const ModeMaximum &a = tree.maxima[older.oldest], &b = tree.maxima[younger.oldest];
       if (is_older(b, a) || (!is_older(a, b) && younger.oldest < older.oldest))
         std::swap(older, younger);
       MergePair& pair = pairs[younger.oldest];
       pair.merge = m;
-      pair.is_tie |= may_be_other_way(tree.maxima[older.oldest], tree.maxima[younger.oldest]);
-      for (const Component& part : {older, younger})
-        if (may_be_exchanged(part, m, merge.mode))
-          pair.is_tie = pairs[*part.last_maximum].is_tie = true;
+      if (may_be_other_way(tree, older, younger))
+        pair.is_tie = pairs[older.oldest].is_tie = true;
+      for (const Component* part : {&older, &younger})
+        if (note_exchanges(tree, *part, m, pairs)) pair.is_tie = true;
       pair.is_certain = younger.doubtful_until < merge.mode.low;
       older.doubtful_until = std::max(older.doubtful_until, younger.doubtful_until);
-      older.last_merge = m;
-      older.last_low = merge.mode.low;
-      older.last_maximum = younger.oldest;
+      older.birth = {std::max(older.birth.low, younger.birth.low),
+                     std::max(older.birth.high, younger.birth.high)};
+      add(older.died, std::move(younger.died));
+      older.died.emplace(merge.mode.low, younger.oldest);
       classes.unite(first, second);
-      components[class_of(merge.reached[0])] = older;
+      components[class_of(merge.reached[0])] = std::move(older);
     }
   }
   for (MergePair& pair : pairs)

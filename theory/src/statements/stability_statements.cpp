@@ -222,13 +222,13 @@ std::vector<Statement> stability_statements() {
                  "perturbed-relative"}},
       {.id = "lasting-features",
        .paper = "none (fields close to a field)",
-       .claim = "If fields f and f' have |D - D'| <= e < |D| everywhere, and b is the largest "
-                "arcsin(e / |D|), their persistence diagrams, in the signed Lode angle, differ by "
-                "at most b: a component of a superlevel or sublevel set whose persistence is more "
+       .claim = "If f and f' are continuous on one compact domain and have |D - D'| <= e < |D| at "
+                "all its points, and b is the largest arcsin(e / |D|), their persistence diagrams, "
+                "in the signed Lode angle, differ by at most b: a component of a superlevel or sublevel set whose persistence is more "
                 "than 2 b has a counterpart in f'.",
        .hypotheses = "a path of nine tensors and one of tensors within a relative radius of them",
-       .special = "Where |D| <= e nothing is said: such points are to be left out. 2 b cannot be "
-                  "made smaller.",
+       .special = "Where |D| <= e nothing is said: an open set that holds such points is to be left "
+                  "out, so that the domain is compact. 2 b cannot be made smaller.",
        .check = lasting_features,
        .steps = {"perturbed-angle", "signed-lode-angle"},
        .reader = "Functions that differ by at most b have diagrams within b of each other "

@@ -37,7 +37,7 @@ struct GraphCurve {
   CurveArcCounts arcs;                     ///< by proof
 };
 
-/// Two closed curves that are linked.
+/// Two closed curves with a linking number other than 0.
 struct CurveLink {
   std::size_t first = 0, second = 0;  ///< as indices into `GraphReport::curves`
   int number = 0;                     ///< of the curves, or if that is not proved, of the polygons

@@ -139,7 +139,7 @@ std::string to_text(const GraphReport& report) {
                  all.zeros, all.jumps);
   std::size_t certified = 0;
   for (const CurveLink& link : report.links) certified += !link.obstacle;
-  fmt::format_to(out, "linked: {} of {} pairs of closed curves", report.links.size(),
+  fmt::format_to(out, "linking numbers other than 0: {} of {} pairs of closed curves", report.links.size(),
                  report.pairs_of_closed);
   if (!report.links.empty()) fmt::format_to(out, ", {} of them certified", certified);
   fmt::format_to(out, " (of all pairs {} certified", report.certified_pairs);

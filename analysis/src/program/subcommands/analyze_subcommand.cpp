@@ -150,7 +150,7 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                "survive");
   app.add_flag("--graph", options->graph,
                "Of a mesh: the contour tree of the mode, the regions that the neutral surface "
-               "bounds with the degenerate curves in them, and which closed curves are linked");
+               "bounds with the degenerate curves in them, and linking numbers of closed curves");
   app.add_option(
          "--levels", options->most_levels,
          "Extract a surface between each two critical values if this many are enough, else in "

@@ -236,8 +236,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
          "--min-persistence", command.min_persistence,
          "Leave out whole components that matter less: surfaces beside which the mode does "
          "not rise or not fall by P, curves whose component of the mode meets an older one "
-         "within P; radians of the signed Lode angle arcsin(mode) / 3. What survives relative "
-         "noise r has a persistence of 2 arcsin r")
+         "within P; radians of the signed Lode angle arcsin(mode) / 3. What survives noise "
+         "of r |deviator| at every point has a persistence of 2 arcsin r")
       ->type_name("P")
       ->check(positive_number());
   app.add_option("--min-area", command.min_area,

@@ -51,7 +51,8 @@ class TetLayers {
     const auto [known, is_new] =
         places_.emplace(vertex, static_cast<std::uint32_t>(points_.size()));
     if (is_new) {
-      const auto [behind, ahead] = moved_(tet_, vertex);
+      const auto moved = moved_(tet_, vertex);
+      const Vector &behind = moved[0], &ahead = moved[1];
       const Vector& x = surface_.points[as_size(vertex)];
       const Vector step = ahead - behind;
       const double rounding = kOfCoordinate * (max_norm(x) + max_norm(step)),
