@@ -163,14 +163,14 @@ std::string to_text(const PersistenceReport& report) {
   fmt::format_to(out, "{}: {} tetrahedra\n\n", report.input.string(), report.tetrahedra);
   fmt::format_to(out, "{:<30} {:>8} {:>8}", "", "pairs", "ties");
   for (const double r : kNoise) fmt::format_to(out, " {:>10}", fmt::format("> {:g}", r));
-  text += "  survive relative noise\n";
+  text += "  certainly survive relative noise\n";
   const auto row = [&](const std::string& name, const auto& pairs) {
     std::size_t ties = 0;
     std::array<std::size_t, kNoise.size()> survivors{};
     for (const PersistencePair* pair : pairs) {
       ties += pair->is_tie;
       for (std::size_t i = 0; i < kNoise.size(); ++i)
-        survivors[i] += survived_noise(*pair) > kNoise[i];
+        survivors[i] += pair->is_certain && survived_noise(*pair) > kNoise[i];
     }
     fmt::format_to(out, "{:<30} {:>8} {:>8}", name, pairs.size(), ties);
     for (const std::size_t n : survivors) fmt::format_to(out, " {:>10}", n);
