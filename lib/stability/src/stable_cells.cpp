@@ -26,6 +26,9 @@ constexpr int kEdgeParts = 64, kFaceParts = 512, kTetParts = 4096;
 /// another derivation, with other bounds and guesses, closes as well.
 constexpr double kLarger = 1 + 1.0 / 64;
 
+/// For which radii a simplex is proved: its own, or larger ones.
+constexpr char kForOwn = 1, kForLarger = 2;
+
 template <class Body>
 void in_parallel(std::size_t count, std::size_t grain, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
@@ -113,14 +116,18 @@ LevelStability stable_cells(const UncertainField& field, const CellTests& tests,
     return std::all_of(simplices.begin(), simplices.end(),
                        [&](Index i) { return stable[as_size(i)] != 0; });
   };
+  const auto proof = [&](const auto& test, const auto& simplex, int parts) -> char {
+    if (test(box(field, tensors, simplex, kLarger), parts / 4)) return kForLarger;
+    return test(box(field, tensors, simplex), parts) ? kForOwn : 0;
+  };
   in_parallel(edges.size(), 256, [&](std::size_t e) {
-    edges[e] = are_stable(cells.edges[e], vertices) &&
-               tests.edge(box(field, tensors, cells.edges[e]), kEdgeParts);
+    if (are_stable(cells.edges[e], vertices))
+      edges[e] = proof(tests.edge, cells.edges[e], kEdgeParts);
   });
   tell(0.4);
   in_parallel(faces.size(), 128, [&](std::size_t f) {
-    faces[f] = are_stable(cells.face_edges[f], edges) &&
-               tests.face(box(field, tensors, cells.faces[f]), kFaceParts);
+    if (are_stable(cells.face_edges[f], edges))
+      faces[f] = proof(tests.face, cells.faces[f], kFaceParts);
   });
   tell(0.7);
   in_parallel(tets.size(), 32, [&](std::size_t k) {
@@ -156,19 +163,13 @@ LevelStability stable_cells(const UncertainField& field, const CellTests& tests,
           {cells.faces[f],
            reason_of(cells.faces[f],
                      tests.reasons[are_stable(cells.face_edges[f], edges) ? 2 : 1])});
-  std::vector<char> sure_edges(edges), sure_faces(faces);
-  in_parallel(edges.size(), 256, [&](std::size_t e) {
-    sure_edges[e] =
-        edges[e] && tests.edge(box(field, tensors, cells.edges[e], kLarger), kEdgeParts / 4);
-  });
-  in_parallel(faces.size(), 128, [&](std::size_t f) {
-    sure_faces[f] = faces[f] && are_stable(cells.face_edges[f], sure_edges) &&
-                    tests.face(box(field, tensors, cells.faces[f], kLarger), kFaceParts / 4);
-  });
   for (std::size_t e = 0; e < edges.size(); ++e)
-    if (sure_edges[e]) result.claimed_edges.push_back(cells.edges[e]);
+    if (edges[e] == kForLarger) result.claimed_edges.push_back(cells.edges[e]);
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (sure_faces[f]) result.claimed_faces.push_back(cells.faces[f]);
+    if (faces[f] == kForLarger &&
+        std::all_of(cells.face_edges[f].begin(), cells.face_edges[f].end(),
+                    [&](Index e) { return edges[as_size(e)] == kForLarger; }))
+      result.claimed_faces.push_back(cells.faces[f]);
   std::sort(result.claimed_edges.begin(), result.claimed_edges.end());
   std::sort(result.claimed_faces.begin(), result.claimed_faces.end());
   std::sort(result.stable_edges.begin(), result.stable_edges.end());
