@@ -229,6 +229,29 @@ Json read_document(const std::string& file) {
   return document;
 }
 
+Json read_parts_document(const std::string& file) {
+  static const Shape shape(Json::parse(R"({
+    "format": "text", "version": "natural", "mode": "text",
+    "parts": ["*0", {"input": {"file": "text", "sha256": "text"},
+                     "surface": {"file": "text", "sha256": "text"},
+                     "certificate": {"file": "text", "sha256": "text"}}],
+    "whole": {"tetrahedra": "natural", "vertices": "natural", "triangles": "natural",
+              "components": "natural", "euler_characteristic": "integer",
+              "boundary_loops": "natural"}})"));
+  Json document;
+  try {
+    document = parse_json(file_bytes(file));
+    if (const std::string wrong = misfit(document, shape); !wrong.empty())
+      throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
+    if (document["format"] != "tensortopo certificate of parts" || document["version"] != 1)
+      throw Malformed(file, "no certificate of parts of version 1");
+    mode_of(document["mode"]);
+  } catch (const Malformed& error) {
+    throw Malformed(file, error.problem());
+  }
+  return document;
+}
+
 namespace {
 
 mpq_class fraction_of(const Json& value) {
