@@ -177,11 +177,14 @@ def write_parts(
         for file in pieces.files:
             if file.tets[0] == file.tets[1]:
                 raise FileError(f"{file.path}: has no tetrahedra, so there is no part of it; leave it out")
+        if len(orders) > 1:
+            raise FileError(f"{output}: the pieces have tensors in several orders: {', '.join(sorted(orders))}")
         if comm.rank != 0:
             return None
         require_folder(folder)
         return new_folder(folder)
 
+    orders = {order for own in comm.allgather([f.order for f in pieces.files]) for order in own}
     made = together(comm, begin)
     filled: Path = comm.bcast(made)
     try:

@@ -92,7 +92,7 @@ class Parts {
       };
       CheckedPart part = check_part(beside(input_, inputs[p]), beside(surface_, surfaces[p]),
                                     beside(certificate_, certificate), own);
-      add(p, name, part, document["mode"].get<std::string>());
+      add(name, part, document["mode"].get<std::string>());
       borders_.push_back(std::move(part.border));
     }
     join(document["whole"]);
@@ -110,13 +110,15 @@ class Parts {
     return claim["sha256"] == sha256;
   }
 
-  void add(std::size_t p, const std::string& name, const CheckedPart& part, const std::string& mode) {
+  void add(const std::string& name, const CheckedPart& part, const std::string& mode) {
     add_report(part.report, name, report_);
-    add_subject(part.report.subject, p == 0, report_.subject);
-    if (p == 0) tensor_ = part.report.subject.tensor;
+    add_subject(part.report.subject, borders_.empty(), report_.subject);
+    if (borders_.empty()) tensor_ = part.report.subject.tensor, order_ = part.report.subject.order;
     ledger_.begin("files");
     ledger_.settle(part.report.subject.tensor == tensor_, name + "'s tensor", tensor_,
                    part.report.subject.tensor);
+    ledger_.settle(part.report.subject.order == order_, name + "'s components", order_,
+                   part.report.subject.order);
     const std::string own =
         part.report.levels.size() == 1 ? part.report.levels[0].name : "no level, or not only one";
     if (!part.report.levels.empty() || part.report.refuted == 0)
@@ -127,7 +129,7 @@ class Parts {
         auto& list = level_.left_out[reason];
         list.insert(list.end(), tets.begin(), tets.end());
       }
-      if (l.residual && (p == 0 || level_.residual))
+      if (l.residual && (borders_.empty() || level_.residual))
         level_.residual = std::max(level_.residual.value_or(0), *l.residual);
       else
         level_.residual.reset();
@@ -141,13 +143,13 @@ class Parts {
     const std::size_t open = report_.undecided;
     std::optional<JoinedSurface> whole;
     if (!ledger_.has_refuted()) {
-      ledger_.begin("whole");
-      if (open > 0)
-        ledger_.leave_open("whole", "a claim of a part is undecided");
-      else if (!incomplete_.empty())
-        ledger_.leave_open("whole", incomplete_ + " ends at an edge between vertices with zero deviator");
-      else
+      if (open == 0 && incomplete_.empty()) {
         whole = join_parts(borders_, ledger_);
+      } else {
+        ledger_.begin("whole");
+        ledger_.leave_open("whole", open > 0 ? "a claim of a part is undecided"
+                                             : incomplete_ + " ends at an edge between vertices with zero deviator");
+      }
     }
     if (whole) {
       ledger_.begin("whole");
@@ -174,7 +176,7 @@ class Parts {
   Report report_;
   Ledger ledger_;
   LevelReport level_;
-  std::string tensor_;
+  std::string tensor_, order_;
   std::string incomplete_;  ///< a part with edges that are on no face of its border
   std::vector<PartBorder> borders_;
 };
