@@ -53,7 +53,8 @@ std::vector<Id> shuffled(std::size_t count, Random& random) {
   std::vector<Id> ids(count);
   std::iota(ids.begin(), ids.end(), Id{0});
   for (std::size_t i = count; i > 1; --i)
-    std::swap(ids[i - 1], ids[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
+    std::swap(ids[i - 1],
+              ids[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
   return ids;
 }
 
@@ -127,8 +128,7 @@ void require_parts(std::uint64_t seed, Compared& compared) {
 
 TEST(RestrictedPieces, HaveTheTrianglesOfTheWhole) {
   Compared compared("parts with triangles", 3);
-  for (int i = 0; i < trials(8); ++i)
-    require_parts(20261126u + static_cast<unsigned>(i), compared);
+  for (int i = 0; i < trials(8); ++i) require_parts(20261126u + static_cast<unsigned>(i), compared);
 }
 
 TEST(RestrictedPieces, OfAllTetrahedraAreThePiece) {
@@ -147,7 +147,8 @@ TEST(RestrictedPieces, OfAllTetrahedraAreThePiece) {
   EXPECT_TRUE(bytes(restrict_piece(pieces[0], same)) == bytes(pieces[0]));
 }
 
-void require_refused(const PieceSurface& piece, const PartNumbers& numbers, const std::string& text) {
+void require_refused(const PieceSurface& piece, const PartNumbers& numbers,
+                     const std::string& text) {
   try {
     restrict_piece(piece, numbers);
     ADD_FAILURE() << "not refused: " << text;

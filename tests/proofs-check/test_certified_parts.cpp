@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,8 @@ class PartFiles {
     for (const auto& [role, name, text] :
          {std::array<std::string, 3>{"input", "piece" + k + ".vtu", part.field_text()},
           std::array<std::string, 3>{"surface", "surface" + k + ".vtp", part.surface_text()},
-          std::array<std::string, 3>{"certificate", "part" + k + ".json", part.certificate_text()}}) {
+          std::array<std::string, 3>{"certificate", "part" + k + ".json",
+                                     part.certificate_text()}}) {
       put(name, text);
       entry[role] = {{"file", name}, {"sha256", certificate::sha256_of(text)}};
     }
@@ -127,13 +129,34 @@ Exhibit part_of(const TetMesh& mesh, const std::vector<std::int32_t>& owner, int
   return part;
 }
 
+TetMesh random_field(std::uint64_t seed, Random& random) {
+  if (random.integer(0, 1) == 0) return field_of_any_kind(random, random.integer(1, 2));
+  TetMesh mesh = cube_mesh(random.integer(2, 4));
+  fill_with_smooth_tensors(mesh, seed);
+  return mesh;
+}
+
+/// Each part of the whole; none where a part leaves several fans at an isotropic vertex.
+bool add_parts(const TetMesh& mesh, const std::vector<std::int32_t>& owner,
+               const std::vector<PieceSurface>& pieces, const ModeValue& mode, PartFiles& files) {
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    try {
+      files.add(part_of(mesh, owner, static_cast<int>(p), pieces[p], mode));
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("isotropic vertex"), std::string::npos);
+      return false;
+    }
+  }
+  return true;
+}
+
 void require_certified(std::uint64_t seed, Compared& compared) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  TetMesh mesh = cube_mesh(random.integer(2, 4));
-  fill_with_smooth_tensors(mesh, seed);
+  const TetMesh mesh = random_field(seed, random);
   const int parts = random.integer(2, 4);
-  const auto owner = random.integer(0, 1) == 0 ? slabs(mesh, parts) : random_owners(mesh, parts, random);
+  const auto owner =
+      random.integer(0, 1) == 0 ? slabs(mesh, parts) : random_owners(mesh, parts, random);
   const ModeValue mode = random_mode(random);
   ExtractOptions options;
   options.keep_topology = true;
@@ -141,8 +164,7 @@ void require_certified(std::uint64_t seed, Compared& compared) {
   const MergedSurface whole = merge_pieces(pieces);
   PartFiles files("parts");
   files.of_mode(mode);
-  for (int p = 0; p < parts; ++p)
-    files.add(part_of(mesh, owner, p, pieces[static_cast<std::size_t>(p)], mode));
+  if (!add_parts(mesh, owner, pieces, mode, files)) return;
   const SurfaceInvariants known = surface_invariants(whole.surface);
   Json claims{{"tetrahedra", mesh.tets.size()},
               {"vertices", whole.surface.points.size()},

@@ -28,11 +28,13 @@ using Id = std::int64_t;
 /// What the part calls an id of the whole mesh.
 class Names {
  public:
-  Names(const std::vector<std::array<Id, 2>>& pairs, const char* what) : pairs_(pairs), what_(what) {
+  Names(const std::vector<std::array<Id, 2>>& pairs, const char* what)
+      : pairs_(pairs), what_(what) {
     std::sort(pairs_.begin(), pairs_.end());
     std::vector<Id> there;
     for (const auto& [whole, part] : pairs_) {
-      if (whole < 0 || part < 0) refuse_part("a " + std::string(what) + " of a part has a negative id");
+      if (whole < 0 || part < 0)
+        refuse_part("a " + std::string(what) + " of a part has a negative id");
       there.push_back(part);
     }
     std::sort(there.begin(), there.end());

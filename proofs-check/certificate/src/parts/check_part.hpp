@@ -9,7 +9,8 @@
 
 namespace certificate {
 
-/// A part's own certificate, checked, and what is needed of the part to put it together with others.
+/// A part's own certificate, checked, and what is needed of the part to put it together with
+/// others.
 struct CheckedPart {
   Report report;
   PartBorder border;

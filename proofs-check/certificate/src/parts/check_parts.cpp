@@ -147,8 +147,10 @@ class Parts {
         whole = join_parts(borders_, ledger_);
       } else {
         ledger_.begin("whole");
-        ledger_.leave_open("whole", open > 0 ? "a claim of a part is undecided"
-                                             : incomplete_ + " ends at an edge between vertices with zero deviator");
+        ledger_.leave_open(
+            "whole", open > 0
+                         ? "a claim of a part is undecided"
+                         : incomplete_ + " ends at an edge between vertices with zero deviator");
       }
     }
     if (whole) {

@@ -8,7 +8,8 @@
 
 namespace certificate {
 
-/// Checks a certificate of parts: each part by its own certificate, one after the other, then the seams.
+/// Checks a certificate of parts: each part by its own certificate, one after the other, then the
+/// seams.
 /// @param input  a .pvtu
 /// @param surface  a .pvtp
 Report check_parts(const std::string& input, const std::string& surface,

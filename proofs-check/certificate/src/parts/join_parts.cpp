@@ -57,8 +57,7 @@ class Seams {
       for (std::uint32_t f = 0; f < borders_[p].faces.size(); ++f) {
         const auto& points = borders_[p].faces[f].points;
         const auto& all = borders_[p].points;
-        faces.push_back(
-            {{all[points[0]].place, all[points[1]].place, all[points[2]].place}, p, f});
+        faces.push_back({{all[points[0]].place, all[points[1]].place, all[points[2]].place}, p, f});
       }
     std::sort(faces.begin(), faces.end());
     for (std::size_t i = 0, end = 0; i < faces.size(); i = end) {
@@ -108,21 +107,20 @@ class Seams {
   std::span<const std::size_t> edges_on(const FaceOfPart& f) const {
     const auto& edges = borders_[f.part].edges;
     const auto& order = by_face_[f.part];
-    const auto begin = std::lower_bound(order.begin(), order.end(), f.face,
-                                        [&](std::size_t e, std::uint32_t face) {
-                                          return edges[e].face < face;
-                                        });
-    const auto end = std::upper_bound(order.begin(), order.end(), f.face,
-                                      [&](std::uint32_t face, std::size_t e) {
-                                        return face < edges[e].face;
-                                      });
+    const auto begin =
+        std::lower_bound(order.begin(), order.end(), f.face,
+                         [&](std::size_t e, std::uint32_t face) { return edges[e].face < face; });
+    const auto end =
+        std::upper_bound(order.begin(), order.end(), f.face,
+                         [&](std::uint32_t face, std::size_t e) { return face < edges[e].face; });
     return {begin, end};
   }
 
   /// One face of several parts.
   void compare(std::span<const FaceOfPart> same) {
-    std::string name = "face " + place_text(same[0].places[0]) + ' ' + place_text(same[0].places[1]) +
-                       ' ' + place_text(same[0].places[2]) + " of parts";
+    std::string name = "face " + place_text(same[0].places[0]) + ' ' +
+                       place_text(same[0].places[1]) + ' ' + place_text(same[0].places[2]) +
+                       " of parts";
     for (const FaceOfPart& f : same) name += ' ' + std::to_string(f.part);
     if (same.size() > 2)
       return ledger_.refute(name, "two tetrahedra", std::to_string(same.size()) + " tetrahedra");
@@ -135,12 +133,15 @@ class Seams {
     for (const std::size_t e : there) back.push_back({{others[e].ends[1], others[e].ends[0]}, e});
     std::sort(back.begin(), back.end());
     for (std::size_t k = 0; k < std::max(here.size(), back.size()); ++k) {
-      const bool is_here = k == back.size() || (k < here.size() && edges[here[k]].ends < back[k].first);
-      const bool is_there = k == here.size() || (k < back.size() && back[k].first < edges[here[k]].ends);
+      const bool is_here =
+          k == back.size() || (k < here.size() && edges[here[k]].ends < back[k].first);
+      const bool is_there =
+          k == here.size() || (k < back.size() && back[k].first < edges[here[k]].ends);
       if (!is_here && !is_there) continue;
       const auto& ends = is_here ? edges[here[k]].ends : back[k].first;
       return ledger_.refute(name, "the same edges of triangles on both sides",
-                            "the edge " + place_text(ends[0].place) + ' ' + place_text(ends[1].place) + " in part " +
+                            "the edge " + place_text(ends[0].place) + ' ' +
+                                place_text(ends[1].place) + " in part " +
                                 std::to_string(is_here ? a.part : b.part) + " only");
     }
     for (std::size_t k = 1; k < here.size(); ++k)
@@ -153,7 +154,8 @@ class Seams {
       classes_.join(component(a.part, e), component(b.part, f));
       ++glued_[first_component_[a.part] + e.component];
       for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-        const std::size_t u = vertex(a.part, e.vertices[end]), v = vertex(b.part, f.vertices[1 - end]);
+        const std::size_t u = vertex(a.part, e.vertices[end]),
+                          v = vertex(b.part, f.vertices[1 - end]);
         vertices_.join(u, v);
         members_[u] = first_component_[a.part] + e.component;
         members_[v] = first_component_[b.part] + f.component;
@@ -237,7 +239,8 @@ void Seams::compare_numbers(std::size_t count) {
   std::set<double> all;
   std::size_t i = 0, silent = 0;
   const auto wrong = [&](std::size_t part, const std::string& what) {
-    ledger_.refute("whole_component", "the components of the whole, each with a number of its own from 0",
+    ledger_.refute("whole_component",
+                   "the components of the whole, each with a number of its own from 0",
                    what + " in part " + std::to_string(part));
   };
   for (std::size_t p = 0; p < borders_.size(); ++p)
@@ -250,7 +253,8 @@ void Seams::compare_numbers(std::size_t count) {
       if (!part.whole_is_one) return wrong(p, "several numbers on one component");
       const auto [known, is_new] = said.try_emplace(number, *part.whole);
       if (known->second != *part.whole) return wrong(p, "another number for the same component");
-      if (is_new && !all.insert(*part.whole).second) return wrong(p, "the number of another component");
+      if (is_new && !all.insert(*part.whole).second)
+        return wrong(p, "the number of another component");
       if (*part.whole >= static_cast<double>(count)) return wrong(p, "a number that is too large");
     }
   if (silent == i) return;  // nothing is claimed

@@ -18,11 +18,11 @@ struct JoinedSurface {
   std::size_t boundary_loops = 0;
 };
 
-/// Faces that two parts have: with one tetrahedron on each side, equal tensors at their points, and the
-/// same edges of the surface, in opposite directions. One claim for each.
+/// Faces that two parts have: with one tetrahedron on each side, equal tensors at their points, and
+/// the same edges of the surface, in opposite directions. One claim for each.
 ///
-/// Edges are glued by pairs. So around each vertex the triangles remain one fan, and the result is a
-/// surface. Nothing is given if something is refuted, or open.
+/// Edges are glued by pairs. So around each vertex the triangles remain one fan, and the result is
+/// a surface. Nothing is given if something is refuted, or open.
 /// @param borders  of all parts, whose triangles are all as claimed
 std::optional<JoinedSurface> join_parts(const std::vector<PartBorder>& borders, Ledger& ledger);
 

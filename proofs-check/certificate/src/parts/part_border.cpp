@@ -44,7 +44,8 @@ struct DirectedEdgeHash {
 };
 
 /// The level's components, and which one each of its vertices is in.
-std::vector<std::uint32_t> count_components(const LevelCase& c, const std::vector<DirectedEdge>& border,
+std::vector<std::uint32_t> count_components(const LevelCase& c,
+                                            const std::vector<DirectedEdge>& border,
                                             PartBorder& result) {
   const auto& triangles = c.surface.triangles;
   UnionFind classes;
@@ -112,7 +113,8 @@ void add_surface(const LevelCase& c, const CrossingVertices& vertices, const Pla
   for (const auto& t : c.surface.triangles)
     for (std::size_t i = 0; i < 3; ++i) directed.try_emplace({t[i], t[(i + 1) % 3]}, 0);
   std::vector<DirectedEdge> outer;
-  std::map<DirectedEdge, DirectedEdge> named;  // edges of one triangle, by the names that chains have for them
+  std::map<DirectedEdge, DirectedEdge>
+      named;  // edges of one triangle, by the names that chains have for them
   for (const auto& t : c.surface.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const DirectedEdge side{t[i], t[(i + 1) % 3]};

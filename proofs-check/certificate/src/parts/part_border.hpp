@@ -24,13 +24,14 @@ struct BorderPoint {
 /// A face of one tetrahedron of the part.
 struct BorderFace {
   std::array<std::uint32_t, 3> points{};  ///< of the border's, ascending by place
-  int side = 0;  ///< of these three, on which the tetrahedron is: 1 or -1
+  int side = 0;                           ///< of these three, on which the tetrahedron is: 1 or -1
 };
 
 /// An end of an edge of the surface on a face of the border.
 struct SurfaceEnd {
   BorderPlace place{};
-  /// Of a crossing: which one it is on its edge, from 1, counted from the end of smaller place. Else 0.
+  /// Of a crossing: which one it is on its edge, from 1, counted from the end of smaller place.
+  /// Else 0.
   std::uint32_t crossing = 0;
 
   auto operator<=>(const SurfaceEnd&) const = default;
@@ -47,8 +48,8 @@ struct SurfaceEdge {
 /// A component of the part's surface.
 struct PartComponent {
   std::size_t vertices = 0, edges = 0, triangles = 0;
-  std::optional<double> whole;    ///< what the array `whole_component` says; nothing if there is none
-  bool whole_is_one = true;       ///< whether it says one number on all triangles
+  std::optional<double> whole;  ///< what the array `whole_component` says; nothing if there is none
+  bool whole_is_one = true;     ///< whether it says one number on all triangles
 };
 
 struct PartBorder {

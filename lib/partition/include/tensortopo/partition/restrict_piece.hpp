@@ -20,7 +20,8 @@ struct PartNumbers {
 
 /// The surface in some of the tetrahedra that a piece owns, as that of a mesh which has no others.
 ///
-/// Law       `merge_pieces` of the result alone, and `certify`, give the surface and the claims about
+/// Law       `merge_pieces` of the result alone, and `certify`, give the surface and the claims
+/// about
 ///           the level in the part's mesh: the triangles in a tetrahedron are a surface of its
 ///           level, whatever is around it. The triangles are those of the piece, bit for bit, and
 ///           those of one tetrahedron are in the same order.
@@ -28,7 +29,8 @@ struct PartNumbers {
 ///           a copy of the vertex; copies that the piece has become one where the part joins them.
 /// Normals   They remain those of the piece: at the part's border they are means over tetrahedra
 ///           that the part does not have.
-/// @throws std::invalid_argument if ids repeat, if the piece does not own one of the tetrahedra, if a vertex of
+/// @throws std::invalid_argument if ids repeat, if the piece does not own one of the tetrahedra, if
+/// a vertex of
 ///         one has no number, or if the part leaves several fans at an isotropic vertex
 PieceSurface restrict_piece(const PieceSurface& piece, const PartNumbers& numbers);
 
