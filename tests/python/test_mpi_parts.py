@@ -403,6 +403,10 @@ def test_a_document_that_is_none(parts):
         with pytest.raises(tt.FileError, match=text):
             parts.verdict()
     (parts.folder / "surface.json").write_text(data)
+    with pytest.raises(tt.FileError, match="is a certificate of parts"):
+        tt.check(parts.path(0, "input"), parts.path(0, "surface"), parts.folder / "surface.json")
+    with pytest.raises(tt.FileError, match="is no certificate of parts"):
+        tt.check(parts.folder / "field.pvtu", parts.folder / "surface.pvtp", parts.path(0, "certificate"))
     (parts.folder / "surface.pvtp").write_text("<VTKFile/>")
     with pytest.raises(tt.FileError, match="surface.pvtp: is no VTK file of type PPolyData"):
         parts.verdict()
