@@ -3,11 +3,14 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,6 +21,7 @@
 #include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/partition/certify_pieces.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
+#include "tensortopo/partition/restrict_piece.hpp"
 #include "tensortopo/partition/topology_numbers.hpp"
 #include "watched.hpp"
 
@@ -66,22 +70,7 @@ std::vector<PieceMessage> messages_of(const std::vector<MessageRow>& rows) {
   return messages;
 }
 
-py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64_t>& vertex_ids,
-               const Input<bool>& owned, std::int64_t whole_cells, double resolution,
-               bool all_samples, bool certify, const py::object& progress) {
-  if (!(resolution > 0) || resolution > 1000)
-    throw py::value_error("resolution: must be a positive number, at most 1000");
-  MeshPiece given{self.mesh, {}, {}, whole_cells};
-  given.vertex_ids.assign(vertex_ids.data(), vertex_ids.data() + vertex_ids.size());
-  for (py::ssize_t t = 0; t < owned.size(); ++t) given.is_owned.push_back(owned.data()[t]);
-  ExtractOptions options;
-  options.sampling.resolution = resolution, options.keep_samples = all_samples;
-  options.keep_topology = certify;
-  const ModeValue value = parse_surface_mode(mode);
-  PieceSurface made = watched(progress, [&](const Progress& report) {
-    options.progress = report;
-    return extract_piece(given, value, options);
-  });
+py::dict dict_of(PieceSurface&& made) {
   py::dict out;
   put_surface(out, std::move(made.surface));
   out["ordinals"] = array_of<std::int32_t>(std::move(made.ordinals));
@@ -104,6 +93,25 @@ py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64
     out["proof_weights"] = array_of<double>(std::move(proofs.weights));
   }
   return out;
+}
+
+py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64_t>& vertex_ids,
+               const Input<bool>& owned, std::int64_t whole_cells, double resolution,
+               bool all_samples, bool certify, const py::object& progress) {
+  if (!(resolution > 0) || resolution > 1000)
+    throw py::value_error("resolution: must be a positive number, at most 1000");
+  MeshPiece given{self.mesh, {}, {}, whole_cells};
+  given.vertex_ids.assign(vertex_ids.data(), vertex_ids.data() + vertex_ids.size());
+  for (py::ssize_t t = 0; t < owned.size(); ++t) given.is_owned.push_back(owned.data()[t]);
+  ExtractOptions options;
+  options.sampling.resolution = resolution, options.keep_samples = all_samples;
+  options.keep_topology = certify;
+  const ModeValue value = parse_surface_mode(mode);
+  PieceSurface made = watched(progress, [&](const Progress& report) {
+    options.progress = report;
+    return extract_piece(given, value, options);
+  });
+  return dict_of(std::move(made));
 }
 
 template <class Row, class T>
@@ -180,43 +188,90 @@ PieceSurface piece_from(const py::dict& d) {
 }
 
 /// @param subject  what is known of the field
+/// @param whole_component  of each triangle of a part, its component in the whole; else empty
 std::string certificate_of(const MergedSurface& merged, const ModeValue& mode,
-                           CertificateSubject subject) {
+                           CertificateSubject subject, const std::vector<Index>& whole_component) {
   const CertifiedLevel level = certify(merged, mode);
-  const SurfaceMesh surface = extraction_of(merged).surface;
+  SurfaceMesh surface = extraction_of(merged).surface;
   subject.tetrahedra = static_cast<std::size_t>(merged.whole_tets);
   subject.vertices = surface.points.size();
   subject.cells = surface.triangles.size();
   subject.output_sha256 = surface_sha256(surface, merged.cells);
-  for (const ArrayHash& array : array_hashes(surface))
+  std::vector<CellArray> more;
+  if (!whole_component.empty()) {
+    // Normals of the whole are no claims about a part.
+    const auto normal = std::exchange(surface.normal, {});
+    std::vector<double> numbers;
+    for (const auto& n : normal) numbers.insert(numbers.end(), {n.x, n.y, n.z});
+    subject.arrays.push_back({"points", "whole_normal", 3, numbers_sha256(numbers)});
+    more.push_back({"whole_component", whole_component, {}, false});
+  }
+  for (const ArrayHash& array : array_hashes(surface, more))
     subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
+  std::sort(subject.arrays.begin(), subject.arrays.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.of, a.name) < std::tie(b.of, b.name);
+  });
   return certificate_bytes(subject, std::span(&level, 1), merged.cells, CertificateEncoding::json);
 }
 
-py::dict merge(const std::vector<py::dict>& dicts, const py::object& certified) {
+py::dict restrict(const py::dict& whole, const Input<std::int64_t>& tets,
+                  const Input<std::int64_t>& vertices) {
+  const PartNumbers numbers{rows_of<std::array<std::int64_t, 2>>(tets, "cells"),
+                            rows_of<std::array<std::int64_t, 2>>(vertices, "vertices")};
+  return dict_of(restrict_piece(piece_from(whole), numbers));
+}
+
+/// Values of triangles, which come in the order of their tetrahedra's ids, in the surface's order.
+std::vector<Index> in_surface_order(const std::vector<std::int64_t>& cell_ids,
+                                    const std::vector<Index>& by_cell) {
+  if (by_cell.size() != cell_ids.size())
+    throw py::value_error("pieces: a part has " + std::to_string(cell_ids.size()) +
+                          " triangles, the whole surface has " + std::to_string(by_cell.size()) +
+                          " there");
+  std::vector<std::size_t> order(cell_ids.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return cell_ids[i] < cell_ids[j]; });
+  std::vector<Index> result(cell_ids.size());
+  for (std::size_t i = 0; i < order.size(); ++i) result[order[i]] = by_cell[i];
+  return result;
+}
+
+/// @param components  of a part: of each triangle, in the order of the tetrahedra's ids, its
+///                    component in the whole surface; else None
+py::dict merge(const std::vector<py::dict>& dicts, const py::object& certified,
+               const py::object& components) {
   std::vector<PieceSurface> pieces;
   for (const py::dict& d : dicts) pieces.push_back(piece_from(d));
   std::string mode;
   CertificateSubject subject;
-  const bool certifying = !certified.is_none();
+  const bool certifying = !certified.is_none(), is_part = !components.is_none();
   if (certifying) {
     mode = certified["mode"].cast<std::string>();
     subject.tensor = certified["tensor"].cast<std::string>();
-    subject.components = "vtk";
+    subject.components = certified["components"].cast<std::string>();
     subject.points = certified["points"].cast<std::size_t>();
     subject.field_sha256 = certified["sha256"].cast<std::string>();
+  }
+  std::vector<Index> by_cell, whole_component;
+  if (!components.is_none()) {
+    const auto array = components.cast<Input<Index>>();
+    by_cell.assign(array.data(), array.data() + array.size());
   }
   MergedSurface made;
   std::string certificate;
   {
     const py::gil_scoped_release unlocked;
     made = merge_pieces(pieces);
-    if (certifying) certificate = certificate_of(made, parse_surface_mode(mode), subject);
+    if (is_part) whole_component = in_surface_order(made.cell_ids, by_cell);
+    if (certifying)
+      certificate = certificate_of(made, parse_surface_mode(mode), subject, whole_component);
   }
   py::dict out;
   auto component = std::move(made.surface.component);
   put_surface(out, std::move(made.surface));
   out["component"] = array_of<Index>(std::move(component));
+  if (is_part) out["whole_component"] = array_of<Index>(std::move(whole_component));
   out["cell_ids"] = array_of<std::int64_t>(std::move(made.cell_ids));
   out["carrier_ids"] = array_of<std::int64_t>(std::move(made.carrier_ids));
   out["unresolved"] = list_of(made.unresolved);
@@ -231,7 +286,8 @@ void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
   mesh.def("piece", &piece, py::arg("mode"), py::arg("vertex_ids"), py::arg("owned"),
            py::arg("whole_cells"), py::arg("resolution"), py::arg("all_samples"),
            py::arg("certify"), py::arg("progress"));
-  m.def("merge_pieces", &merge, py::arg("pieces"), py::arg("certified"));
+  m.def("merge_pieces", &merge, py::arg("pieces"), py::arg("certified"), py::arg("components"));
+  m.def("restrict_piece", &restrict, py::arg("piece"), py::arg("cells"), py::arg("vertices"));
   py::register_local_exception<PiecesDiffer>(m, "PiecesDiffer", PyExc_ValueError);
 }
 

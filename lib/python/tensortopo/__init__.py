@@ -37,6 +37,7 @@ from ._partition import (
     PiecesDiffer,
     extract_piece,
     merge_pieces,
+    restrict_piece,
 )
 from ._persistence import (
     BettiInterval,
@@ -115,6 +116,7 @@ __all__ = [
     "nodal_average",
     "read",
     "register_pyvista",
+    "restrict_piece",
     "to_meshio",
     "to_pyvista",
     "verify",

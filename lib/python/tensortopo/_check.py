@@ -82,9 +82,9 @@ def check(
     Parameters
     ----------
     field : Field or path
-        The field, or its file (.vtu, .vtk).
+        The field, or its file (.vtu, .vtk; .pvtu of a surface in parts).
     output : Surface, MergedSurface, Curves or path
-        The surface or the curves, or their file (.vtp).
+        The surface or the curves, or their file (.vtp; .pvtp with a certificate of parts).
     certificate : bytes or path, optional
         By default that of ``output``.
     expect_modes : sequence of modes, optional

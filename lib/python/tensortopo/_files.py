@@ -77,6 +77,7 @@ class Grid(NamedTuple):
     tets: Any
     cells: Any  # which of the file's cells the tetrahedra are
     tensor_name: str
+    order: str  # of the components in the file
 
 
 def grid_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Optional[str],
@@ -115,13 +116,14 @@ def grid_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Opti
         raise FileError(f"{path}: the array '{name}' has not one tensor for each point")
     order = _order(path, name, array, components)
     tensors: Any = array.values
-    if tensors.shape[1] == 9:
+    is_full = tensors.shape[1] == 9
+    if is_full:
         tensors, order = tensors.reshape(-1, 3, 3), "vtk"
     try:
         rows = tensor_rows(tensors, order, symmetrize)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
-    return Grid(points, rows, tets, np.flatnonzero(tetra), name)
+    return Grid(points, rows, tets, np.flatnonzero(tetra), name, "full" if is_full else order)
 
 
 def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Optional[str],

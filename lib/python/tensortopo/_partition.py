@@ -171,12 +171,28 @@ class CertifiedField:
     sha256 : str
         The hash of the whole field's numbers, as `Field.sha256` gives it; `FieldHash` computes it piece by piece.
     tensor_name : str
-        What the file that is checked calls the tensors. They are in VTK's order there.
+        What the file that is checked calls the tensors.
+    components : str
+        The order of their components there, as in `COMPONENT_ORDERS`, or ``full``.
     """
 
     points: int
     sha256: str
     tensor_name: str = "tensor"
+    components: str = "vtk"
+
+
+def certified_numbers(certify: Optional[CertifiedField], mode: str) -> Optional[dict[str, Any]]:
+    """What the module is told of a field that a certificate is about."""
+    if certify is None:
+        return None
+    return {
+        "mode": mode,
+        "tensor": certify.tensor_name,
+        "components": certify.components,
+        "points": certify.points,
+        "sha256": certify.sha256,
+    }
 
 
 def merge_pieces(
@@ -206,17 +222,32 @@ def merge_pieces(
         If they do not meet: they were extracted with other options, or more layers of cells around the owned ones
         are needed. The message says where. It is a ValueError.
     """
-    certified = None
-    if certify is not None:
-        (text,) = mode_texts(mode)
-        certified = {
-            "mode": text,
-            "tensor": certify.tensor_name,
-            "points": certify.points,
-            "sha256": certify.sha256,
-        }
-    made = _core.merge_pieces([piece.arrays for piece in pieces], certified)
+    certified = certified_numbers(certify, "" if certify is None else mode_texts(mode)[0])
+    made = _core.merge_pieces([piece.arrays for piece in pieces], certified, None)
     return MergedSurface(**{name: made[name] for name in MergedSurface.__dataclass_fields__})
+
+
+def restrict_piece(piece: PieceSurface, cells: npt.ArrayLike, vertices: npt.ArrayLike) -> PieceSurface:
+    """The surface in some of the cells that a piece owns, as that of a mesh that has no others.
+
+    `merge_pieces` of the result alone gives the surface of that mesh: its triangles are those of the piece,
+    bit for bit. Normals remain those of the piece.
+
+    Parameters
+    ----------
+    piece : PieceSurface
+    cells : array_like of int of shape (m, 2)
+        Of each cell of the part its id in the whole mesh, and its id in the part.
+    vertices : array_like of int of shape (n, 2)
+        The same of vertices, at least those of the cells.
+
+    Raises
+    ------
+    ValueError
+        If ids repeat, the piece does not own a cell, or a vertex has no number.
+    """
+    pairs = [np.ascontiguousarray(ids, dtype=np.int64) for ids in (cells, vertices)]
+    return PieceSurface(_core.restrict_piece(piece.arrays, pairs[0], pairs[1]))
 
 
 class FieldHash:

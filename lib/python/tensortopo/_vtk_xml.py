@@ -212,7 +212,8 @@ def _encoded(values: Array) -> str:
     return (base64.b64encode(head) + base64.b64encode(b"".join(packed))).decode("ascii")
 
 
-def _escaped(text: str) -> str:
+def escaped(text: str) -> str:
+    """As the value of an attribute."""
     for a, b in (("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ('"', "&quot;")):
         text = text.replace(a, b)
     return text
@@ -246,7 +247,7 @@ def piece_text(
     ]
     for section, arrays in sections.items():
         is_points = section == "PointData"
-        attributes = [f' {mark}="{_escaped(name)}"' for mark, name in (marks or {}).items() if is_points]
+        attributes = [f' {mark}="{escaped(name)}"' for mark, name in (marks or {}).items() if is_points]
         lines.append(f"<{section}{''.join(attributes)}>")
         for name, values in arrays.items():
             flat = np.ascontiguousarray(values)
@@ -256,7 +257,7 @@ def piece_text(
             labels = names.get(name, ()) if names and is_points else ()
             spelled = "".join(f'ComponentName{i}="{label}" ' for i, label in enumerate(labels))
             lines.append(
-                f'<DataArray type="{number}" Name="{_escaped(name)}" NumberOfComponents="{width}" {spelled}'
+                f'<DataArray type="{number}" Name="{escaped(name)}" NumberOfComponents="{width}" {spelled}'
                 f'format="binary">{_encoded(flat)}</DataArray>'
             )
         lines.append(f"</{section}>")

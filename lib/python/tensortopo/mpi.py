@@ -7,11 +7,13 @@
     mpirun -n 4 python3 -m tensortopo.mpi field.pvtu -o surface.vtp --mode 1/2 --certify surface.json
 
 Each rank reads its share of the pieces, gets from the others the cells around it, and extracts; the first rank
-puts the surfaces together and writes. The files have the same bytes on any number of ranks. Needs mpi4py.
+puts the surfaces together and writes. With ``-o surface.pvtp`` each rank writes the parts of its own pieces. The
+files have the same bytes on any number of ranks. Needs mpi4py.
 """
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import sys
 from dataclasses import dataclass
 from functools import partial
@@ -35,6 +37,7 @@ from ._partition import (
     merge_pieces,
 )
 from ._ranks import Array, Cells, RankError, number_points, together, with_ghosts
+from ._ranks_parts import PieceFile, RankPieces, write_parts
 from ._vtk_xml import read_piece, write_whole
 
 _MOST_LAYERS = 8
@@ -51,6 +54,8 @@ class Part:
         Which of all pieces has the point.
     tets : ndarray of int64, shape (m, 4)
     tensor_name : str
+    files : list of PieceFile
+        Where they were read; needed to write a surface in parts.
     """
 
     points: Array
@@ -58,17 +63,34 @@ class Part:
     piece: Array
     tets: Array
     tensor_name: str = ""
+    files: list[PieceFile] = dataclasses.field(default_factory=list)
 
 
-def piece_files(inputs: Sequence[Path]) -> list[Path]:
-    """The files that a .pvtu names, in its order, or the files given.
+@dataclass(frozen=True)
+class Extracted:
+    """A surface on the ranks.
+
+    Attributes
+    ----------
+    pieces : RankPieces
+        What this rank has.
+    merged : MergedSurface or None
+        The whole; None but on the first rank.
+    """
+
+    pieces: RankPieces
+    merged: Optional[MergedSurface]
+
+
+def piece_sources(inputs: Sequence[Path]) -> list[str]:
+    """The pieces as a .pvtu names them, or the files given.
 
     Raises
     ------
     FileError
     """
-    if len(inputs) != 1 or inputs[0].suffix.lower() != ".pvtu":
-        return list(inputs)
+    if not _is_pvtu(inputs):
+        return [str(path) for path in inputs]
     (path,) = inputs
     try:
         root = ElementTree.parse(path).getroot()
@@ -81,7 +103,22 @@ def piece_files(inputs: Sequence[Path]) -> list[Path]:
         raise FileError(f"{path}: names no pieces")
     if len(set(sources)) < len(sources):
         raise FileError(f"{path}: names a piece twice")
-    return [path.parent / str(source) for source in sources]
+    return [str(source) for source in sources]
+
+
+def piece_files(inputs: Sequence[Path]) -> list[Path]:
+    """The files that a .pvtu names, in its order, or the files given.
+
+    Raises
+    ------
+    FileError
+    """
+    folder = inputs[0].parent if _is_pvtu(inputs) else Path()
+    return [folder / source for source in piece_sources(inputs)]
+
+
+def _is_pvtu(inputs: Sequence[Path]) -> bool:
+    return len(inputs) == 1 and inputs[0].suffix.lower() == ".pvtu"
 
 
 def read_part(
@@ -101,12 +138,22 @@ def read_part(
             raise FileError(f"{path}: a coordinate is missing or not finite")
         if tets.size and not 0 <= tets.min() <= tets.max() < len(points):
             raise FileError(f"{path}: a cell has a vertex that is not there")
+        file = PieceFile(
+            path,
+            number,
+            (len(part.points), len(part.points) + len(points)),
+            (len(part.tets), len(part.tets) + len(tets)),
+            np.asarray(grid.cells, np.int64),
+            grid.tensor_name,
+            grid.order,
+        )
         part = Part(
             np.concatenate([part.points, points]),
             np.concatenate([part.tensors, grid.tensors]),
             np.concatenate([part.piece, np.full(len(points), number)]),
             np.concatenate([part.tets, tets + len(part.points)]),
             grid.tensor_name,
+            [*part.files, file],
         )
     return part
 
@@ -168,6 +215,35 @@ def mode_surface(
     RankError
         On all ranks, if something is wrong on one.
     """
+    return extracted(comm, part, mode, certify=certify, resolution=resolution, all_samples=all_samples,
+                     cells=cells).merged  # fmt: skip
+
+
+def extracted(
+    comm: Any,
+    part: Part,
+    mode: Any,
+    *,
+    certify: bool = False,
+    resolution: float = 4,
+    all_samples: bool = False,
+    cells: Optional[int] = None,
+    in_parts: bool = False,
+) -> Extracted:
+    """What `mode_surface` gives, and the piece of each rank.
+
+    Parameters
+    ----------
+    comm, part, mode, certify, resolution, all_samples, cells
+        As for `mode_surface`.
+    in_parts : bool, default False
+        With ``certify``: the proofs are kept for certificates of parts, and none is made of the whole.
+
+    Raises
+    ------
+    RankError
+        On all ranks, if something is wrong on one.
+    """
     numbered = number_points(comm, part.points, part.tensors, part.piece)
     counts = comm.allgather(len(part.tets))
     whole = sum(counts)
@@ -182,7 +258,7 @@ def mode_surface(
     if len(names) > 1:
         raise RankError(f"the pieces' tensors have several names: {', '.join(sorted(names))}")
     certified = None
-    if certify:
+    if certify and not in_parts:
         is_first = numbered.is_first
         first = Cells(own_ids, owned.tets, owned.vertex_ids, part.points[is_first], part.tensors[is_first])
         sha256 = _field_hash(comm, owned, first, numbered.starts, whole)
@@ -201,11 +277,15 @@ def mode_surface(
             return extract_piece(field, mode, is_owned, held.vertex_ids, whole, resolution=resolution,
                                  all_samples=all_samples, certify=certify)  # fmt: skip
 
-        gathered = comm.gather(together(comm, extract))
+        own = together(comm, extract)
+        gathered = comm.gather(own)
         merged, differ = together(comm, partial(_merged, gathered, certified, mode))
         differ = comm.bcast(differ)
         if differ is None:
-            return merged
+            pieces = RankPieces(
+                part.files, part.points, part.tensors, part.tets, numbered.ids, own_ids, own
+            )
+            return Extracted(pieces, merged)
     raise RankError(f"{differ} (with {_MOST_LAYERS} layers)")
 
 
@@ -227,7 +307,7 @@ def _options(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
         prog="tensortopo.mpi", description="The mode surface of a field in pieces, on the ranks of MPI"
     )
     parser.add_argument("input", nargs="+", type=Path, help="a .pvtu, or its pieces (.vtu) in order")
-    parser.add_argument("-o", "--output", required=True, type=Path, help="the surface (.vtp)")
+    parser.add_argument("-o", "--output", required=True, type=Path, help="the surface: .vtp, or .pvtp with a .vtp for each piece")
     parser.add_argument("--mode", required=True, help="strictly between -1 and 1: 0.5 or 1/2")
     parser.add_argument("--certify", type=Path, metavar="CERT", help="also write a certificate (.json)")
     parser.add_argument("--tensor", help="the array of the points, if there are several")
@@ -238,9 +318,15 @@ def _options(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     return parser.parse_args(arguments)
 
 
+def _in_parts(options: argparse.Namespace) -> bool:
+    return str(options.output.suffix).lower() == ".pvtp"
+
+
 def _require_names(options: argparse.Namespace) -> None:
-    if options.output.suffix.lower() != ".vtp":
-        raise ValueError(f"{options.output}: the name of the surface must end in .vtp")
+    if options.output.suffix.lower() not in (".vtp", ".pvtp"):
+        raise ValueError(f"{options.output}: the name of the surface must end in .vtp or .pvtp")
+    if _in_parts(options) and options.certify is not None and not _is_pvtu(options.input):
+        raise ValueError(f"{options.certify}: a certificate of parts is about a .pvtu; give one as input")
     if options.certify is not None and options.certify.suffix.lower() != ".json":
         raise ValueError(f"{options.certify}: the name of the certificate must end in .json")
     if len(mode_texts(options.mode)) != 1:
@@ -254,7 +340,7 @@ def run(comm: Any, options: argparse.Namespace) -> None:
     part = together(
         comm, lambda: read_part(files, comm.rank, comm.size, options.tensor, options.components)
     )
-    surface = mode_surface(
+    made = extracted(
         comm,
         part,
         options.mode,
@@ -262,24 +348,25 @@ def run(comm: Any, options: argparse.Namespace) -> None:
         resolution=options.resolution,
         all_samples=options.all_samples,
         cells=options.cells,
+        in_parts=_in_parts(options),
     )
-
-    def write() -> None:
-        if surface is None:
-            return
+    surface = made.merged
+    if _in_parts(options):
+        sources = together(comm, lambda: piece_sources(options.input))
+        write_parts(comm, options.output, options.certify, made.pieces, surface, options.mode, sources)
+    elif surface is not None:
         outputs = {options.output: output_bytes(surface)}
         if options.certify is not None:
             outputs[options.certify] = surface.certificate or b""
-        write_whole(outputs)
-        if surface.unresolved:
-            cell, reason = surface.unresolved[0]
-            print(
-                f"tensortopo.mpi: {len(surface.unresolved)} cells are left out, the first is cell "
-                f"{cell}: {reason}",
-                file=sys.stderr,
-            )
-
-    together(comm, write)
+        together(comm, partial(write_whole, outputs))
+    else:
+        together(comm, lambda: None)
+    if surface is not None and surface.unresolved:
+        cell, reason = surface.unresolved[0]
+        print(
+            f"tensortopo.mpi: {len(surface.unresolved)} cells are left out, the first is cell {cell}: {reason}",
+            file=sys.stderr,
+        )
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:

@@ -10,6 +10,8 @@
 #include "claims/compare_curves.hpp"
 #include "claims/curve_names.hpp"
 #include "isotopy/compare_isotopy.hpp"
+#include "parts/check_part.hpp"
+#include "parts/check_parts.hpp"
 #include "run/parallel.hpp"
 #include "run/work_limit.hpp"
 #include "surface/compare_distance.hpp"
@@ -76,7 +78,7 @@ void compare_embedding(const LevelCase& c, bool claimed, Ledger& ledger) {
 }
 
 /// The name of a level in the verdict.
-std::string name_of(const Json& claims) {
+std::string level_name_of(const Json& claims) {
   return claims.contains("mode") ? "mode " + claims["mode"].get<std::string>()
                                  : claims["invariant"].get<std::string>() + ' ' +
                                        claims["value"].get<std::string>();
@@ -84,8 +86,8 @@ std::string name_of(const Json& claims) {
 
 void check_level(const Json& claims, const Level& level, const std::string& input_file,
                  const Input& input, const Field& field, const Triangles& surface,
-                 WorkLimit& limit, Ledger& ledger, const Progress& progress) {
-  ledger.begin_level(name_of(claims));
+                 WorkLimit& limit, Ledger& ledger, const Progress& progress, PartBorder* border) {
+  ledger.begin_level(level_name_of(claims));
   std::vector<bool> left_out(input.tets.size());
   ledger.of_level().vertices = claims["vertices"][1].get<std::size_t>();
   ledger.begin("left out");
@@ -121,6 +123,7 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
     ledger.of_level().residual = residual_bound(c, *placed);
     ledger.begin("arrays");
     compare_vectors(c, *placed, ledger);
+    if (border != nullptr) add_surface(c, vertices, *placed, *border);
   }
   ledger.begin("embedded");
   if (const auto embedded = claims.find("embedded"); embedded != claims.end())
@@ -190,7 +193,7 @@ std::string disorder_of(const Json& levels, const char* key, Number all) {
 std::string repetition_of(const Json& levels) {
   std::set<std::string> names;
   for (const Json& claims : levels)
-    if (!names.insert(name_of(claims)).second) return name_of(claims) + " is listed twice";
+    if (!names.insert(level_name_of(claims)).second) return level_name_of(claims) + " is listed twice";
   return {};
 }
 
@@ -223,17 +226,23 @@ class Checking {
                                  certificate["input"]["components"], input_);
   }
 
-  Report of_surface(const std::string& file, const Triangles& surface) {
+  /// @param border  of a part: gets what is needed to put it together with others
+  Report of_surface(const std::string& file, const Triangles& surface,
+                    PartBorder* border = nullptr) {
     const Json& levels = certificate_["levels"];
     report_.subject.output = file;
     if (!compare_files(surface, "surface", "triangles", surface.triangles.size())) return report_;
+    if (border != nullptr) {
+      *border = border_of(input_);
+      if (levels.size() != 1) return report_;
+    }
     std::optional<Field> field;  // levels mostly are about the same tensors
     for (const Json& claims : levels) {
       const Level level = level_of(claims);
       if (!field || !(field->multiples() == level.multiples()))
         field.emplace(input_, level.multiples(), in_parallel({}));
       check_level(claims, level, report_.subject.input, input_, *field, surface, limit_,
-                  ledger_, progress_);
+                  ledger_, progress_, border);
     }
     std::erase_if(report_.subject.bound_only, [&](const std::string& name) {
       return !report_.levels.empty() &&
@@ -300,25 +309,45 @@ class Checking {
   Ledger ledger_;
 };
 
+/// Of all files; of what is no file the readers say so.
+std::size_t bytes_of(std::initializer_list<std::string> files) {
+  std::size_t bytes = 0;
+  for (const std::string& file : files) {
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(file, none);
+    if (!none) bytes += size;
+  }
+  return bytes;
+}
+
 }  // namespace
 
 Subject read_subject(const std::string& input, const std::string& tensor, const std::string& order) {
   return subject_of(input, tensor, order, read_input(input, tensor, order));
 }
 
+CheckedPart check_part(const std::string& input, const std::string& surface,
+                       const std::string& certificate, const Progress& progress) {
+  const Json document = read_document(certificate);
+  if (document.contains("polylines")) throw Malformed(certificate, "is of curves, not of a part of a surface");
+  try {
+    CheckedPart part;
+    Checking checking(input, document, bytes_of({input, surface, certificate}), progress);
+    part.report = checking.of_surface(surface, read_triangles(surface), &part.border);
+    return part;
+  } catch (const Malformed& error) {
+    throw Malformed(error.file().empty() ? certificate : error.file(), error.problem());
+  }
+}
+
 Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate, const Progress& progress) {
+  if (has_extension(surface, ".pvtp")) return check_parts(input, surface, certificate, progress);
   // Mostly it is a surface, which then is read at the same time.
   auto triangles = std::async(std::launch::async, [&] { return read_triangles(surface); });
   const Json document = read_document(certificate);
   try {
-    std::size_t bytes = 0;
-    for (const std::string& file : {input, surface, certificate}) {
-      std::error_code none;  // of what is no file the readers say so
-      const std::uintmax_t size = std::filesystem::file_size(file, none);
-      if (!none) bytes += size;
-    }
-    Checking checking(input, document, bytes, progress);
+    Checking checking(input, document, bytes_of({input, surface, certificate}), progress);
     return document.contains("polylines") ? checking.of_curves(surface)
                                           : checking.of_surface(surface, triangles.get());
   } catch (const Malformed& error) {

@@ -16,8 +16,8 @@ void add_check_subcommand(CLI::App& program, CommonOptions& common, Action& acti
   CLI::App& app = *program.add_subcommand(
       "check", "Check a certificate with a program that shares no code with the extractor");
   const auto files = std::make_shared<std::array<std::string, 3>>();
-  app.add_option("INPUT", (*files)[0], "The field: .vtu, legacy .vtk")->required();
-  app.add_option("OUTPUT", (*files)[1], "The surface: .vtp")->required();
+  app.add_option("INPUT", (*files)[0], "The field: .vtu, legacy .vtk, .pvtu of a surface in parts")->required();
+  app.add_option("OUTPUT", (*files)[1], "The surface: .vtp, or .pvtp with a certificate of parts")->required();
   app.add_option("CERT", (*files)[2], "The certificate: .json or .cbor")->required();
   const auto demands = std::make_shared<CheckDemands>();
   app.add_option("--expect-mode", demands->modes,

@@ -137,6 +137,7 @@ using Progress = std::function<void(std::string_view what, double part)>;
 
 /// Checks each claim of a certificate (proofs-check/certificate/FORMAT.md) about the field in
 /// `input` (.vtu, .vtk) and the triangles in `surface` (.vtp), deriving the truth from the input's bits.
+/// If `surface` is a .pvtp, a certificate of parts, about a .pvtu.
 /// The report does not depend on the number of threads. Throws Malformed, std::bad_alloc.
 /// Reads a field as a check does, and says how: all of `Subject` that is about the input. Throws
 /// Malformed.

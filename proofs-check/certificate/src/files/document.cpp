@@ -188,6 +188,12 @@ const std::string& text_of(const Json& value) {
   return text;
 }
 
+constexpr const char *kOfOne = "tensortopo certificate", *kOfParts = "tensortopo certificate of parts";
+
+bool has_format(const Json& document, const char* format) {
+  return document.is_object() && document.contains("format") && document["format"] == format;
+}
+
 }  // namespace
 
 std::string file_bytes(const std::string& file) {
@@ -219,13 +225,40 @@ Json read_document(const std::string& file) {
   } catch (const Malformed& error) {
     throw Malformed(file, error.problem());
   }
+  if (has_format(document, kOfParts))
+    throw Malformed(file, "is a certificate of parts; check it with its .pvtu and .pvtp");
   static const Shape surface_shape(make_shape()), curve_shape(make_curve_shape());
   const bool is_of_curves = document.is_object() && document.contains("polylines");
   if (const std::string wrong = misfit(document, is_of_curves ? curve_shape : surface_shape);
       !wrong.empty())
     throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
-  if (document["format"] != "tensortopo certificate" || document["version"] != 1)
+  if (document["format"] != kOfOne || document["version"] != 1)
     throw Malformed(file, "no certificate of version 1");
+  return document;
+}
+
+Json read_parts_document(const std::string& file) {
+  static const Shape shape(Json::parse(R"({
+    "format": "text", "version": "natural", "mode": "text",
+    "parts": ["*0", {"input": {"file": "text", "sha256": "text"},
+                     "surface": {"file": "text", "sha256": "text"},
+                     "certificate": {"file": "text", "sha256": "text"}}],
+    "whole": {"tetrahedra": "natural", "vertices": "natural", "triangles": "natural",
+              "components": "natural", "euler_characteristic": "integer",
+              "boundary_loops": "natural"}})"));
+  Json document;
+  try {
+    document = parse_json(file_bytes(file));
+    if (has_format(document, kOfOne))
+      throw Malformed(file, "is no certificate of parts; check it with the .vtu and .vtp that it is about");
+    if (const std::string wrong = misfit(document, shape); !wrong.empty())
+      throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
+    if (document["format"] != kOfParts || document["version"] != 1)
+      throw Malformed(file, "no certificate of parts of version 1");
+    mode_of(document["mode"]);
+  } catch (const Malformed& error) {
+    throw Malformed(file, error.problem());
+  }
   return document;
 }
 

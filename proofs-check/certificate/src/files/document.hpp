@@ -29,6 +29,9 @@ bool has_extension(std::string name, std::string_view extension);
 /// the numbers and texts say is not looked at.
 Json read_document(const std::string& file);
 
+/// Reads a certificate of parts (JSON) likewise.
+Json read_parts_document(const std::string& file);
+
 /// Texts and numbers of a document. These throw Malformed, without the file's name.
 /// A fraction or decimal that a user writes: "1/2", "0.5", "-9/10". Nothing if it is none.
 std::optional<mpq_class> number_of(const std::string& text);

@@ -72,6 +72,7 @@ class Digest {
     if (context_ == nullptr || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1)
       throw std::runtime_error("no SHA-256");
   }
+  Digest& add(std::string_view bytes) { return add(bytes.data(), bytes.size()); }
   Digest& add(std::uint64_t word) { return add(&word, 8); }
   template <std::size_t Count>
   Digest& add(const std::vector<std::array<double, Count>>& items) {
@@ -114,6 +115,8 @@ class Digest {
 };
 
 }  // namespace
+
+std::string sha256_of(std::string_view bytes) { return Digest().add(bytes).hex(); }
 
 std::string InputFile::sha256() const {
   return Digest().add(points.size()).add(points).add(tensors).add(tets.size()).add(tets).hex();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "input.hpp"
@@ -51,6 +52,9 @@ struct Polylines {
 
   std::string sha256() const;
 };
+
+/// SHA-256 of bytes, in hexadecimal.
+std::string sha256_of(std::string_view bytes);
 
 /// The components of an order in words, "XX YY ZZ XY YZ XZ"; empty for an unknown one.
 std::string listing_of(const std::string& order);

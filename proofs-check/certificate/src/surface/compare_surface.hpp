@@ -31,6 +31,14 @@ struct PlacedSurface {
   std::map<std::size_t, std::vector<ClosedPiece>> closed_pieces;   ///< by tetrahedra
   /// All simplices in which vertices must lie, but crossings' edges.
   std::vector<std::pair<Number, Carrier>> places;
+  /// Where triangles end at a face of one tetrahedron: vertices along an arc or closed curve, in the
+  /// direction of the triangles.
+  struct BorderChain {
+    std::array<Vertex, 3> face{};
+    std::vector<Number> vertices;  ///< of a closed curve each once
+    bool closed = false;
+  };
+  std::vector<BorderChain> border;
 };
 
 /// The triangles of a level: are they a surface, oriented, whose part in each tetrahedron has the

@@ -323,7 +323,7 @@ PlacedSurface Pieces::place() && {
   const std::size_t first = c_.vertices.first;
   PlacedSurface result{std::vector<Carrier>(c_.vertices.count), std::move(tets_),
                        std::move(closed_sheets_), std::move(closed_curves_),
-                       std::move(closed_pieces_), {}};
+                       std::move(closed_pieces_), {}, {}};
   for (const auto& [vertex, crossing] : vertices_.crossing)
     result.carriers[vertex - first] = {{crossing.edge[0], crossing.edge[1]}, 2};
   for (const Json& claim : c_.claims["cones"]) {
@@ -341,6 +341,8 @@ PlacedSurface Pieces::place() && {
       carrier(2) = {{cone.tips[0], cone.tips[1]}, 2};
     }
   }
+  for (const auto& [face, tet, chain] : chains_)
+    if (tets_at(face).size() == 1) result.border.push_back({face, chain, !is_end(chain[0])});
   for (const auto& [face, tet, chain] : chains_)
     for (const Number v : chain)
       if (Carrier& carrier = result.carriers[v - first]; carrier.count == 0)

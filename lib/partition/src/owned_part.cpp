@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "owned_part.hpp"
+
+#include <unordered_set>
+#include <vector>
+
+#include "topology_parts.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+using Index = TetMesh::Index;
+
+/// Leaves the values whose number is marked.
+template <class T>
+void keep(std::vector<T>& values, const std::vector<char>& is_kept) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (is_kept[i]) values[kept++] = values[i];
+  values.resize(kept);
+}
+
+/// Numbers from 0 for those that are marked, in their order.
+std::vector<Index> numbers_of(const std::vector<char>& is_kept) {
+  std::vector<Index> number(is_kept.size(), -1);
+  Index next = 0;
+  for (std::size_t i = 0; i < is_kept.size(); ++i)
+    if (is_kept[i]) number[i] = next++;
+  return number;
+}
+
+}  // namespace
+
+void keep_owned(const MeshPiece& piece, PieceSurface& result) {
+  SurfaceMesh& surface = result.surface;
+  std::vector<char> is_kept(surface.triangles.size()), is_used(surface.points.size(), 0);
+  for (std::size_t i = 0; i < is_kept.size(); ++i) {
+    is_kept[i] = piece.is_owned[as_size(surface.tet[i])];
+    if (is_kept[i])
+      for (const Index v : surface.triangles[i]) is_used[as_size(v)] = 1;
+  }
+  if (result.topology)
+    for_each_surface_vertex(*result.topology, [&](Index v) { is_used[as_size(v)] = 1; });
+  keep(surface.triangles, is_kept);
+  keep(surface.tet, is_kept);
+  const auto number = numbers_of(is_used);
+  for (auto& triangle : surface.triangles)
+    for (Index& v : triangle) v = number[as_size(v)];
+  if (result.topology)
+    for_each_surface_vertex(*result.topology, [&](Index& v) { v = number[as_size(v)]; });
+  keep(surface.points, is_used);
+  keep(surface.carrier, is_used);
+  keep(surface.carrier_vertices, is_used);
+  keep(surface.medium_eigenvector, is_used);
+  keep(surface.dominant_eigenvector, is_used);
+  keep(surface.normal, is_used);
+  keep(surface.mode, is_used);
+  keep(surface.residual, is_used);
+  keep(result.ordinals, is_used);
+  surface.carrier_id.clear();
+  surface.component.clear();
+}
+
+void gather_cells(const MeshPiece& piece, PieceSurface& result) {
+  SurfaceMesh& surface = result.surface;
+  std::vector<char> is_crossed(piece.mesh.tets.size(), 0), is_near(piece.mesh.points.size(), 0);
+  for (const Index t : surface.tet) is_crossed[as_size(t)] = 1;
+  std::unordered_set<std::int64_t> unresolved;
+  for (const UnresolvedOwnedCell& cell : result.unresolved) unresolved.insert(cell.cell_id);
+  for (std::size_t t = 0; t < is_crossed.size(); ++t)
+    if (unresolved.contains(piece.mesh.cell_ids[t])) is_crossed[t] = 1;
+  for (std::size_t t = 0; t < is_crossed.size(); ++t)
+    if (is_crossed[t])
+      for (const Index v : piece.mesh.tets[t]) is_near[as_size(v)] = 1;
+  const auto tet = numbers_of(is_crossed), vertex = numbers_of(is_near);
+  result.cells = piece.mesh;
+  result.vertex_ids = piece.vertex_ids;
+  keep(result.cells.points, is_near);
+  keep(result.cells.tensors, is_near);
+  keep(result.vertex_ids, is_near);
+  keep(result.cells.tets, is_crossed);
+  keep(result.cells.cell_ids, is_crossed);
+  for (auto& corners : result.cells.tets)
+    for (Index& v : corners) v = vertex[as_size(v)];
+  for (Index& t : surface.tet) t = tet[as_size(t)];
+  for (auto& carrier : surface.carrier_vertices)
+    for (Index& v : carrier)
+      if (v >= 0) v = vertex[as_size(v)];
+  if (result.topology) renumber_mesh(*result.topology, vertex, tet);
+}
+
+}  // namespace tensortopo

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// What of a surface lies in owned tetrahedra.
+#pragma once
+
+#include "tensortopo/partition/piece_surface.hpp"
+
+namespace tensortopo {
+
+/// Takes out triangles in ghosts, and vertices that no other triangle has and no proof names.
+/// @param result  whose triangles' `tet` count in the piece's mesh
+void keep_owned(const MeshPiece& piece, PieceSurface& result);
+
+/// Gathers the tetrahedra with triangles or without a proof, and counts in terms of these.
+/// @param result  in numbers of the piece's mesh; its `unresolved` are those of owned tetrahedra
+void gather_cells(const MeshPiece& piece, PieceSurface& result);
+
+}  // namespace tensortopo

@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: the tensortopo authors
+# SPDX-License-Identifier: Apache-2.0
+"""Ranks of MPI write a surface in parts: each those of its pieces."""
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Optional
+
+import numpy as np
+
+from ._errors import FileError
+from ._modes import mode_texts
+from ._partition import CertifiedField, FieldHash, MergedSurface, PieceSurface
+from ._parts import (
+    certificate_of_parts,
+    new_folder,
+    part_bytes,
+    part_surface,
+    put_in_place,
+    pvtp_bytes,
+    require_folder,
+    sha256_of,
+    topology_of,
+)
+from ._ranks import Array, together
+
+
+@dataclass(frozen=True)
+class PieceFile:
+    """A file of a rank's pieces.
+
+    Attributes
+    ----------
+    path : Path
+    number : int
+        Among all pieces.
+    points, tets : tuple of int
+        Where its points and tetrahedra begin and end among those of the rank.
+    cells : ndarray of int64
+        Of each of its tetrahedra, which of the file's cells it is.
+    tensor_name, order : str
+        Name of the tensors' array, and order of its components.
+    """
+
+    path: Path
+    number: int
+    points: tuple[int, int]
+    tets: tuple[int, int]
+    cells: Array
+    tensor_name: str
+    order: str
+
+
+@dataclass(frozen=True)
+class RankPieces:
+    """What a rank has of the mesh, and of the surface.
+
+    Attributes
+    ----------
+    files : sequence of PieceFile
+    points, tensors, tets : ndarray
+        Of all of its files.
+    vertex_ids, cell_ids : ndarray of int64
+        In the whole mesh.
+    surface : PieceSurface or None
+        None if the rank has no cells.
+    """
+
+    files: Sequence[PieceFile]
+    points: Array
+    tensors: Array
+    tets: Array
+    vertex_ids: Array
+    cell_ids: Array
+    surface: Optional[PieceSurface]
+
+
+def _components(comm: Any, pieces: RankPieces, merged: Optional[MergedSurface]) -> list[Array]:
+    """Of each of the rank's files: components in the whole of its triangles, by the ids of their cells."""
+    ends = [(int(pieces.cell_ids[f.tets[0]]), int(pieces.cell_ids[f.tets[1] - 1])) for f in pieces.files]
+    gathered = comm.gather(ends)
+    shares = None
+    if merged is not None:
+        order = np.argsort(merged.cell_ids, kind="stable")
+        cells, components = merged.cell_ids[order], merged.component[order]
+        shares = [
+            [components[np.searchsorted(cells, first) : np.searchsorted(cells, last, side="right")]
+             for first, last in rank]
+            for rank in gathered
+        ]  # fmt: skip
+    share: list[Array] = comm.scatter(shares)
+    return share
+
+
+def _certified(pieces: RankPieces, file: PieceFile) -> CertifiedField:
+    """What the certificate of a part says of its piece."""
+    points, tets = slice(*file.points), slice(*file.tets)
+    numbers = FieldHash(file.points[1] - file.points[0], file.tets[1] - file.tets[0])
+    numbers.add_points(pieces.points[points])
+    numbers.add_tensors(pieces.tensors[points])
+    numbers.begin_cells()
+    numbers.add_cells(pieces.tets[tets] - file.points[0])
+    order = {"mrtrix": "abaqus", "dipy": "nifti"}.get(file.order, file.order)
+    return CertifiedField(file.points[1] - file.points[0], numbers.sha256(), file.tensor_name, order)
+
+
+@dataclass(frozen=True)
+class _Written:
+    """Name and SHA-256 of the files of a part."""
+
+    surface: tuple[str, str]
+    certificate: Optional[tuple[str, str]]
+    field: tuple[str, str]
+
+
+def _write_part(folder: Path, name: str, pieces: RankPieces, file: PieceFile, components: Array,
+                mode: str, certify: bool) -> _Written:  # fmt: skip
+    points, tets = slice(*file.points), slice(*file.tets)
+    vertices = np.column_stack([pieces.vertex_ids[points], np.arange(file.points[1] - file.points[0])])
+    cells = np.column_stack([pieces.cell_ids[tets], file.cells])
+    if pieces.surface is None:
+        raise FileError(f"{file.path}: has no tetrahedra, so there is no part of it; leave it out")
+    certified = _certified(pieces, file) if certify else None
+    try:
+        part = part_surface(pieces.surface, cells, vertices, components, certified, mode)
+    except ValueError as error:
+        raise ValueError(f"{file.path}: {error}") from error
+    data = part_bytes(part)
+    stem = f"{name}_{file.number}"
+    (folder / f"{stem}.vtp").write_bytes(data)
+    certificate = None
+    if part.surface.certificate is not None:
+        (folder / f"{stem}.json").write_bytes(part.surface.certificate)
+        certificate = (f"{stem}.json", sha256_of(part.surface.certificate))
+    field = sha256_of(file.path.read_bytes()) if certify else ""
+    return _Written((f"{stem}.vtp", sha256_of(data)), certificate, (str(file.path), field))
+
+
+def write_parts(
+    comm: Any,
+    output: Path,
+    certificate: Optional[Path],
+    pieces: RankPieces,
+    merged: Optional[MergedSurface],
+    mode: Any,
+    sources: Sequence[str],
+) -> None:
+    """Writes a surface in parts, all files or none. All ranks call it.
+
+    Parameters
+    ----------
+    comm : mpi4py.MPI.Comm
+    output : Path
+        The .pvtp. The parts go into a folder of its name without the ending.
+    certificate : Path or None
+        The certificate of parts. Those of the parts go into the folder.
+    pieces : RankPieces
+    merged : MergedSurface or None
+        The whole, on the first rank.
+    mode : any
+    sources : sequence of str
+        The pieces, as the .pvtu names them.
+
+    Raises
+    ------
+    RankError
+        On all ranks, if something is wrong on one.
+    """
+    (text,) = mode_texts(mode)
+    folder = output.with_suffix("")
+
+    def begin() -> Optional[Path]:
+        for file in pieces.files:
+            if file.tets[0] == file.tets[1]:
+                raise FileError(f"{file.path}: has no tetrahedra, so there is no part of it; leave it out")
+        if len(orders) > 1:
+            raise FileError(f"{output}: the pieces have tensors in several orders: {', '.join(sorted(orders))}")
+        if comm.rank != 0:
+            return None
+        require_folder(folder)
+        return new_folder(folder)
+
+    orders = {order for own in comm.allgather([f.order for f in pieces.files]) for order in own}
+    made = together(comm, begin)
+    filled: Path = comm.bcast(made)
+    try:
+        components = _components(comm, pieces, merged)
+
+        def write() -> list[_Written]:
+            try:
+                return [
+                    _write_part(filled, folder.name, pieces, file, own, text, certificate is not None)
+                    for file, own in zip(pieces.files, components)
+                ]
+            except OSError as error:
+                if isinstance(error, FileError):
+                    raise
+                raise FileError(f"{folder}: cannot be written ({error.strerror or error})") from error
+
+        gathered = comm.gather(together(comm, write))
+        cells = comm.reduce(len(pieces.tets))
+
+        def finish() -> None:
+            if merged is None:
+                return
+            parts = [part for rank in gathered for part in rank]
+            files = {output: pvtp_bytes([f"{folder.name}/{part.surface[0]}" for part in parts])}
+            if certificate is not None:
+                beside = os.path.relpath(folder, certificate.parent).replace(os.sep, "/")
+                listed = [
+                    {
+                        "input": (source, part.field[1]),
+                        "surface": (f"{folder.name}/{part.surface[0]}", part.surface[1]),
+                        "certificate": (f"{beside}/{part.certificate[0]}", part.certificate[1]),
+                    }
+                    for source, part in zip(sources, parts)
+                    if part.certificate is not None
+                ]
+                whole = {"tetrahedra": cells, **topology_of(merged)}
+                files[certificate] = certificate_of_parts(text, listed, whole)
+            put_in_place(filled, folder, files)
+
+        together(comm, finish)
+    finally:
+        if comm.rank == 0:
+            shutil.rmtree(filled, ignore_errors=True)

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "certificate_check/check_certificate.hpp"
+#include "parts/part_border.hpp"
+
+namespace certificate {
+
+/// A part's own certificate, checked, and what is needed of the part to put it together with
+/// others.
+struct CheckedPart {
+  Report report;
+  PartBorder border;
+};
+
+/// As `check_certificate`. The certificate must be of a surface with one level.
+CheckedPart check_part(const std::string& input, const std::string& surface,
+                       const std::string& certificate, const Progress& progress);
+
+}  // namespace certificate

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "parts/check_parts.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "files/document.hpp"
+#include "files/files.hpp"
+#include "parts/check_part.hpp"
+#include "parts/join_parts.hpp"
+#include "parts/part_files.hpp"
+#include "run/ledger.hpp"
+
+namespace certificate {
+namespace {
+
+/// What was found in a part becomes part of what was found in all.
+void add_report(const Report& part, const std::string& name, Report& all) {
+  constexpr std::size_t kShown = 10;
+  all.certified += part.certified, all.refuted += part.refuted, all.undecided += part.undecided;
+  all.by_balls += part.by_balls, all.by_integers += part.by_integers;
+  for (const Verdicts& own : part.kinds) {
+    const auto known = std::find_if(all.kinds.begin(), all.kinds.end(),
+                                    [&](const Verdicts& v) { return v.kind == own.kind; });
+    Verdicts& kind = known == all.kinds.end() ? all.kinds.emplace_back() : *known;
+    kind.kind = own.kind;
+    kind.certified += own.certified, kind.refuted += own.refuted, kind.undecided += own.undecided;
+  }
+  const auto add = [&](const std::vector<Finding>& from, std::vector<Finding>& to) {
+    for (const Finding& finding : from) {
+      if (to.size() == kShown) break;
+      to.push_back(finding);
+      to.back().entity = name + ", " + finding.entity;
+    }
+  };
+  add(part.refutations, all.refutations);
+  add(part.open, all.open);
+}
+
+/// What the subject of a part adds to that of all.
+void add_subject(const Subject& part, bool is_first, Subject& all) {
+  if (is_first) {
+    const std::string input = all.input, output = all.output;
+    all = part;
+    all.input = input, all.output = output, all.sha256.clear();
+    return;
+  }
+  all.points += part.points, all.tetrahedra += part.tetrahedra;
+  all.other_cells += part.other_cells, all.doubled_points += part.doubled_points;
+  all.symmetrized += part.symmetrized;
+  all.vertices += part.vertices, all.cells += part.cells;
+  for (const std::string& name : part.bound_only)
+    if (std::find(all.bound_only.begin(), all.bound_only.end(), name) == all.bound_only.end())
+      all.bound_only.push_back(name);
+}
+
+class Parts {
+ public:
+  Parts(const std::string& input, const std::string& surface, const std::string& certificate)
+      : input_(input), surface_(surface), certificate_(certificate), ledger_(report_) {
+    report_.subject.input = input, report_.subject.output = surface;
+  }
+
+  Report check(const Progress& progress) {
+    const Json document = read_parts_document(certificate_);
+    const Json& parts = document["parts"];
+    const auto inputs = piece_names(input_, "UnstructuredGrid");
+    const auto surfaces = piece_names(surface_, "PolyData");
+    ledger_.begin("files");
+    const std::string count = std::to_string(parts.size());
+    ledger_.settle(inputs.size() == parts.size(), "pieces of the field", count,
+                   std::to_string(inputs.size()));
+    ledger_.settle(surfaces.size() == parts.size(), "pieces of the surface", count,
+                   std::to_string(surfaces.size()));
+    if (ledger_.has_refuted()) return report_;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const std::string name = "part " + std::to_string(p);
+      ledger_.begin("files");
+      const std::string certificate = parts[p]["certificate"]["file"].get<std::string>();
+      const bool are_files =
+          compare_file(name + "'s field", parts[p]["input"], inputs[p], beside(input_, inputs[p])) &
+          compare_file(name + "'s surface", parts[p]["surface"], surfaces[p],
+                       beside(surface_, surfaces[p])) &
+          compare_file(name + "'s certificate", parts[p]["certificate"], certificate,
+                       beside(certificate_, certificate));
+      if (!are_files) continue;  // of other files nothing need be derived
+      const Progress own = !progress ? progress : [&, p](std::string_view what, double done) {
+        progress(what, (static_cast<double>(p) + done) / static_cast<double>(parts.size()));
+      };
+      CheckedPart part = check_part(beside(input_, inputs[p]), beside(surface_, surfaces[p]),
+                                    beside(certificate_, certificate), own);
+      add(name, part, document["mode"].get<std::string>());
+      borders_.push_back(std::move(part.border));
+    }
+    join(document["whole"]);
+    return report_;
+  }
+
+ private:
+  /// Is it the file that is claimed, by name and bytes?
+  bool compare_file(const std::string& what, const Json& claim, const std::string& name,
+                    const std::string& path) {
+    const std::string claimed = claim["file"].get<std::string>();
+    if (claimed != name) return ledger_.refute(what, claimed, name), false;
+    const std::string sha256 = sha256_of(file_bytes(path));
+    ledger_.settle(claim["sha256"] == sha256, what + "'s sha256", claim["sha256"].dump(), sha256);
+    return claim["sha256"] == sha256;
+  }
+
+  void add(const std::string& name, const CheckedPart& part, const std::string& mode) {
+    add_report(part.report, name, report_);
+    add_subject(part.report.subject, borders_.empty(), report_.subject);
+    if (borders_.empty()) tensor_ = part.report.subject.tensor, order_ = part.report.subject.order;
+    ledger_.begin("files");
+    ledger_.settle(part.report.subject.tensor == tensor_, name + "'s tensor", tensor_,
+                   part.report.subject.tensor);
+    ledger_.settle(part.report.subject.order == order_, name + "'s components", order_,
+                   part.report.subject.order);
+    const std::string own =
+        part.report.levels.size() == 1 ? part.report.levels[0].name : "no level, or not only one";
+    if (!part.report.levels.empty() || part.report.refuted == 0)
+      ledger_.settle(own == "mode " + mode, name + "'s level", "mode " + mode, own);
+    if (level_.name.empty()) level_.name = "mode " + mode;
+    for (const LevelReport& l : part.report.levels) {
+      for (const auto& [reason, tets] : l.left_out) {
+        auto& list = level_.left_out[reason];
+        list.insert(list.end(), tets.begin(), tets.end());
+      }
+      if (l.residual && (borders_.empty() || level_.residual))
+        level_.residual = std::max(level_.residual.value_or(0), *l.residual);
+      else
+        level_.residual.reset();
+      level_.vertices += l.vertices;
+      for (const auto& [array, shown] : l.vectors) level_.vectors[array] += shown;
+    }
+    if (!part.border.is_complete) incomplete_ = incomplete_.empty() ? name : incomplete_;
+  }
+
+  void join(const Json& claims) {
+    const std::size_t open = report_.undecided;
+    std::optional<JoinedSurface> whole;
+    if (!ledger_.has_refuted()) {
+      if (open == 0 && incomplete_.empty()) {
+        whole = join_parts(borders_, ledger_);
+      } else {
+        ledger_.begin("whole");
+        ledger_.leave_open(
+            "whole", open > 0
+                         ? "a claim of a part is undecided"
+                         : incomplete_ + " ends at an edge between vertices with zero deviator");
+      }
+    }
+    if (whole) {
+      ledger_.begin("whole");
+      const auto compare = [&](const char* key, const Json& derived) {
+        ledger_.settle(claims[key] == derived, std::string("whole, ") + key, claims[key].dump(),
+                       derived.dump());
+      };
+      compare("tetrahedra", report_.subject.tetrahedra);
+      compare("vertices", whole->vertices);
+      compare("triangles", whole->triangles);
+      compare("components", whole->components.size());
+      compare("euler_characteristic", whole->euler_characteristic);
+      compare("boundary_loops", whole->boundary_loops);
+      report_.subject.vertices = whole->vertices;
+      level_.components = whole->components;
+      std::erase(report_.subject.bound_only, "whole_component");
+    }
+    level_.certified = report_.certified, level_.refuted = report_.refuted;
+    level_.undecided = report_.undecided;
+    report_.levels.push_back(level_);
+  }
+
+  const std::string &input_, &surface_, &certificate_;
+  Report report_;
+  Ledger ledger_;
+  LevelReport level_;
+  std::string tensor_, order_;
+  std::string incomplete_;  ///< a part with edges that are on no face of its border
+  std::vector<PartBorder> borders_;
+};
+
+}  // namespace
+
+Report check_parts(const std::string& input, const std::string& surface,
+                   const std::string& certificate, const Progress& progress) {
+  return Parts(input, surface, certificate).check(progress);
+}
+
+}  // namespace certificate

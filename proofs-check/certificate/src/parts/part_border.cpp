@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "parts/part_border.hpp"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "mesh/exact_signs.hpp"
+#include "places.hpp"
+#include "union_find.hpp"
+
+namespace certificate {
+namespace {
+
+using FaceCorners = std::array<std::uint32_t, 3>;
+using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Both zeros are one.
+BorderPlace place_of(const std::array<double, 3>& point) {
+  return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0};
+}
+
+/// Faces of one tetrahedron, ascending, with the vertex opposite.
+std::vector<std::pair<FaceCorners, std::uint32_t>> outer_faces(const Input& input) {
+  std::vector<std::pair<FaceCorners, std::uint32_t>> faces, outer;
+  faces.reserve(4 * input.tets.size());
+  for (const auto& tet : input.tets)
+    for (std::size_t i = 0; i < 4; ++i) faces.emplace_back(without(tet, i), tet[i]);
+  std::sort(faces.begin(), faces.end());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if ((i == 0 || faces[i - 1].first != faces[i].first) &&
+        (i + 1 == faces.size() || faces[i + 1].first != faces[i].first))
+      outer.push_back(faces[i]);
+  return outer;
+}
+
+/// Directed edges of triangles.
+struct DirectedEdgeHash {
+  std::size_t operator()(const DirectedEdge& s) const {
+    return (std::uint64_t{s.first} << 32 | s.second) * 0x9e3779b97f4a7c15U >> 7;
+  }
+};
+
+/// The level's components, and which one each of its vertices is in.
+std::vector<std::uint32_t> count_components(const LevelCase& c,
+                                            const std::vector<DirectedEdge>& border,
+                                            PartBorder& result) {
+  const auto& triangles = c.surface.triangles;
+  UnionFind classes;
+  for (const auto& t : triangles) classes.join(t[0], t[1]), classes.join(t[0], t[2]);
+  constexpr auto kNone = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> component(c.surface.points.size(), kNone);
+  std::vector<std::uint32_t> number(c.surface.points.size(), kNone);
+  const Array* whole = nullptr;
+  for (const Array& array : c.surface.arrays)
+    if (array.of == "triangles" && array.name == "whole_component" && array.components == 1)
+      whole = &array;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    std::uint32_t& known = number[classes.find(triangles[t][0])];
+    if (known == kNone) {
+      known = static_cast<std::uint32_t>(result.components.size());
+      result.components.emplace_back();
+      if (whole != nullptr) result.components.back().whole = whole->numbers[t];
+    }
+    PartComponent& own = result.components[known];
+    ++own.triangles;
+    if (whole != nullptr && own.whole != whole->numbers[t]) own.whole_is_one = false;
+    for (const std::uint32_t v : triangles[t]) {
+      if (component[v] == kNone) ++own.vertices;
+      component[v] = known;
+    }
+  }
+  std::vector<std::size_t> sides(result.components.size());
+  for (const DirectedEdge& side : border) ++sides[component[side.first]];
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    result.components[i].edges = (3 * result.components[i].triangles + sides[i]) / 2;
+  return component;
+}
+
+}  // namespace
+
+PartBorder border_of(const Input& input) {
+  PartBorder border;
+  std::unordered_map<std::uint32_t, std::uint32_t> number;
+  for (auto& [corners, opposite] : outer_faces(input)) {
+    std::sort(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(place_of(input.points[a]), a) < std::pair(place_of(input.points[b]), b);
+    });
+    BorderFace face;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [known, is_new] =
+          number.try_emplace(corners[i], static_cast<std::uint32_t>(border.points.size()));
+      if (is_new)
+        border.points.push_back({place_of(input.points[corners[i]]), input.tensors[corners[i]]});
+      face.points[i] = known->second;
+    }
+    face.side = side_of(input.points[corners[0]], input.points[corners[1]],
+                        input.points[corners[2]], input.points[opposite]);
+    border.faces.push_back(face);
+  }
+  return border;
+}
+
+void add_surface(const LevelCase& c, const CrossingVertices& vertices, const PlacedSurface& placed,
+                 PartBorder& border) {
+  const auto original = [&](std::uint32_t v) {
+    const auto copy = vertices.original.find(v);
+    return copy == vertices.original.end() ? v : static_cast<std::uint32_t>(copy->second);
+  };
+  std::unordered_map<DirectedEdge, char, DirectedEdgeHash> directed;
+  for (const auto& t : c.surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) directed.try_emplace({t[i], t[(i + 1) % 3]}, 0);
+  std::vector<DirectedEdge> outer;
+  std::map<DirectedEdge, DirectedEdge>
+      named;  // edges of one triangle, by the names that chains have for them
+  for (const auto& t : c.surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const DirectedEdge side{t[i], t[(i + 1) % 3]};
+      if (directed.contains({side.second, side.first})) continue;
+      outer.push_back(side);
+      named[{original(side.first), original(side.second)}] = side;
+    }
+  const std::vector<std::uint32_t> component = count_components(c, outer, border);
+
+  std::map<std::array<Vertex, 2>, std::uint32_t> crossings;  // of an edge, how many
+  for (const auto& [vertex, crossing] : vertices.crossing) {
+    auto& count = crossings[crossing.edge];
+    count = std::max(count, crossing.ordinal + 1);
+  }
+  const auto end_of = [&](std::uint32_t v) {
+    SurfaceEnd end{place_of(c.surface.points[v]), 0};
+    const auto crossing = vertices.crossing.find(v);
+    if (crossing == vertices.crossing.end()) return end;
+    const auto& [edge, ordinal] = crossing->second;
+    const bool ascends = place_of(c.input.points[edge[0]]) < place_of(c.input.points[edge[1]]);
+    end.crossing = ascends ? ordinal + 1 : crossings[edge] - ordinal;
+    return end;
+  };
+  std::map<FaceCorners, std::uint32_t> number;
+  const auto faces = outer_faces(c.input);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    number[faces[f].first] = static_cast<std::uint32_t>(f);
+  for (const auto& [face, chain, closed] : placed.border) {
+    const auto at = number.find(face);
+    if (at == number.end()) continue;
+    for (std::size_t k = closed ? 0 : 1; k < chain.size(); ++k) {
+      const auto from = static_cast<std::uint32_t>(chain[k == 0 ? chain.size() - 1 : k - 1]);
+      const auto side = named.find({from, static_cast<std::uint32_t>(chain[k])});
+      if (side == named.end()) continue;
+      const auto [a, b] = side->second;
+      border.edges.push_back({at->second, {end_of(a), end_of(b)}, {a, b}, component[a]});
+    }
+  }
+  border.is_complete = border.edges.size() == outer.size();
+}
+
+}  // namespace certificate

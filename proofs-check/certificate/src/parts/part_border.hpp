@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// What of a part is needed to put parts together: its border, and numbers of its surface.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "claims/compare_level.hpp"
+#include "surface/compare_surface.hpp"
+
+namespace certificate {
+
+using BorderPlace = std::array<double, 3>;  ///< without negative zeros
+
+/// A vertex of the part's mesh on its border.
+struct BorderPoint {
+  BorderPlace place{};
+  std::array<double, 6> tensor{};
+};
+
+/// A face of one tetrahedron of the part.
+struct BorderFace {
+  std::array<std::uint32_t, 3> points{};  ///< of the border's, ascending by place
+  int side = 0;                           ///< of these three, on which the tetrahedron is: 1 or -1
+};
+
+/// An end of an edge of the surface on a face of the border.
+struct SurfaceEnd {
+  BorderPlace place{};
+  /// Of a crossing: which one it is on its edge, from 1, counted from the end of smaller place.
+  /// Else 0.
+  std::uint32_t crossing = 0;
+
+  auto operator<=>(const SurfaceEnd&) const = default;
+};
+
+/// An edge of one triangle, on a face of the border, in the direction of the triangle.
+struct SurfaceEdge {
+  std::uint32_t face = 0;
+  std::array<SurfaceEnd, 2> ends{};
+  std::array<std::uint32_t, 2> vertices{};  ///< of the part's surface
+  std::uint32_t component = 0;              ///< of the part's surface
+};
+
+/// A component of the part's surface.
+struct PartComponent {
+  std::size_t vertices = 0, edges = 0, triangles = 0;
+  std::optional<double> whole;  ///< what the array `whole_component` says; nothing if there is none
+  bool whole_is_one = true;     ///< whether it says one number on all triangles
+};
+
+struct PartBorder {
+  std::vector<BorderPoint> points;
+  std::vector<BorderFace> faces;
+  std::vector<SurfaceEdge> edges;
+  std::vector<PartComponent> components;
+  /// Whether all edges of one triangle are on faces of the border. Those beside tetrahedra that are
+  /// left out are not, nor those between two vertices with zero deviator.
+  bool is_complete = false;
+};
+
+/// The border of a part's mesh.
+PartBorder border_of(const Input& input);
+
+/// Adds what a level's triangles have there, after these were found to be as claimed.
+void add_surface(const LevelCase& c, const CrossingVertices& vertices, const PlacedSurface& placed,
+                 PartBorder& border);
+
+}  // namespace certificate

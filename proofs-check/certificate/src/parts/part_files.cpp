@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "parts/part_files.hpp"
+
+#include <filesystem>
+#include <pugixml.hpp>
+#include <set>
+#include <string_view>
+
+#include "certificate_check/check_certificate.hpp"
+#include "files/document.hpp"
+
+namespace certificate {
+
+std::vector<std::string> piece_names(const std::string& file, const std::string& kind) {
+  const auto fail = [&](const std::string& what) { throw Malformed(file, what); };
+  const std::string bytes = file_bytes(file), type = "P" + kind;
+  // A reader that stops at a zero, or that replaces entities, has another reading.
+  if (bytes.find('\0') != std::string::npos || bytes.find('&') != std::string::npos ||
+      bytes.find("<!") != std::string::npos)
+    fail("has entities, comments, sections or zeros, which are not read here");
+  pugi::xml_document document;
+  if (!document.load_buffer(bytes.data(), bytes.size(), pugi::parse_default, pugi::encoding_utf8))
+    fail("is no XML");
+  const pugi::xml_node root = document.child("VTKFile"), grid = root.child(type.c_str());
+  if (root.attribute("type").value() != type || !grid) fail("is no VTK file of type " + type);
+  if (root.next_sibling() || grid.next_sibling() || grid.previous_sibling())
+    fail("has more than one " + type);
+  std::vector<std::string> names;
+  std::set<std::string> known;
+  for (const pugi::xml_node piece : grid.children("Piece")) {
+    const auto attributes = piece.attributes();
+    if (std::distance(attributes.begin(), attributes.end()) != 1 || !piece.attribute("Source") ||
+        piece.first_child())
+      fail("piece " + std::to_string(names.size()) + " has other than one attribute Source");
+    names.emplace_back(piece.attribute("Source").value());
+    if (names.back().empty()) fail("piece " + std::to_string(names.size() - 1) + " has no name");
+    if (!known.insert(names.back()).second) fail("names " + names.back() + " twice");
+  }
+  if (names.empty()) fail("names no pieces");
+  return names;
+}
+
+std::string beside(const std::string& file, const std::string& name) {
+  return (std::filesystem::path(file).parent_path() / name).string();
+}
+
+}  // namespace certificate

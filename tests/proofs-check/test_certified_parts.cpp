@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+// The library's surfaces in parts, and certificates of parts, against the checker.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "certificate_check/check_certificate.hpp"
+#include "files/files.hpp"
+#include "partition/pieces_of_fields.hpp"
+#include "proofs-check/forgeries/forgery.hpp"
+#include "support/compared.hpp"
+#include "support/trials.hpp"
+#include "tensortopo/certify/certificate.hpp"
+#include "tensortopo/hash/number_hash.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/partition/certify_pieces.hpp"
+#include "tensortopo/partition/restrict_piece.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Files of a surface in parts, in a folder of their own.
+class PartFiles {
+ public:
+  explicit PartFiles(const std::string& name)
+      : folder_(std::filesystem::path(testing::TempDir()) / (name + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~PartFiles() { std::filesystem::remove_all(folder_); }
+  PartFiles(const PartFiles&) = delete;
+  PartFiles& operator=(const PartFiles&) = delete;
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+
+  /// A part of the mesh with its surface and certificate, without further arrays.
+  void add(const Exhibit& part) {
+    const std::string k = std::to_string(parts_.size());
+    Json entry;
+    for (const auto& [role, name, text] :
+         {std::array<std::string, 3>{"input", "piece" + k + ".vtu", part.field_text()},
+          std::array<std::string, 3>{"surface", "surface" + k + ".vtp", part.surface_text()},
+          std::array<std::string, 3>{"certificate", "part" + k + ".json",
+                                     part.certificate_text()}}) {
+      put(name, text);
+      entry[role] = {{"file", name}, {"sha256", certificate::sha256_of(text)}};
+    }
+    parts_.push_back(entry);
+  }
+
+  certificate::Report check(const Json& whole) const {
+    for (const auto& [name, type, role] :
+         {std::array<std::string, 3>{"field.pvtu", "PUnstructuredGrid", "input"},
+          std::array<std::string, 3>{"surface.pvtp", "PPolyData", "surface"}}) {
+      std::string text = "<VTKFile type=\"" + type + "\"><" + type + ">";
+      for (const Json& part : parts_)
+        text += "<Piece Source=\"" + part[role]["file"].get<std::string>() + "\"/>";
+      put(name, text + "</" + type + "></VTKFile>");
+    }
+    put("parts.json", Json{{"format", "tensortopo certificate of parts"},
+                           {"version", 1},
+                           {"mode", mode_},
+                           {"parts", parts_},
+                           {"whole", whole}}
+                          .dump());
+    return certificate::check_certificate(path("field.pvtu"), path("surface.pvtp"),
+                                          path("parts.json"));
+  }
+  void of_mode(const ModeValue& mode) { mode_ = mode.text(); }
+
+ private:
+  std::filesystem::path folder_;
+  Json parts_ = Json::array();
+  std::string mode_;
+};
+
+/// The tetrahedra of one owner as a mesh of their own, and their surface.
+Exhibit part_of(const TetMesh& mesh, const std::vector<std::int32_t>& owner, int which,
+                const PieceSurface& piece, const ModeValue& mode) {
+  Exhibit part;
+  PartNumbers numbers;
+  std::map<TetMesh::Index, TetMesh::Index> number;
+  for (std::size_t t = 0; t < owner.size(); ++t) {
+    if (owner[t] != which) continue;
+    const auto id = static_cast<std::int64_t>(part.mesh.tets.size());
+    numbers.tets.push_back({static_cast<std::int64_t>(t), id});
+    auto corners = mesh.tets[t];
+    for (auto& v : corners) {
+      const auto own = static_cast<TetMesh::Index>(part.mesh.points.size());
+      const auto [known, is_new] = number.try_emplace(v, own);
+      if (is_new) {
+        numbers.vertices.push_back({v, own});
+        part.mesh.points.push_back(mesh.points[as_size(v)]);
+        part.mesh.tensors.push_back(mesh.tensors[as_size(v)]);
+      }
+      v = known->second;
+    }
+    part.mesh.tets.push_back(corners);
+    part.mesh.cell_ids.push_back(id);
+  }
+  const MergedSurface merged = merge_pieces(std::array{restrict_piece(piece, numbers)});
+  const CertifiedLevel level = certify(merged, mode);
+  part.surface.points = merged.surface.points;
+  part.surface.triangles = merged.surface.triangles;
+  for (const auto id : merged.cell_ids) part.surface.tet.push_back(static_cast<std::int32_t>(id));
+  CertificateSubject subject;
+  subject.tensor = "stress", subject.components = "vtk";
+  subject.points = part.mesh.points.size(), subject.tetrahedra = part.mesh.tets.size();
+  subject.field_sha256 = field_sha256(part.mesh);
+  subject.vertices = part.surface.points.size(), subject.cells = part.surface.triangles.size();
+  subject.output_sha256 = surface_sha256(part.surface, part.mesh);
+  part.certificate = Json::parse(
+      certificate_bytes(subject, std::span(&level, 1), merged.cells, CertificateEncoding::json));
+  return part;
+}
+
+TetMesh random_field(std::uint64_t seed, Random& random) {
+  if (random.integer(0, 1) == 0) return field_of_any_kind(random, random.integer(1, 2));
+  TetMesh mesh = cube_mesh(random.integer(2, 4));
+  fill_with_smooth_tensors(mesh, seed);
+  return mesh;
+}
+
+/// Each part of the whole; none where a part leaves several fans at an isotropic vertex.
+bool add_parts(const TetMesh& mesh, const std::vector<std::int32_t>& owner,
+               const std::vector<PieceSurface>& pieces, const ModeValue& mode, PartFiles& files) {
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    try {
+      files.add(part_of(mesh, owner, static_cast<int>(p), pieces[p], mode));
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("isotropic vertex"), std::string::npos);
+      return false;
+    }
+  }
+  return true;
+}
+
+void require_certified(std::uint64_t seed, Compared& compared) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  const TetMesh mesh = random_field(seed, random);
+  const int parts = random.integer(2, 4);
+  const auto owner =
+      random.integer(0, 1) == 0 ? slabs(mesh, parts) : random_owners(mesh, parts, random);
+  const ModeValue mode = random_mode(random);
+  ExtractOptions options;
+  options.keep_topology = true;
+  const auto pieces = extract_pieces(mesh, owner, parts, mode, options);
+  const MergedSurface whole = merge_pieces(pieces);
+  PartFiles files("parts");
+  files.of_mode(mode);
+  if (!add_parts(mesh, owner, pieces, mode, files)) return;
+  const SurfaceInvariants known = surface_invariants(whole.surface);
+  Json claims{{"tetrahedra", mesh.tets.size()},
+              {"vertices", whole.surface.points.size()},
+              {"triangles", whole.surface.triangles.size()},
+              {"components", known.components},
+              {"euler_characteristic", known.euler_characteristic},
+              {"boundary_loops", known.boundary_loops}};
+  const auto report = files.check(claims);
+  EXPECT_EQ(report.refuted, 0U) << to_text(report);
+  compared.count(report.status() == "certified" && known.components > 0);
+  claims["components"] = known.components + 1;
+  if (report.status() == "certified") {
+    EXPECT_EQ(files.check(claims).refuted, 1U);
+  }
+}
+
+TEST(CertifiedParts, AreWhatTheWholeIs) {
+  Compared compared("certified surfaces in parts", 3);
+  for (int i = 0; i < trials(8); ++i)
+    require_certified(20261126u + static_cast<unsigned>(i), compared);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
