@@ -77,8 +77,9 @@ endfunction()
 
 # tensortopo_in_batches(TARGET...)
 # Compiles as many sources at a time as CMAKE_UNITY_BUILD_BATCH_SIZE says. What headers of inline
-# functions ask for (JSON, RapidCheck, CLI11) is instantiated in every source that includes them, precompiled or not, and takes half the
-# time of a small one. Builds without precompiled headers compile each source by itself.
+# functions ask for (JSON, RapidCheck, CLI11) is instantiated in every source that includes them,
+# precompiled or not, and takes half the time of a small one. Builds without precompiled headers
+# compile each source by itself.
 function(tensortopo_in_batches)
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)

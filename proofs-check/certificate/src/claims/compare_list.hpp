@@ -98,7 +98,7 @@ void compare_list(const char* kind, const Json& claims, const std::vector<Simple
 
 template <class Simplex>
 auto numbers_of(const Simplex& simplex) {
-  std::array<Number, std::tuple_size_v<decltype(simplex.vertices)>> numbers;
+  std::array<Number, std::tuple_size_v<decltype(simplex.vertices)>> numbers{};
   std::copy(simplex.vertices.begin(), simplex.vertices.end(), numbers.begin());
   return numbers;
 }
