@@ -119,6 +119,18 @@ TEST(JoinedParts, TwoEdgesAtOnePlaceStayOpen) {
   EXPECT_EQ(join({one, other}).status, "undecided");
 }
 
+// Places do not tell which of two vertices is meant: arcs may be exchanged.
+TEST(JoinedParts, TwoVerticesAtOnePlaceStayOpen) {
+  PartBorder one = part(1), other = part(-1);
+  for (PartBorder* border : {&one, &other}) {
+    SurfaceEdge more = border->edges[0];
+    std::swap(more.ends[0], more.ends[1]);
+    for (auto& v : more.vertices) v += 100;
+    border->edges.push_back(more);
+  }
+  EXPECT_NE(join({one, other}).status, "certified");
+}
+
 TEST(JoinedParts, NumbersOfComponentsAreCompared) {
   PartBorder one = part(1), other = part(-1), apart = part(-1);
   for (BorderPoint& point : apart.points) point.place[0] += 8;
@@ -129,7 +141,9 @@ TEST(JoinedParts, NumbersOfComponentsAreCompared) {
   EXPECT_EQ(join({with(one, 1), with(other, 1), with(apart, 0)}).status, "certified");
   expect_refuted({with(one, 1), with(other, 0), with(apart, 0)}, "another number");
   expect_refuted({with(one, 0), with(other, 0), with(apart, 0)}, "the number of another");
-  expect_refuted({with(one, 0), with(other, 0), with(apart, 2)}, "too large");
+  expect_refuted({with(one, 0), with(other, 0), with(apart, 2)}, "no number");
+  expect_refuted({with(one, 0), with(other, 0), with(apart, -1)}, "no number");
+  expect_refuted({with(one, 0), with(other, 0), with(apart, 0.5)}, "no number");
   expect_refuted({with(one, 0), with(other, std::nullopt), with(apart, 1)}, "no array");
   PartBorder several = with(one, 0);
   several.components[0].whole_is_one = false;

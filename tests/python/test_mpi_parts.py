@@ -294,7 +294,7 @@ def test_a_part_twice(parts):
     parts.document["parts"].append(again)
     parts.name_pieces()
     parts.finish()
-    parts.is_refuted("tetrahedr")
+    parts.is_refuted("one file twice")
     parts.document["parts"][3] = first
     parts.name_pieces()
     parts.finish()

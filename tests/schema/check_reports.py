@@ -57,7 +57,7 @@ def main():
 
         run("generate", "linear", "-o", "g.vtu")
         run("generate", "complex", "-o", "k.vtu", "--seed", "4", "--mode", "1/2")
-        run("generate", "nongeneric", "-o", "n.vtu", "--count", "20", "--field-only")
+        run("generate", "nongeneric", "-o", "n.vtu", "--count", "8", "--field-only")
         run("generate", "kelvin", "-o", "e.vtu", "--field-only", "--count", "2", "--together")
         run("extract", slab, "-o", "s.vtp", "--mode", "1/2", "--mode", "-1", "--generalized")
         run("extract", slab, "-o", "s.vtp", "--mode", "1/2", "--certify", "s.json")
@@ -70,7 +70,7 @@ def main():
         run("extract", "k.vtu", "-o", "m.vtp", "--mode", "1/2", "--max-error", "0.5")
         run("extract", "k.vtu", "-o", "b.vtp", "--mode", "1/2", "--method", "marching")
         run("extract", "k.vtu", "-o", "s.vtp", "--mode", "1/2")
-        for number in range(20):
+        for number in range(8):
             run("extract", f"n-{number:04}.vtu", "-o", "n.vtp", "--mode", "0")
             run("extract", f"n-{number:04}.vtu", "-o", "n.vtp", "--mode", "1")
         run("extract", "k.vtu", "-o", "i.vtp", "--invariant", "magnitude", "--value", "2")

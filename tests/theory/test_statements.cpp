@@ -61,7 +61,7 @@ class EachStatement : public testing::TestWithParam<std::size_t> {
  protected:
   const Statement& statement() const { return statements()[GetParam()]; }
   /// Fields enough for every hypothesis to be met.
-  static constexpr std::size_t kFields = 300;
+  static constexpr std::size_t kFields = 200;
 };
 
 TEST_P(EachStatement, IsEstablishedOnManyFields) {

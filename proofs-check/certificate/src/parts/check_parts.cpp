@@ -3,6 +3,8 @@
 #include "parts/check_parts.hpp"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -75,6 +77,10 @@ class Parts {
                    std::to_string(inputs.size()));
     ledger_.settle(surfaces.size() == parts.size(), "pieces of the surface", count,
                    std::to_string(surfaces.size()));
+    std::set<std::string> hashes;
+    for (const Json& part : parts)
+      if (!hashes.insert(part["input"]["sha256"].get<std::string>()).second)
+        ledger_.refute("pieces of the field", "different files", "one file twice");
     if (ledger_.has_refuted()) return report_;
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const std::string name = "part " + std::to_string(p);
@@ -167,7 +173,7 @@ class Parts {
       compare("boundary_loops", whole->boundary_loops);
       report_.subject.vertices = whole->vertices;
       level_.components = whole->components;
-      std::erase(report_.subject.bound_only, "whole_component");
+      if (whole->has_numbers) std::erase(report_.subject.bound_only, "whole_component");
     }
     level_.certified = report_.certified, level_.refuted = report_.refuted;
     level_.undecided = report_.undecided;

@@ -3,6 +3,7 @@
 #include "parts/join_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -70,7 +71,8 @@ class Seams {
 
   JoinedSurface surface();
   /// What the array `whole_component` says; after `surface`.
-  void compare_numbers(std::size_t count);
+  /// @return whether it was found right
+  bool compare_numbers(std::size_t count);
 
  private:
   static std::pair<std::uint32_t, std::array<SurfaceEnd, 2>> key(const SurfaceEdge& edge) {
@@ -93,9 +95,12 @@ class Seams {
       for (std::size_t i = 0; i < borders_[p].points.size(); ++i)
         all.push_back({borders_[p].points[i].place, p, i});
     std::sort(all.begin(), all.end());
-    for (std::size_t i = 1; i < all.size(); ++i) {
-      const auto &a = all[i - 1], &b = all[i];
-      if (a.place != b.place || a.part == b.part ||
+    for (std::size_t i = 0, first = 0; i < all.size(); ++i) {
+      if (all[i].place != all[first].place) first = i;
+      std::size_t last = i;  // of this place
+      while (last + 1 < all.size() && all[last + 1].place == all[i].place) ++last;
+      const auto &a = all[first], &b = all[i];
+      if (a.part == all[last].part ||
           borders_[a.part].points[a.point].tensor == borders_[b.part].points[b.point].tensor)
         continue;
       ledger_.refute("point " + place_text(a.place), "one tensor",
@@ -114,6 +119,31 @@ class Seams {
         std::upper_bound(order.begin(), order.end(), f.face,
                          [&](std::uint32_t face, std::size_t e) { return face < edges[e].face; });
     return {begin, end};
+  }
+
+  /// Why edges on a face may not be told apart by their places; null if they can be. By the places of
+  /// different vertices arcs cannot be exchanged, and one closed curve is no other.
+  const char* doubt_on(const FaceOfPart& f) const {
+    const auto& edges = borders_[f.part].edges;
+    std::map<BorderPlace, std::uint32_t> known;
+    std::map<std::uint32_t, std::size_t> number;
+    for (const std::size_t e : edges_on(f))
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        const std::uint32_t v = edges[e].vertices[end];
+        if (known.try_emplace(edges[e].ends[end].place, v).first->second != v)
+          return "two vertices at one place";
+        number.try_emplace(v, number.size());
+      }
+    UnionFind chains;  // of the face
+    std::set<std::size_t> closed;
+    for (const std::size_t e : edges_on(f))
+      chains.join(number[edges[e].vertices[0]], number[edges[e].vertices[1]]);
+    for (const auto& [v, n] : number) closed.insert(chains.find(n));
+    for (const std::size_t e : edges_on(f))
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}})
+        if (edges[e].ends[end].crossing != 0)
+          closed.erase(chains.find(number[edges[e].vertices[end]]));
+    return closed.size() > 1 ? "several closed curves" : nullptr;
   }
 
   /// One face of several parts.
@@ -147,6 +177,8 @@ class Seams {
     for (std::size_t k = 1; k < here.size(); ++k)
       if (edges[here[k]].ends == edges[here[k - 1]].ends)
         return ledger_.leave_open(name, "two edges of triangles at one place");
+    for (const FaceOfPart& f : same)
+      if (const char* doubt = doubt_on(f)) return ledger_.leave_open(name, doubt);
     ledger_.certify();
     for (std::size_t k = 0; k < here.size(); ++k) {
       const SurfaceEdge &e = edges[here[k]], &f = others[back[k].second];
@@ -234,7 +266,7 @@ JoinedSurface Seams::surface() {
   return whole;
 }
 
-void Seams::compare_numbers(std::size_t count) {
+bool Seams::compare_numbers(std::size_t count) {
   std::map<std::size_t, double> said;
   std::set<double> all;
   std::size_t i = 0, silent = 0;
@@ -242,6 +274,7 @@ void Seams::compare_numbers(std::size_t count) {
     ledger_.refute("whole_component",
                    "the components of the whole, each with a number of its own from 0",
                    what + " in part " + std::to_string(part));
+    return false;
   };
   for (std::size_t p = 0; p < borders_.size(); ++p)
     for (const PartComponent& part : borders_[p].components) {
@@ -255,11 +288,14 @@ void Seams::compare_numbers(std::size_t count) {
       if (known->second != *part.whole) return wrong(p, "another number for the same component");
       if (is_new && !all.insert(*part.whole).second)
         return wrong(p, "the number of another component");
-      if (*part.whole >= static_cast<double>(count)) return wrong(p, "a number that is too large");
+      if (!(*part.whole >= 0 && *part.whole < static_cast<double>(count)) ||
+          *part.whole != std::floor(*part.whole))
+        return wrong(p, "what is no number of a component");
     }
-  if (silent == i) return;  // nothing is claimed
+  if (silent == i) return false;  // nothing is claimed
   if (silent > 0) return wrong(0, "no array, though other parts have one, or none");
   ledger_.certify();
+  return true;
 }
 
 }  // namespace
@@ -275,7 +311,7 @@ std::optional<JoinedSurface> join_parts(const std::vector<PartBorder>& borders, 
     return ledger.leave_open("boundary", wrong.what()), std::nullopt;
   }
   ledger.begin("arrays");
-  seams.compare_numbers(whole.components.size());
+  whole.has_numbers = seams.compare_numbers(whole.components.size());
   return whole;
 }
 

@@ -16,6 +16,7 @@ struct JoinedSurface {
   std::vector<Component> components;  ///< in the order of the parts, and of the triangles in these
   long euler_characteristic = 0;
   std::size_t boundary_loops = 0;
+  bool has_numbers = false;  ///< the array `whole_component` of triangles was compared
 };
 
 /// Faces that two parts have: with one tetrahedron on each side, equal tensors at their points, and

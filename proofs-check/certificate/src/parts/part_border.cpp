@@ -130,11 +130,14 @@ void add_surface(const LevelCase& c, const CrossingVertices& vertices, const Pla
     count = std::max(count, crossing.ordinal + 1);
   }
   const auto end_of = [&](std::uint32_t v) {
-    SurfaceEnd end{place_of(c.surface.points[v]), 0};
+    SurfaceEnd end{place_of(c.surface.points[v]), 0, {}};
     const auto crossing = vertices.crossing.find(v);
     if (crossing == vertices.crossing.end()) return end;
     const auto& [edge, ordinal] = crossing->second;
-    const bool ascends = place_of(c.input.points[edge[0]]) < place_of(c.input.points[edge[1]]);
+    const BorderPlace from = place_of(c.input.points[edge[0]]),
+                      to = place_of(c.input.points[edge[1]]);
+    const bool ascends = from < to;
+    end.edge = {std::min(from, to), std::max(from, to)};
     end.crossing = ascends ? ordinal + 1 : crossings[edge] - ordinal;
     return end;
   };

@@ -33,6 +33,7 @@ struct SurfaceEnd {
   /// Of a crossing: which one it is on its edge, from 1, counted from the end of smaller place.
   /// Else 0.
   std::uint32_t crossing = 0;
+  std::array<BorderPlace, 2> edge{};  ///< the ends of that edge, ascending
 
   auto operator<=>(const SurfaceEnd&) const = default;
 };

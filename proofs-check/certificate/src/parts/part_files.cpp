@@ -19,6 +19,12 @@ std::vector<std::string> piece_names(const std::string& file, const std::string&
   if (bytes.find('\0') != std::string::npos || bytes.find('&') != std::string::npos ||
       bytes.find("<!") != std::string::npos)
     fail("has entities, comments, sections or zeros, which are not read here");
+  if (bytes.find("<?", 1) != std::string::npos)
+    fail("has instructions inside, which are not read here");
+  const std::size_t encoding = bytes.find("encoding");
+  if (bytes.starts_with("<?") && encoding < bytes.find("?>") &&
+      bytes.compare(encoding, 16, "encoding=\"UTF-8\"") != 0)
+    fail("is not declared as UTF-8");
   pugi::xml_document document;
   if (!document.load_buffer(bytes.data(), bytes.size(), pugi::parse_default, pugi::encoding_utf8))
     fail("is no XML");
