@@ -7,8 +7,8 @@
 
 namespace tensortopo::test {
 
-/// A number of trials times the environment variable TENSORTOPO_TEST_MULTIPLIER (of the short suite:
-/// three tenths).
+/// A number of trials times the environment variable TENSORTOPO_TEST_MULTIPLIER (of the short suite: a
+/// half).
 inline int trials(int count) {
   const char* text = std::getenv("TENSORTOPO_TEST_MULTIPLIER");
   const double factor = text != nullptr ? std::atof(text) : 1;
