@@ -182,7 +182,7 @@ void require_certified(std::uint64_t seed, Compared& compared) {
 }
 
 TEST(CertifiedParts, AreWhatTheWholeIs) {
-  Compared compared("certified surfaces in parts", 1);
+  Compared compared("certified surfaces in parts", 3);
   for (int i = 0; i < trials(8); ++i)
     require_certified(20261126u + static_cast<unsigned>(i), compared);
 }

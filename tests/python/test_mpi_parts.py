@@ -210,6 +210,13 @@ class Parts:
             entry[3] = hashlib.sha256(np.ascontiguousarray(values, "<f8").tobytes()).hexdigest()
         self.path(part, "certificate").write_text(json.dumps(certificate))
 
+    def replace(self, part, field):
+        """Another field in the place of a part's, with its own surface and certificate."""
+        surface = field.mode_surface("1/2", certify=True)
+        tt.write(self.path(part, "input"), field)
+        tt.write(self.path(part, "surface"), surface)
+        self.path(part, "certificate").write_bytes(surface.certificate)
+
     def finish(self, **claims):
         """Hashes of all files, and claims of the whole."""
         self.document["whole"].update(claims)
@@ -318,29 +325,21 @@ def test_surfaces_of_parts_swapped(parts):
 
 
 def test_a_part_of_another_mesh(parts, slab):
-    path = parts.path(2, "input")
-    field = tt.read(path)
+    field = tt.read(parts.path(2, "input"))
     moved = tt.Field(field.points * 2.0 + 7.0, field.tensors, field.tets)
-    surface = moved.mode_surface("1/2", certify=True)
-    tt.write(path, moved)
-    tt.write(parts.path(2, "surface"), surface)
-    parts.path(2, "certificate").write_bytes(surface.certificate)
+    parts.replace(2, moved)
     parts.finish()
     parts.is_refuted("whole, ")
 
 
 def test_a_changed_tensor_at_the_seam(parts):
     places = seam_places(parts, 1, 2)
-    path = parts.path(2, "input")
-    field = tt.read(path)
+    field = tt.read(parts.path(2, "input"))
     tensors = field.tensors.copy()
     at = next(i for i, p in enumerate(field.points) if tuple(p) in places)
     tensors[at, 0] = np.nextafter(tensors[at, 0], np.inf)
     changed = tt.Field(field.points, tensors, field.tets)
-    surface = changed.mode_surface("1/2", certify=True)
-    tt.write(path, changed)
-    tt.write(parts.path(2, "surface"), surface)
-    parts.path(2, "certificate").write_bytes(surface.certificate)
+    parts.replace(2, changed)
     parts.finish()
     parts.is_refuted("one tensor; derived different tensors in parts 1 and 2")
 

@@ -51,6 +51,16 @@ certificate::Report check(const Certified& c) {
   return certificate::check_certificate(c.input, c.surface, c.certificate, {});
 }
 
+/// What the checker says of the claims as they are now.
+std::string verdict_on(const Certified& c) {
+  std::ofstream(c.certificate) << c.claims;
+  try {
+    return check(c).status();
+  } catch (const certificate::Malformed&) {
+    return "malformed";
+  }
+}
+
 TEST(CertifiedStability, OfAnHonestExtractionIsDerivedByTheChecker) {
   Compared compared("stable components"), crossings("stable crossings", 500);
   const Folder folder;
@@ -108,14 +118,7 @@ TEST(CertifiedStability, CrossingsThatAreNotStableAreNotCertified) {
     Json& level = c.claims.at("levels").at(0);
     Json& stability = level.at("stability");
     const Json honest = stability;
-    const auto verdict = [&] {
-      std::ofstream(c.certificate) << c.claims;
-      try {
-        return check(c).status();
-      } catch (const certificate::Malformed&) {
-        return std::string("malformed");
-      }
-    };
+    const auto verdict = [&] { return verdict_on(c); };
     ASSERT_EQ(verdict(), "certified");
     const bool is_surface = level.contains("edges");
     const Json& simplices = level[is_surface ? "edges" : "faces"];
@@ -147,14 +150,7 @@ TEST(CertifiedStability, OfRadiiInAnArrayIsDerivedFromTheSameArray) {
   for (std::size_t i = 0; i < report.levels.at(0).stable_components.size(); ++i) ++compared;
   Json& stability = c.claims.at("levels").at(0).at("stability");
   const Json honest = stability;
-  const auto verdict = [&] {
-    std::ofstream(c.certificate) << c.claims;
-    try {
-      return check(c).status();
-    } catch (const certificate::Malformed&) {
-      return std::string("malformed");
-    }
-  };
+  const auto verdict = [&] { return verdict_on(c); };
   stability["array"] = "S";
   EXPECT_EQ(verdict(), "malformed");
   stability = honest, stability["radius"] = "0x1p-3";
@@ -182,14 +178,7 @@ TEST(CertifiedStability, WhatIsAlteredIsNotCertified) {
   Certified c = certified(folder, "1%");
   Json& stability = c.claims.at("levels").at(0).at("stability");
   const Json honest = stability;
-  const auto verdict = [&] {
-    std::ofstream(c.certificate) << c.claims;
-    try {
-      return check(c).status();
-    } catch (const certificate::Malformed&) {
-      return std::string("malformed");
-    }
-  };
+  const auto verdict = [&] { return verdict_on(c); };
   ASSERT_EQ(verdict(), "certified");
   const Json& components = c.claims["levels"][0]["components"];
   Compared compared("components that are not stable", 2);

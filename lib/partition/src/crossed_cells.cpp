@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "owned_part.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 
 namespace tensortopo {
@@ -27,12 +28,6 @@ std::vector<Index> order_by_id(const TetMesh& mesh) {
     return mesh.cell_ids[as_size(s)] < mesh.cell_ids[as_size(t)];
   });
   return order;
-}
-
-bool owns(const PieceSurface& piece, std::int64_t id) {
-  const auto after = std::upper_bound(piece.owned_ids.begin(), piece.owned_ids.end(), id,
-                                      [](std::int64_t i, const auto& run) { return i < run[0]; });
-  return after != piece.owned_ids.begin() && (*(after - 1))[1] >= id;
 }
 
 /// Runs of ids as they should be, and what the piece says is about cells that it owns.

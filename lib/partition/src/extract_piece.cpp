@@ -69,15 +69,7 @@ std::vector<std::array<std::int64_t, 2>> owned_ids_of(const MeshPiece& piece) {
   std::vector<std::int64_t> ids;
   for (std::size_t t = 0; t < piece.is_owned.size(); ++t)
     if (piece.is_owned[t] != 0) ids.push_back(piece.mesh.cell_ids[t]);
-  std::sort(ids.begin(), ids.end());
-  std::vector<std::array<std::int64_t, 2>> runs;
-  for (const std::int64_t id : ids) {
-    if (!runs.empty() && runs.back()[1] + 1 == id)
-      runs.back()[1] = id;
-    else
-      runs.push_back({id, id});
-  }
-  return runs;
+  return runs_of(std::move(ids));
 }
 
 /// Ascending.

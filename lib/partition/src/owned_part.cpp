@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "owned_part.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 #include <vector>
 
@@ -32,6 +33,24 @@ std::vector<Index> numbers_of(const std::vector<char>& is_kept) {
 }
 
 }  // namespace
+
+std::vector<std::array<std::int64_t, 2>> runs_of(std::vector<std::int64_t> ids) {
+  std::sort(ids.begin(), ids.end());
+  std::vector<std::array<std::int64_t, 2>> runs;
+  for (const std::int64_t id : ids) {
+    if (!runs.empty() && runs.back()[1] + 1 == id)
+      runs.back()[1] = id;
+    else
+      runs.push_back({id, id});
+  }
+  return runs;
+}
+
+bool owns(const PieceSurface& piece, std::int64_t id) {
+  const auto after = std::upper_bound(piece.owned_ids.begin(), piece.owned_ids.end(), id,
+                                      [](std::int64_t i, const auto& run) { return i < run[0]; });
+  return after != piece.owned_ids.begin() && (*(after - 1))[1] >= id;
+}
 
 void keep_owned(const MeshPiece& piece, PieceSurface& result) {
   SurfaceMesh& surface = result.surface;

@@ -3,9 +3,19 @@
 // What of a surface lies in owned tetrahedra.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "tensortopo/partition/piece_surface.hpp"
 
 namespace tensortopo {
+
+/// Ids as `PieceSurface::owned_ids` has them.
+std::vector<std::array<std::int64_t, 2>> runs_of(std::vector<std::int64_t> ids);
+
+/// @pre the runs of the piece are ascending
+bool owns(const PieceSurface& piece, std::int64_t id);
 
 /// Takes out triangles in ghosts, and vertices that no other triangle has and no proof names.
 /// @param result  whose triangles' `tet` count in the piece's mesh

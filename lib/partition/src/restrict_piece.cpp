@@ -65,21 +65,11 @@ class Names {
 std::vector<std::array<Id, 2>> part_ids(const PieceSurface& piece, const PartNumbers& numbers) {
   std::vector<Id> ids;
   for (const auto& [whole, part] : numbers.tets) {
-    const auto after = std::upper_bound(piece.owned_ids.begin(), piece.owned_ids.end(), whole,
-                                        [](Id id, const auto& run) { return id < run[0]; });
-    if (after == piece.owned_ids.begin() || (*(after - 1))[1] < whole)
+    if (!owns(piece, whole))
       refuse_part("cell " + std::to_string(whole) + " of a part is not owned by its piece");
     ids.push_back(part);
   }
-  std::sort(ids.begin(), ids.end());
-  std::vector<std::array<Id, 2>> runs;
-  for (const Id id : ids) {
-    if (!runs.empty() && runs.back()[1] + 1 == id)
-      runs.back()[1] = id;
-    else
-      runs.push_back({id, id});
-  }
-  return runs;
+  return runs_of(std::move(ids));
 }
 
 /// Edges and faces name their vertices in ascending order, after these got numbers in another one.

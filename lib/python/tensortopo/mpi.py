@@ -106,17 +106,6 @@ def piece_sources(inputs: Sequence[Path]) -> list[str]:
     return [str(source) for source in sources]
 
 
-def piece_files(inputs: Sequence[Path]) -> list[Path]:
-    """The files that a .pvtu names, in its order, or the files given.
-
-    Raises
-    ------
-    FileError
-    """
-    folder = inputs[0].parent if _is_pvtu(inputs) else Path()
-    return [folder / source for source in piece_sources(inputs)]
-
-
 def _is_pvtu(inputs: Sequence[Path]) -> bool:
     return len(inputs) == 1 and inputs[0].suffix.lower() == ".pvtu"
 
@@ -336,7 +325,9 @@ def _require_names(options: argparse.Namespace) -> None:
 def run(comm: Any, options: argparse.Namespace) -> None:
     """All of it; files appear together or not at all."""
     together(comm, lambda: _require_names(options))
-    files = together(comm, lambda: piece_files(options.input))
+    sources = together(comm, lambda: piece_sources(options.input))
+    folder = options.input[0].parent if _is_pvtu(options.input) else Path()
+    files = [folder / source for source in sources]
     part = together(
         comm, lambda: read_part(files, comm.rank, comm.size, options.tensor, options.components)
     )
@@ -352,7 +343,6 @@ def run(comm: Any, options: argparse.Namespace) -> None:
     )
     surface = made.merged
     if _in_parts(options):
-        sources = together(comm, lambda: piece_sources(options.input))
         write_parts(comm, options.output, options.certify, made.pieces, surface, options.mode, sources)
     elif surface is not None:
         outputs = {options.output: output_bytes(surface)}

@@ -190,6 +190,11 @@ const std::string& text_of(const Json& value) {
 
 constexpr const char *kOfOne = "tensortopo certificate", *kOfParts = "tensortopo certificate of parts";
 
+void require_shape(const std::string& file, const Json& document, const Shape& shape) {
+  if (const std::string wrong = misfit(document, shape); !wrong.empty())
+    throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
+}
+
 bool has_format(const Json& document, const char* format) {
   return document.is_object() && document.contains("format") && document["format"] == format;
 }
@@ -229,9 +234,7 @@ Json read_document(const std::string& file) {
     throw Malformed(file, "is a certificate of parts; check it with its .pvtu and .pvtp");
   static const Shape surface_shape(make_shape()), curve_shape(make_curve_shape());
   const bool is_of_curves = document.is_object() && document.contains("polylines");
-  if (const std::string wrong = misfit(document, is_of_curves ? curve_shape : surface_shape);
-      !wrong.empty())
-    throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
+  require_shape(file, document, is_of_curves ? curve_shape : surface_shape);
   if (document["format"] != kOfOne || document["version"] != 1)
     throw Malformed(file, "no certificate of version 1");
   return document;
@@ -251,8 +254,7 @@ Json read_parts_document(const std::string& file) {
     document = parse_json(file_bytes(file));
     if (has_format(document, kOfOne))
       throw Malformed(file, "is no certificate of parts; check it with the .vtu and .vtp that it is about");
-    if (const std::string wrong = misfit(document, shape); !wrong.empty())
-      throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
+    require_shape(file, document, shape);
     if (document["format"] != kOfParts || document["version"] != 1)
       throw Malformed(file, "no certificate of parts of version 1");
     mode_of(document["mode"]);

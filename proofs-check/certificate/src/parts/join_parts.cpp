@@ -95,12 +95,13 @@ class Seams {
       for (std::size_t i = 0; i < borders_[p].points.size(); ++i)
         all.push_back({borders_[p].points[i].place, p, i});
     std::sort(all.begin(), all.end());
-    for (std::size_t i = 0, first = 0; i < all.size(); ++i) {
-      if (all[i].place != all[first].place) first = i;
-      std::size_t last = i;  // of this place
-      while (last + 1 < all.size() && all[last + 1].place == all[i].place) ++last;
+    for (std::size_t i = 0, first = 0, end = 0; i < all.size(); ++i) {
+      if (i == end) {
+        first = i;
+        while (end < all.size() && all[end].place == all[first].place) ++end;
+      }
       const auto &a = all[first], &b = all[i];
-      if (a.part == all[last].part ||
+      if (a.part == all[end - 1].part ||
           borders_[a.part].points[a.point].tensor == borders_[b.part].points[b.point].tensor)
         continue;
       ledger_.refute("point " + place_text(a.place), "one tensor",
