@@ -101,7 +101,7 @@ TEST(CheckProgram, CertifiesSheetsDrawnAsGraphs) {
   const Folder folder;
   const std::vector<std::string> files{field("s4_slab"), folder / "s.vtp", folder / "c.json"};
   const Outcome made = run_program({"extract", files[0], "-o", files[1], "--mode", "0.5",
-                                    "--method", "graph", "--certify", files[2]});
+                                    "--method", "manifold", "--certify", files[2]});
   EXPECT_EQ(made.status, 0) << made.err;
   const Outcome checked = run_program({"check", files[0], files[1], files[2]});
   EXPECT_EQ(checked.status, 0) << checked.out << checked.err;

@@ -34,7 +34,7 @@ struct BenchCommand {
   bool all = false;     ///< all of these
   bool curves = false;  ///< time against error as well
 
-  /// "certified", "graph", "a_patches", "hybrid", "vtk_subdivided", "errors".
+  /// "certified", "manifold", "a_patches", "hybrid", "vtk_subdivided", "errors".
   static const std::vector<std::string>& comparisons();
 };
 
@@ -75,7 +75,7 @@ std::size_t threads_in_use();
 ///   vtk_contour_3d_linear_grid    vtkContour3DLinearGrid, the same, with shared vertices as ours
 /// and if asked for:
 ///   certified                     extraction with everything that a certificate claims
-///   graph                         extraction, meshed as graphs (`MeshingMethod::graph`)
+///   manifold                      extraction, meshed on the manifold (`MeshingMethod::manifold`)
 ///   a_patches                     the baseline at its defaults, or coarser where our error does
 ///                                 not come down to its
 ///   extract_for_a_patches         ours at the lowest resolution of 1, 2, 4, 8, 16 at which our

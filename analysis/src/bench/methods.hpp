@@ -27,7 +27,7 @@ std::vector<double> approximations(std::span<const ModeValue> modes);
 std::vector<SurfaceMesh> our_surfaces(const TetMesh& mesh, std::span<const ModeValue> modes,
                                       double resolution,
                                       std::map<std::string, double>* stages = nullptr,
-                                      MeshingMethod drawing = MeshingMethod::manifold);
+                                      MeshingMethod drawing = MeshingMethod::bisection);
 
 /// Our surfaces with all that a certificate claims about them: triangles made.
 std::size_t certify_all(const TetMesh& mesh, std::span<const ModeValue> modes, double resolution);

@@ -76,7 +76,7 @@ ComponentFilter::ComponentFilter(const ExtractCommand& command, std::span<const 
     throw UsageError("--min-length: is of degenerate curves (--mode 1 or -1); --min-area");
   if (command.other)
     throw UsageError(option +
-                     ": only for surfaces of the methods `manifold` and `graph`, and curves");
+                     ": only for surfaces of the methods `bisection` and `manifold`, and curves");
   if (!command.certificate.empty())
     throw UsageError(option +
                      ": a certificate is of all components; extract them without --certify");

@@ -18,7 +18,7 @@ namespace {
 void require_proofs(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
   if (command.other)
     throw UsageError(
-        "--certify: only surfaces of the methods `manifold` and `graph` come with proofs");
+        "--certify: only surfaces of the methods `bisection` and `manifold` come with proofs");
   if (std::any_of(modes.begin(), modes.end(), is_degenerate) &&
       !std::all_of(modes.begin(), modes.end(), is_degenerate))
     throw UsageError(
@@ -31,7 +31,7 @@ void require_no_surface_options(const ExtractCommand& command) {
   const char* const option = command.improve                           ? "--improve"
                              : command.all_samples                     ? "--all-samples"
                              : command.max_error > 0                   ? "--max-error"
-                             : command.meshing == MeshingMethod::graph ? "--method graph"
+                             : command.meshing == MeshingMethod::manifold ? "--method manifold"
                              : command.pieces > 1                      ? "--pieces"
                                                                        : nullptr;
   if (option != nullptr)
@@ -62,7 +62,7 @@ void require_sense(const ExtractCommand& command, const std::vector<ModeValue>& 
   }
   if (!command.uncertainty.empty() && command.other)
     throw UsageError(
-        "--uncertainty: only surfaces of the methods `manifold` and `graph` come with proofs");
+        "--uncertainty: only surfaces of the methods `bisection` and `manifold` come with proofs");
   require_folder(command.output);
   if (!command.certificate.empty()) {
     require_certifiable(command.read, command.output, command.certificate);

@@ -105,6 +105,7 @@ Json statistics_json(const ExtractStatistics& s) {
           {"tets_monotone", s.tets_monotone},
           {"tets_refined", s.tets_refined},
           {"sheets_small", s.sheets_small},
+          {"sheets_bisected", s.sheets_bisected},
           {"sheets_tubes", s.sheets_tubes},
           {"sheets_graph", s.sheets_graph},
           {"sheets_manifold", s.sheets_manifold},

@@ -78,6 +78,7 @@ ExtractStatistics total_statistics(const ExtractReport& report) {
     total.tets_monotone += s.tets_monotone;
     total.tets_refined += s.tets_refined;
     total.sheets_small += s.sheets_small;
+    total.sheets_bisected += s.sheets_bisected;
     total.sheets_tubes += s.sheets_tubes;
     total.sheets_graph += s.sheets_graph;
     total.sheets_manifold += s.sheets_manifold;

@@ -17,4 +17,11 @@ std::optional<InnerVertex<Scalar>> vertex_on_level(const TetWithCurves<Scalar>& 
                                                    const Level<Scalar>& level,
                                                    const std::array<Scalar, 4>& weights);
 
+/// The same from a point that may be far from the level.
+/// @return nothing, as well, if the steps do not become small
+template <class Scalar>
+std::optional<InnerVertex<Scalar>> vertex_on_far_level(const TetWithCurves<Scalar>& tet,
+                                                       const Level<Scalar>& level,
+                                                       const std::array<Scalar, 4>& weights);
+
 }  // namespace tensortopo

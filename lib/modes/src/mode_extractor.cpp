@@ -114,7 +114,7 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
     const ModeProgress progress = labelled(request.progress, mode);
     ExtractOptions options;
     options.sampling.resolution = request.resolution;
-    options.meshing = request.graph ? MeshingMethod::graph : MeshingMethod::manifold;
+    options.meshing = request.meshing;
     options.keep_samples = request.all_samples;
     options.keep_topology = request.certify;
     options.progress = progress;

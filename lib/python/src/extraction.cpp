@@ -102,13 +102,14 @@ std::optional<Uncertainty> uncertainty_of(const py::object& given) {
 }
 
 py::dict extract_surfaces(const Mesh& self, const std::vector<std::string>& modes, bool generalized,
-                          double resolution, bool all_samples, bool improve, bool graph,
+                          double resolution, bool all_samples, bool improve, bool manifold,
                           double max_error, bool certify, const py::object& uncertainty,
                           const std::string& tensor, const py::object& progress) {
   SurfaceRequest request;
   request.modes = modes_of(modes);
   request.generalized = generalized, request.resolution = resolution;
-  request.all_samples = all_samples, request.improve = improve, request.graph = graph;
+  request.all_samples = all_samples, request.improve = improve;
+  if (manifold) request.meshing = MeshingMethod::manifold;
   request.max_error = max_error, request.certify = certify;
   request.uncertainty = uncertainty_of(uncertainty);
   request.names.tensor = tensor;
@@ -177,7 +178,7 @@ py::dict extract_curves(const Mesh& self, bool linear, bool planar, double resol
 
 void define_extraction(py::class_<Mesh>& mesh) {
   mesh.def("surfaces", &extract_surfaces, py::arg("modes"), py::arg("generalized"),
-           py::arg("resolution"), py::arg("all_samples"), py::arg("improve"), py::arg("graph"),
+           py::arg("resolution"), py::arg("all_samples"), py::arg("improve"), py::arg("manifold"),
            py::arg("max_error"), py::arg("certify"), py::arg("uncertainty"), py::arg("tensor"),
            py::arg("progress"));
   mesh.def("curves", &extract_curves, py::arg("linear"), py::arg("planar"), py::arg("resolution"),

@@ -37,7 +37,7 @@ class Mesh:
         resolution: float,
         all_samples: bool,
         improve: bool,
-        graph: bool,
+        manifold: bool,
         max_error: float,
         certify: bool,
         uncertainty: Union[None, float, str, list[float]],

@@ -196,7 +196,7 @@ class Field:
         *,
         all_samples: bool = False,
         improve: bool = False,
-        method: str = "manifold",
+        method: str = "bisection",
         strict: bool = False,
     ) -> Surface:
         """The surface on which the field has a mode.
@@ -231,8 +231,9 @@ class Field:
             Keep samples of face curves that make needles of triangles.
         improve : bool, default False
             Better angles, the same topology.
-        method : {"manifold", "graph"}
-            How sheets that turn far are meshed.
+        method : {"bisection", "manifold"}
+            How sheets that turn far are meshed: by bisection of edges, or on the medium eigenvector
+            manifold, as in the paper. ("graph" is the old name of the former, deprecated.)
         strict : bool, default False
             Raise if a cell stays unresolved.
 
@@ -254,15 +255,15 @@ class Field:
         The same bits as ``tensortopo extract`` writes, whatever the number of threads. Python's lock is
         released, and Ctrl-C ends the extraction.
         """
-        if method not in ("manifold", "graph"):
-            raise ValueError(f"method: there is no '{method}'; there are manifold, graph")
+        if method not in ("bisection", "manifold", "graph"):
+            raise ValueError(f"method: there is no '{method}'; there are bisection, manifold")
         made = self._mesh.surfaces(
             modes=mode_texts(mode),
             generalized=generalized,
             resolution=float(resolution),
             all_samples=all_samples,
             improve=improve,
-            graph=method == "graph",
+            manifold=method == "manifold",
             max_error=0.0 if max_error is None else _positive(max_error, "max_error"),
             certify=certify,
             uncertainty=_uncertainty(uncertainty, len(self.points)),

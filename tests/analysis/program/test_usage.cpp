@@ -119,7 +119,7 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
       {"--improve", "--mode", "1"},
       {"--improve", "--invariant", "magnitude", "--value", "1"},
       {"--improve", "--mode", "0.5", "--method", "marching"},
-      {"--method", "--mode", "1", "--method", "graph"},
+      {"--method", "--mode", "1", "--method", "manifold"},
       {"--max-error", "--mode", "-1", "--max-error", "0.1"},
       {"--patch-samples", "--mode", "0.5", "--patch-samples", "3"},
       {"--flatness", "--mode", "0.5", "--flatness", "0.1"},

@@ -150,7 +150,7 @@ TEST(Extraction, StatisticsAddUp) {
     const auto& s = extraction.statistics;
     EXPECT_LE(s.tets_screened_out + s.tets_crossed, mesh.tets.size());
     EXPECT_EQ(s.tets_crossed, s.tets_monotone + s.tets_refined);
-    EXPECT_GE(s.sheets_small + s.sheets_tubes + s.sheets_graph + s.sheets_manifold +
+    EXPECT_GE(s.sheets_small + s.sheets_bisected + s.sheets_tubes + s.sheets_graph + s.sheets_manifold +
                   s.sheets_dominant + s.sheets_subdivision + s.sheets_loops,
               s.tets_crossed);
     std::vector<SurfaceMesh::Index> tets = extraction.surface.tet;

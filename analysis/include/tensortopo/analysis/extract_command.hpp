@@ -35,7 +35,7 @@ struct ExtractCommand {
   bool strict = false;           ///< write nothing if a tetrahedron stays unresolved
   ReadOptions read;
   Sampling sampling;
-  MeshingMethod meshing = MeshingMethod::manifold;
+  MeshingMethod meshing = MeshingMethod::bisection;
   bool all_samples = false;  ///< `ExtractOptions::keep_samples`
   bool improve = false;  ///< surfaces by `improve_triangles`
   int pieces = 1;        ///< surfaces by `extract_in_pieces`, if more

@@ -33,7 +33,7 @@ namespace {
 struct ExtractCommandOptions {
   ExtractCommand command;
   std::vector<std::string> modes;
-  std::string method = "manifold";
+  std::string method = "bisection";
   BaselineOptions baseline;
   InvariantOption invariant;
   const CLI::App* app = nullptr;  ///< knows which options were given
@@ -45,15 +45,15 @@ void require_effect(const ExtractCommandOptions& options) {
     if (!has_effect && options.app->count(option) > 0)
       throw UsageError(std::string(option) + ": " + what);
   };
-  const bool is_baseline = options.method != "manifold" && options.method != "graph";
+  const bool is_baseline = options.method != "bisection" && options.method != "manifold";
   refuse("--patch-samples", options.method == "a-patches", "only with --method a-patches");
   refuse("--flatness", options.method == "hybrid", "only with --method hybrid");
-  refuse("--resolution", !is_baseline, "has an effect on --method manifold and graph only");
-  refuse("--all-samples", !is_baseline, "has an effect on --method manifold and graph only");
+  refuse("--resolution", !is_baseline, "has an effect on --method bisection and manifold only");
+  refuse("--all-samples", !is_baseline, "has an effect on --method bisection and manifold only");
   refuse("--uncertainty", !options.command.uncertainty.empty(), "needs a number");
-  refuse("--pieces", !is_baseline, "has an effect on --method manifold and graph only");
+  refuse("--pieces", !is_baseline, "has an effect on --method bisection and manifold only");
   refuse("--pieces", options.app->count("--max-error") == 0, "does not go with --max-error");
-  refuse("--subdivide", is_baseline, "has no effect on --method manifold or graph");
+  refuse("--subdivide", is_baseline, "has no effect on --method bisection or manifold");
 }
 
 /// With `--invariant`, `--pieces` is the old name of `--edge-parts`.
@@ -108,7 +108,7 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
   require_effect(options);
   command.modes = parse_modes(options.modes);
-  if (options.method == "graph") command.meshing = MeshingMethod::graph;
+  if (options.method == "manifold") command.meshing = MeshingMethod::manifold;
   command.other = other_method(options);
   command.only_neutral = options.method == "hybrid";
 
@@ -261,8 +261,12 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_flag("--stream", command.stream,
                "Read the pieces of a .pvtu one after the other, for fields larger than memory: the "
                "same surface, bit for bit");
-  app.add_option("--method", options->method, "How to extract")
-      ->check(CLI::IsMember({"manifold", "graph", "marching", "a-patches", "hybrid",
+  app.add_option("--method", options->method,
+                 "How to extract: sheets that turn far by bisection of edges, or on the medium "
+                 "eigenvector manifold, as in the paper; all others only compare. 'graph': old name of "
+                 "bisection, deprecated")
+      ->transform(CLI::Transformer(std::map<std::string, std::string>{{"graph", "bisection"}}))
+      ->check(CLI::IsMember({"bisection", "manifold", "marching", "a-patches", "hybrid",
                              "vtk-contour-grid", "vtk-contour-3d-linear-grid"}))
       ->capture_default_str();
   app.add_option("--patch-samples", options->baseline.samples,

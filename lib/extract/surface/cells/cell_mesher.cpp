@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/surface/cells/cell_mesher.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "extract/patch/charts/graph_mesher.hpp"
 #include "extract/patch/charts/manifold_mesher.hpp"
 #include "extract/patch/charts/tube_mesher.hpp"
+#include "extract/patch/fill/bisected_disc.hpp"
 #include "extract/patch/fill/fan.hpp"
 #include "extract/patch/fill/fill_loop.hpp"
 #include "extract/patch/fill/fill_loops.hpp"
@@ -19,6 +21,7 @@
 #include "extract/patch/fill/small_disc.hpp"
 #include "extract/patch/fill/subdivision_patch.hpp"
 #include "extract/patch/patch_check.hpp"
+#include "extract/patch/quality/edge_flips.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/surface/boundary/trace_faces.hpp"
 #include "extract/surface/cells/cone_edges.hpp"
@@ -74,7 +77,7 @@ auto CellMesher<Scalar>::ways() -> std::span<const Way> {
       {Mesher::cone, &Cell::is_cone},
       {Mesher::tubes, &Cell::is_all_tubes},
       {Mesher::small_disc, &Cell::is_not_all_tubes},
-      {Mesher::graph, &Cell::wants_graph},
+      {Mesher::bisected_disc, &Cell::wants_bisected_discs},
       {Mesher::graph, &Cell::wants_graph_before_many_samples},
       {Mesher::manifold, &Cell::wants_chart},
       {Mesher::graph, &Cell::wants_graph_before_many_samples},
@@ -136,9 +139,12 @@ bool CellMesher<Scalar>::is_not_all_tubes() {
 }
 
 template <class Scalar>
-bool CellMesher<Scalar>::wants_graph() {
-  return mesh_.mesher == Mesher::small_disc && input_.options.meshing == MeshingMethod::graph &&
-         proof_.topology->direction;
+bool CellMesher<Scalar>::wants_bisected_discs() {
+  const auto& sheets = proof_.topology->sheets;
+  return mesh_.mesher == Mesher::small_disc && input_.options.meshing == MeshingMethod::bisection &&
+         std::all_of(sheets.begin(), sheets.end(), [](const SheetTopology& sheet) {
+           return sheet.euler_characteristic == 1 && sheet.loops.size() == 1;
+         });
 }
 
 /// Where the field nearly has one mode throughout (a twisted shaft's neutral surface), the
@@ -249,6 +255,24 @@ bool CellMesher<Scalar>::mesh_small_discs() {
 }
 
 template <class Scalar>
+bool CellMesher<Scalar>::mesh_bisected_discs() {
+  const auto vertices = around_.arc_vertices(tet_);
+  const auto sampling = input_.sampling_in(around_.cells, around_.t);
+  std::vector<std::vector<BoundaryVertex>> loops;
+  for (const auto& sheet : proof_.topology->sheets) {
+    const auto& loop = proof_.topology->loops[as_size(sheet.loops[0])];
+    loops.push_back(loop_vertices(loop, vertices));
+    const bool is_done =
+        is_small_disc(sheet, loops.back(), sampling)
+            ? fill_loop(std::span<const BoundaryVertex>(loops.back()), mesh_.patch)
+            : mesh_bisected_disc<Scalar>(tet_, loops.back(), level(), sampling, mesh_.patch);
+    if (!is_done) return false;
+  }
+  flip_edges<Scalar>(tet_, level(), loops, mesh_.patch);
+  return true;
+}
+
+template <class Scalar>
 bool CellMesher<Scalar>::mesh_graph(int defect_rounds) {
   return proof_.topology->direction &&
          mesh_as_graph<Scalar>(tet_, *proof_.topology, around_.arc_vertices(tet_), level(),
@@ -299,6 +323,7 @@ bool CellMesher<Scalar>::mesh_topology(int defect_rounds) {
   }
   if (mesher == Mesher::graph) return mesh_graph(defect_rounds);
   if (mesher == Mesher::small_disc) return mesh_small_discs();
+  if (mesher == Mesher::bisected_disc) return mesh_bisected_discs();
   const auto vertices = around_.arc_vertices(tet_);
   Sampling sampling = input_.sampling_in(around_.cells, around_.t);
   switch (mesher) {

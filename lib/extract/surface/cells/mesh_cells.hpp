@@ -12,7 +12,18 @@
 namespace tensortopo {
 
 /// How the sheets of a tetrahedron were meshed.
-enum class Mesher { tubes, small_disc, graph, manifold, dominant, subdivision, fan, loops, cone };
+enum class Mesher {
+  tubes,
+  small_disc,
+  bisected_disc,
+  graph,
+  manifold,
+  dominant,
+  subdivision,
+  fan,
+  loops,
+  cone
+};
 
 /// The triangles of one tetrahedron.
 template <class Scalar>

@@ -38,7 +38,7 @@ struct SurfaceRequest {
   double resolution = 4;         ///< samples per radian of turning of the medium eigenvector, > 0
   bool all_samples = false;      ///< keep samples that make needles of triangles
   bool improve = false;          ///< better angles, the same topology
-  bool graph = false;            ///< sheets as graphs where they are, not on the manifold
+  MeshingMethod meshing = MeshingMethod::bisection;  ///< how sheets that turn far are meshed
   double max_error = 0;          ///< proved distance, in the mesh's units; 0 for `resolution` alone
   std::optional<Uncertainty> uncertainty;  ///< say what is the same for all fields within it
   bool certify = false;                    ///< make a certificate

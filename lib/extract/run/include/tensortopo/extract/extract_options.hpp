@@ -18,14 +18,17 @@ struct Sampling {
 
 /// How sheets that turn too far for a disc without inner samples are meshed.
 enum class MeshingMethod {
+  /// Discs by bisection: their boundary loops are filled with triangles, whose edges are bisected at
+  /// points of the level. Other sheets, and discs of which triangles would intersect so, on the
+  /// manifold.
+  bisection,
   manifold,  ///< on the medium eigenvector manifold, as in the paper
-  graph,     ///< where the level is a graph in the tetrahedron as one, else on the manifold
 };
 
 /// How a mode surface is extracted. No option changes its topology.
 struct ExtractOptions {
   Sampling sampling;                                ///< how densely
-  MeshingMethod meshing = MeshingMethod::manifold;  ///< how large sheets are meshed
+  MeshingMethod meshing = MeshingMethod::bisection;  ///< how large sheets are meshed
   /// For each tetrahedron of the mesh by how much denser its samples are than `sampling` says; a
   /// face has the denser ones of its two. Empty for 1 everywhere.
   std::vector<float> density;

@@ -31,6 +31,7 @@ struct ExtractStatistics {
   std::size_t tets_coned = 0;         ///< crossed, and have a vertex isotropic
   std::size_t tets_undefined = 0;     ///< isotropic at all four vertices: no mode, no surface
   std::size_t sheets_small = 0;       ///< meshed without inner samples
+  std::size_t sheets_bisected = 0;    ///< meshed by bisection of edges, see `MeshingMethod::bisection`
   std::size_t sheets_tubes = 0;       ///< meshed as rings around the degenerate curve
   std::size_t sheets_graph = 0;       ///< meshed as graphs
   std::size_t sheets_manifold = 0;    ///< meshed on the medium eigenvector manifold

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "extract/patch/fill/bisected_disc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "extract/level/position.hpp"
+#include "extract/level/tet_geometry.hpp"
+#include "extract/patch/fill/disc_triangles.hpp"
+#include "extract/patch/fill/polygon.hpp"
+#include "extract/patch/vertex_on_level.hpp"
+#include "extract/run/extractor_scalars.hpp"
+#include "tensortopo/scalar/elementary.hpp"
+
+namespace tensortopo {
+
+namespace {
+
+/// Longer boundary loops, and discs that need more vertices inside, are left to other meshers.
+constexpr std::size_t kLongestLoop = 64, kMostInside = 256;
+
+/// How often all edges are looked at.
+constexpr int kRounds = 12;
+
+template <class Scalar>
+class BisectedDisc {
+ public:
+  BisectedDisc(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, const Sampling& sampling,
+           std::span<const BoundaryVertex> boundary, std::span<const std::array<int, 3>> triangles,
+           Patch<Scalar>& out)
+      : tet_(tet),
+        level_(level),
+        geometry_(tet.points, tet.simplex.exponents),
+        tensors_(rounded(tet.simplex.tensors)),
+        flatness_(sampling.largest_turn() / 8),
+        turn_(elementary::cos(std::min(sampling.largest_turn(), 1.5))),
+        wide_turn_(elementary::cos(std::min(2 * sampling.largest_turn(), 1.5))),
+        corners_(boundary.begin(), boundary.end()),
+        triangles_(triangles),
+        out_(out) {
+    level_in_double_.mu = static_cast<double>(level.mu);
+    level_in_double_.sqrt2 = static_cast<double>(level.sqrt2);
+  }
+
+  bool mesh() {
+    const std::size_t first = corners_.size();
+    for (int round = 0; round < kRounds; ++round) {
+      if (!bisect_edges()) break;
+      if (corners_.size() > first + kMostInside) return false;
+      flip_edges();
+    }
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto& [a, b, c] = triangles_[t];
+      out_.triangles.push_back({corners_[a].id, corners_[b].id, corners_[c].id});
+    }
+    return true;
+  }
+
+ private:
+  struct Edge {
+    double length;
+    std::uint32_t triangle, corner;
+  };
+
+  bool turns_far(const BoundaryVertex& a, const BoundaryVertex& b) const {
+    return !(line_cosine(a.medium, b.medium) > turn_) ||
+           !(line_cosine(a.dominant, b.dominant) > wide_turn_);
+  }
+
+  /// Whether the level is farther than a distance, to first order.
+  bool is_off_level(const Vector3<double>& x, double distance) const {
+    const auto at = level_slope(geometry_.tensor(x, tensors_), level_in_double_);
+    const auto g = geometry_.gradient(at.slope, tensors_);
+    return !(std::abs(at.value) <= distance * std::sqrt(dot(g, g)));
+  }
+
+  /// Bisects edges, at most one of each triangle.
+  /// @return whether there were any
+  bool bisect_edges() {
+    std::vector<Edge> far;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t u = triangles_.across(t, k);
+        if (u == DiscTriangles::kNone || u < t) continue;
+        const auto &a = corners_[triangles_[t][k]], &b = corners_[triangles_[t][(k + 1) % 3]];
+        if (!turns_far(a, b)) continue;
+        const double size = length(b.position - a.position);
+        if (is_off_level(0.5 * (a.position + b.position), flatness_ * size)) far.push_back({size, t, k});
+      }
+    std::stable_sort(far.begin(), far.end(),
+                     [](const Edge& p, const Edge& q) { return p.length > q.length; });
+    std::vector<char> is_cut(triangles_.size(), 0);
+    bool any = false;
+    for (const Edge& edge : far) {
+      const std::uint32_t t = edge.triangle, u = triangles_.across(t, edge.corner);
+      if (is_cut[t] || u >= is_cut.size() || is_cut[u]) continue;  // or new
+      is_cut[t] = is_cut[u] = 1;
+      if (!add_middle(triangles_[t][edge.corner], triangles_[t][(edge.corner + 1) % 3])) continue;
+      triangles_.bisect(t, edge.corner, static_cast<DiscTriangles::Vertex>(corners_.size() - 1));
+      any = true;
+    }
+    return any;
+  }
+
+  /// A vertex on the level beside the middle of an edge; false if none is found.
+  bool add_middle(DiscTriangles::Vertex a, DiscTriangles::Vertex b) {
+    const auto middle = 0.5 * (corners_[a].position + corners_[b].position);
+    const auto& exponents = tet_.simplex.exponents;
+    const int least = *std::min_element(exponents.begin(), exponents.end());
+    std::array<Scalar, 4> weights;
+    Scalar total(0);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double w = geometry_.weight(i, middle);
+      if (!(w > 0)) return false;
+      weights[i] = Scalar(times_power(w, least - exponents[i]));
+      total += weights[i];
+    }
+    for (auto& w : weights) w = w / total;
+    const auto vertex = vertex_on_far_level(tet_, level_, weights);
+    if (!vertex) return false;
+    const auto at = position_at(vertex->weights, exponents, tet_.points);
+    if (std::any_of(corners_.begin(), corners_.end(),
+                    [&](const BoundaryVertex& other) { return other.position == at; }))
+      return false;
+    out_.inner.push_back(*vertex);
+    corners_.push_back({-static_cast<std::int32_t>(out_.inner.size()), 0, at,
+                        vector_cast<double>(medium_eigenvector(vertex->tensor, level_)),
+                        vector_cast<double>(dominant_eigenvector(vertex->tensor, level_))});
+    return true;
+  }
+
+  Vector3<double> at(DiscTriangles::Vertex v) const { return corners_[v].position; }
+
+  Vector3<double> normal(DiscTriangles::Vertex a, DiscTriangles::Vertex b,
+                         DiscTriangles::Vertex c) const {
+    return cross(at(b) - at(a), at(c) - at(a));
+  }
+
+  /// The cotangent of a triangle's angle at its first corner.
+  double cotangent(DiscTriangles::Vertex a, DiscTriangles::Vertex b,
+                   DiscTriangles::Vertex c) const {
+    const auto p = at(b) - at(a), q = at(c) - at(a);
+    const auto n = cross(p, q);
+    return dot(p, q) / length(n);
+  }
+
+  /// Whether the angles opposite an edge have a sum of more than 180 degrees, and the other diagonal does
+  /// not fold the triangles.
+  bool is_better_flipped(std::uint32_t t, std::uint32_t k) const {
+    const auto a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3],
+               d = triangles_.opposite(t, k);
+    if ((corners_[c].faces & corners_[d].faces) != 0) return false;
+    if (!(cotangent(c, a, b) + cotangent(d, b, a) < 0)) return false;
+    const auto both = normal(a, b, c) + normal(b, a, d);
+    return dot(normal(a, d, c), both) > 0 && dot(normal(d, b, c), both) > 0 &&
+           !triangles_.has_edge(c, d);
+  }
+
+  void flip_edges() {
+    // Ends by itself but for rounding.
+    std::size_t left = 4 * triangles_.size();
+    for (bool any = true; any && left > 0;) {
+      any = false;
+      for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+        for (std::uint32_t k = 0; k < 3 && left > 0; ++k) {
+          const std::uint32_t u = triangles_.across(t, k);
+          if (u == DiscTriangles::kNone || u < t || !is_better_flipped(t, k)) continue;
+          triangles_.flip(t, k);
+          any = true, --left;
+        }
+    }
+  }
+
+  const TetWithCurves<Scalar>& tet_;
+  const Level<Scalar>& level_;
+  TetGeometry geometry_;
+  std::array<Deviator<double>, 4> tensors_;
+  Level<double> level_in_double_{};
+  double flatness_;  ///< distance of the level from the middle of an edge, over its length
+  double turn_, wide_turn_;  ///< cosines
+  std::vector<BoundaryVertex> corners_;
+  DiscTriangles triangles_;
+  Patch<Scalar>& out_;
+};
+
+}  // namespace
+
+template <class Scalar>
+bool mesh_bisected_disc(const TetWithCurves<Scalar>& tet, std::span<const BoundaryVertex> boundary,
+                    const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out) {
+  if (boundary.size() > kLongestLoop) return false;
+  std::vector<PolygonCorner> polygon;
+  polygon.reserve(boundary.size());
+  for (const auto& v : boundary) polygon.push_back({v.position, v.faces});
+  const auto triangles = cut_polygon(polygon);
+  if (triangles.empty()) return false;
+  return BisectedDisc<Scalar>(tet, level, sampling, boundary, triangles, out).mesh();
+}
+
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                      \
+  template bool mesh_bisected_disc(const TetWithCurves<Scalar>&, std::span<const BoundaryVertex>, \
+                               const Level<Scalar>&, const Sampling&, Patch<Scalar>&);
+TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
+#undef TENSORTOPO_INSTANTIATE
+
+}  // namespace tensortopo

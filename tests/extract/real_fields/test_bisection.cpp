@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "extract/cases/bundled_fields.hpp"
+#include "extract/cases/extract_case.hpp"
+#include "support/surfaces/measures.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+Extraction extract_by(const TetMesh& mesh, const std::string& mode, MeshingMethod meshing,
+                double resolution = Sampling().resolution) {
+  ExtractOptions options;
+  options.sampling.resolution = resolution;
+  options.meshing = meshing;
+  return extract_mode_surface<double>(mesh, ModeValue::parse(mode), options);
+}
+
+class Bisection : public testing::TestWithParam<const char*> {};
+
+// Neighbours that are meshed on the manifold included: no seam, no hole, every vertex on the level.
+TEST_P(Bisection, GivesSheetsOfRealFieldsWithoutFlawsAndOfTheSameTopology) {
+  const std::string mode = GetParam();
+  std::size_t bisected = 0, on_manifold = 0;
+  for (const auto& file : bundled_files()) {
+    SCOPED_TRACE(file.filename().string() + " at " + mode);
+    const TetMesh mesh = read(file);
+    const Extraction ours = extract_by(mesh, mode, MeshingMethod::bisection);
+    const Extraction manifold = extract_by(mesh, mode, MeshingMethod::manifold);
+    EXPECT_EQ(flaws(ours, mesh), "");
+    EXPECT_EQ(summary(ours.surface), summary(manifold.surface));
+    EXPECT_EQ(unresolved_text(ours), unresolved_text(manifold));
+    EXPECT_EQ(manifold.statistics.sheets_bisected, 0u);
+    bisected += ours.statistics.sheets_bisected;
+    on_manifold += ours.statistics.sheets_manifold;
+  }
+  // Nearly all sheets that are not small.
+  EXPECT_GT(bisected, 10 * on_manifold);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Bisection, testing::Values("0", "1/2"));
+
+TEST(BisectionOfRandomSheets, GivesTheirTopologyAndArea) {
+  SCOPED_TRACE(announce(20260801));
+  Random random(20260801);
+  std::size_t bisected = 0;
+  for (const char* mode : {"1/10", "-1/2"}) {
+    double sum = 0, off = 0;
+    for (int k = 0; k < trials(25); ++k) {
+      auto tensors = random.tet_tensors();
+      for (auto& t : tensors) t = 0.5 * tensors[0] + 0.5 * t;
+      const TetMesh mesh = reference_tet_mesh(tensors);
+      const Extraction ours = extract_by(mesh, mode, MeshingMethod::bisection, 8);
+      const Extraction manifold = extract_by(mesh, mode, MeshingMethod::manifold, 8);
+      EXPECT_EQ(flaws(ours, mesh), "");
+      EXPECT_EQ(summary(ours.surface), summary(manifold.surface));
+      bisected += ours.statistics.sheets_bisected;
+      sum += area(manifold.surface);
+      off += std::abs(area(ours.surface) - area(manifold.surface));
+    }
+    EXPECT_LT(off, 0.01 * sum) << "mode " << mode << ": " << off << " of " << sum;
+  }
+  EXPECT_GT(bisected, 0u);
+}
+
+// Twice the samples bring the surface closer to the level: a quarter of the distance, were all sheets bent
+// evenly.
+TEST(BisectionOfRandomSheets, ComesCloserToTheLevelWithTheSamples) {
+  SCOPED_TRACE(announce(20261127));
+  Random random(20261127);
+  std::array<double, 3> areas{};
+  double all = 0;
+  for (int k = 0; k < trials(25); ++k) {
+    auto tensors = random.tet_tensors();
+    for (auto& t : tensors) t = 0.5 * tensors[0] + 0.5 * t;
+    const TetMesh mesh = reference_tet_mesh(tensors);
+    const double exact = area(extract_by(mesh, "1/10", MeshingMethod::bisection, 64).surface);
+    all += exact;
+    for (std::size_t i = 0; i < 3; ++i)
+      areas[i] += std::abs(
+          area(extract_by(mesh, "1/10", MeshingMethod::bisection, 2 << i).surface) - exact);
+  }
+  ASSERT_GT(all, 0);
+  EXPECT_LT(areas[1], 0.6 * areas[0]);
+  EXPECT_LT(areas[2], 0.6 * areas[1]);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
