@@ -39,8 +39,8 @@ TEST_P(Bisection, GivesSheetsOfRealFieldsWithoutFlawsAndOfTheSameTopology) {
     bisected += ours.statistics.sheets_bisected;
     on_manifold += ours.statistics.sheets_manifold;
   }
-  // Nearly all sheets that are not small.
-  EXPECT_GT(bisected, 10 * on_manifold);
+  // Most sheets that are not small; others are no discs, or would have triangles that intersect.
+  EXPECT_GT(bisected, 4 * on_manifold);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Bisection, testing::Values("0", "1/2"));
@@ -86,8 +86,8 @@ TEST(BisectionOfRandomSheets, ComesCloserToTheLevelWithTheSamples) {
           area(extract_by(mesh, "1/10", MeshingMethod::bisection, 2 << i).surface) - exact);
   }
   ASSERT_GT(all, 0);
-  EXPECT_LT(areas[1], 0.6 * areas[0]);
-  EXPECT_LT(areas[2], 0.6 * areas[1]);
+  EXPECT_LT(areas[1], 0.75 * areas[0]);
+  EXPECT_LT(areas[2], 0.75 * areas[1]);
 }
 
 }  // namespace

@@ -24,6 +24,13 @@ constexpr std::size_t kLongestLoop = 64, kMostInside = 256;
 /// How often all edges are looked at.
 constexpr int kRounds = 12;
 
+/// In a unit in which products of lengths do not overflow.
+std::array<Vector3<double>, 4> in_unit(std::array<Vector3<double>, 4> points) {
+  const double unit = unit_of(points);
+  for (auto& p : points) p = unit * p;
+  return points;
+}
+
 template <class Scalar>
 class BisectedDisc {
  public:
@@ -32,7 +39,8 @@ class BisectedDisc {
            Patch<Scalar>& out)
       : tet_(tet),
         level_(level),
-        geometry_(tet.points, tet.simplex.exponents),
+        places_(in_unit(tet.points)),
+        geometry_(places_, tet.simplex.exponents),
         tensors_(rounded(tet.simplex.tensors)),
         flatness_(sampling.largest_turn() / 8),
         turn_(elementary::cos(std::min(sampling.largest_turn(), 1.5))),
@@ -42,6 +50,8 @@ class BisectedDisc {
         out_(out) {
     level_in_double_.mu = static_cast<double>(level.mu);
     level_in_double_.sqrt2 = static_cast<double>(level.sqrt2);
+    const double unit = unit_of(tet.points);
+    for (auto& corner : corners_) corner.position = unit * corner.position;
   }
 
   bool mesh() {
@@ -120,7 +130,7 @@ class BisectedDisc {
     for (auto& w : weights) w = w / total;
     const auto vertex = vertex_on_far_level(tet_, level_, weights);
     if (!vertex) return false;
-    const auto at = position_at(vertex->weights, exponents, tet_.points);
+    const auto at = position_at(vertex->weights, exponents, places_);
     if (std::any_of(corners_.begin(), corners_.end(),
                     [&](const BoundaryVertex& other) { return other.position == at; }))
       return false;
@@ -175,6 +185,7 @@ class BisectedDisc {
 
   const TetWithCurves<Scalar>& tet_;
   const Level<Scalar>& level_;
+  std::array<Vector3<double>, 4> places_;  ///< of the tetrahedron's vertices, as all positions here
   TetGeometry geometry_;
   std::array<Deviator<double>, 4> tensors_;
   Level<double> level_in_double_{};
