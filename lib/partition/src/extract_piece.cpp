@@ -65,14 +65,6 @@ struct SeamFace {
   std::int64_t ghost;  ///< its id
 };
 
-/// The ids that the piece owns, as `PieceSurface::owned_ids`.
-std::vector<std::array<std::int64_t, 2>> owned_ids_of(const MeshPiece& piece) {
-  std::vector<std::int64_t> ids;
-  for (std::size_t t = 0; t < piece.is_owned.size(); ++t)
-    if (piece.is_owned[t] != 0) ids.push_back(piece.mesh.cell_ids[t]);
-  return runs_of(std::move(ids));
-}
-
 /// Ascending.
 std::vector<SeamFace> seam_faces(const MeshPiece& piece) {
   std::vector<std::pair<Face, std::size_t>> faces;
