@@ -12,8 +12,9 @@
 class TENSORTOPOFILTERS_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopology {
  public:
   static vtkTensorDegenerateCurves* New();  ///< as of any VTK filter
-  vtkTypeMacro(vtkTensorDegenerateCurves, vtkTensorTopology)
-  void PrintSelf(std::ostream& os, vtkIndent indent) override;  ///< for debugging
+  vtkTypeMacro(vtkTensorDegenerateCurves,
+               vtkTensorTopology) void PrintSelf(std::ostream& os,
+                                                 vtkIndent indent) override;  ///< for debugging
 
   ///@{
   /// 1 linear, 2 planar, 3 both (default).
@@ -24,8 +25,7 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopol
  protected:
   vtkTensorDegenerateCurves();
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  void Extract(const tensortopo::filters::TensorGrid& grid, bool in_pieces,
-               vtkInformationVector* outputs) override;
+  void Extract(const Input& input, vtkInformationVector* outputs) override;
 
  private:
   int Curves = 3;

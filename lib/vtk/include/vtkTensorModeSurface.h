@@ -19,8 +19,9 @@
 class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
  public:
   static vtkTensorModeSurface* New();  ///< as of any VTK filter
-  vtkTypeMacro(vtkTensorModeSurface, vtkTensorTopology)
-  void PrintSelf(std::ostream& os, vtkIndent indent) override;  ///< for debugging
+  vtkTypeMacro(vtkTensorModeSurface,
+               vtkTensorTopology) void PrintSelf(std::ostream& os,
+                                                 vtkIndent indent) override;  ///< for debugging
 
   ///@{
   /// Modes in (-1, 1), exactly: decimals and fractions, separated by spaces, commas or semicolons.
@@ -64,8 +65,7 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
  protected:
   vtkTensorModeSurface();
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  void Extract(const tensortopo::filters::TensorGrid& grid, bool in_pieces,
-               vtkInformationVector* outputs) override;
+  void Extract(const Input& input, vtkInformationVector* outputs) override;
 
  private:
   std::string Modes = "0";

@@ -71,9 +71,8 @@ std::vector<vtkIdType> numbers(vtkIdType count, vtkDataSetAttributes* data) {
   std::vector<vtkIdType> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), vtkIdType{0});
   if (vtkDataArray* ids = data->GetGlobalIds())
-    std::stable_sort(order.begin(), order.end(), [&](vtkIdType a, vtkIdType b) {
-      return id_at(ids, a) < id_at(ids, b);
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](vtkIdType a, vtkIdType b) { return id_at(ids, a) < id_at(ids, b); });
   return order;
 }
 
@@ -115,22 +114,24 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
   const auto place = places_in(taken);
   result.components = name_of(taken);
 
-  TetMesh& mesh = result.mesh;
+  TetMesh& mesh = result.piece.mesh;
   const vtkIdType n = grid->GetNumberOfPoints();
   const auto points = numbers(n, grid->GetPointData());
   std::vector<TetMesh::Index> local(points.size());
   mesh.points.resize(points.size()), mesh.tensors.resize(points.size());
+  vtkDataArray* point_ids = grid->GetPointData()->GetGlobalIds();
   for (std::size_t i = 0; i < points.size(); ++i) {
+    result.piece.vertex_ids.push_back(point_ids != nullptr ? id_at(point_ids, points[i])
+                                                           : points[i]);
     local[as_size(points[i])] = static_cast<TetMesh::Index>(i);
     double p[3];
     grid->GetPoint(points[i], p);
     mesh.points[i] = {p[0], p[1], p[2]};
     std::array<double, 9> v{};
     tensors->GetTuple(points[i], v.data());
-    mesh.tensors[i] = width == 9
-                          ? of_matrix(v, points[i])
-                          : SymmetricTensor<double>{v[place[0]], v[place[1]], v[place[2]],
-                                                    v[place[3]], v[place[4]], v[place[5]]};
+    mesh.tensors[i] = width == 9 ? of_matrix(v, points[i])
+                                 : SymmetricTensor<double>{v[place[0]], v[place[1]], v[place[2]],
+                                                           v[place[3]], v[place[4]], v[place[5]]};
   }
 
   vtkDataArray* ids = grid->GetCellData()->GetGlobalIds();
@@ -145,17 +146,20 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
     vtkIdType count = 0;
     const vtkIdType* v = nullptr;
     grid->GetCellPoints(c, count, v);
-    mesh.tets.push_back({local[as_size(v[0])], local[as_size(v[1])], local[as_size(v[2])],
-                         local[as_size(v[3])]});
+    mesh.tets.push_back(
+        {local[as_size(v[0])], local[as_size(v[1])], local[as_size(v[2])], local[as_size(v[3])]});
     mesh.cell_ids.push_back(ids != nullptr ? id_at(ids, c) : c);
     result.cells.push_back(c);
-    result.is_ghost.push_back(
-        ghosts != nullptr && (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0);
+    const bool is_ghost =
+        ghosts != nullptr && (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+    result.piece.is_owned.push_back(is_ghost ? 0 : 1);
   }
   if (!others.empty())
-    throw std::runtime_error("has cells of VTK's type " + std::to_string(others.begin()->first) + " (" +
-                             std::to_string(others.begin()->second) +
+    throw std::runtime_error("has cells of VTK's type " + std::to_string(others.begin()->first) +
+                             " (" + std::to_string(others.begin()->second) +
                              "), no linear tetrahedra; apply Tetrahedralize first");
+  result.has_ids = point_ids != nullptr && ids != nullptr;
+  result.piece.whole_tets = static_cast<std::int64_t>(mesh.tets.size());
   repair_orientation(mesh);
   if (const auto defects = validate(mesh); !defects.empty())
     throw std::runtime_error(defects.front().text);
