@@ -8,13 +8,13 @@
 ///
 /// Input as of vtkTensorModeSurface. Outputs: 0, the curves, with point arrays `mode`,
 /// `dominant_eigenvector`, `residual` and `separation`, and cell arrays `tet` and `component`; 1,
-/// the cells that no proof covers, with their reasons.
+/// the cells that no proof covers, with their reasons. With several pieces components are those of
+/// the piece.
 class TENSORTOPOFILTERS_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopology {
  public:
   static vtkTensorDegenerateCurves* New();  ///< as of any VTK filter
-  vtkTypeMacro(vtkTensorDegenerateCurves,
-               vtkTensorTopology) void PrintSelf(std::ostream& os,
-                                                 vtkIndent indent) override;  ///< for debugging
+  vtkTypeMacro(vtkTensorDegenerateCurves, vtkTensorTopology)
+  void PrintSelf(std::ostream& os, vtkIndent indent) override;  ///< for debugging
 
   ///@{
   /// 1 linear, 2 planar, 3 both (default).

@@ -25,9 +25,8 @@ struct WholeMesh;
 /// certificates, progress and abort.
 class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
  public:
-  vtkTypeMacro(vtkTensorTopology,
-               vtkPolyDataAlgorithm) void PrintSelf(std::ostream& os,
-                                                    vtkIndent indent) override;  ///< for debugging
+  vtkTypeMacro(vtkTensorTopology, vtkPolyDataAlgorithm)
+  void PrintSelf(std::ostream& os, vtkIndent indent) override;  ///< for debugging
 
   ///@{
   /// The order of six components: 0 as the array names them, else VTK's (default); 1 VTK's (XX YY

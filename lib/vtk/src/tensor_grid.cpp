@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -76,6 +77,39 @@ std::vector<vtkIdType> numbers(vtkIdType count, vtkDataSetAttributes* data) {
   return order;
 }
 
+/// Points of one global id, place and tensor are one vertex: so are those of pieces that were read
+/// into one grid.
+/// @param place  of the library's components among six
+/// @return of each point, its vertex
+std::vector<TetMesh::Index> read_points(vtkUnstructuredGrid* grid, vtkDataArray* tensors,
+                                        const std::array<std::uint8_t, 6>& place,
+                                        MeshPiece& piece) {
+  const vtkIdType n = grid->GetNumberOfPoints();
+  std::vector<TetMesh::Index> vertex(static_cast<std::size_t>(n));
+  vtkDataArray* ids = grid->GetPointData()->GetGlobalIds();
+  TetMesh& mesh = piece.mesh;
+  for (const vtkIdType point : numbers(n, grid->GetPointData())) {
+    double p[3];
+    grid->GetPoint(point, p);
+    const Vector3<double> at{p[0], p[1], p[2]};
+    std::array<double, 9> v{};
+    tensors->GetTuple(point, v.data());
+    const auto tensor = tensors->GetNumberOfComponents() == 9
+                            ? of_matrix(v, point)
+                            : SymmetricTensor<double>{v[place[0]], v[place[1]], v[place[2]],
+                                                      v[place[3]], v[place[4]], v[place[5]]};
+    const vtkIdType id = ids != nullptr ? id_at(ids, point) : point;
+    std::size_t same = mesh.points.size();
+    for (std::size_t i = same; i > 0 && piece.vertex_ids[i - 1] == id; --i)
+      if (mesh.points[i - 1] == at && mesh.tensors[i - 1] == tensor) same = i - 1;
+    vertex[as_size(point)] = static_cast<TetMesh::Index>(same);
+    if (same < mesh.points.size()) continue;
+    piece.vertex_ids.push_back(id);
+    mesh.points.push_back(at), mesh.tensors.push_back(tensor);
+  }
+  return vertex;
+}
+
 bool is_flat(int type) {
   return type <= VTK_QUAD || (type >= VTK_QUADRATIC_EDGE && type <= VTK_QUADRATIC_QUAD);
 }
@@ -111,28 +145,11 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
   std::optional<ComponentOrder> chosen;
   if (width == 6 && order > 0) chosen = kOrders[static_cast<std::size_t>(order - 1)];
   const ComponentOrder taken = order_of(tensors, chosen);
-  const auto place = places_in(taken);
   result.components = name_of(taken);
 
   TetMesh& mesh = result.piece.mesh;
-  const vtkIdType n = grid->GetNumberOfPoints();
-  const auto points = numbers(n, grid->GetPointData());
-  std::vector<TetMesh::Index> local(points.size());
-  mesh.points.resize(points.size()), mesh.tensors.resize(points.size());
+  const auto local = read_points(grid, tensors, places_in(taken), result.piece);
   vtkDataArray* point_ids = grid->GetPointData()->GetGlobalIds();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    result.piece.vertex_ids.push_back(point_ids != nullptr ? id_at(point_ids, points[i])
-                                                           : points[i]);
-    local[as_size(points[i])] = static_cast<TetMesh::Index>(i);
-    double p[3];
-    grid->GetPoint(points[i], p);
-    mesh.points[i] = {p[0], p[1], p[2]};
-    std::array<double, 9> v{};
-    tensors->GetTuple(points[i], v.data());
-    mesh.tensors[i] = width == 9 ? of_matrix(v, points[i])
-                                 : SymmetricTensor<double>{v[place[0]], v[place[1]], v[place[2]],
-                                                           v[place[3]], v[place[4]], v[place[5]]};
-  }
 
   vtkDataArray* ids = grid->GetCellData()->GetGlobalIds();
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
@@ -154,6 +171,11 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
         ghosts != nullptr && (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0;
     result.piece.is_owned.push_back(is_ghost ? 0 : 1);
   }
+  // Cells are in the order of their ids.
+  const auto twice = std::adjacent_find(mesh.cell_ids.begin(), mesh.cell_ids.end());
+  if (ghosts != nullptr && twice != mesh.cell_ids.end())
+    throw std::runtime_error("two cells have the global id " + std::to_string(*twice) +
+                             ": two ranks own it, or the ids are not global");
   if (!others.empty())
     throw std::runtime_error("has cells of VTK's type " + std::to_string(others.begin()->first) +
                              " (" + std::to_string(others.begin()->second) +

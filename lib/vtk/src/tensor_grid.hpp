@@ -28,7 +28,8 @@ struct TensorGrid {
 
 /// The field of the point tensors `tensors`.
 ///
-/// Points and cells are in the order of their global ids, if they have these. Cells of lower
+/// Points and cells are in the order of their global ids, if they have these; points of one id,
+/// place and tensor are one. Cells of lower
 /// dimension are passed over.
 /// @param order  as vtkTensorTopology::ComponentOrder
 /// Throws std::runtime_error for other cells, for tensors that are none, and for meshes that are no

@@ -58,7 +58,9 @@ int vtkTensorTopology::RequestData(vtkInformation*, vtkInformationVector** input
   const bool on_ranks =
       pieces > 1 && Controller != nullptr && Controller->GetNumberOfProcesses() == pieces;
   const Ranks ranks(on_ranks ? Controller : nullptr);
-  if (!has_cells && !on_ranks) return 1;
+  // Of pieces that others have it is not known how many cells there are.
+  const vtkIdType expected = pieces > 1 && !on_ranks ? 0 : NumberOfCells;
+  if (!has_cells && !on_ranks && expected == 0) return 1;
   try {
     tensortopo::filters::TensorGrid field;
     ranks.together([&] {
@@ -69,7 +71,7 @@ int vtkTensorTopology::RequestData(vtkInformation*, vtkInformationVector** input
       if (tensors == nullptr) tensors = tensortopo::filters::only_tensors(grid);
       field = tensortopo::filters::tensor_grid(grid, tensors, ComponentOrder);
     });
-    const auto whole = tensortopo::filters::require_whole_mesh(field, ranks, NumberOfCells);
+    const auto whole = tensortopo::filters::require_whole_mesh(field, ranks, expected);
     Extract({field, ranks, whole, pieces > 1}, outputs);
   } catch (const Aborted&) {
     return 1;
