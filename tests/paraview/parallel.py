@@ -1,14 +1,22 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-"""mpirun -n 2 pvbatch parallel.py PLUGIN OUT: the surface of a field in pieces, written in pieces."""
+"""mpirun -n 2 pvbatch parallel.py PLUGIN OUT KIND [CELLS]: the surfaces of a field in pieces, written in pieces.
+
+Ends with status 1 if the filter fails, which leaves its output without the field array `components`. KIND `alone`
+is `field` without ghosts.
+"""
 import sys
 
 from paraview.simple import *
 
-plugin, out = sys.argv[1:3]
+plugin, out, kind, *cells = sys.argv[1:]
 LoadPlugin(plugin, remote=True, ns=globals())
-reader = XMLPartitionedUnstructuredGridReader(FileName=[f"{out}/field.pvtu"])
-ghosts = GhostCellsGenerator(Input=reader, BuildIfRequired=0, MinimumNumberOfGhosts=1)
-surface = TensorModeSurface(Input=ghosts, Modes="1/2")
+file = "field" if kind == "alone" else kind
+pieces = XMLPartitionedUnstructuredGridReader(FileName=[f"{out}/{file}.pvtu"])
+if kind != "alone":
+    pieces = GhostCellsGenerator(Input=pieces, BuildIfRequired=0, MinimumNumberOfGhosts=1)
+surface = TensorModeSurface(Input=pieces, Modes="1/2", Generalized=1, NumberOfCells=int(cells[0]) if cells else 0)
 surface.UpdatePipeline()
+if "components" not in surface.FieldData.keys():
+    sys.exit(1)
 SaveData(f"{out}/surface.pvtp", proxy=ProcessIdScalars(Input=surface), DataMode="Binary", CompressorType="None")

@@ -18,20 +18,21 @@ out, program = Path(sys.argv[2]), sys.argv[3]
 tt.write(out / "field.vtu", field)
 
 name = field.tensor_name
-left = field.points[field.tets].mean(axis=1)[:, 0] < np.median(field.points[:, 0])
-for piece, own in enumerate((left, ~left)):
-    assert own.sum() > 1000
-    points, corners = np.unique(field.tets[own], return_inverse=True)
-    n = int(own.sum())
+
+
+def write_piece(path, cells, tensors=field.tensors):
+    """Some cells of the field, with global ids."""
+    points, corners = np.unique(field.tets[cells], return_inverse=True)
+    n = len(cells)
     text = piece_text(
         "UnstructuredGrid",
         {"NumberOfPoints": len(points), "NumberOfCells": n},
         {
-            "PointData": {name: field.tensors[points], "GlobalPointIds": points.astype(np.int64)},
-            "CellData": {"GlobalCellIds": np.flatnonzero(own)},
+            "PointData": {name: tensors[points], "GlobalPointIds": points.astype(np.int64)},
+            "CellData": {"GlobalCellIds": np.asarray(cells, np.int64)},
             "Points": {"Points": field.points[points]},
             "Cells": {
-                "connectivity": corners.astype(np.int64),
+                "connectivity": corners.astype(np.int64).ravel(),
                 "offsets": np.arange(4, 4 * n + 1, 4),
                 "types": np.full(n, 10, np.uint8),
             },
@@ -42,9 +43,14 @@ for piece, own in enumerate((left, ~left)):
     # What VTK's filters take for ids.
     for ids in ("GlobalPointIds", "GlobalCellIds"):
         text = text.replace(f'Name="{ids}"', f'IdType="1" Name="{ids}"')
-    (out / f"piece_{piece}.vtu").write_text(text)
+    path.write_text(text)
 
-(out / "field.pvtu").write_text(f"""<?xml version="1.0"?>
+
+def write_pieces(kind, pieces, **options):
+    """A .pvtu of two pieces."""
+    for number, cells in enumerate(pieces):
+        write_piece(out / f"{kind}_{number}.vtu", cells, **options)
+    (out / f"{kind}.pvtu").write_text(f"""<?xml version="1.0"?>
 <VTKFile type="PUnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <PUnstructuredGrid GhostLevel="0">
 <PPointData GlobalIds="GlobalPointIds">
@@ -52,10 +58,22 @@ for piece, own in enumerate((left, ~left)):
 <PDataArray type="Int64" IdType="1" Name="GlobalPointIds"/></PPointData>
 <PCellData GlobalIds="GlobalCellIds"><PDataArray type="Int64" IdType="1" Name="GlobalCellIds"/></PCellData>
 <PPoints><PDataArray type="Float64" Name="Points" NumberOfComponents="3"/></PPoints>
-<Piece Source="piece_0.vtu"/><Piece Source="piece_1.vtu"/>
+<Piece Source="{kind}_0.vtu"/><Piece Source="{kind}_1.vtu"/>
 </PUnstructuredGrid></VTKFile>
 """)
 
+
+left = field.points[field.tets].mean(axis=1)[:, 0] < np.median(field.points[:, 0])
+halves = [np.flatnonzero(left), np.flatnonzero(~left)]
+assert min(map(len, halves)) > 1000
+write_pieces("field", halves)
+# What must be an error on all ranks: a cell is lost, a cell has two owners, a tensor is none on one rank.
+write_pieces("lost", [halves[0][:-1], halves[1]])
+seam = np.isin(field.tets, field.tets[halves[1]]).any(axis=1) & left
+write_pieces("doubled", [halves[0], np.append(halves[1], np.flatnonzero(seam)[0])])
+broken = field.tensors.copy()
+broken[np.argmax(field.points[:, 0]), 0] = np.nan  # far from the other piece
+write_pieces("broken", halves, tensors=broken)
 
 
 def written(name, *options):
@@ -100,11 +118,18 @@ python = {
 assert {*python} == {key for key in expected if not key.endswith("offsets")}, {*python} ^ {*expected}
 for key, values in python.items():
     assert values.dtype == expected[key].dtype and values.tobytes() == expected[key].tobytes(), key
-every = field.mode_surface("1/2", all_samples=True)
+every = field.mode_surface("1/2", generalized=True, all_samples=True)
 np.savez(
     out / "expected.npz",
     **expected,
     corners=every.points[every.triangles],
+    components=every.component,
+    counts=[
+        [len(level.components)]
+        + [sum(getattr(part, key) for part in level.components) for key in ("euler_characteristic", "boundary_loops")]
+        for level in every.levels
+    ],
+    tets=len(field.tets),
     unresolved=len(surface.unresolved) + len(curves.unresolved),
 )
 print(f"python: {len(python)} arrays are the program's, bit for bit: {field}, {surface}, {curves}")

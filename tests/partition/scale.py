@@ -3,8 +3,8 @@
 """What 1,000 ranks and 10^9 tetrahedra take, from counts and from runs of single parts.
 
 scale.py [--tets N] [--part N]: counts the ghosts of one rank's block, runs a part of that size, counts how
-unevenly the surface of Kelvin's field is spread over 10 x 10 x 10 blocks of a mesh of N tetrahedra, and prints
-tables. lib/partition/SCALE.md explains them.
+unevenly the surface of Kelvin's field is spread over 10 x 10 x 10 blocks of a mesh of N tetrahedra, weighs what
+eight blocks of it send each other, and prints tables. lib/partition/SCALE.md explains them.
 """
 import argparse
 import pickle
@@ -43,6 +43,37 @@ def ghosts(n, layers):
     has[:] = False
     has[code[held].ravel()] = True
     return *counts, (n + 1) ** 3, int(has.sum()) - (n + 1) ** 3
+
+
+def pieces_of(field, cuts, mode):
+    """The pieces of a cube of so many blocks along each axis, with a layer of ghosts."""
+    centres = field.points[field.tets].mean(1)
+    block = np.clip(((centres + 1) * cuts / 2).astype(int), 0, cuts - 1) @ [cuts * cuts, cuts, 1]
+    for own in range(cuts**3):
+        near = np.zeros(len(field.points), bool)
+        near[field.tets[block == own].ravel()] = True
+        cells = np.flatnonzero(near[field.tets].any(axis=1))
+        vertices, local = np.unique(field.tets[cells], return_inverse=True)
+        piece = tt.Field(field.points[vertices], field.tensors[vertices], local.reshape(-1, 4), cell_ids=cells)
+        yield tt.extract_piece(piece, mode, block[cells] == own, vertices, len(field.tets))
+
+
+def seams(field):
+    """What the ranks of 2 x 2 x 2 blocks send of their surfaces: all of them, or seams."""
+    print("\n| mode | triangles | surfaces, MB | seams, MB | components | joined, ms | seams at 10^9, MB |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    for mode in ("0", "1/2", "99/100"):
+        parts = list(pieces_of(field, 2, mode))
+        sent = [tt.seam_of(part) for part in parts]
+        start = time.perf_counter()
+        joined = tt.join_seams(sent)
+        seconds = time.perf_counter() - start
+        size = sum(seam.numbers.nbytes for seam in sent) / 1e6
+        # Nine planes along each axis, not one, and finer triangles along each.
+        scaled = size * 9 * (WHOLE / len(field.tets)) ** (1 / 3)
+        surfaces = sum(len(pickle.dumps(part)) for part in parts) / 1e6
+        print(f"| {mode} | {joined.triangles.sum():,} | {surfaces:.1f} | {size:.2f} | {len(joined.triangles)} | "
+              f"{seconds * 1e3:.1f} | {scaled:.0f} |")  # fmt: skip
 
 
 def main():
@@ -87,6 +118,7 @@ def main():
         count = np.bincount(block, minlength=RANKS)
         scaled = len(surface.triangles) * (WHOLE / len(field.tets)) ** (2 / 3)
         print(f"| {mode} | {scaled / 1e6:.1f} million | {count.max() / count.mean():.1f} | {(count == 0).sum()} |")
+    seams(field)
 
 
 if __name__ == "__main__":

@@ -47,6 +47,47 @@ def test_pieces_give_the_surface_of_the_whole(slab, mode):
     assert merged.not_embedded == [FAR + tet for tet in whole.levels[0].not_embedded]
 
 
+@pytest.mark.parametrize("mode", ["0", "-99/100"])
+def test_seams_number_the_components_of_the_whole(slab, mode):
+    owner = np.random.default_rng(3).integers(0, 3, len(slab.tets))
+    whole = slab.mode_surface(mode)
+    pieces = list(pieces_of(slab, owner, mode))
+    seams = [pickle.loads(pickle.dumps(tt.seam_of(piece))) for piece in pieces]
+    joined = tt.join_seams(seams)
+    (level,) = whole.levels
+    assert len(joined.triangles) == len(level.components) == whole.component.max() + 1
+    assert joined.vertices.sum() == len(whole.points)
+    for name in ("euler_characteristic", "boundary_loops", "triangles"):
+        assert getattr(joined, name).tolist() == [getattr(part, name) for part in level.components]
+    of_cells = {}
+    for tet, number in zip(whole.tet.tolist(), whole.component.tolist()):
+        of_cells.setdefault(tet, []).append(number)
+    compared = 0
+    for piece, numbers in zip(pieces, joined.numbers):
+        own = numbers[tt.piece_components(piece)]
+        ids = piece.arrays["cell_ids"][piece.arrays["tet"]] - FAR
+        for cell in np.unique(ids).tolist():
+            assert own[ids == cell].tolist() == of_cells[cell]
+            compared += 1
+    assert compared == len(of_cells) > 500
+
+
+def test_seams_that_do_not_fit_are_refused(slab):
+    middle = np.median(slab.mode_surface("0").points[:, 1])  # the surface crosses the seam
+    owner = (slab.points[slab.tets].mean(axis=1)[:, 1] > middle).astype(int)
+    first, second = (tt.seam_of(piece) for piece in pieces_of(slab, owner, "0"))
+    _, other = (tt.seam_of(piece) for piece in pieces_of(slab, owner, "1/100"))
+    assert len(tt.join_seams([first, second]).triangles) > 0
+    with pytest.raises(ValueError, match="a piece is missing"):
+        tt.join_seams([first])
+    with pytest.raises(ValueError, match="is owned by two pieces"):
+        tt.join_seams([first, first, second])
+    with pytest.raises(tt.PiecesDiffer, match="do not meet|they differ|meshed alike"):
+        tt.join_seams([first, other])
+    with pytest.raises(ValueError, match="seam are not what they should be"):
+        tt.join_seams([first, tt.SurfaceSeam(second.numbers[:-1])])
+
+
 def test_the_certificate_is_that_of_the_whole(slab):
     owner = np.random.default_rng(4).integers(0, 3, len(slab.tets))
     whole = slab.mode_surface("1/2", certify=True)

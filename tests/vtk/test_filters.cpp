@@ -10,6 +10,8 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -309,6 +311,70 @@ TEST(VtkFilters, AbortEndsWithoutAnError) {
   EXPECT_GE(reports, 1);
   EXPECT_EQ(complaints.text, "");
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 0);
+}
+
+/// The points of pieces that were read into one grid are one where they have one global id.
+TEST(VtkFilters, PointsOfOneIdAreOne) {
+  const TetMesh& mesh = slab();
+  const auto whole = grid_of(mesh);
+  TetMesh doubled = mesh;
+  std::vector<TetMesh::Index> second(mesh.points.size(), -1);
+  vtkNew<vtkIdTypeArray> ids;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    ids->InsertNextValue(static_cast<vtkIdType>(v));
+  for (std::size_t t = 0; t < mesh.tets.size(); t += 2)
+    for (auto& v : doubled.tets[t]) {
+      auto& copy = second[static_cast<std::size_t>(v)];
+      if (copy < 0) {
+        copy = static_cast<TetMesh::Index>(doubled.points.size());
+        doubled.points.push_back(mesh.points[static_cast<std::size_t>(v)]);
+        doubled.tensors.push_back(mesh.tensors[static_cast<std::size_t>(v)]);
+        ids->InsertNextValue(v);
+      }
+      v = copy;
+    }
+  const auto grid = grid_of(doubled);
+  grid->GetPointData()->SetGlobalIds(ids);
+  vtkNew<vtkTensorModeSurface> one, two;
+  one->SetInputData(whole), two->SetInputData(grid);
+  one->SetModes("0.5"), two->SetModes("0.5");
+  one->Update(), two->Update();
+  EXPECT_GE(expect_same(two->GetOutput(0), one->GetOutput(0)), 9);
+  grid->GetPointData()->SetGlobalIds(nullptr);
+  two->Modified();
+  two->Update();
+  EXPECT_NE(two->GetOutput(0)->GetNumberOfPoints(), one->GetOutput(0)->GetNumberOfPoints());
+}
+
+/// The whole surface is counted in field arrays, one number for each mode.
+TEST(VtkFilters, CountTheWholeSurface) {
+  vtkNew<vtkTensorModeSurface> filter;
+  filter->SetInputData(grid_of(slab()));
+  filter->SetModes("0.5, -0.9");
+  filter->SetNumberOfCells(static_cast<vtkIdType>(slab().tets.size()));
+  filter->Update();
+  SurfaceRequest request;
+  request.modes = {ModeValue::parse("1/2"), ModeValue::parse("-9/10")};
+  const ModeSurfaces expected = ModeExtractor(slab()).surfaces(request);
+  vtkFieldData* data = filter->GetOutput(0)->GetFieldData();
+  const auto number = [&](const char* name, vtkIdType i) {
+    return data->GetArray(name)->GetComponent(i, 0);
+  };
+  ASSERT_EQ(expected.parts.size(), 2u);
+  for (vtkIdType i = 0; i < 2; ++i) {
+    const ModePart& part = expected.parts[static_cast<std::size_t>(i)];
+    EXPECT_EQ(number("surface_mode", i), part.mode.approx());
+    EXPECT_EQ(number("components", i), static_cast<double>(part.invariants.components));
+    EXPECT_EQ(number("euler_characteristic", i),
+              static_cast<double>(part.invariants.euler_characteristic));
+    EXPECT_EQ(number("boundary_loops", i), static_cast<double>(part.invariants.boundary_loops));
+  }
+  filter->SetNumberOfCells(static_cast<vtkIdType>(slab().tets.size()) + 1);
+  const Complaints complaints(filter);
+  vtkNew<vtkCallbackCommand> ignore;
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, ignore);
+  filter->Update();
+  EXPECT_NE(complaints.text.find("NumberOfCells"), std::string::npos) << complaints.text;
 }
 
 /// Two pieces with a layer of ghost cells and global ids: together, the triangles of the whole.

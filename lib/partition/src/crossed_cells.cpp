@@ -10,6 +10,7 @@
 
 #include "owned_part.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
+#include "tensortopo/partition/surface_seam.hpp"
 
 namespace tensortopo {
 
@@ -30,18 +31,23 @@ std::vector<Index> order_by_id(const TetMesh& mesh) {
   return order;
 }
 
+std::int64_t id_of(const UnresolvedOwnedCell& cell) { return cell.cell_id; }
+std::int64_t id_of(std::int64_t id) { return id; }
+
 /// Runs of ids as they should be, and what the piece says is about cells that it owns.
-void require_owned(const PieceSurface& piece) {
+template <class Piece>
+void require_owned(const Piece& piece) {
   std::int64_t before = -1;
   for (const auto& [first, last] : piece.owned_ids) {
     if (first <= before || last < first) refuse("the ids that one owns are not in order");
     before = last;
   }
   const auto require = [&](std::int64_t id) {
-    if (!owns(piece, id)) refuse("cell " + std::to_string(id) + " is in one that does not own it");
+    if (!owns(piece.owned_ids, id))
+      refuse("cell " + std::to_string(id) + " is in one that does not own it");
   };
   for (const std::int64_t id : piece.cells.cell_ids) require(id);
-  for (const UnresolvedOwnedCell& cell : piece.unresolved) require(cell.cell_id);
+  for (const auto& cell : piece.unresolved) require(id_of(cell));
 }
 
 }  // namespace
@@ -59,7 +65,8 @@ TetMesh CrossedCells::sorted() const {
   return result;
 }
 
-CrossedCells crossed_cells(std::span<const PieceSurface> pieces) {
+template <class Piece>
+CrossedCells crossed_cells(std::span<const Piece> pieces) {
   CrossedCells all;
   for (const auto& piece : pieces)
     all.vertex_ids.insert(all.vertex_ids.end(), piece.vertex_ids.begin(), piece.vertex_ids.end());
@@ -95,7 +102,8 @@ CrossedCells crossed_cells(std::span<const PieceSurface> pieces) {
   return all;
 }
 
-void require_all_cells(std::span<const PieceSurface> pieces) {
+template <class Piece>
+void require_all_cells(std::span<const Piece> pieces) {
   if (pieces.empty()) refuse("there are none");
   const std::int64_t whole = pieces[0].whole_tets;
   std::vector<std::array<std::int64_t, 2>> runs;
@@ -117,5 +125,10 @@ void require_all_cells(std::span<const PieceSurface> pieces) {
     refuse("they own " + std::to_string(owned) + " of the " + std::to_string(whole) +
            " cells of the whole mesh: a piece is missing");
 }
+
+template CrossedCells crossed_cells(std::span<const PieceSurface> pieces);
+template CrossedCells crossed_cells(std::span<const SurfaceSeam> seams);
+template void require_all_cells(std::span<const PieceSurface> pieces);
+template void require_all_cells(std::span<const SurfaceSeam> seams);
 
 }  // namespace tensortopo

@@ -17,7 +17,7 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-/// `PieceSurface::cells` of all pieces as one mesh.
+/// `cells` of all pieces as one mesh.
 struct CrossedCells {
   TetMesh mesh;
   std::vector<std::int64_t> vertex_ids;                ///< ascending
@@ -30,12 +30,16 @@ struct CrossedCells {
   TetMesh sorted() const;
 };
 
+/// @param pieces  surfaces (`PieceSurface`) or seams (`SurfaceSeam`)
 /// @throws std::invalid_argument if a vertex has two places or tensors
-CrossedCells crossed_cells(std::span<const PieceSurface> pieces);
+template <class Piece>
+CrossedCells crossed_cells(std::span<const Piece> pieces);
 
 /// The pieces own each tetrahedron of the whole mesh once, and what they say is about tetrahedra
 /// that they own.
+/// @param pieces  surfaces (`PieceSurface`) or seams (`SurfaceSeam`)
 /// @throws std::invalid_argument
-void require_all_cells(std::span<const PieceSurface> pieces);
+template <class Piece>
+void require_all_cells(std::span<const Piece> pieces);
 
 }  // namespace tensortopo

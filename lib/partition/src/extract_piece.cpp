@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -64,16 +65,8 @@ struct SeamFace {
   std::int64_t ghost;  ///< its id
 };
 
-/// The ids that the piece owns, as `PieceSurface::owned_ids`.
-std::vector<std::array<std::int64_t, 2>> owned_ids_of(const MeshPiece& piece) {
-  std::vector<std::int64_t> ids;
-  for (std::size_t t = 0; t < piece.is_owned.size(); ++t)
-    if (piece.is_owned[t] != 0) ids.push_back(piece.mesh.cell_ids[t]);
-  return runs_of(std::move(ids));
-}
-
 /// Ascending.
-std::vector<SeamFace> seam_of(const MeshPiece& piece) {
+std::vector<SeamFace> seam_faces(const MeshPiece& piece) {
   std::vector<std::pair<Face, std::size_t>> faces;
   for (std::size_t t = 0; t < piece.mesh.tets.size(); ++t) {
     auto v = piece.mesh.tets[t];
@@ -108,7 +101,35 @@ std::int64_t ghost_across(const std::vector<SeamFace>& seam, const std::array<In
   return found != seam.end() && found->face == face ? found->ghost : -1;
 }
 
+/// Takes out of the surface of a piece's mesh what lies in ghosts.
+/// @param result  its `surface`, and `topology` if it has one, count in the piece's mesh
+void keep_surface(const MeshPiece& piece, PieceSurface& result) {
+  result.owned_ids = owned_ids_of(piece);
+  result.whole_tets = piece.whole_tets;
+  result.ordinals = ordinals_of(result.surface);
+  keep_owned(piece, result);
+  const auto faces = seam_faces(piece);
+  const auto& carriers = result.surface.carrier_vertices;
+  for (const auto& t : result.surface.triangles) {
+    const auto across = [&](std::size_t i) {
+      return ghost_across(faces, carriers[as_size(t[i])], carriers[as_size(t[(i + 1) % 3])]);
+    };
+    result.ghost_across.push_back({across(0), across(1), across(2)});
+  }
+  gather_cells(piece, result);
+}
+
 }  // namespace
+
+PieceSurface owned_surface(const MeshPiece& piece, SurfaceMesh surface) {
+  require_sound(piece);
+  if (!std::is_sorted(piece.vertex_ids.begin(), piece.vertex_ids.end()))
+    throw std::invalid_argument("piece: its vertices are not in the order of their ids; sort them");
+  PieceSurface result;
+  result.surface = std::move(surface);
+  keep_surface(piece, result);
+  return result;
+}
 
 PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
                            const ExtractOptions& options) {
@@ -126,23 +147,11 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
     if (piece.is_owned[as_size(tet)])
       result.not_embedded.push_back(piece.mesh.cell_ids[as_size(tet)]);
   std::sort(result.not_embedded.begin(), result.not_embedded.end());
-  result.owned_ids = owned_ids_of(piece);
-  result.whole_tets = piece.whole_tets;
   if (extraction.statistics.vertices_on_level > 0) result.on_level = vertices_on_level(piece, mode);
-  result.ordinals = ordinals_of(result.surface);
   if (options.keep_topology)
     result.topology = topology_of_owned(std::move(extraction.topology), piece);
-  keep_owned(piece, result);
-  const auto seam = seam_of(piece);
-  const auto& carriers = result.surface.carrier_vertices;
-  for (const auto& t : result.surface.triangles) {
-    const auto across = [&](std::size_t i) {
-      return ghost_across(seam, carriers[as_size(t[i])], carriers[as_size(t[(i + 1) % 3])]);
-    };
-    result.ghost_across.push_back({across(0), across(1), across(2)});
-  }
   add_messages(piece, extraction.messages, result);
-  gather_cells(piece, result);
+  keep_surface(piece, result);
   return result;
 }
 

@@ -151,7 +151,8 @@ MeshPiece piece_with_ghosts(PieceCache& cache, const PieceIndex& index, std::int
   }
   PieceBuilder builder(index);
   for (const auto& [p, is_held] : held)
-    builder.add(*cache.get(p), p == number, [&](std::size_t t) { return is_held[t] != 0; });
+    builder.add(*cache.get(p), p == number,
+                [&which = is_held](std::size_t t) { return which[t] != 0; });
   std::vector<char> is_used(own->mesh.points.size(), 0);
   for (const auto& tet : own->mesh.tets)
     for (const Index v : tet) is_used[as_size(v)] = 1;

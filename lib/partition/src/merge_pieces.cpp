@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <tuple>
 
 #include "crossed_cells.hpp"
+#include "differing_pieces.hpp"
 #include "piece_messages.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
@@ -143,11 +142,10 @@ class Merger {
         same_bits(s.residual[u], t.residual[v]) && same_bits(s.mode[u], t.mode[v]) &&
         s.carrier[u] == t.carrier[v])
       return;
-    std::string text = "they differ at the simplex of vertices";
-    for (const Index rank : a.carrier)
-      if (rank >= 0) text += " " + std::to_string(id_of(rank));
-    throw PiecesDiffer("pieces: " + text +
-                       ": they were extracted with other options, or need more layers of ghosts");
+    std::array<std::int64_t, 4> ids{-1, -1, -1, -1};
+    std::transform(a.carrier.begin(), std::find(a.carrier.begin(), a.carrier.end(), -1),
+                   ids.begin(), [&](Index rank) { return id_of(rank); });
+    refuse_simplex("they differ", ids);
   }
 
   std::int64_t id_of(Index rank) const {
@@ -296,11 +294,7 @@ class Merger {
             result_.unresolved.begin(), result_.unresolved.end(), ghost,
             [](const UnresolvedOwnedCell& cell, std::int64_t id) { return cell.cell_id < id; });
         if (found != result_.unresolved.end() && found->cell_id == ghost) continue;
-        throw PiecesDiffer(
-            "pieces: the triangles of cells " +
-            std::to_string(pieces_[p].cells.cell_ids[as_size(pieces_[p].surface.tet[i])]) +
-            " and " + std::to_string(ghost) +
-            " do not meet: they were extracted with other options, or need more layers of ghosts");
+        refuse_sides(pieces_[p].cells.cell_ids[as_size(pieces_[p].surface.tet[i])], ghost);
       }
   }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "owned_part.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 
 namespace tensortopo {
@@ -95,6 +97,13 @@ std::vector<std::int32_t> slabs(const TetMesh& mesh, std::int32_t pieces) {
   for (std::size_t i = 0; i < order.size(); ++i)
     owner[as_size(order[i])] = static_cast<std::int32_t>(i * as_size(pieces) / order.size());
   return owner;
+}
+
+std::vector<std::array<std::int64_t, 2>> owned_ids_of(const MeshPiece& piece) {
+  std::vector<std::int64_t> ids;
+  for (std::size_t t = 0; t < piece.is_owned.size(); ++t)
+    if (piece.is_owned[t] != 0) ids.push_back(piece.mesh.cell_ids[t]);
+  return runs_of(std::move(ids));
 }
 
 }  // namespace tensortopo

@@ -46,10 +46,10 @@ std::vector<std::array<std::int64_t, 2>> runs_of(std::vector<std::int64_t> ids) 
   return runs;
 }
 
-bool owns(const PieceSurface& piece, std::int64_t id) {
-  const auto after = std::upper_bound(piece.owned_ids.begin(), piece.owned_ids.end(), id,
+bool owns(std::span<const std::array<std::int64_t, 2>> owned_ids, std::int64_t id) {
+  const auto after = std::upper_bound(owned_ids.begin(), owned_ids.end(), id,
                                       [](std::int64_t i, const auto& run) { return i < run[0]; });
-  return after != piece.owned_ids.begin() && (*(after - 1))[1] >= id;
+  return after != owned_ids.begin() && (*(after - 1))[1] >= id;
 }
 
 void keep_owned(const MeshPiece& piece, PieceSurface& result) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tensortopo/partition/piece_surface.hpp"
@@ -14,8 +15,9 @@ namespace tensortopo {
 /// Ids as `PieceSurface::owned_ids` has them.
 std::vector<std::array<std::int64_t, 2>> runs_of(std::vector<std::int64_t> ids);
 
-/// @pre the runs of the piece are ascending
-bool owns(const PieceSurface& piece, std::int64_t id);
+/// Whether an id is in runs as `PieceSurface::owned_ids`.
+/// @pre the runs are ascending
+bool owns(std::span<const std::array<std::int64_t, 2>> owned_ids, std::int64_t id);
 
 /// Takes out triangles in ghosts, and vertices that no other triangle has and no proof names.
 /// @param result  whose triangles' `tet` count in the piece's mesh

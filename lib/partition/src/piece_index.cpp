@@ -25,8 +25,19 @@ struct BoundaryPoint {
   bool is_double = false;            ///< its first piece has another in the same place
 };
 
-/// Of each point whether other pieces may have it, too.
-std::vector<char> may_be_shared(const TetMesh& mesh) {
+[[noreturn]] void refuse(std::int32_t piece, Index point, const std::string& problem) {
+  throw std::invalid_argument("piece " + std::to_string(piece) + ": " + problem + " (point " +
+                              std::to_string(point) + ")");
+}
+
+void insert(std::vector<std::int32_t>& list, std::int32_t piece) {
+  const auto at = std::lower_bound(list.begin(), list.end(), piece);
+  if (at == list.end() || *at != piece) list.insert(at, piece);
+}
+
+}  // namespace
+
+std::vector<char> outer_vertices(const TetMesh& mesh) {
   std::vector<std::array<Index, 3>> faces;
   faces.reserve(4 * mesh.tets.size());
   std::vector<char> result(mesh.points.size(), 1);
@@ -47,18 +58,6 @@ std::vector<char> may_be_shared(const TetMesh& mesh) {
   return result;
 }
 
-[[noreturn]] void refuse(std::int32_t piece, Index point, const std::string& problem) {
-  throw std::invalid_argument("piece " + std::to_string(piece) + ": " + problem + " (point " +
-                              std::to_string(point) + ")");
-}
-
-void insert(std::vector<std::int32_t>& list, std::int32_t piece) {
-  const auto at = std::lower_bound(list.begin(), list.end(), piece);
-  if (at == list.end() || *at != piece) list.insert(at, piece);
-}
-
-}  // namespace
-
 std::vector<std::int64_t> IndexedPiece::point_ids() const {
   std::vector<std::int64_t> ids(points);
   std::int64_t next = first_point;
@@ -71,7 +70,7 @@ PieceIndex::PieceIndex(const PieceSource& source) {
   std::unordered_map<Vector3<double>, BoundaryPoint, PointHash> boundary;
   for (std::int32_t p = 0; p < source.pieces; ++p) {
     const TetMesh mesh = source.read(p);
-    const auto is_open = may_be_shared(mesh);
+    const auto is_open = outer_vertices(mesh);
     IndexedPiece piece;
     piece.first_point = points, piece.first_tet = tets;
     piece.points = mesh.points.size(), piece.tets = mesh.tets.size();

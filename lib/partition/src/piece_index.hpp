@@ -11,6 +11,10 @@
 
 namespace tensortopo {
 
+/// Of each vertex whether it lies on a face of one tetrahedron, or in none: only these may be
+/// vertices of other pieces.
+std::vector<char> outer_vertices(const TetMesh& mesh);
+
 /// What one of several pieces has in the whole mesh.
 struct IndexedPiece {
   std::int64_t first_point = 0;  ///< the id of the first point that no piece before has

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <string>
 
+#include "differing_pieces.hpp"
+#include "tensortopo/partition/surface_seam.hpp"
+
 namespace tensortopo {
 
 namespace {
@@ -16,7 +19,8 @@ struct OwnedRun {
 };
 
 /// Which pieces own which ids, ascending.
-std::vector<OwnedRun> owned_runs(std::span<const PieceSurface> pieces) {
+template <class Piece>
+std::vector<OwnedRun> owned_runs(std::span<const Piece> pieces) {
   std::vector<OwnedRun> runs;
   for (std::size_t p = 0; p < pieces.size(); ++p)
     for (const auto& [first, last] : pieces[p].owned_ids) runs.push_back({first, last, p});
@@ -27,9 +31,9 @@ std::vector<OwnedRun> owned_runs(std::span<const PieceSurface> pieces) {
 
 /// The piece that owns an id, or none.
 std::optional<std::size_t> owner_of(std::int64_t id, std::span<const OwnedRun> runs) {
-  const auto after = std::upper_bound(
-      runs.begin(), runs.end(), id,
-      [](std::int64_t cell, const OwnedRun& run) { return cell < run.first; });
+  const auto after =
+      std::upper_bound(runs.begin(), runs.end(), id,
+                       [](std::int64_t cell, const OwnedRun& run) { return cell < run.first; });
   if (after == runs.begin() || std::prev(after)->last < id) return std::nullopt;
   return std::prev(after)->piece;
 }
@@ -48,26 +52,29 @@ void add_messages(const MeshPiece& piece, std::span<const MeshingMessage> messag
   for (const MeshingMessage& message : messages) {
     const auto from = as_size(message.from), to = as_size(message.to);
     (piece.is_owned[from] != 0 ? result.told : result.heard)
-        .push_back({piece.mesh.cell_ids[from], piece.mesh.cell_ids[to], message.pass,
-                    message.round, message.digest});
+        .push_back({piece.mesh.cell_ids[from], piece.mesh.cell_ids[to], message.pass, message.round,
+                    message.digest});
   }
   std::sort(result.told.begin(), result.told.end());
   std::sort(result.heard.begin(), result.heard.end());
 }
 
-void require_same_messages(std::span<const PieceSurface> pieces) {
+template <class Piece>
+void require_same_messages(std::span<const Piece> pieces) {
   const auto runs = owned_runs(pieces);
   std::vector<std::vector<PieceMessage>> to_hear(pieces.size());
-  for (const PieceSurface& piece : pieces)
+  for (const Piece& piece : pieces)
     for (const PieceMessage& message : piece.told)
       if (const auto owner = owner_of(message.to_cell, runs)) to_hear[*owner].push_back(message);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     std::sort(to_hear[p].begin(), to_hear[p].end());
     if (const PieceMessage* message = difference(to_hear[p], pieces[p].heard))
-      throw PiecesDiffer("pieces: cell " + std::to_string(message->from_cell) +
-                         " was not meshed alike by all that have it: they were extracted with other "
-                         "options, or need more layers of ghosts");
+      refuse_differing("cell " + std::to_string(message->from_cell) +
+                       " was not meshed alike by all that have it");
   }
 }
+
+template void require_same_messages(std::span<const PieceSurface> pieces);
+template void require_same_messages(std::span<const SurfaceSeam> seams);
 
 }  // namespace tensortopo

@@ -14,11 +14,13 @@ void add_messages(const MeshPiece& piece, std::span<const MeshingMessage> messag
 
 /// What each piece heard from its ghosts is what their owners told.
 ///
-/// Then all pieces are parts of one extraction. By induction over the steps: what a tetrahedron does
-/// in one step depends on its field, on its faces' first samples, and on what it was told before. An
-/// owned tetrahedron is told so by owned ones, which did right by induction, and by ghosts, which
-/// are compared with their owners' pieces, where they did right by induction, too.
+/// Then all pieces are parts of one extraction. By induction over the steps: what a tetrahedron
+/// does in one step depends on its field, on its faces' first samples, and on what it was told
+/// before. An owned tetrahedron is told so by owned ones, which did right by induction, and by
+/// ghosts, which are compared with their owners' pieces, where they did right by induction, too.
+/// @param pieces  surfaces (`PieceSurface`) or seams (`SurfaceSeam`)
 /// @throws PiecesDiffer with the tetrahedron
-void require_same_messages(std::span<const PieceSurface> pieces);
+template <class Piece>
+void require_same_messages(std::span<const Piece> pieces);
 
 }  // namespace tensortopo

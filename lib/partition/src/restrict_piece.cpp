@@ -65,7 +65,7 @@ class Names {
 std::vector<std::array<Id, 2>> part_ids(const PieceSurface& piece, const PartNumbers& numbers) {
   std::vector<Id> ids;
   for (const auto& [whole, part] : numbers.tets) {
-    if (!owns(piece, whole))
+    if (!owns(piece.owned_ids, whole))
       refuse_part("cell " + std::to_string(whole) + " of a part is not owned by its piece");
     ids.push_back(part);
   }

@@ -3,8 +3,9 @@
 #include "tensortopo/partition/topology_numbers.hpp"
 
 #include <array>
-#include <stdexcept>
 #include <utility>
+
+#include "number_lists.hpp"
 
 namespace tensortopo {
 
@@ -12,38 +13,11 @@ namespace {
 
 using Index = std::int32_t;
 
-class Writer {
- public:
-  void number(Index n) { made.integers.push_back(n); }
-  /// A list, after its length.
-  template <class List, class F>
-  void list(const List& items, const F& write) {
-    number(static_cast<Index>(items.size()));
-    for (const auto& item : items) write(item);
-  }
-
-  TopologyNumbers made;
-};
-
-class Reader {
+class Reader : public ListReader<Index> {
  public:
   Reader(const TopologyNumbers& numbers, const TopologyCounts& counts)
-      : numbers_(numbers), counts_(counts) {}
+      : ListReader(numbers.integers, "proofs"), numbers_(numbers), counts_(counts) {}
 
-  [[noreturn]] static void refuse() {
-    throw std::invalid_argument(
-        "pieces: the numbers of a piece's proofs are not what they should be");
-  }
-
-  Index number() {
-    if (at_ == numbers_.integers.size()) refuse();
-    return numbers_.integers[at_++];
-  }
-  Index below(std::size_t count) {
-    const Index n = number();
-    if (n < 0 || static_cast<std::size_t>(n) >= count) refuse();
-    return n;
-  }
   Index mesh_vertex() { return below(counts_.mesh_vertices); }
   Index tet() { return below(counts_.tets); }
   Index surface_vertex() { return below(counts_.surface_vertices); }
@@ -51,30 +25,28 @@ class Reader {
     if (at_weight_ == numbers_.weights.size()) refuse();
     return numbers_.weights[at_weight_++];
   }
-  template <class List, class F>
-  void list(List& items, const F& read) {
-    for (Index left = below(numbers_.integers.size()); left > 0; --left) items.push_back(read());
-  }
   void require_end() const {
-    if (at_ != numbers_.integers.size() || at_weight_ != numbers_.weights.size()) refuse();
+    ListReader::require_end();
+    if (at_weight_ != numbers_.weights.size()) refuse();
   }
 
  private:
   const TopologyNumbers& numbers_;
   const TopologyCounts& counts_;
-  std::size_t at_ = 0, at_weight_ = 0;
+  std::size_t at_weight_ = 0;
 };
 
 }  // namespace
 
 TopologyNumbers numbers_of(const LevelTopology& topology) {
-  Writer to;
+  ListWriter<Index> to;
+  std::vector<double> weights;
   const auto number = [&](Index n) { to.number(n); };
   to.list(topology.edges, [&](const LevelTopology::Edge& edge) {
     for (const Index v : edge.vertices) number(v);
     to.list(edge.crossings, [&](const LevelTopology::Crossing& crossing) {
       number(crossing.rising ? 1 : 0), number(crossing.vertex);
-      for (const double w : crossing.weights) to.made.weights.push_back(w);
+      for (const double w : crossing.weights) weights.push_back(w);
     });
   });
   to.list(topology.faces, [&](const LevelTopology::Face& face) {
@@ -95,7 +67,7 @@ TopologyNumbers numbers_of(const LevelTopology& topology) {
     number(cone.tet);
     to.list(cone.sheets, [&](const auto& sheet) { to.list(sheet, number); });
   });
-  return std::move(to.made);
+  return {std::move(to.made), std::move(weights)};
 }
 
 LevelTopology topology_of(const TopologyNumbers& numbers, const TopologyCounts& counts) {

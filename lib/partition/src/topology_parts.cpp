@@ -6,10 +6,10 @@
 #include <array>
 #include <cstring>
 #include <iterator>
-#include <string>
 #include <utility>
+#include <vector>
 
-#include "tensortopo/partition/piece_surface.hpp"
+#include "differing_pieces.hpp"
 
 namespace tensortopo {
 
@@ -64,11 +64,9 @@ void make_one(std::vector<Simplex>& simplices, std::span<const std::int64_t> ver
       if (kept != i) simplices[kept] = std::move(simplices[i]);
       ++kept;
     } else if (!is_same(simplices[kept - 1], simplices[i])) {
-      std::string text = "pieces: the proofs differ at the simplex of vertices";
-      for (const Index v : simplices[i].vertices)
-        text += " " + std::to_string(vertex_ids[as_size(v)]);
-      throw PiecesDiffer(text +
-                         ": they were extracted with other options, or need more layers of ghosts");
+      std::vector<std::int64_t> ids;
+      for (const Index v : simplices[i].vertices) ids.push_back(vertex_ids[as_size(v)]);
+      refuse_simplex("the proofs differ", ids);
     }
   }
   simplices.resize(kept);

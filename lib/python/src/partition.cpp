@@ -19,9 +19,12 @@
 #include "surface_arrays.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/hash/number_hash.hpp"
+#include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/partition/certify_pieces.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 #include "tensortopo/partition/restrict_piece.hpp"
+#include "tensortopo/partition/seam_numbers.hpp"
+#include "tensortopo/partition/surface_seam.hpp"
 #include "tensortopo/partition/topology_numbers.hpp"
 #include "watched.hpp"
 
@@ -280,6 +283,36 @@ py::dict merge(const std::vector<py::dict>& dicts, const py::object& certified,
   return out;
 }
 
+/// Of each triangle of a piece, its component in the piece.
+py::array components_of_piece(const py::dict& piece) {
+  return array_of<Index>(surface_components(piece_from(piece).surface));
+}
+
+py::array seam(const py::dict& piece) {
+  return array_of<std::int64_t>(numbers_of(seam_of(piece_from(piece))));
+}
+
+py::dict join(const std::vector<Input<std::int64_t>>& arrays) {
+  std::vector<SurfaceSeam> seams;
+  for (const auto& numbers : arrays)
+    seams.push_back(seam_of_numbers({numbers.data(), static_cast<std::size_t>(numbers.size())}));
+  const JoinedSeams joined = join_seams(seams);
+  std::vector<std::int64_t> vertices, triangles, euler, loops;
+  for (const auto& component : joined.components) {
+    vertices.push_back(component.vertices), triangles.push_back(component.triangles);
+    euler.push_back(component.euler_characteristic), loops.push_back(component.boundary_loops);
+  }
+  py::dict out;
+  out["vertices"] = array_of<std::int64_t>(std::move(vertices));
+  out["triangles"] = array_of<std::int64_t>(std::move(triangles));
+  out["euler_characteristic"] = array_of<std::int64_t>(std::move(euler));
+  out["boundary_loops"] = array_of<std::int64_t>(std::move(loops));
+  py::list numbers;
+  for (const auto& own : joined.numbers) numbers.append(array_of<Index>(std::vector(own)));
+  out["numbers"] = numbers;
+  return out;
+}
+
 }  // namespace
 
 void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
@@ -287,7 +320,10 @@ void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
            py::arg("whole_cells"), py::arg("resolution"), py::arg("all_samples"),
            py::arg("certify"), py::arg("progress"));
   m.def("merge_pieces", &merge, py::arg("pieces"), py::arg("certified"), py::arg("components"));
-  m.def("restrict_piece", &restrict, py::arg("piece"), py::arg("cells"), py::arg("vertices"));
+  m.def("restrict_piece", & restrict, py::arg("piece"), py::arg("cells"), py::arg("vertices"));
+  m.def("components_of_piece", &components_of_piece, py::arg("piece"));
+  m.def("seam_of", &seam, py::arg("piece"));
+  m.def("join_seams", &join, py::arg("seams"));
   py::register_local_exception<PiecesDiffer>(m, "PiecesDiffer", PyExc_ValueError);
 }
 

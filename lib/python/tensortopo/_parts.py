@@ -136,30 +136,6 @@ def pvtp_bytes(sources: Sequence[str]) -> bytes:
     return "\n".join(lines).encode("utf-8")
 
 
-def topology_of(surface: MergedSurface) -> dict[str, int]:
-    """Numbers of a surface without unused vertices: what a certificate of parts claims of the whole."""
-    triangles = surface.triangles.astype(np.int64)
-    sides = np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)])
-    count = len(surface.points)
-    key = sides.min(axis=1) * count + sides.max(axis=1)
-    _, at, times = np.unique(key, return_index=True, return_counts=True)
-    border = sides[at[times == 1]]
-    following = dict(border.tolist())
-    loops = 0
-    while following:
-        start, at_vertex = following.popitem()
-        loops += 1
-        while at_vertex != start:
-            at_vertex = following.pop(at_vertex)
-    return {
-        "vertices": count,
-        "triangles": len(triangles),
-        "components": int(surface.component.max()) + 1 if len(triangles) else 0,
-        "euler_characteristic": count - len(times) + len(triangles),
-        "boundary_loops": loops,
-    }
-
-
 def sha256_of(data: bytes) -> str:
     """In hexadecimal."""
     return hashlib.sha256(data).hexdigest()

@@ -14,7 +14,7 @@ import numpy as np
 
 from ._errors import FileError
 from ._modes import mode_texts
-from ._partition import CertifiedField, FieldHash, MergedSurface, PieceSurface
+from ._partition import CertifiedField, FieldHash, PieceSurface, PiecesDiffer
 from ._parts import (
     certificate_of_parts,
     new_folder,
@@ -24,9 +24,9 @@ from ._parts import (
     pvtp_bytes,
     require_folder,
     sha256_of,
-    topology_of,
 )
 from ._ranks import Array, together
+from ._seams import JoinedSeams, join_seams, piece_components, seam_of
 
 
 @dataclass(frozen=True)
@@ -79,21 +79,81 @@ class RankPieces:
     surface: Optional[PieceSurface]
 
 
-def _components(comm: Any, pieces: RankPieces, merged: Optional[MergedSurface]) -> list[Array]:
-    """Of each of the rank's files: components in the whole of its triangles, by the ids of their cells."""
-    ends = [(int(pieces.cell_ids[f.tets[0]]), int(pieces.cell_ids[f.tets[1] - 1])) for f in pieces.files]
-    gathered = comm.gather(ends)
+@dataclass(frozen=True)
+class WholeNumbers:
+    """What a rank knows of the whole surface.
+
+    Attributes
+    ----------
+    component : ndarray of int32
+        Of each triangle of the rank's surface, its component in the whole.
+    counts : dict of str to int
+        What a certificate of parts claims of the whole; on the first rank, else empty.
+    """
+
+    component: Array
+    counts: dict[str, int]
+
+
+def _counts_of(joined: JoinedSeams) -> dict[str, int]:
+    return {
+        "vertices": int(joined.vertices.sum()),
+        "triangles": int(joined.triangles.sum()),
+        "components": len(joined.triangles),
+        "euler_characteristic": int(joined.euler_characteristic.sum()),
+        "boundary_loops": int(joined.boundary_loops.sum()),
+    }
+
+
+def number_components(comm: Any, own: Optional[PieceSurface]) -> tuple[Optional[WholeNumbers], Optional[str]]:
+    """The components of the whole surface, for which ranks exchange no more than seams; or why they do not agree.
+
+    Parameters
+    ----------
+    comm : mpi4py.MPI.Comm
+    own : PieceSurface or None
+        The surface of this rank, if it has cells.
+
+    Raises
+    ------
+    RankError
+        On all ranks, if something is wrong on one.
+    """
+    gathered = comm.gather(together(comm, lambda: None if own is None else seam_of(own)))
+
+    def join() -> tuple[Optional[JoinedSeams], Optional[str]]:
+        if gathered is None:
+            return None, None
+        try:
+            return join_seams([seam for seam in gathered if seam is not None]), None
+        except PiecesDiffer as error:
+            return None, str(error)
+
+    joined, differ = together(comm, join)
+    differ = comm.bcast(differ)
+    if differ is not None:
+        return None, differ
     shares = None
-    if merged is not None:
-        order = np.argsort(merged.cell_ids, kind="stable")
-        cells, components = merged.cell_ids[order], merged.component[order]
-        shares = [
-            [components[np.searchsorted(cells, first) : np.searchsorted(cells, last, side="right")]
-             for first, last in rank]
-            for rank in gathered
-        ]  # fmt: skip
-    share: list[Array] = comm.scatter(shares)
-    return share
+    if joined is not None:
+        left = iter(joined.numbers)
+        shares = [None if seam is None else next(left) for seam in gathered]
+    numbers = comm.scatter(shares)
+    component = np.empty(0, np.int32) if own is None else numbers[piece_components(own)]
+    return WholeNumbers(component, {} if joined is None else _counts_of(joined)), None
+
+
+def _components(pieces: RankPieces, whole: WholeNumbers) -> list[Array]:
+    """Of each of the rank's files: components in the whole of its triangles, by the ids of their cells."""
+    if pieces.surface is None:
+        return []
+    of_triangles = pieces.surface.arrays["cell_ids"][pieces.surface.arrays["tet"]]
+    order = np.argsort(of_triangles, kind="stable")
+    cells, components = of_triangles[order], whole.component[order]
+    ends = [(pieces.cell_ids[f.tets[0]], pieces.cell_ids[f.tets[1] - 1]) for f in pieces.files]
+    return [
+        components[np.searchsorted(cells, first) : np.searchsorted(cells, last, side="right")]
+        for first, last in ends
+    ]
 
 
 def _certified(pieces: RankPieces, file: PieceFile) -> CertifiedField:
@@ -145,7 +205,7 @@ def write_parts(
     output: Path,
     certificate: Optional[Path],
     pieces: RankPieces,
-    merged: Optional[MergedSurface],
+    whole: WholeNumbers,
     mode: Any,
     sources: Sequence[str],
 ) -> None:
@@ -159,8 +219,7 @@ def write_parts(
     certificate : Path or None
         The certificate of parts. Those of the parts go into the folder.
     pieces : RankPieces
-    merged : MergedSurface or None
-        The whole, on the first rank.
+    whole : WholeNumbers
     mode : any
     sources : sequence of str
         The pieces, as the .pvtu names them.
@@ -188,7 +247,7 @@ def write_parts(
     made = together(comm, begin)
     filled: Path = comm.bcast(made)
     try:
-        components = _components(comm, pieces, merged)
+        components = _components(pieces, whole)
 
         def write() -> list[_Written]:
             try:
@@ -205,7 +264,7 @@ def write_parts(
         cells = comm.reduce(len(pieces.tets))
 
         def finish() -> None:
-            if merged is None:
+            if comm.rank != 0:
                 return
             parts = [part for rank in gathered for part in rank]
             files = {output: pvtp_bytes([f"{folder.name}/{part.surface[0]}" for part in parts])}
@@ -220,8 +279,8 @@ def write_parts(
                     for source, part in zip(sources, parts)
                     if part.certificate is not None
                 ]
-                whole = {"tetrahedra": cells, **topology_of(merged)}
-                files[certificate] = certificate_of_parts(text, listed, whole)
+                claimed = {"tetrahedra": cells, **whole.counts}
+                files[certificate] = certificate_of_parts(text, listed, claimed)
             put_in_place(filled, folder, files)
 
         together(comm, finish)

@@ -7,8 +7,8 @@
     mpirun -n 4 python3 -m tensortopo.mpi field.pvtu -o surface.vtp --mode 1/2 --certify surface.json
 
 Each rank reads its share of the pieces, gets from the others the cells around it, and extracts; the first rank
-puts the surfaces together and writes. With ``-o surface.pvtp`` each rank writes the parts of its own pieces. The
-files have the same bytes on any number of ranks. Needs mpi4py.
+puts the surfaces together and writes. With ``-o surface.pvtp`` each rank writes the parts of its own pieces, and no
+more than seams are sent to the first rank. The files have the same bytes on any number of ranks. Needs mpi4py.
 """
 from __future__ import annotations
 
@@ -37,7 +37,13 @@ from ._partition import (
     merge_pieces,
 )
 from ._ranks import Array, Cells, RankError, number_points, together, with_ghosts
-from ._ranks_parts import PieceFile, RankPieces, write_parts
+from ._ranks_parts import (
+    PieceFile,
+    RankPieces,
+    WholeNumbers,
+    number_components,
+    write_parts,
+)
 from ._vtk_xml import read_piece, write_whole
 
 _MOST_LAYERS = 8
@@ -75,11 +81,14 @@ class Extracted:
     pieces : RankPieces
         What this rank has.
     merged : MergedSurface or None
-        The whole; None but on the first rank.
+        The whole, on the first rank, unless it stays in parts.
+    whole : WholeNumbers or None
+        Of a surface that stays in parts.
     """
 
     pieces: RankPieces
     merged: Optional[MergedSurface]
+    whole: Optional[WholeNumbers] = None
 
 
 def piece_sources(inputs: Sequence[Path]) -> list[str]:
@@ -226,7 +235,8 @@ def extracted(
     comm, part, mode, certify, resolution, all_samples, cells
         As for `mode_surface`.
     in_parts : bool, default False
-        With ``certify``: the proofs are kept for certificates of parts, and none is made of the whole.
+        The surface stays in parts: ranks exchange seams, and its components are numbered. With ``certify``, proofs
+        are kept for certificates of parts.
 
     Raises
     ------
@@ -267,14 +277,18 @@ def extracted(
                                  all_samples=all_samples, certify=certify)  # fmt: skip
 
         own = together(comm, extract)
-        gathered = comm.gather(own)
-        merged, differ = together(comm, partial(_merged, gathered, certified, mode))
-        differ = comm.bcast(differ)
+        merged, whole_numbers = None, None
+        if in_parts:
+            whole_numbers, differ = number_components(comm, own)
+        else:
+            gathered = comm.gather(own)
+            merged, differ = together(comm, partial(_merged, gathered, certified, mode))
+            differ = comm.bcast(differ)
         if differ is None:
             pieces = RankPieces(
                 part.files, part.points, part.tensors, part.tets, numbered.ids, own_ids, own
             )
-            return Extracted(pieces, merged)
+            return Extracted(pieces, merged, whole_numbers)
     raise RankError(f"{differ} (with {_MOST_LAYERS} layers)")
 
 
@@ -342,8 +356,10 @@ def run(comm: Any, options: argparse.Namespace) -> None:
         in_parts=_in_parts(options),
     )
     surface = made.merged
-    if _in_parts(options):
-        write_parts(comm, options.output, options.certify, made.pieces, surface, options.mode, sources)
+    own = made.pieces.surface
+    unresolved = comm.gather([] if own is None else own.unresolved)
+    if made.whole is not None:
+        write_parts(comm, options.output, options.certify, made.pieces, made.whole, options.mode, sources)
     elif surface is not None:
         outputs = {options.output: output_bytes(surface)}
         if options.certify is not None:
@@ -351,10 +367,11 @@ def run(comm: Any, options: argparse.Namespace) -> None:
         together(comm, partial(write_whole, outputs))
     else:
         together(comm, lambda: None)
-    if surface is not None and surface.unresolved:
-        cell, reason = surface.unresolved[0]
+    left_out = sorted(cell for rank in unresolved or [] for cell in rank)
+    if left_out:
+        cell, reason = left_out[0]
         print(
-            f"tensortopo.mpi: {len(surface.unresolved)} cells are left out, the first is cell {cell}: {reason}",
+            f"tensortopo.mpi: {len(left_out)} cells are left out, the first is cell {cell}: {reason}",
             file=sys.stderr,
         )
 

@@ -8,7 +8,8 @@
 ///
 /// Input as of vtkTensorModeSurface. Outputs: 0, the curves, with point arrays `mode`,
 /// `dominant_eigenvector`, `residual` and `separation`, and cell arrays `tet` and `component`; 1,
-/// the cells that no proof covers, with their reasons.
+/// the cells that no proof covers, with their reasons. With several pieces components are those of
+/// the piece.
 class TENSORTOPOFILTERS_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopology {
  public:
   static vtkTensorDegenerateCurves* New();  ///< as of any VTK filter
@@ -24,8 +25,7 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopol
  protected:
   vtkTensorDegenerateCurves();
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  void Extract(const tensortopo::filters::TensorGrid& grid, bool in_pieces,
-               vtkInformationVector* outputs) override;
+  void Extract(const Input& input, vtkInformationVector* outputs) override;
 
  private:
   int Curves = 3;

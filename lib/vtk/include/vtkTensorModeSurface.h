@@ -14,8 +14,15 @@
 ///
 /// Surfaces have point arrays `mode`, `medium_eigenvector`, `dominant_eigenvector`, `residual` and
 /// normals, and cell arrays `tet` and `component`: bit for bit those that `tensortopo extract`
-/// writes. Modes are exact: "1/2 -0.9". With several pieces the input needs a layer of ghost cells
-/// and global ids of points; then all samples are kept, and the pieces fit each other bit for bit.
+/// writes. Field arrays count each mode's surface: `surface_mode`, `components`,
+/// `euler_characteristic`, `boundary_loops`. Modes are exact: "1/2 -0.9".
+///
+/// With several pieces the input needs a layer of ghost cells and global ids of points and cells;
+/// then all samples are kept, and the pieces fit each other bit for bit. If the controller knows
+/// the other pieces, `component` and the field arrays are those of the whole surface on all ranks.
+/// It is checked that the ranks own each cell once and have all ghosts, that vertices that they
+/// share agree, and that sides of triangles between them have partners; what is wrong is an error
+/// on all of them. Otherwise components are those of the piece, and there are no field arrays.
 class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
  public:
   static vtkTensorModeSurface* New();  ///< as of any VTK filter
@@ -51,7 +58,7 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
   vtkGetMacro(AllSamples, bool);
   ///@}
   ///@{
-  /// Better angles, the same topology. Default off.
+  /// Better angles, the same topology. Not on several ranks. Default off.
   vtkSetMacro(ImproveTriangles, bool);
   vtkGetMacro(ImproveTriangles, bool);
   ///@}
@@ -64,8 +71,7 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
  protected:
   vtkTensorModeSurface();
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  void Extract(const tensortopo::filters::TensorGrid& grid, bool in_pieces,
-               vtkInformationVector* outputs) override;
+  void Extract(const Input& input, vtkInformationVector* outputs) override;
 
  private:
   std::string Modes = "0";

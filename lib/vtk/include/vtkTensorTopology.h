@@ -10,11 +10,15 @@
 
 #include "TensorTopoFiltersModule.h"
 
+class vtkMultiProcessController;
+
 // VTK's parsers know no nested names here.
 namespace tensortopo {
 namespace filters {
+class Ranks;
 struct TensorGrid;
-}
+struct WholeMesh;
+}  // namespace filters
 }  // namespace tensortopo
 
 /// What the filters of this library have in common: the input and its tensors, sampling,
@@ -37,14 +41,27 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
   vtkGetMacro(Sampling, double);
   ///@}
   ///@{
-  /// How much the tensors may be in error: "0.5", in their unit, or "1%" of each point's deviator, in
-  /// the Frobenius norm. Triangles and lines then have cell arrays `stable`, 1 where surface or
+  /// How much the tensors may be in error: "0.5", in their unit, or "1%" of each point's deviator,
+  /// in the Frobenius norm. Triangles and lines then have cell arrays `stable`, 1 where surface or
   /// curves have the same topology in the tetrahedron for all fields within it, and `instability`,
   /// 0 there, else the number of the reason. Points have `crossing_stable` and
   /// `crossing_instability`, the same of crossings of the grid's edges, or faces, and -1 elsewhere.
   /// Empty, the default, for none.
   vtkSetStdStringFromCharMacro(Uncertainty);
   vtkGetCharFromStdStringMacro(Uncertainty);
+  ///@}
+  ///@{
+  /// How many tetrahedra the whole mesh has. Another number in the input, of all ranks together, is
+  /// an error. 0, the default, where that is not known.
+  vtkSetClampMacro(NumberOfCells, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(NumberOfCells, vtkIdType);
+  ///@}
+  ///@{
+  /// Of the processes that each have a piece of the input; the global controller by default. The
+  /// ranks exchange what they must know of each other if it has as many processes as there are
+  /// pieces, more than one. Then all have to update the filter, with the same properties.
+  virtual void SetController(vtkMultiProcessController*);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
   ///@{
   /// A certificate is written there, for `tensortopo check`: .json or .cbor. Empty, the default,
@@ -55,15 +72,22 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
 
  protected:
   vtkTensorTopology();
+  ~vtkTensorTopology() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
                           vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 
-  /// Fills the outputs, or throws.
-  virtual void Extract(const tensortopo::filters::TensorGrid& grid, bool in_pieces,
-                       vtkInformationVector* outputs) = 0;
+  /// What an extraction is about.
+  struct Input {
+    const tensortopo::filters::TensorGrid& grid;  ///< the piece; without cells where it has none
+    const tensortopo::filters::Ranks& ranks;      ///< that have the pieces
+    const tensortopo::filters::WholeMesh& whole;  ///< what all of them know
+    bool in_pieces;                               ///< also if the others are not known
+  };
+  /// Fills the outputs, or throws: on all ranks or none.
+  virtual void Extract(const Input& input, vtkInformationVector* outputs) = 0;
 
   using Report = std::function<void(std::string_view stage, double fraction)>;
   /// Runs work in a thread of its own. This one meanwhile tells the application of progress, and
@@ -78,5 +102,7 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
   int ComponentOrder = 0;
   double Sampling = 4;
   std::string Uncertainty;
+  vtkIdType NumberOfCells = 0;
+  vtkMultiProcessController* Controller = nullptr;
   std::string CertificateFile;
 };

@@ -6,6 +6,7 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -13,6 +14,7 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 
+#include <initializer_list>
 #include <map>
 #include <span>
 #include <string>
@@ -49,7 +51,7 @@ struct Kept {
 std::vector<std::size_t> own_cells(const std::vector<Index>& tets, const TensorGrid& grid) {
   std::vector<std::size_t> own;
   for (std::size_t i = 0; i < tets.size(); ++i)
-    if (grid.is_ghost[as_size(tets[i])] == 0) own.push_back(i);
+    if (grid.piece.is_owned[as_size(tets[i])] != 0) own.push_back(i);
   return own;
 }
 
@@ -144,8 +146,23 @@ void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& gri
   data->AddArray(vectors("dominant_eigenvector", surface.dominant_eigenvector, which));
   data->SetNormals(vectors("normal", surface.normal, which));
   data->AddArray(numbers("residual", surface.residual, which));
-  add_cell_data(output, surface.tet, surface.component, own, grid.mesh);
+  add_cell_data(output, surface.tet, surface.component, own, grid.piece.mesh);
   add_more(output, more, &CellArray::values, own, which);
+}
+
+void fill(vtkPolyData* output, const std::vector<WholeSurface>& surfaces) {
+  vtkNew<vtkDoubleArray> mode;
+  vtkNew<vtkTypeInt64Array> components, euler, loops;
+  mode->SetName("surface_mode"), components->SetName("components");
+  euler->SetName("euler_characteristic"), loops->SetName("boundary_loops");
+  for (const WholeSurface& surface : surfaces) {
+    mode->InsertNextValue(surface.mode);
+    components->InsertNextValue(surface.components);
+    euler->InsertNextValue(surface.euler_characteristic);
+    loops->InsertNextValue(surface.boundary_loops);
+  }
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{mode, components, euler, loops})
+    output->GetFieldData()->AddArray(array);
 }
 
 void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
@@ -160,12 +177,12 @@ void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
   data->AddArray(vectors("dominant_eigenvector", curves.dominant_eigenvector, which));
   data->AddArray(numbers("residual", curves.residual, which));
   data->AddArray(numbers("separation", curves.separation, which));
-  add_cell_data(output, curves.tet, curves.component, own, grid.mesh);
+  add_cell_data(output, curves.tet, curves.component, own, grid.piece.mesh);
   add_more(output, more, &CellArray::line_values, own, which);
 }
 
 void fill(vtkUnstructuredGrid* output, const std::vector<LeftOut>& cells, const TensorGrid& grid) {
-  const TetMesh& mesh = grid.mesh;
+  const TetMesh& mesh = grid.piece.mesh;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkTypeInt64Array> tet;
@@ -175,7 +192,7 @@ void fill(vtkUnstructuredGrid* output, const std::vector<LeftOut>& cells, const 
   std::map<TetMesh::Index, vtkIdType> number;
   output->Allocate(static_cast<vtkIdType>(cells.size()));
   for (const LeftOut& cell : cells) {
-    if (grid.is_ghost[as_size(cell.tet)] != 0) continue;
+    if (grid.piece.is_owned[as_size(cell.tet)] == 0) continue;
     vtkIdType corners[4];
     for (std::size_t i = 0; i < 4; ++i) {
       const TetMesh::Index v = mesh.tets[as_size(cell.tet)][i];

@@ -12,6 +12,7 @@
 #include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/modes/mode_extractor.hpp"
+#include "whole_surface.hpp"
 
 namespace tensortopo::filters {
 
@@ -25,7 +26,10 @@ inline std::optional<Uncertainty> uncertainty_of(const std::string& text) {
 /// @param more  other cell arrays
 void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& grid,
           const std::vector<CellArray>& more);
-/// The same with lines.
+/// Field arrays, one number for each mode: `surface_mode`, `components`, `euler_characteristic` and
+/// `boundary_loops`.
+void fill(vtkPolyData* output, const std::vector<WholeSurface>& surfaces);
+/// Lines, as triangles.
 void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
           const std::vector<CellArray>& more);
 /// The cells that are left out, with the arrays `tet`, `mode` and `reason`.

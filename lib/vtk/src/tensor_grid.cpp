@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -71,10 +72,42 @@ std::vector<vtkIdType> numbers(vtkIdType count, vtkDataSetAttributes* data) {
   std::vector<vtkIdType> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), vtkIdType{0});
   if (vtkDataArray* ids = data->GetGlobalIds())
-    std::stable_sort(order.begin(), order.end(), [&](vtkIdType a, vtkIdType b) {
-      return id_at(ids, a) < id_at(ids, b);
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](vtkIdType a, vtkIdType b) { return id_at(ids, a) < id_at(ids, b); });
   return order;
+}
+
+/// Points of one global id, place and tensor are one vertex: so are those of pieces that were read
+/// into one grid.
+/// @param place  of the library's components among six
+/// @return of each point, its vertex
+std::vector<TetMesh::Index> read_points(vtkUnstructuredGrid* grid, vtkDataArray* tensors,
+                                        const std::array<std::uint8_t, 6>& place,
+                                        MeshPiece& piece) {
+  const vtkIdType n = grid->GetNumberOfPoints();
+  std::vector<TetMesh::Index> vertex(static_cast<std::size_t>(n));
+  vtkDataArray* ids = grid->GetPointData()->GetGlobalIds();
+  TetMesh& mesh = piece.mesh;
+  for (const vtkIdType point : numbers(n, grid->GetPointData())) {
+    double p[3];
+    grid->GetPoint(point, p);
+    const Vector3<double> at{p[0], p[1], p[2]};
+    std::array<double, 9> v{};
+    tensors->GetTuple(point, v.data());
+    const auto tensor = tensors->GetNumberOfComponents() == 9
+                            ? of_matrix(v, point)
+                            : SymmetricTensor<double>{v[place[0]], v[place[1]], v[place[2]],
+                                                      v[place[3]], v[place[4]], v[place[5]]};
+    const vtkIdType id = ids != nullptr ? id_at(ids, point) : point;
+    std::size_t same = mesh.points.size();
+    for (std::size_t i = same; i > 0 && piece.vertex_ids[i - 1] == id; --i)
+      if (mesh.points[i - 1] == at && mesh.tensors[i - 1] == tensor) same = i - 1;
+    vertex[as_size(point)] = static_cast<TetMesh::Index>(same);
+    if (same < mesh.points.size()) continue;
+    piece.vertex_ids.push_back(id);
+    mesh.points.push_back(at), mesh.tensors.push_back(tensor);
+  }
+  return vertex;
 }
 
 bool is_flat(int type) {
@@ -112,26 +145,11 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
   std::optional<ComponentOrder> chosen;
   if (width == 6 && order > 0) chosen = kOrders[static_cast<std::size_t>(order - 1)];
   const ComponentOrder taken = order_of(tensors, chosen);
-  const auto place = places_in(taken);
   result.components = name_of(taken);
 
-  TetMesh& mesh = result.mesh;
-  const vtkIdType n = grid->GetNumberOfPoints();
-  const auto points = numbers(n, grid->GetPointData());
-  std::vector<TetMesh::Index> local(points.size());
-  mesh.points.resize(points.size()), mesh.tensors.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    local[as_size(points[i])] = static_cast<TetMesh::Index>(i);
-    double p[3];
-    grid->GetPoint(points[i], p);
-    mesh.points[i] = {p[0], p[1], p[2]};
-    std::array<double, 9> v{};
-    tensors->GetTuple(points[i], v.data());
-    mesh.tensors[i] = width == 9
-                          ? of_matrix(v, points[i])
-                          : SymmetricTensor<double>{v[place[0]], v[place[1]], v[place[2]],
-                                                    v[place[3]], v[place[4]], v[place[5]]};
-  }
+  TetMesh& mesh = result.piece.mesh;
+  const auto local = read_points(grid, tensors, places_in(taken), result.piece);
+  vtkDataArray* point_ids = grid->GetPointData()->GetGlobalIds();
 
   vtkDataArray* ids = grid->GetCellData()->GetGlobalIds();
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
@@ -145,17 +163,25 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
     vtkIdType count = 0;
     const vtkIdType* v = nullptr;
     grid->GetCellPoints(c, count, v);
-    mesh.tets.push_back({local[as_size(v[0])], local[as_size(v[1])], local[as_size(v[2])],
-                         local[as_size(v[3])]});
+    mesh.tets.push_back(
+        {local[as_size(v[0])], local[as_size(v[1])], local[as_size(v[2])], local[as_size(v[3])]});
     mesh.cell_ids.push_back(ids != nullptr ? id_at(ids, c) : c);
     result.cells.push_back(c);
-    result.is_ghost.push_back(
-        ghosts != nullptr && (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0);
+    const bool is_ghost =
+        ghosts != nullptr && (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+    result.piece.is_owned.push_back(is_ghost ? 0 : 1);
   }
+  // Cells are in the order of their ids.
+  const auto twice = std::adjacent_find(mesh.cell_ids.begin(), mesh.cell_ids.end());
+  if (ghosts != nullptr && twice != mesh.cell_ids.end())
+    throw std::runtime_error("two cells have the global id " + std::to_string(*twice) +
+                             ": two ranks own it, or the ids are not global");
   if (!others.empty())
-    throw std::runtime_error("has cells of VTK's type " + std::to_string(others.begin()->first) + " (" +
-                             std::to_string(others.begin()->second) +
+    throw std::runtime_error("has cells of VTK's type " + std::to_string(others.begin()->first) +
+                             " (" + std::to_string(others.begin()->second) +
                              "), no linear tetrahedra; apply Tetrahedralize first");
+  result.has_ids = point_ids != nullptr && ids != nullptr;
+  result.piece.whole_tets = static_cast<std::int64_t>(mesh.tets.size());
   repair_orientation(mesh);
   if (const auto defects = validate(mesh); !defects.empty())
     throw std::runtime_error(defects.front().text);

@@ -6,11 +6,10 @@
 #include <vtkType.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/partition/mesh_piece.hpp"
 
 class vtkDataArray;
 
@@ -19,17 +18,18 @@ namespace tensortopo::filters {
 /// A grid's field, as the library takes it.
 struct TensorGrid {
   vtkUnstructuredGrid* grid = nullptr;
-  TetMesh mesh;                  ///< valid
+  /// Its mesh is valid. Ids are global ones, or positions in the grid; vertices are in their order.
+  MeshPiece piece;
+  bool has_ids = false;          ///< both ids are global ones
   std::vector<vtkIdType> cells;  ///< of each tetrahedron, in the grid
-  /// Whether each tetrahedron is another piece's.
-  std::vector<std::uint8_t> is_ghost;
-  std::string tensor;      ///< the array's name
-  std::string components;  ///< the order of its six components, or "full"
+  std::string tensor;            ///< the array's name
+  std::string components;        ///< the order of its six components, or "full"
 };
 
 /// The field of the point tensors `tensors`.
 ///
-/// Points and cells are in the order of their global ids, if they have these. Cells of lower
+/// Points and cells are in the order of their global ids, if they have these; points of one id,
+/// place and tensor are one. Cells of lower
 /// dimension are passed over.
 /// @param order  as vtkTensorTopology::ComponentOrder
 /// Throws std::runtime_error for other cells, for tensors that are none, and for meshes that are no

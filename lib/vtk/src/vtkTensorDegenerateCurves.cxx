@@ -9,6 +9,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "output_data.hpp"
+#include "ranks.hpp"
 
 using namespace tensortopo;
 
@@ -21,18 +22,21 @@ int vtkTensorDegenerateCurves::FillOutputPortInformation(int port, vtkInformatio
   return 1;
 }
 
-void vtkTensorDegenerateCurves::Extract(const filters::TensorGrid& grid, bool,
-                                        vtkInformationVector* outputs) {
+void vtkTensorDegenerateCurves::Extract(const Input& input, vtkInformationVector* outputs) {
+  const filters::TensorGrid& grid = input.grid;
   CurveRequest request;
   request.linear = (Curves & 1) != 0, request.planar = (Curves & 2) != 0;
   request.resolution = GetSampling();
-  request.uncertainty = filters::uncertainty_of(GetUncertainty());
   request.certify = IsCertifying();
   request.names = {grid.tensor, grid.components, IsCertificateCbor()};
   DegenerateCurves made;
-  Run([&](const Report& report) {
-    request.progress = report;
-    made = ModeExtractor(grid.mesh).curves(request);
+  input.ranks.together([&] {
+    request.uncertainty = filters::uncertainty_of(GetUncertainty());
+    if (grid.cells.empty()) return;
+    Run([&](const Report& report) {
+      request.progress = report;
+      made = ModeExtractor(grid.piece.mesh).curves(request);
+    });
   });
   filters::fill(vtkPolyData::GetData(outputs, 0), made.curves, grid, made.more);
   filters::fill(vtkUnstructuredGrid::GetData(outputs, 1), made.unresolved, grid);

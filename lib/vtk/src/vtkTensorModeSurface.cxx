@@ -11,8 +11,11 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <stdexcept>
 
 #include "output_data.hpp"
+#include "ranks.hpp"
+#include "whole_surface.hpp"
 
 using namespace tensortopo;
 
@@ -47,35 +50,45 @@ int vtkTensorModeSurface::FillOutputPortInformation(int port, vtkInformation* in
   return 1;
 }
 
-void vtkTensorModeSurface::Extract(const filters::TensorGrid& grid, bool in_pieces,
-                                   vtkInformationVector* outputs) {
+void vtkTensorModeSurface::Extract(const Input& input, vtkInformationVector* outputs) {
+  const filters::TensorGrid& grid = input.grid;
   SurfaceRequest surfaces;
-  surfaces.modes = modes_of(UseModeNumber ? shortest(ModeNumber) : Modes);
   surfaces.generalized = Generalized;
   surfaces.resolution = GetSampling();
   surfaces.max_error = MaximumError;
   // Whether a sample can be done without depends on more than the tetrahedra around it.
-  surfaces.all_samples = AllSamples || in_pieces;
+  surfaces.all_samples = AllSamples || input.in_pieces;
   surfaces.improve = ImproveTriangles;
-  surfaces.uncertainty = filters::uncertainty_of(GetUncertainty());
   surfaces.certify = IsCertifying();
   surfaces.names = {grid.tensor, grid.components, IsCertificateCbor()};
   CurveRequest curves;
   curves.linear = (Curves & 1) != 0, curves.planar = (Curves & 2) != 0;
   curves.resolution = GetSampling();
-  curves.uncertainty = surfaces.uncertainty;
 
   ModeSurfaces surface;
   std::optional<DegenerateCurves> lines;
-  Run([&](const Report& report) {
-    const ModeExtractor extractor(grid.mesh);
-    surfaces.progress = report;
-    surface = extractor.surfaces(surfaces);
-    if (Curves == 0) return;
-    curves.progress = report;
-    lines = extractor.curves(curves);
+  input.ranks.together([&] {
+    surfaces.modes = modes_of(UseModeNumber ? shortest(ModeNumber) : Modes);
+    surfaces.uncertainty = curves.uncertainty = filters::uncertainty_of(GetUncertainty());
+    if (ImproveTriangles && input.ranks.are_several())
+      throw std::invalid_argument(
+          "ImproveTriangles: moves vertices that ranks share; switch it off on several ranks");
+    if (grid.cells.empty()) return;
+    Run([&](const Report& report) {
+      const ModeExtractor extractor(grid.piece.mesh);
+      surfaces.progress = report;
+      surface = extractor.surfaces(surfaces);
+      if (Curves == 0) return;
+      curves.progress = report;
+      lines = extractor.curves(curves);
+    });
   });
-  filters::fill(vtkPolyData::GetData(outputs, 0), surface.surface, grid, surface.more);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  if (input.ranks.are_several())
+    filters::fill(output, filters::number_components(surface, grid, input.ranks, input.whole));
+  else if (!input.in_pieces)
+    filters::fill(output, filters::counted(surface));
+  filters::fill(output, surface.surface, grid, surface.more);
   if (lines) {
     filters::fill(vtkPolyData::GetData(outputs, 1), lines->curves, grid, lines->more);
     surface.unresolved.insert(surface.unresolved.end(), lines->unresolved.begin(),

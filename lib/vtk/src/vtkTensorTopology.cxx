@@ -6,6 +6,7 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -16,22 +17,24 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "ranks.hpp"
 #include "tensor_grid.hpp"
 #include "tensortopo/modes/watched_run.hpp"
-
-namespace {
+#include "whole_mesh.hpp"
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
+using tensortopo::filters::Aborted;
+using tensortopo::filters::Ranks;
 
-/// The application has asked for an end.
-struct Aborted {};
-
-}  // namespace
+vtkCxxSetObjectMacro(vtkTensorTopology, Controller, vtkMultiProcessController);
 
 vtkTensorTopology::vtkTensorTopology() {
   SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS,
                          vtkDataSetAttributes::TENSORS);
+  SetController(vtkMultiProcessController::GetGlobalController());
 }
+
+vtkTensorTopology::~vtkTensorTopology() { SetController(nullptr); }
 
 int vtkTensorTopology::FillInputPortInformation(int, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
@@ -50,16 +53,26 @@ int vtkTensorTopology::RequestUpdateExtent(vtkInformation*, vtkInformationVector
 int vtkTensorTopology::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                    vtkInformationVector* outputs) {
   auto* grid = vtkUnstructuredGrid::GetData(inputs[0]);
-  if (grid == nullptr || grid->GetNumberOfCells() == 0) return 1;
-  const bool in_pieces =
-      outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+  const bool has_cells = grid != nullptr && grid->GetNumberOfCells() > 0;
+  const int pieces = outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+  const bool on_ranks =
+      pieces > 1 && Controller != nullptr && Controller->GetNumberOfProcesses() == pieces;
+  const Ranks ranks(on_ranks ? Controller : nullptr);
+  // Of pieces that others have it is not known how many cells there are.
+  const vtkIdType expected = pieces > 1 && !on_ranks ? 0 : NumberOfCells;
+  if (!has_cells && !on_ranks && expected == 0) return 1;
   try {
-    vtkDataArray* tensors = GetInputArrayToProcess(0, inputs);
-    if (tensors == nullptr) tensors = tensortopo::filters::only_tensors(grid);
-    const auto field = tensortopo::filters::tensor_grid(grid, tensors, ComponentOrder);
-    if (in_pieces && IsCertifying())
-      throw std::runtime_error("a certificate is of a field in one piece");
-    Extract(field, in_pieces, outputs);
+    tensortopo::filters::TensorGrid field;
+    ranks.together([&] {
+      if (pieces > 1 && IsCertifying())
+        throw std::runtime_error("a certificate is of a field in one piece");
+      if (!has_cells) return;
+      vtkDataArray* tensors = GetInputArrayToProcess(0, inputs);
+      if (tensors == nullptr) tensors = tensortopo::filters::only_tensors(grid);
+      field = tensortopo::filters::tensor_grid(grid, tensors, ComponentOrder);
+    });
+    const auto whole = tensortopo::filters::require_whole_mesh(field, ranks, expected);
+    Extract({field, ranks, whole, pieces > 1}, outputs);
   } catch (const Aborted&) {
     return 1;
   } catch (const std::exception& error) {
@@ -104,5 +117,7 @@ void vtkTensorTopology::PrintSelf(std::ostream& os, vtkIndent indent) {
   os << indent << "ComponentOrder: " << ComponentOrder << '\n'
      << indent << "Sampling: " << Sampling << '\n'
      << indent << "Uncertainty: " << Uncertainty << '\n'
+     << indent << "NumberOfCells: " << NumberOfCells << '\n'
+     << indent << "Controller: " << Controller << '\n'
      << indent << "CertificateFile: " << CertificateFile << '\n';
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,10 @@ struct MeshPiece {
 ///         the piece, or if the whole mesh has fewer tetrahedra than the piece; the message names
 ///         the id or the numbers
 void require_sound(const MeshPiece& piece);
+
+/// The ids of all tetrahedra that a piece owns, as runs from a first to a last id: ascending, and
+/// apart from each other.
+std::vector<std::array<std::int64_t, 2>> owned_ids_of(const MeshPiece& piece);
 
 /// A piece of a mesh, with ids that are the mesh's own numbers (not its `cell_ids`).
 /// @param owner  of each tetrahedron the piece that owns it

@@ -69,14 +69,24 @@ struct PieceSurface {
 /// Extracts the mode surface in the tetrahedra that a piece owns.
 ///
 /// The triangles are those of the extraction from the whole mesh, bit for bit: what becomes of a
-/// tetrahedron depends on its own field and on what its neighbours tell it, step by step. A ghost may
-/// tell otherwise than in its owner's piece, as it lacks neighbours: `merge_pieces` compares.
+/// tetrahedron depends on its own field and on what its neighbours tell it, step by step. A ghost
+/// may tell otherwise than in its owner's piece, as it lacks neighbours: `merge_pieces` compares.
 ///
 /// @pre the contract of `MeshPiece`; the mode is not +-1
 /// @param options  `density` counts the tetrahedra of the piece
 /// @throws std::invalid_argument as `require_sound`
 PieceSurface extract_piece(const MeshPiece& piece, const ModeValue& mode,
                            const ExtractOptions& options = {});
+
+/// What lies in the tetrahedra that a piece owns of a surface that was extracted from its mesh by
+/// other means than `extract_piece`.
+///
+/// @pre the contract of `MeshPiece`
+/// @param surface  in numbers of the piece's mesh
+/// @return `unresolved`, `not_embedded`, `topology`, `on_level`, `told` and `heard` are empty
+/// @throws std::invalid_argument as `require_sound`, or if the vertices of the piece are not in the
+///         order of their ids, in which those at one place have to be extracted
+PieceSurface owned_surface(const MeshPiece& piece, SurfaceMesh surface);
 
 /// The surface of a whole mesh.
 struct MergedSurface {
@@ -108,12 +118,13 @@ class PiecesDiffer : public std::invalid_argument {
 /// Law       The result is the surface that the whole mesh gives, bit for bit and in the same
 ///           order.
 /// Proved    Every tetrahedron of the whole mesh is owned by exactly one of the pieces: the ids
-///           that they own are distinct, and as many as the whole mesh has tetrahedra. In each piece
-///           ghosts told owned tetrahedra what they told them in the pieces of their owners: so, step
-///           by step, all were meshed as in the whole mesh.
+///           that they own are distinct, and as many as the whole mesh has tetrahedra. In each
+///           piece ghosts told owned tetrahedra what they told them in the pieces of their owners:
+///           so, step by step, all were meshed as in the whole mesh.
 /// @throws std::invalid_argument if a piece is missing; with the place, if the pieces are not those
 ///         of one mesh: if a vertex has two places or tensors, or a tetrahedron two owners
-/// @throws PiecesDiffer with the place, if a ghost tells otherwise than in its owner's piece, if vertices
+/// @throws PiecesDiffer with the place, if a ghost tells otherwise than in its owner's piece, if
+/// vertices
 ///         with one key differ, if what was proved of an
 ///         edge or face differs, or if a triangle's side on the seam of a piece has no partner in
 ///         another piece
