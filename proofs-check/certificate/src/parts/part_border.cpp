@@ -57,8 +57,10 @@ std::vector<std::uint32_t> count_components(const LevelCase& c,
   std::vector<std::uint32_t> number(c.surface.points.size(), kNone);
   const Array* whole = nullptr;
   for (const Array& array : c.surface.arrays)
-    if (array.of == "triangles" && array.name == "whole_component" && array.components == 1)
+    if (array.name == "whole_component" && array.of == "triangles" && array.components == 1)
       whole = &array;
+    else if (array.name == "whole_component")
+      result.whole_is_elsewhere = true;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     std::uint32_t& known = number[classes.find(triangles[t][0])];
     if (known == kNone) {

@@ -75,6 +75,8 @@ struct PartBorder {
   /// Whether all edges of one triangle are in these chains. Those beside tetrahedra that are
   /// left out are not, nor those between two vertices with zero deviator.
   bool is_complete = false;
+  /// The array `whole_component` is there, but not one number of each triangle.
+  bool whole_is_elsewhere = false;
 };
 
 /// The border of a part's mesh.
