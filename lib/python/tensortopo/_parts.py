@@ -160,6 +160,19 @@ def topology_of(surface: MergedSurface) -> dict[str, int]:
     }
 
 
+def require_below(file: Path, name: str) -> None:
+    """A file names another as a certificate of parts may: beside it, or in a folder below.
+
+    Raises
+    ------
+    FileError
+    """
+    if any(part in ("", ".", "..") for part in name.split("/")):
+        raise FileError(
+            f"{file}: names {name}, which a certificate of parts cannot be about; move it beside, or below"
+        )
+
+
 def sha256_of(data: bytes) -> str:
     """In hexadecimal."""
     return hashlib.sha256(data).hexdigest()
