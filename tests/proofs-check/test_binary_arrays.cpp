@@ -74,7 +74,7 @@ class BinaryArrays : public testing::Test {
         << array("Float64", "stress", "6", "1 2 3 4 5 6 6 5 4 3 2 1 1 0 0 0 0 1 0 0 1 1 0 0")
         << "</PointData></Piece></UnstructuredGrid></VTKFile>";
     try {
-      const auto input = certificate::read_input(name, "stress", "vtk");
+      const auto input = certificate::read_input(certificate::read_file(name), "stress", "vtk");
       EXPECT_EQ(input.points[1][0], 1.0);
       return true;
     } catch (const certificate::Malformed&) {

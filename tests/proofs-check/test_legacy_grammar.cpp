@@ -40,7 +40,7 @@ TEST(LegacyGrammar, IsThatOfVtk) {
   const auto is_read = [&](const std::string& text) {
     std::ofstream(name, std::ios::binary) << text;
     try {
-      certificate::read_input(name, "stress", "vtk");
+      certificate::read_input(certificate::read_file(name), "stress", "vtk");
       return true;
     } catch (const certificate::Malformed&) {
       return false;

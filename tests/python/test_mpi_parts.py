@@ -394,6 +394,55 @@ def test_numbers_of_components_that_do_not_fit(parts):
     parts.is_refuted("whole_component")
 
 
+def test_components_of_another_shape(parts):
+    points, triangles, sections = part_of(parts.path(0, "surface"))
+    array = sections["CellData"].pop("whole_component")
+    own = parts.certificate(0)["surface"]["arrays"]
+    for of, values in (("triangles", np.tile(array.values[:, None], 3)), ("points", np.zeros(len(points)))):
+        certificate = parts.certificate(0)
+        listed = [entry for entry in own if entry[1] != "whole_component"]
+        listed.append([of, "whole_component", 3 if of == "triangles" else 1, ""])
+        certificate["surface"]["arrays"] = sorted(listed)
+        parts.path(0, "certificate").write_text(json.dumps(certificate))
+        again = {name: dict(section) for name, section in sections.items()}
+        again["CellData" if of == "triangles" else "PointData"]["whole_component"] = type(array)(values)
+        parts.write_surface(0, points, triangles, again)
+        parts.finish()
+        parts.is_refuted("part 0's whole_component")
+
+
+@pytest.mark.parametrize("name", ["../{}", "/{}", "./{}", "below/../{}", "below//{}"])
+def test_names_that_are_elsewhere(parts, name):
+    (parts.folder / "below").mkdir()
+    for role, file in (("input", "field.pvtu"), ("surface", "surface.pvtp"), ("certificate", "surface.json")):
+        first = parts.document["parts"][0][role]["file"]
+        parts.document["parts"][0][role]["file"] = name.format(first)
+        parts.name_pieces()
+        (parts.folder / "surface.json").write_text(json.dumps(parts.document))
+        with pytest.raises(tt.FileError, match=f"{file}: names .*, which is not beside it"):
+            parts.verdict()
+        parts.document["parts"][0][role]["file"] = first
+
+
+def test_names_of_certified_parts_are_beside(slab, tmp_path):
+    (tmp_path / "a").mkdir()
+    (tmp_path / "b").mkdir()
+    write_pieces(slab, owners(slab, 2, "slabs"), tmp_path / "a")
+    words = ["-o", tmp_path / "a" / "surface.pvtp", "--mode", "1/2", "--certify"]
+    done = mpirun(1, tmp_path / "a" / "field.pvtu", *words, tmp_path / "b" / "surface.json")
+    assert done.returncode == 3 and "names ../a/surface, which a certificate" in done.stderr
+    text = (tmp_path / "a" / "field.pvtu").read_text()
+    (tmp_path / "b" / "field.pvtu").write_text(text.replace('Source="', 'Source="../a/'))
+    done = mpirun(1, tmp_path / "b" / "field.pvtu", *words, tmp_path / "a" / "surface.json")
+    assert done.returncode == 3 and "names ../a/piece0.vtu, which a certificate" in done.stderr
+    assert not (tmp_path / "a" / "surface").exists()
+    done = mpirun(1, tmp_path / "b" / "field.pvtu", *words[:-1])  # without a certificate VTK's names will do
+    assert done.returncode == 0, done.stderr
+    done = mpirun(1, tmp_path / "a" / "field.pvtu", *words, tmp_path / "surface.json")  # above the parts
+    assert done.returncode == 0, done.stderr
+    assert tt.check(tmp_path / "a" / "field.pvtu", tmp_path / "a" / "surface.pvtp", tmp_path / "surface.json")
+
+
 def test_a_document_that_is_none(parts):
     data = (parts.folder / "surface.json").read_text()
     for old, new, text in (("of parts", "of part", "no certificate of parts"), ('"mode"', '"mood"', "mode"),

@@ -47,8 +47,8 @@ Certified certified(const Folder& folder, const std::string& uncertainty,
   return result;
 }
 
-certificate::Report check(const Certified& c) {
-  return certificate::check_certificate(c.input, c.surface, c.certificate, {});
+certificate::Report check(const Certified& c, const certificate::Progress& progress = {}) {
+  return certificate::check_certificate(c.input, c.surface, c.certificate, progress);
 }
 
 /// What the checker says of the claims as they are now.
@@ -171,6 +171,20 @@ TEST(CertifiedStability, OfRadiiInAnArrayIsDerivedFromTheSameArray) {
   EXPECT_EQ(verdict(), "malformed");
   write_slab(c.input, radii);
   EXPECT_EQ(verdict(), "certified");
+}
+
+/// The radii, too: who removes a file meanwhile changes nothing.
+TEST(CertifiedStability, FilesAreReadOnce) {
+  const Folder folder;
+  const Certified c =
+      certified(folder, "array:error", write_slab(folder / "slab.vtk", slab_radii()));
+  int removed = 0;
+  const certificate::Report report = check(c, [&](std::string_view, double) {
+    for (const std::string& file : {c.input, c.surface, c.certificate})
+      removed += std::filesystem::remove(file);
+  });
+  EXPECT_EQ(report.status(), "certified");
+  EXPECT_EQ(removed, 3U);
 }
 
 TEST(CertifiedStability, WhatIsAlteredIsNotCertified) {

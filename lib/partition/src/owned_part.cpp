@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "cut_folds.hpp"
 #include "topology_parts.hpp"
 
 namespace tensortopo {
@@ -30,6 +31,17 @@ std::vector<Index> numbers_of(const std::vector<char>& is_kept) {
   for (std::size_t i = 0; i < is_kept.size(); ++i)
     if (is_kept[i]) number[i] = next++;
   return number;
+}
+
+}  // namespace
+
+namespace {
+
+bool has_two_isotropic(const TetMesh& mesh, std::size_t tet) {
+  const auto& corners = mesh.tets[tet];
+  return std::count_if(corners.begin(), corners.end(), [&](Index v) {
+           return is_isotropic(mesh.tensors[as_size(v)]);
+         }) == 2;
 }
 
 }  // namespace
@@ -89,7 +101,9 @@ void gather_cells(const MeshPiece& piece, PieceSurface& result) {
   std::unordered_set<std::int64_t> unresolved;
   for (const UnresolvedOwnedCell& cell : result.unresolved) unresolved.insert(cell.cell_id);
   for (std::size_t t = 0; t < is_crossed.size(); ++t)
-    if (unresolved.contains(piece.mesh.cell_ids[t])) is_crossed[t] = 1;
+    if (unresolved.contains(piece.mesh.cell_ids[t]) ||
+        (piece.is_owned[t] && has_two_isotropic(piece.mesh, t)))
+      is_crossed[t] = 1;
   for (std::size_t t = 0; t < is_crossed.size(); ++t)
     if (is_crossed[t])
       for (const Index v : piece.mesh.tets[t]) is_near[as_size(v)] = 1;

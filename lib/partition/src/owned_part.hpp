@@ -23,7 +23,8 @@ bool owns(std::span<const std::array<std::int64_t, 2>> owned_ids, std::int64_t i
 /// @param result  whose triangles' `tet` count in the piece's mesh
 void keep_owned(const MeshPiece& piece, PieceSurface& result);
 
-/// Gathers the tetrahedra with triangles or without a proof, and counts in terms of these.
+/// Gathers the tetrahedra with triangles, without a proof or with two isotropic vertices, and counts in
+/// terms of these.
 /// @param result  in numbers of the piece's mesh; its `unresolved` are those of owned tetrahedra
 void gather_cells(const MeshPiece& piece, PieceSurface& result);
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "cut_folds.hpp"
 #include "owned_part.hpp"
 #include "surface_fans.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
@@ -139,7 +140,7 @@ PieceSurface restrict_piece(const PieceSurface& piece, const PartNumbers& number
   if (result.topology) result.topology = topology_of_owned(std::move(*result.topology), cells);
   join_copies(result);
   keep_owned(cells, result);
-  separate_copies(result);
+  separate_copies(result, cut_folds(result, cells.is_owned));
   result.ghost_across.assign(result.surface.triangles.size(), {-1, -1, -1});
   gather_cells(cells, result);
 

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
-#include <stdexcept>
-#include <string>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -27,7 +26,8 @@ bool is_crossing(const SurfaceMesh& surface, std::size_t v) {
 }
 
 /// Classes of the corners of triangles, 3 * triangle + corner: those of one fan.
-UnionFind fans_of(const SurfaceMesh& surface) {
+/// @param apart  pairs of triangles, ascending, that share a side and are not of one fan there
+UnionFind fans_of(const SurfaceMesh& surface, const std::set<std::array<std::size_t, 2>>& apart) {
   struct Side {
     Index low, high;
     std::uint32_t at_low, at_high;  // corners
@@ -49,9 +49,46 @@ UnionFind fans_of(const SurfaceMesh& surface) {
   for (std::size_t i = 1; i < sides.size(); ++i) {
     const Side &a = sides[i - 1], &b = sides[i];
     if (a.low != b.low || a.high != b.high) continue;
+    const std::size_t first = a.at_low / 3, second = b.at_low / 3;
+    if (apart.contains({std::min(first, second), std::max(first, second)})) continue;
     fans.unite(a.at_low, b.at_low), fans.unite(a.at_high, b.at_high);
   }
   return fans;
+}
+
+/// Sheets of cones get the tips of their triangles.
+/// @param before  the triangles with the vertices that the sheets name
+/// @param tips  that some triangles had and do not have any more
+void name_tips(const std::vector<std::array<Index, 3>>& before, const SurfaceMesh& surface,
+               const std::set<Index>& tips, std::vector<LevelTopology::Cone>& cones) {
+  const auto is_isotropic = [&](Index v) {
+    return surface.carrier[as_size(v)] == Carrier::vertex ||
+           (surface.carrier[as_size(v)] == Carrier::edge && !is_crossing(surface, as_size(v)));
+  };
+  std::map<Index, std::vector<std::uint32_t>> by_tet;
+  for (std::uint32_t i = 0; i < before.size(); ++i) by_tet[surface.tet[i]].push_back(i);
+  for (LevelTopology::Cone& cone : cones) {
+    const std::vector<std::uint32_t>& triangles = by_tet[cone.tet];
+    UnionFind pieces(triangles.size());
+    std::map<std::array<Index, 2>, std::uint32_t> sides;
+    for (std::uint32_t n = 0; n < triangles.size(); ++n)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] =
+            std::minmax(before[triangles[n]][k], before[triangles[n]][(k + 1) % 3]);
+        if (is_isotropic(low) && is_isotropic(high)) continue;
+        pieces.unite(sides.try_emplace({low, high}, n).first->second, n);
+      }
+    std::map<std::pair<std::uint32_t, Index>, Index> now;  // of a piece's vertices
+    for (std::uint32_t n = 0; n < triangles.size(); ++n)
+      for (std::size_t k = 0; k < 3; ++k)
+        now[{pieces.find(n), before[triangles[n]][k]}] = surface.triangles[triangles[n]][k];
+    for (LevelTopology::ConeSheet& sheet : cone.sheets) {
+      std::uint32_t n = 0;
+      while (!now.contains({pieces.find(n), sheet[0]})) ++n;
+      for (Index& v : sheet)
+        if (tips.contains(v)) v = now.at({pieces.find(n), v});
+    }
+  }
 }
 
 /// Another vertex like v, after all others.
@@ -96,18 +133,20 @@ void join_copies(PieceSurface& piece) {
     for (Index& v : triangle) v = original[as_size(v)];
 }
 
-void separate_copies(PieceSurface& piece) {
+void separate_copies(PieceSurface& piece, const std::set<std::array<std::size_t, 2>>& apart) {
   SurfaceMesh& surface = piece.surface;
-  UnionFind fans = fans_of(surface);
+  const std::vector<std::array<Index, 3>> before = surface.triangles;
+  UnionFind fans = fans_of(surface, apart);
   std::map<std::array<Index, 4>, std::int32_t> next;  // ordinals, by carrier
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
-    if (surface.carrier[v] != Carrier::edge) continue;
+    if (surface.carrier[v] != Carrier::edge && surface.carrier[v] != Carrier::vertex) continue;
     auto& ordinal = next[surface.carrier_vertices[v]];
     ordinal = std::max(ordinal, piece.ordinals[v] + 1);
   }
   constexpr auto kNone = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> first(surface.points.size(), kNone);  // the fan that keeps a vertex
   std::map<std::uint32_t, Index> copies;                           // of other fans
+  std::set<Index> tips;                                            // that have copies
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       Index& corner = surface.triangles[i][k];
@@ -115,15 +154,12 @@ void separate_copies(PieceSurface& piece) {
       const std::uint32_t fan = fans.find(static_cast<std::uint32_t>(3 * i + k));
       if (first[v] == kNone) first[v] = fan;
       if (first[v] == fan) continue;
-      if (!is_crossing(surface, v))
-        throw std::invalid_argument(
-            "pieces: a part leaves several fans of triangles at an isotropic vertex, in cell " +
-            std::to_string(piece.cells.cell_ids[as_size(surface.tet[i])]) +
-            ": cut the mesh elsewhere");
+      if (!is_crossing(surface, v)) tips.insert(corner);
       const auto [copy, is_new] = copies.try_emplace(fan, -1);
       if (is_new) copy->second = add_copy(piece, v, next[surface.carrier_vertices[v]]++);
       corner = copy->second;
     }
+  if (piece.topology && !tips.empty()) name_tips(before, surface, tips, piece.topology->cones);
 }
 
 }  // namespace tensortopo

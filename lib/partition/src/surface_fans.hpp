@@ -3,6 +3,10 @@
 // Fans of triangles around vertices of a piece's surface.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <set>
+
 #include "tensortopo/partition/piece_surface.hpp"
 
 namespace tensortopo {
@@ -10,8 +14,9 @@ namespace tensortopo {
 /// Triangles at a copy of a crossing's vertex get the vertex that it is a copy of.
 void join_copies(PieceSurface& piece);
 
-/// Each fan of triangles at a crossing gets a vertex of its own: the first one keeps it.
-/// @throws std::invalid_argument if an isotropic vertex has several fans
-void separate_copies(PieceSurface& piece);
+/// Each fan of triangles at a crossing or an isotropic vertex gets a vertex of its own: the first
+/// one keeps it.
+/// @param apart  pairs of triangles, ascending, that share a side and are not of one fan there
+void separate_copies(PieceSurface& piece, const std::set<std::array<std::size_t, 2>>& apart);
 
 }  // namespace tensortopo

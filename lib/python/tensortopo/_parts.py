@@ -136,6 +136,19 @@ def pvtp_bytes(sources: Sequence[str]) -> bytes:
     return "\n".join(lines).encode("utf-8")
 
 
+def require_below(file: Path, name: str) -> None:
+    """A file names another as a certificate of parts may: beside it, or in a folder below.
+
+    Raises
+    ------
+    FileError
+    """
+    if any(part in ("", ".", "..") for part in name.split("/")):
+        raise FileError(
+            f"{file}: names {name}, which a certificate of parts cannot be about; move it beside, or below"
+        )
+
+
 def sha256_of(data: bytes) -> str:
     """In hexadecimal."""
     return hashlib.sha256(data).hexdigest()

@@ -22,6 +22,7 @@ from ._parts import (
     part_surface,
     put_in_place,
     pvtp_bytes,
+    require_below,
     require_folder,
     sha256_of,
 )
@@ -231,6 +232,9 @@ def write_parts(
     """
     (text,) = mode_texts(mode)
     folder = output.with_suffix("")
+    beside = ""
+    if certificate is not None:
+        beside = os.path.relpath(folder, certificate.parent).replace(os.sep, "/")
 
     def begin() -> Optional[Path]:
         for file in pieces.files:
@@ -240,6 +244,8 @@ def write_parts(
             raise FileError(f"{output}: the pieces have tensors in several orders: {', '.join(sorted(orders))}")
         if comm.rank != 0:
             return None
+        if certificate is not None:
+            require_below(certificate, beside)
         require_folder(folder)
         return new_folder(folder)
 
@@ -269,7 +275,6 @@ def write_parts(
             parts = [part for rank in gathered for part in rank]
             files = {output: pvtp_bytes([f"{folder.name}/{part.surface[0]}" for part in parts])}
             if certificate is not None:
-                beside = os.path.relpath(folder, certificate.parent).replace(os.sep, "/")
                 listed = [
                     {
                         "input": (source, part.field[1]),

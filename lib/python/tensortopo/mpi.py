@@ -36,6 +36,7 @@ from ._partition import (
     extract_piece,
     merge_pieces,
 )
+from ._parts import require_below
 from ._ranks import Array, Cells, RankError, number_points, together, with_ghosts
 from ._ranks_parts import (
     PieceFile,
@@ -336,10 +337,18 @@ def _require_names(options: argparse.Namespace) -> None:
         raise ValueError("mode: one is extracted at a time")
 
 
+def _sources(options: argparse.Namespace) -> list[str]:
+    sources = piece_sources(options.input)
+    if _in_parts(options) and options.certify is not None:
+        for source in sources:
+            require_below(options.input[0], source)
+    return sources
+
+
 def run(comm: Any, options: argparse.Namespace) -> None:
     """All of it; files appear together or not at all."""
     together(comm, lambda: _require_names(options))
-    sources = together(comm, lambda: piece_sources(options.input))
+    sources = together(comm, lambda: _sources(options))
     folder = options.input[0].parent if _is_pvtu(options.input) else Path()
     files = [folder / source for source in sources]
     part = together(

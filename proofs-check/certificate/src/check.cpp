@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
 #include <future>
 #include <optional>
 #include <set>
-#include <system_error>
 
 #include "claims/compare_arrays.hpp"
 #include "claims/compare_curves.hpp"
@@ -84,7 +82,7 @@ std::string level_name_of(const Json& claims) {
                                        claims["value"].get<std::string>();
 }
 
-void check_level(const Json& claims, const Level& level, const std::string& input_file,
+void check_level(const Json& claims, const Level& level, const RadiiByArray& radii,
                  const Input& input, const Field& field, const Triangles& surface,
                  WorkLimit& limit, Ledger& ledger, const Progress& progress, PartBorder* border) {
   ledger.begin_level(level_name_of(claims));
@@ -144,12 +142,12 @@ void check_level(const Json& claims, const Level& level, const std::string& inpu
     compare_isotopy(c, is_sound ? &*placed : nullptr, ledger.of_level().near, ledger);
   ledger.begin("stability");
   if (claims.contains("stability"))
-    compare_stability(c, input_file, is_sound ? &*placed : nullptr, ledger);
+    compare_stability(c, radii, is_sound ? &*placed : nullptr, ledger);
   ledger.count(level.decided_by_balls(), level.decided_exactly());
 }
 
-void check_curves(const Json& claims, const std::string& input_file, const Input& input, const Field& field,
-                  const Polylines& curves, Ledger& ledger, const Progress& progress) {
+void check_curves(const Json& claims, const RadiiByArray& radii, const Input& input,
+                  const Field& field, const Polylines& curves, Ledger& ledger, const Progress& progress) {
   ledger.begin_level("mode " + claims["mode"].get<std::string>());
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
@@ -167,7 +165,7 @@ void check_curves(const Json& claims, const std::string& input_file, const Input
   compare_polylines(c, ledger);
   ledger.begin("stability");
   if (claims.contains("stability"))
-    compare_stability(c, input_file, !ledger.has_refuted() && ledger.open() == left_open, progress,
+    compare_stability(c, radii, !ledger.has_refuted() && ledger.open() == left_open, progress,
                       ledger);
   ledger.count(topology.by_balls, topology.by_integers);
 }
@@ -214,16 +212,21 @@ Subject subject_of(const std::string& file, const std::string& tensor, const std
 class Checking {
  public:
   /// @param bytes  of all files
-  Checking(const std::string& input_file, const Json& certificate, std::size_t bytes,
-           const Progress& progress)
+  Checking(const File& input, const Json& certificate, std::size_t bytes, const Progress& progress)
       : certificate_(certificate),
         progress_(progress),
-        input_(read_input(input_file, certificate["input"]["tensor"],
+        input_(read_input(input, certificate["input"]["tensor"],
                           certificate["input"]["components"])),
         limit_(WorkLimit::of_files(bytes)),
         ledger_(report_) {
-    report_.subject = subject_of(input_file, certificate["input"]["tensor"],
+    report_.subject = subject_of(input.name, certificate["input"]["tensor"],
                                  certificate["input"]["components"], input_);
+    for (const Json& level : certificate["levels"])
+      if (level.contains("stability") && level["stability"].contains("array")) {
+        const std::string array = level["stability"]["array"].get<std::string>();
+        if (!radii_.contains(array))
+          radii_[array] = read_radii(input, array, input_.points.size());
+      }
   }
 
   /// @param border  of a part: gets what is needed to put it together with others
@@ -241,7 +244,7 @@ class Checking {
       const Level level = level_of(claims);
       if (!field || !(field->multiples() == level.multiples()))
         field.emplace(input_, level.multiples(), in_parallel({}));
-      check_level(claims, level, report_.subject.input, input_, *field, surface, limit_,
+      check_level(claims, level, radii_, input_, *field, surface, limit_,
                   ledger_, progress_, border);
     }
     std::erase_if(report_.subject.bound_only, [&](const std::string& name) {
@@ -253,13 +256,13 @@ class Checking {
     return report_;
   }
 
-  Report of_curves(const std::string& file) {
+  Report of_curves(const File& file) {
     const Polylines curves = read_polylines(file);
-    report_.subject.output = file, report_.subject.of_curves = true;
+    report_.subject.output = file.name, report_.subject.of_curves = true;
     if (!compare_files(curves, "polylines", "lines", curves.lines.size())) return report_;
     const Field field(input_, Multiples{}, in_parallel({}));
     for (const Json& claims : certificate_["levels"])
-      check_curves(claims, report_.subject.input, input_, field, curves, ledger_, progress_);
+      check_curves(claims, radii_, input_, field, curves, ledger_, progress_);
     return report_;
   }
 
@@ -304,52 +307,52 @@ class Checking {
   const Json& certificate_;
   const Progress& progress_;
   InputFile input_;
+  RadiiByArray radii_;
   Report report_;
   WorkLimit limit_;
   Ledger ledger_;
 };
 
-/// Of all files; of what is no file the readers say so.
-std::size_t bytes_of(std::initializer_list<std::string> files) {
-  std::size_t bytes = 0;
-  for (const std::string& file : files) {
-    std::error_code none;
-    const std::uintmax_t size = std::filesystem::file_size(file, none);
-    if (!none) bytes += size;
-  }
-  return bytes;
-}
-
 }  // namespace
 
 Subject read_subject(const std::string& input, const std::string& tensor, const std::string& order) {
-  return subject_of(input, tensor, order, read_input(input, tensor, order));
+  return subject_of(input, tensor, order, read_input(read_file(input), tensor, order));
 }
 
-CheckedPart check_part(const std::string& input, const std::string& surface,
-                       const std::string& certificate, const Progress& progress) {
+CheckedPart check_part(const File& input, const File& surface, const File& certificate,
+                       const Progress& progress) {
   const Json document = read_document(certificate);
-  if (document.contains("polylines")) throw Malformed(certificate, "is of curves, not of a part of a surface");
+  if (document.contains("polylines"))
+    throw Malformed(certificate.name, "is of curves, not of a part of a surface");
   try {
     CheckedPart part;
-    Checking checking(input, document, bytes_of({input, surface, certificate}), progress);
-    part.report = checking.of_surface(surface, read_triangles(surface), &part.border);
+    const std::size_t bytes = input.bytes.size() + surface.bytes.size() + certificate.bytes.size();
+    Checking checking(input, document, bytes, progress);
+    part.report = checking.of_surface(surface.name, read_triangles(surface), &part.border);
     return part;
   } catch (const Malformed& error) {
-    throw Malformed(error.file().empty() ? certificate : error.file(), error.problem());
+    throw Malformed(error.file().empty() ? certificate.name : error.file(), error.problem());
   }
 }
 
 Report check_certificate(const std::string& input, const std::string& surface,
                          const std::string& certificate, const Progress& progress) {
-  if (has_extension(surface, ".pvtp")) return check_parts(input, surface, certificate, progress);
+  if (File{surface, {}}.has_extension(".pvtp"))
+    return check_parts(input, surface, certificate, progress);
+  File text = read_file(certificate), output = read_file(surface);
   // Mostly it is a surface, which then is read at the same time.
-  auto triangles = std::async(std::launch::async, [&] { return read_triangles(surface); });
-  const Json document = read_document(certificate);
+  auto triangles = std::async(std::launch::async, [&] { return read_triangles(output); });
+  const Json document = read_document(text);
   try {
-    Checking checking(input, document, bytes_of({input, surface, certificate}), progress);
-    return document.contains("polylines") ? checking.of_curves(surface)
-                                          : checking.of_surface(surface, triangles.get());
+    File field = read_file(input);
+    const std::size_t bytes = field.bytes.size() + output.bytes.size() + text.bytes.size();
+    text.forget();
+    Checking checking(field, document, bytes, progress);
+    field.forget();
+    if (document.contains("polylines")) return checking.of_curves(output);
+    const Triangles read = triangles.get();
+    output.forget();
+    return checking.of_surface(surface, read);
   } catch (const Malformed& error) {
     throw Malformed(error.file().empty() ? certificate : error.file(), error.problem());
   }

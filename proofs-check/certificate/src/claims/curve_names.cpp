@@ -134,6 +134,19 @@ const Json* claimed_loops(const LevelCase& c, const FaceTopology& face) {
   return &(*claim)[4];
 }
 
+/// Some vertices of a polygon, the same whatever their numbers are: all if there are few, else every
+/// so many-th in the order of places.
+std::vector<Number> some_of(const LevelCase& c, const std::vector<Number>& polygon) {
+  constexpr std::size_t kMost = 32;
+  std::vector<Number> all = polygon, some;
+  std::sort(all.begin(), all.end(), [&](Number v, Number w) {
+    return c.surface.points[v] < c.surface.points[w];
+  });
+  const std::size_t step = (all.size() + kMost - 1) / kMost;
+  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+  return some;
+}
+
 /// Names by curve; each polygon votes with its vertices. Curves with votes come first, names that
 /// are left over go to curves that are, in any order.
 /// @param certain  whether each polygon had votes for its curve, and for no other
@@ -144,13 +157,11 @@ std::vector<Number> names_of(const LevelCase& c, const FaceTopology& face, const
   std::vector<std::array<std::size_t, 3>> votes;  // how many, of which name, for which curve
   certain = true;
   for (std::size_t n = 0; n < count; ++n) {
-    const auto polygon = polygons.find(loops[n].get<Number>());
     std::vector<std::size_t> own(count);
-    constexpr std::size_t kMostAsked = 32;
-    for (std::size_t i = 0; polygon != polygons.end() && i < polygon->second.size() &&
-                            i < kMostAsked; ++i)
-      if (const auto place = place_in_face(c, face, polygon->second[i]))
-        if (const auto curve = passed.at(*place)) ++own[*curve];
+    if (const auto polygon = polygons.find(loops[n].get<Number>()); polygon != polygons.end())
+      for (const Number v : some_of(c, polygon->second))
+        if (const auto place = place_in_face(c, face, v))
+          if (const auto curve = passed.at(*place)) ++own[*curve];
     certain = certain && std::count(own.begin(), own.end(), 0U) + 1 ==
                              static_cast<std::ptrdiff_t>(count);
     for (std::size_t curve = 0; curve < count; ++curve) votes.push_back({own[curve], n, curve});

@@ -3,9 +3,6 @@
 #include "files/document.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <vector>
@@ -201,32 +198,11 @@ bool has_format(const Json& document, const char* format) {
 
 }  // namespace
 
-std::string file_bytes(const std::string& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw Malformed(file, "cannot be read");
-  // A pipe or device may never end.
-  if (!std::filesystem::is_regular_file(status)) throw Malformed(file, "is no regular file");
-  std::ifstream stream(file, std::ios::binary);
-  const auto size = std::filesystem::file_size(file, error);
-  if (!stream.is_open() || error) throw Malformed(file, "cannot be read");
-  std::string bytes(size, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (stream.bad()) throw Malformed(file, "cannot be read");
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return bytes;
-}
-
-bool has_extension(std::string name, std::string_view extension) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name.ends_with(extension);
-}
-
-Json read_document(const std::string& file) {
-  const std::string bytes = file_bytes(file);
+Json read_document(const File& source) {
+  const std::string& file = source.name;
   Json document;
   try {
-    document = has_extension(file, ".cbor") ? parse_cbor(bytes) : parse_json(bytes);
+    document = source.has_extension(".cbor") ? parse_cbor(source.bytes) : parse_json(source.bytes);
   } catch (const Malformed& error) {
     throw Malformed(file, error.problem());
   }
@@ -240,7 +216,8 @@ Json read_document(const std::string& file) {
   return document;
 }
 
-Json read_parts_document(const std::string& file) {
+Json read_parts_document(const File& source) {
+  const std::string& file = source.name;
   static const Shape shape(Json::parse(R"({
     "format": "text", "version": "natural", "mode": "text",
     "parts": ["*0", {"input": {"file": "text", "sha256": "text"},
@@ -251,7 +228,7 @@ Json read_parts_document(const std::string& file) {
               "boundary_loops": "natural"}})"));
   Json document;
   try {
-    document = parse_json(file_bytes(file));
+    document = parse_json(source.bytes);
     if (has_format(document, kOfOne))
       throw Malformed(file, "is no certificate of parts; check it with the .vtu and .vtp that it is about");
     require_shape(file, document, shape);

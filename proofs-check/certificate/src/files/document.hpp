@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "curves/degenerate_points.hpp"
+#include "files/file.hpp"
 #include "free_tets.hpp"
 #include "invariant_rule.hpp"
 
@@ -18,19 +18,13 @@ namespace certificate {
 
 using Json = nlohmann::json;
 
-/// All bytes of a file. Throws Malformed.
-std::string file_bytes(const std::string& file);
-
-/// Whether a file's name ends so, in capitals or not.
-bool has_extension(std::string name, std::string_view extension);
-
 /// Reads a certificate, JSON or CBOR (.cbor), of bounded depth and without keys given twice. Throws
 /// Malformed unless it has the keys, types, lengths and order that the format asks for; what
 /// the numbers and texts say is not looked at.
-Json read_document(const std::string& file);
+Json read_document(const File& file);
 
 /// Reads a certificate of parts (JSON) likewise.
-Json read_parts_document(const std::string& file);
+Json read_parts_document(const File& file);
 
 /// Texts and numbers of a document. These throw Malformed, without the file's name.
 /// A fraction or decimal that a user writes: "1/2", "0.5", "-9/10". Nothing if it is none.

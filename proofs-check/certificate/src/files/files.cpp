@@ -143,8 +143,8 @@ std::string Radii::sha256() const { return Digest().add(numbers).hex(); }
 
 namespace {
 
-Grid read_xml_grid(const std::string& name, const std::string& tensor, std::size_t components) {
-  const XmlFile file(name, "UnstructuredGrid", {"Cells"});
+Grid read_xml_grid(const File& source, const std::string& tensor, std::size_t components) {
+  const XmlFile file(source, "UnstructuredGrid", {"Cells"});
   Grid grid{file.numbers("Points", "", 3), file.numbers("PointData", tensor, components),
             file.component_names("PointData", tensor),
             file.naturals("Cells", "types"), file.naturals("Cells", "connectivity"),
@@ -170,20 +170,21 @@ bool is_flat(std::uint64_t type) {
 }
 
 /// The grid of a file, with an array of its points.
-Grid read_grid(const Named& file, const std::string& array, std::size_t components) {
-  const std::string& name = file.name;
-  if (!has_extension(name, ".vtk") && !has_extension(name, ".vtu"))
-    file.fail("neither a .vtu nor a .vtk, which certificates are about; tensortopo convert makes one");
-  return has_extension(name, ".vtk") ? read_legacy_grid(name, array, components)
-                                     : read_xml_grid(name, array, components);
+Grid read_grid(const File& file, const std::string& array, std::size_t components) {
+  const bool is_legacy = file.has_extension(".vtk");
+  if (!is_legacy && !file.has_extension(".vtu"))
+    throw Malformed(file.name, "neither a .vtu nor a .vtk, which certificates are about; "
+                               "tensortopo convert makes one");
+  return is_legacy ? read_legacy_grid(file, array, components)
+                   : read_xml_grid(file, array, components);
 }
 
 }  // namespace
 
-Radii read_radii(const std::string& name, const std::string& array, std::size_t points) {
-  const Named file{name};
+Radii read_radii(const File& source, const std::string& array, std::size_t points) {
+  const Named file{source.name};
   if (array.empty()) throw Malformed("", "radii of an array without name");
-  Radii result{read_grid(file, array, 1).tensors};
+  Radii result{read_grid(source, array, 1).tensors};
   if (result.numbers.size() != points)
     file.fail("the array '" + array + "' has not one number for each point");
   for (const double radius : result.numbers)
@@ -204,14 +205,14 @@ std::string listing_of(const std::string& order) {
   return result;
 }
 
-InputFile read_input(const std::string& name, const std::string& tensor,
-                 const std::string& components) {
-  const Named file{name};
+InputFile read_input(const File& source, const std::string& tensor,
+                     const std::string& components) {
+  const Named file{source.name};
   const auto order = kOrders.find(components);
   if (order == kOrders.end())  // the certificate's fault, not this file's
     throw Malformed("", "/input/components: unknown order of components");
   const std::size_t width = components == "full" ? 9 : 6;
-  const Grid grid = read_grid(file, tensor, width);
+  const Grid grid = read_grid(source, tensor, width);
   InputFile input;
   for (const std::string& part : grid.names)
     if (!part.empty()) input.names += (input.names.empty() ? "" : " ") + part;
@@ -311,8 +312,9 @@ const std::vector<std::string_view> kSections{"Verts", "Lines", "Strips", "Polys
 
 }  // namespace
 
-Triangles read_triangles(const std::string& name) {
-  const XmlFile file(name, "PolyData", kSections);
+Triangles read_triangles(const File& source) {
+  const std::string& name = source.name;
+  const XmlFile file(source, "PolyData", kSections);
   require_no_cells(file, {"Verts", "Lines", "Strips"}, "triangles");
   file.require_only("Polys", {"connectivity", "offsets"});
   Triangles result;
@@ -327,8 +329,9 @@ Triangles read_triangles(const std::string& name) {
   return result;
 }
 
-Polylines read_polylines(const std::string& name) {
-  const XmlFile file(name, "PolyData", kSections);
+Polylines read_polylines(const File& source) {
+  const std::string& name = source.name;
+  const XmlFile file(source, "PolyData", kSections);
   require_no_cells(file, {"Verts", "Strips", "Polys"}, "lines");
   file.require_only("Lines", {"connectivity", "offsets"});
   Polylines result;

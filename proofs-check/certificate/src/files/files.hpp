@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/file.hpp"
 #include "input.hpp"
 
 namespace certificate {
@@ -63,8 +64,7 @@ std::string listing_of(const std::string& order);
 /// legacy .vtk (ASCII or BINARY). Every number is finite and every index in range. Names of
 /// components that spell another order are refused, and so are tetrahedra that `defect_of` names.
 /// Throws Malformed.
-InputFile read_input(const std::string& file, const std::string& tensor,
-                 const std::string& components);
+InputFile read_input(const File& file, const std::string& tensor, const std::string& components);
 
 /// Radii at the points of an input, none negative or above 2^1000.
 struct Radii {
@@ -74,10 +74,10 @@ struct Radii {
 };
 
 /// Reads an array of the input's points with one component. Throws Malformed.
-Radii read_radii(const std::string& file, const std::string& array, std::size_t points);
+Radii read_radii(const File& file, const std::string& array, std::size_t points);
 
 /// Reads a .vtp with triangles only, or polylines only, a cell array `tet`, and any others.
-Triangles read_triangles(const std::string& file);
-Polylines read_polylines(const std::string& file);
+Triangles read_triangles(const File& file);
+Polylines read_polylines(const File& file);
 
 }  // namespace certificate

@@ -31,8 +31,8 @@ std::optional<int> version_of(std::string_view text) {
 
 class LegacyReader {
  public:
-  LegacyReader(const std::string& file, const std::string& tensor, std::size_t components)
-      : bytes_(file_bytes(file)), lines_(file, bytes_), tensor_(tensor), width_(components) {}
+  LegacyReader(const File& file, const std::string& tensor, std::size_t components)
+      : lines_(file.name, file.bytes), tensor_(tensor), width_(components) {}
 
   Grid read() {
     constexpr std::string_view kMagic = "# vtk DataFile Version ";
@@ -287,7 +287,6 @@ class LegacyReader {
 
   enum class Place { grid, points, cells };
 
-  std::string bytes_;
   LegacyLines lines_;
   std::string tensor_;
   std::size_t width_, items_ = 0, points_ = 0;
@@ -302,7 +301,7 @@ class LegacyReader {
 
 }  // namespace
 
-Grid read_legacy_grid(const std::string& file, const std::string& tensor, std::size_t components) {
+Grid read_legacy_grid(const File& file, const std::string& tensor, std::size_t components) {
   return LegacyReader(file, tensor, components).read();
 }
 

@@ -53,8 +53,8 @@ bool read_words(std::string_view text, std::vector<double>& numbers) {
 
 void XmlFile::fail(const std::string& what) const { throw Malformed(file_, what); }
 
-XmlFile::XmlFile(const std::string& file, const char* kind, std::vector<std::string_view> sections)
-    : file_(file), bytes_(file_bytes(file)), budget_((1UL << 24) + 64 * bytes_.size()) {
+XmlFile::XmlFile(const File& file, const char* kind, std::vector<std::string_view> sections)
+    : file_(file.name), bytes_(file.bytes), budget_((1UL << 24) + 64 * bytes_.size()) {
   const std::string xml = markup();
   require_utf8(xml);
   if (!document_.load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8))

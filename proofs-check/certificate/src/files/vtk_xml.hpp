@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "files/file.hpp"
+
 namespace certificate {
 
 /// A VTK XML file of one piece, and the numbers in its arrays. Its members throw Malformed.
@@ -23,7 +25,8 @@ class XmlFile {
  public:
   /// @param kind what the file must hold, such as "UnstructuredGrid"
   /// @param sections  of the piece, besides points and data
-  XmlFile(const std::string& file, const char* kind, std::vector<std::string_view> sections);
+  /// @pre the file outlives this
+  XmlFile(const File& file, const char* kind, std::vector<std::string_view> sections);
 
   /// A count that the piece declares.
   std::size_t count(const char* attribute) const;
@@ -56,7 +59,7 @@ class XmlFile {
   template <class Stored>
   std::vector<double> read(pugi::xml_node array) const;
 
-  std::string file_, bytes_;
+  const std::string &file_, &bytes_;
   std::string_view appended_;
   pugi::xml_document document_;
   pugi::xml_node piece_;

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-
 #include "certificate_check/check_certificate.hpp"
+#include "files/file.hpp"
 #include "parts/part_border.hpp"
 
 namespace certificate {
@@ -17,7 +16,7 @@ struct CheckedPart {
 };
 
 /// As `check_certificate`. The certificate must be of a surface with one level.
-CheckedPart check_part(const std::string& input, const std::string& surface,
-                       const std::string& certificate, const Progress& progress);
+CheckedPart check_part(const File& input, const File& surface, const File& certificate,
+                       const Progress& progress);
 
 }  // namespace certificate

@@ -67,7 +67,7 @@ class Parts {
   }
 
   Report check(const Progress& progress) {
-    const Json document = read_parts_document(certificate_);
+    const Json document = read_parts_document(read_file(certificate_));
     const Json& parts = document["parts"];
     const auto inputs = piece_names(input_, "UnstructuredGrid");
     const auto surfaces = piece_names(surface_, "PolyData");
@@ -85,19 +85,19 @@ class Parts {
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const std::string name = "part " + std::to_string(p);
       ledger_.begin("files");
-      const std::string certificate = parts[p]["certificate"]["file"].get<std::string>();
+      const File input = read_file(beside(input_, inputs[p])),
+                 surface = read_file(beside(surface_, surfaces[p]));
+      const std::string named = parts[p]["certificate"]["file"].get<std::string>();
+      const File certificate = read_file(beside(certificate_, named));
       const bool are_files =
-          compare_file(name + "'s field", parts[p]["input"], inputs[p], beside(input_, inputs[p])) &
-          compare_file(name + "'s surface", parts[p]["surface"], surfaces[p],
-                       beside(surface_, surfaces[p])) &
-          compare_file(name + "'s certificate", parts[p]["certificate"], certificate,
-                       beside(certificate_, certificate));
+          compare_file(name + "'s field", parts[p]["input"], inputs[p], input) &
+          compare_file(name + "'s surface", parts[p]["surface"], surfaces[p], surface) &
+          compare_file(name + "'s certificate", parts[p]["certificate"], named, certificate);
       if (!are_files) continue;  // of other files nothing need be derived
       const Progress own = !progress ? progress : [&, p](std::string_view what, double done) {
         progress(what, (static_cast<double>(p) + done) / static_cast<double>(parts.size()));
       };
-      CheckedPart part = check_part(beside(input_, inputs[p]), beside(surface_, surfaces[p]),
-                                    beside(certificate_, certificate), own);
+      CheckedPart part = check_part(input, surface, certificate, own);
       add(name, part, document["mode"].get<std::string>());
       borders_.push_back(std::move(part.border));
     }
@@ -108,10 +108,10 @@ class Parts {
  private:
   /// Is it the file that is claimed, by name and bytes?
   bool compare_file(const std::string& what, const Json& claim, const std::string& name,
-                    const std::string& path) {
+                    const File& file) {
     const std::string claimed = claim["file"].get<std::string>();
     if (claimed != name) return ledger_.refute(what, claimed, name), false;
-    const std::string sha256 = sha256_of(file_bytes(path));
+    const std::string sha256 = sha256_of(file.bytes);
     ledger_.settle(claim["sha256"] == sha256, what + "'s sha256", claim["sha256"].dump(), sha256);
     return claim["sha256"] == sha256;
   }
@@ -142,6 +142,10 @@ class Parts {
       level_.vertices += l.vertices;
       for (const auto& [array, shown] : l.vectors) level_.vectors[array] += shown;
     }
+    ledger_.begin("arrays");
+    if (part.border.whole_is_elsewhere)
+      ledger_.refute(name + "'s whole_component", "of points, or of several components",
+                     "one number of each triangle");
     if (!part.border.is_complete) incomplete_ = incomplete_.empty() ? name : incomplete_;
   }
 

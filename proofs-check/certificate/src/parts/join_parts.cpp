@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "claims/half_edges.hpp"
+#include "parts/match_chains.hpp"
 #include "union_find.hpp"
 
 namespace certificate {
@@ -31,6 +32,8 @@ struct FaceOfPart {
   auto operator<=>(const FaceOfPart&) const = default;
 };
 
+constexpr const char* kWhich = "which closed curve is which";
+
 class Seams {
  public:
   Seams(const std::vector<PartBorder>& borders, Ledger& ledger)
@@ -39,11 +42,11 @@ class Seams {
     for (const PartBorder& border : borders) {
       first_component_.push_back(count);
       count += border.components.size();
-      is_glued_.emplace_back(border.edges.size());
-      auto& order = by_face_.emplace_back(border.edges.size());
-      for (std::size_t e = 0; e < order.size(); ++e) order[e] = e;
-      std::sort(order.begin(), order.end(), [&](std::size_t d, std::size_t e) {
-        return key(border.edges[d]) < key(border.edges[e]);
+      is_glued_.emplace_back(border.chains.size());
+      auto& order = by_face_.emplace_back(border.chains.size());
+      for (std::size_t n = 0; n < order.size(); ++n) order[n] = n;
+      std::stable_sort(order.begin(), order.end(), [&](std::size_t m, std::size_t n) {
+        return border.chains[m].face < border.chains[n].face;
       });
     }
     glued_.resize(count);
@@ -75,12 +78,9 @@ class Seams {
   bool compare_numbers(std::size_t count);
 
  private:
-  static std::pair<std::uint32_t, std::array<SurfaceEnd, 2>> key(const SurfaceEdge& edge) {
-    return {edge.face, edge.ends};
-  }
   std::size_t vertex(std::size_t part, std::uint32_t v) { return part << 32 | v; }
-  std::size_t component(std::size_t part, const SurfaceEdge& edge) {
-    return classes_.find(first_component_[part] + edge.component);
+  std::size_t component(std::size_t part, const BorderChain& chain) const {
+    return first_component_[part] + chain.component;
   }
 
   /// Points of different parts at one place have one tensor.
@@ -110,41 +110,26 @@ class Seams {
     }
   }
 
-  std::span<const std::size_t> edges_on(const FaceOfPart& f) const {
-    const auto& edges = borders_[f.part].edges;
+  /// A chain of a face, and its curve as the part on the first side of the face has that.
+  struct ChainOfFace {
+    CurveOfFace curve;
+    std::size_t chain = 0;
+  };
+  /// In the order of the curves.
+  std::vector<ChainOfFace> chains_on(const FaceOfPart& f, bool turned) const {
+    const auto& chains = borders_[f.part].chains;
     const auto& order = by_face_[f.part];
-    const auto begin =
+    auto next =
         std::lower_bound(order.begin(), order.end(), f.face,
-                         [&](std::size_t e, std::uint32_t face) { return edges[e].face < face; });
-    const auto end =
-        std::upper_bound(order.begin(), order.end(), f.face,
-                         [&](std::uint32_t face, std::size_t e) { return face < edges[e].face; });
-    return {begin, end};
-  }
-
-  /// Why edges on a face may not be told apart by their places; null if they can be. By the places of
-  /// different vertices arcs cannot be exchanged, and one closed curve is no other.
-  const char* doubt_on(const FaceOfPart& f) const {
-    const auto& edges = borders_[f.part].edges;
-    std::map<BorderPlace, std::uint32_t> known;
-    std::map<std::uint32_t, std::size_t> number;
-    for (const std::size_t e : edges_on(f))
-      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-        const std::uint32_t v = edges[e].vertices[end];
-        if (known.try_emplace(edges[e].ends[end].place, v).first->second != v)
-          return "two vertices at one place";
-        number.try_emplace(v, number.size());
-      }
-    UnionFind chains;  // of the face
-    std::set<std::size_t> closed;
-    for (const std::size_t e : edges_on(f))
-      chains.join(number[edges[e].vertices[0]], number[edges[e].vertices[1]]);
-    for (const auto& [v, n] : number) closed.insert(chains.find(n));
-    for (const std::size_t e : edges_on(f))
-      for (const std::size_t end : {std::size_t{0}, std::size_t{1}})
-        if (edges[e].ends[end].crossing != 0)
-          closed.erase(chains.find(number[edges[e].vertices[end]]));
-    return closed.size() > 1 ? "several closed curves" : nullptr;
+                         [&](std::size_t n, std::uint32_t face) { return chains[n].face < face; });
+    std::vector<ChainOfFace> result;
+    for (; next != order.end() && chains[*next].face == f.face; ++next) {
+      result.push_back({chains[*next].curve, *next});
+      if (turned) std::swap(result.back().curve.ends[0], result.back().curve.ends[1]);
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [](const ChainOfFace& m, const ChainOfFace& n) { return m.curve < n.curve; });
+    return result;
   }
 
   /// One face of several parts.
@@ -158,54 +143,78 @@ class Seams {
     const FaceOfPart &a = same[0], &b = same[1];
     if (borders_[a.part].faces[a.face].side == borders_[b.part].faces[b.face].side)
       return ledger_.refute(name, "a tetrahedron on each side", "both on the same side");
-    const auto &edges = borders_[a.part].edges, &others = borders_[b.part].edges;
-    const auto here = edges_on(a), there = edges_on(b);
-    std::vector<std::pair<std::array<SurfaceEnd, 2>, std::size_t>> back;  // turned around
-    for (const std::size_t e : there) back.push_back({{others[e].ends[1], others[e].ends[0]}, e});
-    std::sort(back.begin(), back.end());
-    for (std::size_t k = 0; k < std::max(here.size(), back.size()); ++k) {
-      const bool is_here =
-          k == back.size() || (k < here.size() && edges[here[k]].ends < back[k].first);
-      const bool is_there =
-          k == here.size() || (k < back.size() && back[k].first < edges[here[k]].ends);
-      if (!is_here && !is_there) continue;
-      const auto& ends = is_here ? edges[here[k]].ends : back[k].first;
-      return ledger_.refute(name, "the same edges of triangles on both sides",
-                            "the edge " + place_text(ends[0].place) + ' ' +
-                                place_text(ends[1].place) + " in part " +
-                                std::to_string(is_here ? a.part : b.part) + " only");
+    const auto here = chains_on(a, false), there = chains_on(b, true);
+    const auto of = [&](const FaceOfPart& f, const ChainOfFace& n) -> const BorderChain& {
+      return borders_[f.part].chains[n.chain];
+    };
+    const auto is_unknown = [](const ChainOfFace& n) {
+      return n.curve.is_closed && !n.curve.number;
+    };
+    if (std::any_of(here.begin(), here.end(), is_unknown) ||
+        std::any_of(there.begin(), there.end(), is_unknown))
+      return ledger_.leave_open(name, kWhich);
+    for (std::size_t k = 0; k < std::max(here.size(), there.size()); ++k) {
+      if (k < here.size() && k < there.size() && here[k].curve == there[k].curve) continue;
+      const bool is_here = k == there.size() || (k < here.size() && here[k].curve < there[k].curve);
+      return ledger_.refute(name, "the same curves on both sides",
+                            "the curve through " +
+                                place_text((is_here ? of(a, here[k]) : of(b, there[k])).places[0]) +
+                                " in part " + std::to_string(is_here ? a.part : b.part) + " only");
     }
-    for (std::size_t k = 1; k < here.size(); ++k)
-      if (edges[here[k]].ends == edges[here[k - 1]].ends)
-        return ledger_.leave_open(name, "two edges of triangles at one place");
-    for (const FaceOfPart& f : same)
-      if (const char* doubt = doubt_on(f)) return ledger_.leave_open(name, doubt);
-    ledger_.certify();
+    std::vector<std::size_t> turns;
     for (std::size_t k = 0; k < here.size(); ++k) {
-      const SurfaceEdge &e = edges[here[k]], &f = others[back[k].second];
-      is_glued_[a.part][here[k]] = is_glued_[b.part][back[k].second] = true;
-      classes_.join(component(a.part, e), component(b.part, f));
-      ++glued_[first_component_[a.part] + e.component];
-      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-        const std::size_t u = vertex(a.part, e.vertices[end]),
-                          v = vertex(b.part, f.vertices[1 - end]);
-        vertices_.join(u, v);
-        members_[u] = first_component_[a.part] + e.component;
-        members_[v] = first_component_[b.part] + f.component;
+      const BorderChain& chain = of(a, here[k]);
+      const auto turn = turn_between(chain, of(b, there[k]));
+      if (turn) {
+        turns.push_back(*turn);
+        continue;
       }
+      // If another curve has these places, it may be that they do not tell which curve is whose.
+      const auto has_places = [&](const ChainOfFace& n) {
+        return n.curve.is_closed && turn_between(chain, of(b, n));
+      };
+      if (chain.curve.is_closed && std::any_of(there.begin(), there.end(), has_places))
+        return ledger_.leave_open(name, kWhich);
+      const std::size_t edge = first_difference(chain, of(b, there[k]));
+      return ledger_.refute(name, "the same edges of triangles on both sides",
+                            "the edge " + place_text(chain.places[edge]) + ' ' +
+                                place_text(chain.places[(edge + 1) % chain.places.size()]) +
+                                " in part " + std::to_string(a.part) + " only");
+    }
+    ledger_.certify();
+    for (std::size_t k = 0; k < here.size(); ++k)
+      glue({a.part, b.part}, {here[k].chain, there[k].chain}, turns[k]);
+  }
+
+  /// Chains of two parts, of which the vertices of the first are those of the second from `turn`
+  /// on backwards.
+  void glue(const std::array<std::size_t, 2>& parts, const std::array<std::size_t, 2>& chains,
+            std::size_t turn) {
+    const BorderChain &chain = borders_[parts[0]].chains[chains[0]],
+                      &other = borders_[parts[1]].chains[chains[1]];
+    const std::size_t one = component(parts[0], chain), two = component(parts[1], other);
+    is_glued_[parts[0]][chains[0]] = is_glued_[parts[1]][chains[1]] = true;
+    classes_.join(one, two);
+    glued_[one] += chain.edges();
+    const std::size_t count = chain.vertices.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t u = vertex(parts[0], chain.vertices[i]),
+                        v = vertex(parts[1], other.vertices[(turn + count - i) % count]);
+      vertices_.join(u, v);
+      members_[u] = one, members_[v] = two;
     }
   }
 
   const std::vector<PartBorder>& borders_;
   Ledger& ledger_;
   std::vector<std::size_t> first_component_;       ///< of each part, among those of all
-  std::vector<std::vector<std::size_t>> by_face_;  ///< edges of each part
-  std::vector<std::vector<bool>> is_glued_;        ///< of each part's edges
+  std::vector<std::vector<std::size_t>> by_face_;  ///< chains of each part
+  std::vector<std::vector<bool>> is_glued_;        ///< of each part's chains
   UnionFind classes_;                              ///< of components
   SparseUnionFind vertices_;                       ///< of glued vertices
   std::map<std::size_t, std::size_t> members_;     ///< the component of each glued vertex
-  std::vector<std::size_t> glued_;                 ///< pairs of edges, by component of the first
-  std::vector<std::size_t> number_;                ///< of each part's component, in the whole
+  std::vector<std::size_t> glued_;   ///< pairs of edges, by component of the first part
+  std::vector<std::size_t> number_;  ///< of each part's component, in the whole
 };
 
 JoinedSurface Seams::surface() {
@@ -243,12 +252,14 @@ JoinedSurface Seams::surface() {
     return members_.size() + free.try_emplace(own, free.size()).first->second;
   };
   for (std::size_t p = 0; p < borders_.size(); ++p)
-    for (std::size_t e = 0; e < borders_[p].edges.size(); ++e) {
-      if (is_glued_[p][e]) continue;
-      const SurfaceEdge& edge = borders_[p].edges[e];
-      const std::size_t from = name(p, edge.vertices[0]), to = name(p, edge.vertices[1]);
-      if (!next.try_emplace(from, to, number_[first_component_[p] + edge.component]).second)
-        throw Wrong("the boundary passes " + place_text(edge.ends[0].place) + " twice");
+    for (std::size_t n = 0; n < borders_[p].chains.size(); ++n) {
+      const BorderChain& chain = borders_[p].chains[n];
+      const std::size_t length = chain.vertices.size();
+      for (std::size_t k = 0; k < chain.edges() && !is_glued_[p][n]; ++k)
+        if (!next.try_emplace(name(p, chain.vertices[k]), name(p, chain.vertices[(k + 1) % length]),
+                              number_[component(p, chain)])
+                 .second)
+          throw Wrong("the boundary passes " + place_text(chain.places[k]) + " twice");
     }
   while (!next.empty()) {
     const auto start = next.begin()->first;

@@ -20,9 +20,11 @@ struct JoinedSurface {
 };
 
 /// Faces that two parts have: with one tetrahedron on each side, equal tensors at their points, and
-/// the same edges of the surface, in opposite directions. One claim for each.
+/// the same curves, along which the surfaces of both have vertices at the same places, in opposite
+/// directions. One claim for each.
 ///
-/// Edges are glued by pairs. So around each vertex the triangles remain one fan, and the result is
+/// Curves are known by what both parts derive of the face, and glued as a whole, so vertices at one
+/// place are not mistaken for each other. Edges are glued by pairs. So around each vertex the triangles remain one fan, and the result is
 /// a surface. Nothing is given if something is refuted, or open.
 /// @param borders  of all parts, whose triangles are all as claimed
 std::optional<JoinedSurface> join_parts(const std::vector<PartBorder>& borders, Ledger& ledger);

@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "claims/curve_names.hpp"
+#include "claims/curve_numbers.hpp"
 #include "mesh/exact_signs.hpp"
 #include "places.hpp"
 #include "union_find.hpp"
@@ -55,8 +57,10 @@ std::vector<std::uint32_t> count_components(const LevelCase& c,
   std::vector<std::uint32_t> number(c.surface.points.size(), kNone);
   const Array* whole = nullptr;
   for (const Array& array : c.surface.arrays)
-    if (array.of == "triangles" && array.name == "whole_component" && array.components == 1)
+    if (array.name == "whole_component" && array.of == "triangles" && array.components == 1)
       whole = &array;
+    else if (array.name == "whole_component")
+      result.whole_is_elsewhere = true;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     std::uint32_t& known = number[classes.find(triangles[t][0])];
     if (known == kNone) {
@@ -129,34 +133,63 @@ void add_surface(const LevelCase& c, const CrossingVertices& vertices, const Pla
     auto& count = crossings[crossing.edge];
     count = std::max(count, crossing.ordinal + 1);
   }
-  const auto end_of = [&](std::uint32_t v) {
-    SurfaceEnd end{place_of(c.surface.points[v]), 0, {}};
+  const auto end_of = [&](Number v) -> ChainEnd {
     const auto crossing = vertices.crossing.find(v);
-    if (crossing == vertices.crossing.end()) return end;
+    if (crossing == vertices.crossing.end()) return {};
     const auto& [edge, ordinal] = crossing->second;
     const BorderPlace from = place_of(c.input.points[edge[0]]),
                       to = place_of(c.input.points[edge[1]]);
-    const bool ascends = from < to;
-    end.edge = {std::min(from, to), std::max(from, to)};
-    end.crossing = ascends ? ordinal + 1 : crossings[edge] - ordinal;
-    return end;
+    return {from < to ? ordinal + 1 : crossings[edge] - ordinal,
+            {std::min(from, to), std::max(from, to)}};
+  };
+  std::map<FaceCorners, std::vector<std::size_t>> numbers;  // of closed curves
+  const auto number_of =
+      [&](const PlacedSurface::BorderChain& chain) -> std::optional<std::size_t> {
+    const FaceTopology* const face = c.topology.face(chain.face);
+    if (face == nullptr) return std::nullopt;  // claimed of a face that has none
+    const std::vector<Number> names = curve_names(c, *face);
+    const auto name = std::find(names.begin(), names.end(),
+                                *std::min_element(chain.vertices.begin(), chain.vertices.end()));
+    if (name == names.end()) return std::nullopt;
+    const auto [known, is_new] = numbers.try_emplace(chain.face);
+    if (is_new)
+      known->second = names.size() > 1 ? curve_numbers(c, *face) : std::vector<std::size_t>{0};
+    if (known->second.empty()) return std::nullopt;
+    return known->second[static_cast<std::size_t>(name - names.begin())];
   };
   std::map<FaceCorners, std::uint32_t> number;
   const auto faces = outer_faces(c.input);
   for (std::size_t f = 0; f < faces.size(); ++f)
     number[faces[f].first] = static_cast<std::uint32_t>(f);
-  for (const auto& [face, chain, closed] : placed.border) {
-    const auto at = number.find(face);
+  std::size_t edges = 0;
+  for (const PlacedSurface::BorderChain& chain : placed.border) {
+    const auto at = number.find(chain.face);
     if (at == number.end()) continue;
-    for (std::size_t k = closed ? 0 : 1; k < chain.size(); ++k) {
-      const auto from = static_cast<std::uint32_t>(chain[k == 0 ? chain.size() - 1 : k - 1]);
-      const auto side = named.find({from, static_cast<std::uint32_t>(chain[k])});
-      if (side == named.end()) continue;
-      const auto [a, b] = side->second;
-      border.edges.push_back({at->second, {end_of(a), end_of(b)}, {a, b}, component[a]});
+    BorderChain own{at->second, {chain.closed, {}, {}}, {}, {}, 0};
+    const auto add = [&](std::uint32_t v) {
+      own.vertices.push_back(v);
+      own.places.push_back(place_of(c.surface.points[v]));
+    };
+    const std::size_t count = chain.vertices.size();
+    bool is_there = true;  // else it is no border
+    for (std::size_t k = 0; k + (chain.closed ? 0 : 1) < count; ++k) {
+      const auto side = named.find({static_cast<std::uint32_t>(chain.vertices[k]),
+                                    static_cast<std::uint32_t>(chain.vertices[(k + 1) % count])});
+      is_there = is_there && side != named.end();
+      if (!is_there) break;
+      add(side->second.first);
+      if (!chain.closed && k + 2 == count) add(side->second.second);
     }
+    if (!is_there) continue;
+    own.component = component[own.vertices[0]];
+    if (chain.closed)
+      own.curve.number = number_of(chain);
+    else
+      own.curve.ends = {end_of(chain.vertices.front()), end_of(chain.vertices.back())};
+    edges += own.edges();
+    border.chains.push_back(std::move(own));
   }
-  border.is_complete = border.edges.size() == outer.size();
+  border.is_complete = edges == outer.size();
 }
 
 }  // namespace certificate

@@ -27,23 +27,37 @@ struct BorderFace {
   int side = 0;                           ///< of these three, on which the tetrahedron is: 1 or -1
 };
 
-/// An end of an edge of the surface on a face of the border.
-struct SurfaceEnd {
-  BorderPlace place{};
-  /// Of a crossing: which one it is on its edge, from 1, counted from the end of smaller place.
-  /// Else 0.
+/// An end of a curve on a face of the border: a crossing of an edge of the face, or its vertex with
+/// zero deviator.
+struct ChainEnd {
+  /// Which one it is on its edge, from 1, counted from the end of smaller place. Else 0.
   std::uint32_t crossing = 0;
   std::array<BorderPlace, 2> edge{};  ///< the ends of that edge, ascending
 
-  auto operator<=>(const SurfaceEnd&) const = default;
+  auto operator<=>(const ChainEnd&) const = default;
 };
 
-/// An edge of one triangle, on a face of the border, in the direction of the triangle.
-struct SurfaceEdge {
+/// Which curve of a face it is. An arc is known by its ends, as no other has the same crossing.
+struct CurveOfFace {
+  bool is_closed = false;
+  std::array<ChainEnd, 2> ends{};  ///< of an arc, in the direction of the triangles
+  /// Of a closed one: its number, the same for all parts that have the face. Nothing if that is not
+  /// known.
+  std::optional<std::size_t> number;
+
+  auto operator<=>(const CurveOfFace&) const = default;
+};
+
+/// Edges of one triangle each, along a curve on a face of the border, in the direction of the
+/// triangles.
+struct BorderChain {
   std::uint32_t face = 0;
-  std::array<SurfaceEnd, 2> ends{};
-  std::array<std::uint32_t, 2> vertices{};  ///< of the part's surface
-  std::uint32_t component = 0;              ///< of the part's surface
+  CurveOfFace curve;
+  std::vector<BorderPlace> places;      ///< of the vertices, those of a closed curve each once
+  std::vector<std::uint32_t> vertices;  ///< of the part's surface
+  std::uint32_t component = 0;          ///< of the part's surface
+
+  std::size_t edges() const { return vertices.size() - (curve.is_closed ? 0 : 1); }
 };
 
 /// A component of the part's surface.
@@ -56,11 +70,13 @@ struct PartComponent {
 struct PartBorder {
   std::vector<BorderPoint> points;
   std::vector<BorderFace> faces;
-  std::vector<SurfaceEdge> edges;
+  std::vector<BorderChain> chains;
   std::vector<PartComponent> components;
-  /// Whether all edges of one triangle are on faces of the border. Those beside tetrahedra that are
+  /// Whether all edges of one triangle are in these chains. Those beside tetrahedra that are
   /// left out are not, nor those between two vertices with zero deviator.
   bool is_complete = false;
+  /// The array `whole_component` is there, but not one number of each triangle.
+  bool whole_is_elsewhere = false;
 };
 
 /// The border of a part's mesh.

@@ -13,7 +13,8 @@ namespace certificate {
 /// @param kind  "UnstructuredGrid" or "PolyData"
 std::vector<std::string> piece_names(const std::string& file, const std::string& kind);
 
-/// A file that another one names.
+/// The path of a file that another one names. The name has folders below that of the other at most:
+/// it is refused if it is absolute, or has parts that are empty, `.` or `..`. Throws Malformed.
 std::string beside(const std::string& file, const std::string& name);
 
 }  // namespace certificate

@@ -45,15 +45,15 @@ Components tets_by_component(const std::vector<std::size_t>& tets, const Vertice
 }
 
 /// The radii that a claim is about, in the report too; nothing if they are not the input's.
-std::optional<Radius> given_radius(const Json& claims, const std::string& input_file,
-                                   const Input& input, Ledger& ledger) {
+std::optional<Radius> given_radius(const Json& claims, const RadiiByArray& by_array,
+                                   Ledger& ledger) {
   Radius radius = radius_of(claims);
   LevelReport& report = ledger.of_level();
   report.radius = radius.value, report.radius_of_deviator = radius.of_deviator;
   report.claims_stability = true;
   if (!claims.contains("array")) return radius;
   report.radius_array = claims["array"].get<std::string>();
-  const Radii radii = read_radii(input_file, report.radius_array, input.points.size());
+  const Radii& radii = by_array.at(report.radius_array);
   if (radii.sha256() != claims["sha256"].get<std::string>()) {
     ledger.refute("stability", "sha256 of radii " + claims["sha256"].dump(), radii.sha256());
     return std::nullopt;
@@ -142,10 +142,10 @@ void compare_components(const Json& claims, const Input& input, const std::vecto
 
 }  // namespace
 
-void compare_stability(const LevelCase& c, const std::string& input_file,
-                       const PlacedSurface* placed, Ledger& ledger) {
+void compare_stability(const LevelCase& c, const RadiiByArray& radii, const PlacedSurface* placed,
+                       Ledger& ledger) {
   const Json& claims = c.claims["stability"];
-  const auto radius = given_radius(claims, input_file, c.input, ledger);
+  const auto radius = given_radius(claims, radii, ledger);
   if (!radius) return;
   if (!c.claims.contains("mode"))
     return ledger.refute("stability", "of a level of another invariant", "claimed of modes only");
@@ -167,10 +167,10 @@ void compare_stability(const LevelCase& c, const std::string& input_file,
                        ledger);
 }
 
-void compare_stability(const CurveCase& c, const std::string& input_file, bool is_sound,
+void compare_stability(const CurveCase& c, const RadiiByArray& radii, bool is_sound,
                        const Progress& progress, Ledger& ledger) {
   const Json& claims = c.claims["stability"];
-  const auto radius = given_radius(claims, input_file, c.input, ledger);
+  const auto radius = given_radius(claims, radii, ledger);
   if (!radius) return;
   if (!is_sound) return leave_all_open(claims, "the curves are not certified", ledger);
   std::vector<std::size_t> tets;

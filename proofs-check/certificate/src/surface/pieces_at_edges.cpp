@@ -49,29 +49,33 @@ void Pieces::compare_folds() const {
 
 /// Around an edge of the mesh tetrahedra that are not left out fall into groups that are joined
 /// through faces. All triangles of a group that have a crossing of that edge have one vertex for
-/// it; and each vertex that the certificate gives a crossing is that of a group.
+/// it; and each vertex that the certificate gives a crossing is that of a group, or of triangles
+/// around the edge in what is left out, which may have any.
 void Pieces::compare_fans() const {
   if (vertices_.original.empty()) return;
   std::map<MeshCrossing, std::map<std::size_t, Number>> used;  // by tetrahedra
   std::set<Number> seen;
   for (std::size_t t = 0; t < tets_.size(); ++t) {
-    if (c_.left_out[tets_[t]]) continue;
     for (const std::uint32_t v : c_.surface.triangles[c_.triangles.first + t]) {
       const auto crossing = vertices_.crossing.find(v);
       if (crossing == vertices_.crossing.end()) continue;
       const auto& tet = c_.input.tets[tets_[t]];
-      for (const Vertex end : crossing->second.edge)
-        if (std::find(tet.begin(), tet.end(), end) == tet.end())
-          throw Wrong("vertex " + std::to_string(v) + ", a crossing's, beside another edge");
+      const auto& edge = crossing->second.edge;
+      const bool is_around = std::all_of(edge.begin(), edge.end(), [&](Vertex end) {
+        return std::find(tet.begin(), tet.end(), end) != tet.end();
+      });
+      if (is_around) seen.insert(v);
+      if (c_.left_out[tets_[t]]) continue;
+      if (!is_around)
+        throw Wrong("vertex " + std::to_string(v) + ", a crossing's, beside another edge");
       if (used[crossing->second].emplace(tets_[t], v).first->second != v)
         throw Wrong("two vertices of a crossing in one tetrahedron, one of them " +
                     std::to_string(v));
-      seen.insert(v);
     }
   }
   for (const auto& [v, crossing] : vertices_.crossing)
     if (!seen.contains(v))
-      throw Wrong("vertex " + std::to_string(v) + " of a crossing is that of no triangles there");
+      throw Wrong("vertex " + std::to_string(v) + " of a crossing is that of no triangles around its edge");
   for (const auto& [crossing, by_tet] : used)
     for (const auto& [tet, v] : by_tet)
       for (std::size_t i = 0; i < 4; ++i) {

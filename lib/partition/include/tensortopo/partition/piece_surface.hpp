@@ -44,7 +44,8 @@ struct PieceSurface {
   /// Of each side of each triangle (from a corner to the next one), if it lies on a face between a
   /// tetrahedron that the piece owns and a ghost, the ghost's id; else -1.
   std::vector<std::array<std::int64_t, 3>> ghost_across;
-  /// The owned tetrahedra that hold triangles or have no proof, with `cell_ids` of the whole mesh.
+  /// The owned tetrahedra that hold triangles, have no proof or have two isotropic vertices, with
+  /// `cell_ids` of the whole mesh.
   TetMesh cells;
   std::vector<std::int64_t> vertex_ids;         ///< of the points of `cells`
   std::vector<UnresolvedOwnedCell> unresolved;  ///< those without a proof
@@ -97,7 +98,7 @@ struct MergedSurface {
   std::vector<std::array<std::int64_t, 4>> carrier_ids;  ///< of each vertex; ascending, -1 fills up
   std::vector<UnresolvedOwnedCell> unresolved;           ///< by id
   std::vector<std::int64_t> not_embedded;                ///< as those of the pieces, ascending
-  /// The tetrahedra that hold triangles or have no proof, ascending by id, with `cell_ids`.
+  /// The tetrahedra that the pieces have, ascending by id, with `cell_ids`.
   TetMesh cells;
   std::vector<std::int64_t> vertex_ids;  ///< of the points of `cells`, ascending
   std::int64_t whole_tets = 0;           ///< tetrahedra of the whole mesh

@@ -20,18 +20,18 @@ struct PartNumbers {
 
 /// The surface in some of the tetrahedra that a piece owns, as that of a mesh which has no others.
 ///
-/// Law       `merge_pieces` of the result alone, and `certify`, give the surface and the claims
-/// about
+/// Law       `merge_pieces` of the result alone, and `certify`, give the surface and the claims about
 ///           the level in the part's mesh: the triangles in a tetrahedron are a surface of its
 ///           level, whatever is around it. The triangles are those of the piece, bit for bit, and
 ///           those of one tetrahedron are in the same order.
-/// Vertices  Where the part leaves several fans of triangles at a crossing, each but the first gets
-///           a copy of the vertex; copies that the piece has become one where the part joins them.
+/// Vertices  Where the part leaves several fans of triangles at a crossing or isotropic vertex, each
+///           but the first gets a copy of the vertex; copies that the piece has become one where the
+///           part joins them. Sheets that are joined along an edge between isotropic vertices are so
+///           in the part only if that has all tetrahedra between them, on the side of larger modes.
 /// Normals   They remain those of the piece: at the part's border they are means over tetrahedra
 ///           that the part does not have.
-/// @throws std::invalid_argument if ids repeat, if the piece does not own one of the tetrahedra, if
-/// a vertex of
-///         one has no number, or if the part leaves several fans at an isotropic vertex
+/// @throws std::invalid_argument if ids repeat, if the piece does not own one of the tetrahedra, or
+///         if a vertex of one has no number
 PieceSurface restrict_piece(const PieceSurface& piece, const PartNumbers& numbers);
 
 }  // namespace tensortopo
