@@ -28,12 +28,12 @@ void require_proofs(const ExtractCommand& command, const std::vector<ModeValue>&
 
 /// Throws UsageError for options that do nothing for degenerate curves.
 void require_no_surface_options(const ExtractCommand& command) {
-  const char* const option = command.improve                           ? "--improve"
-                             : command.all_samples                     ? "--all-samples"
-                             : command.max_error > 0                   ? "--max-error"
+  const char* const option = command.improve                              ? "--improve"
+                             : command.all_samples                        ? "--all-samples"
+                             : command.max_error > 0                      ? "--max-error"
                              : command.meshing == MeshingMethod::manifold ? "--method manifold"
-                             : command.pieces > 1                      ? "--pieces"
-                                                                       : nullptr;
+                             : command.pieces > 1                         ? "--pieces"
+                                                                          : nullptr;
   if (option != nullptr)
     throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
 }

@@ -9,7 +9,8 @@ namespace tensortopo {
 namespace {
 
 /// One step, with the tensor that it begins with.
-/// @return the square of its length in weights; nothing if it leaves the tetrahedron, or there is no gradient
+/// @return the square of its length in weights; nothing if it leaves the tetrahedron, or there is
+/// no gradient
 template <class Scalar>
 std::optional<Scalar> newton_step(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                                   InnerVertex<Scalar>& vertex) {
@@ -70,8 +71,8 @@ std::optional<InnerVertex<Scalar>> vertex_on_far_level(const TetWithCurves<Scala
   return std::nullopt;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                         \
-  template std::optional<InnerVertex<Scalar>> vertex_on_level( \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                   \
+  template std::optional<InnerVertex<Scalar>> vertex_on_level(                           \
       const TetWithCurves<Scalar>&, const Level<Scalar>&, const std::array<Scalar, 4>&); \
   template std::optional<InnerVertex<Scalar>> vertex_on_far_level(                       \
       const TetWithCurves<Scalar>&, const Level<Scalar>&, const std::array<Scalar, 4>&);

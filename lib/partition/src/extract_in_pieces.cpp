@@ -9,7 +9,7 @@
 #include "tensortopo/partition/certify_pieces.hpp"
 #include "tensortopo/partition/mesh_piece.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
-#include "topology_parts.hpp"
+#include "topology/topology_parts.hpp"
 
 namespace tensortopo {
 

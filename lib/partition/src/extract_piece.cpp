@@ -10,7 +10,7 @@
 #include "owned_part.hpp"
 #include "piece_messages.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
-#include "topology_parts.hpp"
+#include "topology/topology_parts.hpp"
 #include "vertices_on_level.hpp"
 
 namespace tensortopo {

@@ -12,7 +12,7 @@
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
-#include "topology_parts.hpp"
+#include "topology/topology_parts.hpp"
 
 namespace tensortopo {
 

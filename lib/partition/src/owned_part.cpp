@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cut_folds.hpp"
-#include "topology_parts.hpp"
+#include "topology/topology_parts.hpp"
 
 namespace tensortopo {
 

@@ -13,7 +13,7 @@
 #include "owned_part.hpp"
 #include "surface_fans.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
-#include "topology_parts.hpp"
+#include "topology/topology_parts.hpp"
 
 namespace tensortopo {
 

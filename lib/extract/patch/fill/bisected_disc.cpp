@@ -34,9 +34,9 @@ std::array<Vector3<double>, 4> in_unit(std::array<Vector3<double>, 4> points) {
 template <class Scalar>
 class BisectedDisc {
  public:
-  BisectedDisc(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, const Sampling& sampling,
-           std::span<const BoundaryVertex> boundary, std::span<const std::array<int, 3>> triangles,
-           Patch<Scalar>& out)
+  BisectedDisc(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+               const Sampling& sampling, std::span<const BoundaryVertex> boundary,
+               std::span<const std::array<int, 3>> triangles, Patch<Scalar>& out)
       : tet_(tet),
         level_(level),
         places_(in_unit(tet.points)),
@@ -97,7 +97,8 @@ class BisectedDisc {
         const auto &a = corners_[triangles_[t][k]], &b = corners_[triangles_[t][(k + 1) % 3]];
         if (!turns_far(a, b)) continue;
         const double size = length(b.position - a.position);
-        if (is_off_level(0.5 * (a.position + b.position), flatness_ * size)) far.push_back({size, t, k});
+        if (is_off_level(0.5 * (a.position + b.position), flatness_ * size))
+          far.push_back({size, t, k});
       }
     std::stable_sort(far.begin(), far.end(),
                      [](const Edge& p, const Edge& q) { return p.length > q.length; });
@@ -156,8 +157,8 @@ class BisectedDisc {
     return dot(p, q) / length(n);
   }
 
-  /// Whether the angles opposite an edge have a sum of more than 180 degrees, and the other diagonal does
-  /// not fold the triangles.
+  /// Whether the angles opposite an edge have a sum of more than 180 degrees, and the other
+  /// diagonal does not fold the triangles.
   bool is_better_flipped(std::uint32_t t, std::uint32_t k) const {
     const auto a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3],
                d = triangles_.opposite(t, k);
@@ -189,7 +190,7 @@ class BisectedDisc {
   TetGeometry geometry_;
   std::array<Deviator<double>, 4> tensors_;
   Level<double> level_in_double_{};
-  double flatness_;  ///< distance of the level from the middle of an edge, over its length
+  double flatness_;          ///< distance of the level from the middle of an edge, over its length
   double turn_, wide_turn_;  ///< cosines
   std::vector<BoundaryVertex> corners_;
   DiscTriangles triangles_;
@@ -200,7 +201,7 @@ class BisectedDisc {
 
 template <class Scalar>
 bool mesh_bisected_disc(const TetWithCurves<Scalar>& tet, std::span<const BoundaryVertex> boundary,
-                    const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out) {
+                        const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out) {
   if (boundary.size() > kLongestLoop) return false;
   std::vector<PolygonCorner> polygon;
   polygon.reserve(boundary.size());
@@ -210,9 +211,9 @@ bool mesh_bisected_disc(const TetWithCurves<Scalar>& tet, std::span<const Bounda
   return BisectedDisc<Scalar>(tet, level, sampling, boundary, triangles, out).mesh();
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                      \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                            \
   template bool mesh_bisected_disc(const TetWithCurves<Scalar>&, std::span<const BoundaryVertex>, \
-                               const Level<Scalar>&, const Sampling&, Patch<Scalar>&);
+                                   const Level<Scalar>&, const Sampling&, Patch<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

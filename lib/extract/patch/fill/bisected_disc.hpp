@@ -9,15 +9,16 @@
 
 namespace tensortopo {
 
-/// A disc by bisection of edges. Its boundary loop is filled as a small one is (`cut_polygon`). Then
-/// edges inside are bisected, longest first, by a vertex on the level, until along each either the
-/// eigenvectors turn no further than from one sample to the next (the dominant one twice as far), or the
-/// level is no farther from its middle than an arc that turns so far is from its chord.
+/// A disc by bisection of edges. Its boundary loop is filled as a small one is (`cut_polygon`).
+/// Then edges inside are bisected, longest first, by a vertex on the level, until along each either
+/// the eigenvectors turn no further than from one sample to the next (the dominant one twice as
+/// far), or the level is no farther from its middle than an arc that turns so far is from its
+/// chord.
 ///
 /// Law  As a complex a disc with that boundary loop; no edge inside joins two vertices on one face.
 /// @return false if the loop cannot be filled so, or too many vertices would be needed
 template <class Scalar>
 bool mesh_bisected_disc(const TetWithCurves<Scalar>& tet, std::span<const BoundaryVertex> boundary,
-                    const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out);
+                        const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out);
 
 }  // namespace tensortopo

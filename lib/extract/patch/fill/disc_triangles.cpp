@@ -17,12 +17,13 @@ DiscTriangles::DiscTriangles(std::span<const std::array<int, 3>> triangles) {
   std::vector<Side> sides;
   sides.reserve(3 * triangles.size());
   for (const auto& t : triangles) {
-    triangles_.push_back({static_cast<Vertex>(t[0]), static_cast<Vertex>(t[1]), static_cast<Vertex>(t[2])});
+    triangles_.push_back(
+        {static_cast<Vertex>(t[0]), static_cast<Vertex>(t[1]), static_cast<Vertex>(t[2])});
     across_.push_back({kNone, kNone, kNone});
     for (std::uint32_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(triangles_.back()[k], triangles_.back()[(k + 1) % 3]);
-      sides.push_back({std::uint64_t{low} << 32 | high,
-                       static_cast<std::uint32_t>(triangles_.size() - 1), k});
+      sides.push_back(
+          {std::uint64_t{low} << 32 | high, static_cast<std::uint32_t>(triangles_.size() - 1), k});
     }
   }
   std::sort(sides.begin(), sides.end(),
@@ -50,7 +51,8 @@ auto DiscTriangles::opposite(std::size_t t, std::size_t k) const -> Vertex {
 
 bool DiscTriangles::has_edge(Vertex a, Vertex b) const {
   return std::any_of(triangles_.begin(), triangles_.end(), [&](const Triangle& t) {
-    return std::find(t.begin(), t.end(), a) != t.end() && std::find(t.begin(), t.end(), b) != t.end();
+    return std::find(t.begin(), t.end(), a) != t.end() &&
+           std::find(t.begin(), t.end(), b) != t.end();
   });
 }
 

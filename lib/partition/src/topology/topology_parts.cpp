@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "topology_parts.hpp"
+#include "topology/topology_parts.hpp"
 
 #include <algorithm>
 #include <array>
