@@ -35,10 +35,10 @@ void check_claims(const std::string& name, std::string_view bytes,
   } catch (const certificate::Malformed&) {
     return;
   }
-  const Json honest =
-      certificate::read_document(
-          certificate::read_file(data + "/corpus/certified_" + name + "/honest.json"));
-  if (!may_be_true(without_stability(honest), without_stability(certificate::read_document(certificate::read_file(file)))))
+  const Json honest = certificate::read_document(
+      certificate::read_file(data + "/corpus/certified_" + name + "/honest.json"));
+  if (!may_be_true(without_stability(honest),
+                   without_stability(certificate::read_document(certificate::read_file(file)))))
     throw std::logic_error("a certificate that may be false is certified");
 }
 

@@ -22,28 +22,29 @@ void malformed_or_result(const char* name, std::string_view bytes, const Read& r
 
 std::vector<FuzzedReader> checker_readers() {
   using namespace certificate;
-  return {{"checker_json",
-           [](std::string_view bytes) {
-             malformed_or_result("c.json", bytes, [](const auto& f) { read_document(read_file(f)); });
-           }},
-          {"checker_cbor",
-           [](std::string_view bytes) {
-             malformed_or_result("c.cbor", bytes, [](const auto& f) { read_document(read_file(f)); });
-           }},
-          {"checker_vtk",
-           [](std::string_view bytes) {
-             malformed_or_result("f.vtk", bytes,
-                                 [](const auto& f) { read_input(read_file(f), "stress", "vtk"); });
-           }},
-          {"checker_vtu",
-           [](std::string_view bytes) {
-             malformed_or_result("f.vtu", bytes,
-                                 [](const auto& f) { read_input(read_file(f), "stress", "vtk"); });
-           }},
-          {"checker_vtp", [](std::string_view bytes) {
-             malformed_or_result("f.vtp", bytes, [](const auto& f) { read_triangles(read_file(f)); });
-             malformed_or_result("f.vtp", bytes, [](const auto& f) { read_polylines(read_file(f)); });
-           }}};
+  return {
+      {"checker_json",
+       [](std::string_view bytes) {
+         malformed_or_result("c.json", bytes, [](const auto& f) { read_document(read_file(f)); });
+       }},
+      {"checker_cbor",
+       [](std::string_view bytes) {
+         malformed_or_result("c.cbor", bytes, [](const auto& f) { read_document(read_file(f)); });
+       }},
+      {"checker_vtk",
+       [](std::string_view bytes) {
+         malformed_or_result("f.vtk", bytes,
+                             [](const auto& f) { read_input(read_file(f), "stress", "vtk"); });
+       }},
+      {"checker_vtu",
+       [](std::string_view bytes) {
+         malformed_or_result("f.vtu", bytes,
+                             [](const auto& f) { read_input(read_file(f), "stress", "vtk"); });
+       }},
+      {"checker_vtp", [](std::string_view bytes) {
+         malformed_or_result("f.vtp", bytes, [](const auto& f) { read_triangles(read_file(f)); });
+         malformed_or_result("f.vtp", bytes, [](const auto& f) { read_polylines(read_file(f)); });
+       }}};
 }
 
 }  // namespace tensortopo::test
