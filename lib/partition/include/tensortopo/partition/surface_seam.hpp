@@ -45,7 +45,8 @@ struct SurfaceSeam {
   };
   /// A side of an owned triangle on a face to a ghost, or on an edge of the mesh.
   struct Side {
-    Index from = -1, to = -1;    ///< in `vertices`, in the order of the triangle's corners
+    Index from = -1;             ///< in `vertices`, the first in the triangle's direction
+    Index to = -1;               ///< in `vertices`, the second
     std::int64_t cell_id = -1;   ///< the tetrahedron of the triangle
     std::int64_t ghost_id = -1;  ///< the tetrahedron across the face; -1 on an edge of the mesh
   };
