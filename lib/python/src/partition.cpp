@@ -320,7 +320,7 @@ void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
            py::arg("whole_cells"), py::arg("resolution"), py::arg("all_samples"),
            py::arg("certify"), py::arg("progress"));
   m.def("merge_pieces", &merge, py::arg("pieces"), py::arg("certified"), py::arg("components"));
-  m.def("restrict_piece", & restrict, py::arg("piece"), py::arg("cells"), py::arg("vertices"));
+  m.def("restrict_piece", &restrict, py::arg("piece"), py::arg("cells"), py::arg("vertices"));
   m.def("components_of_piece", &components_of_piece, py::arg("piece"));
   m.def("seam_of", &seam, py::arg("piece"));
   m.def("join_seams", &join, py::arg("seams"));
