@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "extract/level/position.hpp"
 #include "extract/level/tet_geometry.hpp"
-#include "extract/patch/fill/disc_triangles.hpp"
 #include "extract/patch/fill/polygon.hpp"
+#include "extract/patch/level_in_double.hpp"
+#include "extract/patch/linked_triangles.hpp"
 #include "extract/patch/vertex_on_level.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "tensortopo/scalar/elementary.hpp"
@@ -36,20 +38,19 @@ class BisectedDisc {
  public:
   BisectedDisc(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                const Sampling& sampling, std::span<const BoundaryVertex> boundary,
-               std::span<const std::array<int, 3>> triangles, Patch<Scalar>& out)
+               std::vector<LinkedTriangles::Triangle> triangles, Patch<Scalar>& out)
       : tet_(tet),
         level_(level),
         places_(in_unit(tet.points)),
         geometry_(places_, tet.simplex.exponents),
         tensors_(rounded(tet.simplex.tensors)),
+        level_in_double_(level_in_double(level)),
         flatness_(sampling.largest_turn() / 8),
         turn_(elementary::cos(std::min(sampling.largest_turn(), 1.5))),
         wide_turn_(elementary::cos(std::min(2 * sampling.largest_turn(), 1.5))),
         corners_(boundary.begin(), boundary.end()),
-        triangles_(triangles),
+        triangles_(std::move(triangles)),
         out_(out) {
-    level_in_double_.mu = static_cast<double>(level.mu);
-    level_in_double_.sqrt2 = static_cast<double>(level.sqrt2);
     const double unit = unit_of(tet.points);
     for (auto& corner : corners_) corner.position = unit * corner.position;
   }
@@ -93,7 +94,7 @@ class BisectedDisc {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t u = triangles_.across(t, k);
-        if (u == DiscTriangles::kNone || u < t) continue;
+        if (u == LinkedTriangles::kNone || u < t) continue;
         const auto &a = corners_[triangles_[t][k]], &b = corners_[triangles_[t][(k + 1) % 3]];
         if (!turns_far(a, b)) continue;
         const double size = length(b.position - a.position);
@@ -109,14 +110,14 @@ class BisectedDisc {
       if (is_cut[t] || u >= is_cut.size() || is_cut[u]) continue;  // or new
       is_cut[t] = is_cut[u] = 1;
       if (!add_middle(triangles_[t][edge.corner], triangles_[t][(edge.corner + 1) % 3])) continue;
-      triangles_.bisect(t, edge.corner, static_cast<DiscTriangles::Vertex>(corners_.size() - 1));
+      triangles_.bisect(t, edge.corner, static_cast<LinkedTriangles::Vertex>(corners_.size() - 1));
       any = true;
     }
     return any;
   }
 
   /// A vertex on the level beside the middle of an edge; false if none is found.
-  bool add_middle(DiscTriangles::Vertex a, DiscTriangles::Vertex b) {
+  bool add_middle(LinkedTriangles::Vertex a, LinkedTriangles::Vertex b) {
     const auto middle = 0.5 * (corners_[a].position + corners_[b].position);
     const auto& exponents = tet_.simplex.exponents;
     const int least = *std::min_element(exponents.begin(), exponents.end());
@@ -142,16 +143,16 @@ class BisectedDisc {
     return true;
   }
 
-  Vector3<double> at(DiscTriangles::Vertex v) const { return corners_[v].position; }
+  Vector3<double> at(LinkedTriangles::Vertex v) const { return corners_[v].position; }
 
-  Vector3<double> normal(DiscTriangles::Vertex a, DiscTriangles::Vertex b,
-                         DiscTriangles::Vertex c) const {
+  Vector3<double> normal(LinkedTriangles::Vertex a, LinkedTriangles::Vertex b,
+                         LinkedTriangles::Vertex c) const {
     return cross(at(b) - at(a), at(c) - at(a));
   }
 
   /// The cotangent of a triangle's angle at its first corner.
-  double cotangent(DiscTriangles::Vertex a, DiscTriangles::Vertex b,
-                   DiscTriangles::Vertex c) const {
+  double cotangent(LinkedTriangles::Vertex a, LinkedTriangles::Vertex b,
+                   LinkedTriangles::Vertex c) const {
     const auto p = at(b) - at(a), q = at(c) - at(a);
     const auto n = cross(p, q);
     return dot(p, q) / length(n);
@@ -160,8 +161,7 @@ class BisectedDisc {
   /// Whether the angles opposite an edge have a sum of more than 180 degrees, and the other
   /// diagonal does not fold the triangles.
   bool is_better_flipped(std::uint32_t t, std::uint32_t k) const {
-    const auto a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3],
-               d = triangles_.opposite(t, k);
+    const auto [u, corner, a, b, c, d] = triangles_.pair_at(t, k);
     if ((corners_[c].faces & corners_[d].faces) != 0) return false;
     if (!(cotangent(c, a, b) + cotangent(d, b, a) < 0)) return false;
     const auto both = normal(a, b, c) + normal(b, a, d);
@@ -177,7 +177,7 @@ class BisectedDisc {
       for (std::uint32_t t = 0; t < triangles_.size(); ++t)
         for (std::uint32_t k = 0; k < 3 && left > 0; ++k) {
           const std::uint32_t u = triangles_.across(t, k);
-          if (u == DiscTriangles::kNone || u < t || !is_better_flipped(t, k)) continue;
+          if (u == LinkedTriangles::kNone || u < t || !is_better_flipped(t, k)) continue;
           triangles_.flip(t, k);
           any = true, --left;
         }
@@ -189,11 +189,11 @@ class BisectedDisc {
   std::array<Vector3<double>, 4> places_;  ///< of the tetrahedron's vertices, as all positions here
   TetGeometry geometry_;
   std::array<Deviator<double>, 4> tensors_;
-  Level<double> level_in_double_{};
+  Level<double> level_in_double_;
   double flatness_;          ///< distance of the level from the middle of an edge, over its length
   double turn_, wide_turn_;  ///< cosines
   std::vector<BoundaryVertex> corners_;
-  DiscTriangles triangles_;
+  LinkedTriangles triangles_;
   Patch<Scalar>& out_;
 };
 
@@ -206,9 +206,13 @@ bool mesh_bisected_disc(const TetWithCurves<Scalar>& tet, std::span<const Bounda
   std::vector<PolygonCorner> polygon;
   polygon.reserve(boundary.size());
   for (const auto& v : boundary) polygon.push_back({v.position, v.faces});
-  const auto triangles = cut_polygon(polygon);
+  std::vector<LinkedTriangles::Triangle> triangles;
+  for (const auto& [a, b, c] : cut_polygon(polygon))
+    triangles.push_back({static_cast<LinkedTriangles::Vertex>(a),
+                         static_cast<LinkedTriangles::Vertex>(b),
+                         static_cast<LinkedTriangles::Vertex>(c)});
   if (triangles.empty()) return false;
-  return BisectedDisc<Scalar>(tet, level, sampling, boundary, triangles, out).mesh();
+  return BisectedDisc<Scalar>(tet, level, sampling, boundary, std::move(triangles), out).mesh();
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                            \

@@ -6,13 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <unordered_set>
 #include <utility>
 
 #include "extract/level/position.hpp"
 #include "extract/level/proofs/simple_simplex.hpp"
 #include "extract/level/tet_geometry.hpp"
+#include "extract/patch/level_in_double.hpp"
+#include "extract/patch/linked_triangles.hpp"
 #include "extract/patch/quality/least_sine.hpp"
 #include "extract/run/extractor_scalars.hpp"
 
@@ -26,15 +27,6 @@ constexpr double kCloser = 0.9, kAnglesKept = 0.5, kWider = 1.01;
 
 /// Triangles go on facing larger modes: cosine of their normal and the gradient.
 constexpr double kLeastCosine = 0.1;
-
-/// What `level_slope` needs.
-template <class Scalar>
-Level<double> in_double(const Level<Scalar>& level) {
-  Level<double> result;
-  result.mu = static_cast<double>(level.mu);
-  result.sqrt2 = static_cast<double>(level.sqrt2);
-  return result;
-}
 
 /// Edges, some of which go while others come.
 class EdgeSet {
@@ -78,43 +70,50 @@ class EdgeSet {
 /// Triangles of one tetrahedron, between places in a list of vertices.
 class Flips {
  public:
-  using Triangle = std::array<std::uint32_t, 3>;
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  using Triangle = LinkedTriangles::Triangle;
+  static constexpr std::uint32_t kNone = LinkedTriangles::kNone;
 
   Flips(const TetGeometry& geometry, const std::array<Deviator<double>, 4>& tensors,
-        const Level<double>& level, Folded folded)
-      : geometry_(geometry), tensors_(tensors), level_(level), folded_(folded) {}
+        const Level<double>& level, Folded folded, std::vector<Triangle> triangles)
+      : geometry_(geometry),
+        tensors_(tensors),
+        level_(level),
+        folded_(folded),
+        triangles_(std::move(triangles)) {}
 
   std::vector<Vector3<double>> points;
   std::vector<std::uint8_t> faces;  ///< of the tetrahedron, that hold the vertices
-  std::vector<Triangle> triangles;
+
+  const LinkedTriangles& triangles() const { return triangles_; }
 
   std::size_t run() {
-    find_neighbours();
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    start_edges();
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       std::array<double, 3> offsets;
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t u = across_[t][k];
-        offsets[k] = u < t ? shapes_[u].offsets[corner_of(triangles[u], triangles[t][(k + 1) % 3])]
-                           : middle_of(triangles[t][k], triangles[t][(k + 1) % 3]).offset;
+        const std::uint32_t u = triangles_.across(t, k);
+        const std::uint32_t next = triangles_[t][(k + 1) % 3];
+        offsets[k] = u < t ? shapes_[u].offsets[triangles_.corner_of(u, next)]
+                           : middle_of(triangles_[t][k], next).offset;
       }
-      shapes_.push_back(shape_of(triangles[t], offsets));
+      shapes_.push_back(shape_of(triangles_[t], offsets));
     }
     std::vector<std::array<std::uint32_t, 2>> edges;
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k)
-        if (t < across_[t][k]) edges.push_back({t, k});
+        if (t < triangles_.across(t, k)) edges.push_back({t, k});
     std::size_t flipped = 0;
     // Ends by itself: squares never grow, and angles do where these stay. This is for rounding.
-    const std::size_t most = 4 * triangles.size();
+    const std::size_t most = 4 * triangles_.size();
     for (std::size_t next = 0; next < edges.size() && flipped < most; ++next) {
       const auto [t, k] = edges[next];
-      const std::uint32_t u = across_[t][k];
+      const std::uint32_t u = triangles_.across(t, k);
       if (u == kNone || !flip(t, k)) continue;
       ++flipped;
       for (const std::uint32_t v : {t, u})
         for (std::uint32_t i = 0; i < 3; ++i)
-          if (across_[v][i] != kNone && across_[v][i] != t && across_[v][i] != u)
+          if (triangles_.across(v, i) != kNone && triangles_.across(v, i) != t &&
+              triangles_.across(v, i) != u)
             edges.push_back({v, i});
     }
     return flipped;
@@ -133,30 +132,15 @@ class Flips {
     Vector3<double> up;
   };
 
-  /// across_[t][k]: the triangle across the edge from corner k to the next.
-  void find_neighbours() {
-    struct Side {
-      std::uint64_t edge;  ///< smaller vertex first
-      std::uint32_t triangle, corner;
-    };
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-      for (std::uint32_t k = 0; k < 3; ++k)
-        sides.push_back({key(triangles[t][k], triangles[t][(k + 1) % 3]), t, k});
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& p, const Side& q) { return p.edge < q.edge; });
+  void start_edges() {
     std::vector<EdgeSet::Edge> edges;
-    edges.reserve(sides.size());
-    for (const Side& side : sides)
-      if (edges.empty() || edges.back() != side.edge) edges.push_back(side.edge);
+    edges.reserve(2 * triangles_.size() + 1);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        if (t < triangles_.across(t, k))  // each once; nothing across is a large number
+          edges.push_back(key(triangles_[t][k], triangles_[t][(k + 1) % 3]));
+    std::sort(edges.begin(), edges.end());
     edges_.start(std::move(edges));
-    across_.assign(triangles.size(), {kNone, kNone, kNone});
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-      if (sides[i].edge == sides[i + 1].edge) {
-        across_[sides[i].triangle][sides[i].corner] = sides[i + 1].triangle;
-        across_[sides[i + 1].triangle][sides[i + 1].corner] = sides[i].triangle;
-      }
   }
 
   Middle middle_of(std::uint32_t a, std::uint32_t b) const {
@@ -190,21 +174,9 @@ class Flips {
     return std::uint64_t{low} << 32 | high;
   }
 
-  static std::uint32_t corner_of(const Triangle& t, std::uint32_t v) {
-    return static_cast<std::uint32_t>(std::find(t.begin(), t.end(), v) - t.begin());
-  }
-
-  void set_across(std::uint32_t t, std::uint32_t from, std::uint32_t to) {
-    if (t != kNone) *std::find(across_[t].begin(), across_[t].end(), from) = to;
-  }
-
   /// Replaces the edge of triangle t after its corner k by the other diagonal, if that is better.
   bool flip(std::uint32_t t, std::uint32_t k) {
-    const std::uint32_t u = across_[t][k];
-    const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3],
-                        c = triangles[t][(k + 2) % 3];
-    const std::uint32_t at_b = corner_of(triangles[u], b);
-    const std::uint32_t d = triangles[u][(at_b + 2) % 3];
+    const auto [u, at_b, a, b, c, d] = triangles_.pair_at(t, k);
     if (c == d || (faces[c] & faces[d]) != 0) return false;
     const Triangle one{a, d, c}, two{d, b, c};
     const Middle middle = middle_of(c, d);
@@ -218,19 +190,12 @@ class Flips {
     const bool is_closer = squares < kCloser * old_squares && sine > kAnglesKept * old_sine;
     const bool is_wider = squares <= old_squares && sine > kWider * old_sine;
     const bool is_unfolded = folded_ == Folded::unfolded &&
-                             dot(normal(triangles[t]), normal(triangles[u])) <= 0 &&
+                             dot(normal(triangles_[t]), normal(triangles_[u])) <= 0 &&
                              dot(normal(one), normal(two)) > 0;
     if (!(is_closer || is_wider || is_unfolded) || edges_.contains(key(c, d))) return false;
     edges_.erase(key(a, b));
     edges_.insert(key(c, d));
-    const std::uint32_t bc = across_[t][(k + 1) % 3], ca = across_[t][(k + 2) % 3],
-                        ad = across_[u][(at_b + 1) % 3], db = across_[u][(at_b + 2) % 3];
-    triangles[t] = one;
-    triangles[u] = two;
-    across_[t] = {ad, u, ca};
-    across_[u] = {db, bc, t};
-    set_across(ad, u, t);
-    set_across(bc, t, u);
+    triangles_.flip(t, k);
     shapes_[t] = p;
     shapes_[u] = q;
     return true;
@@ -240,7 +205,7 @@ class Flips {
   const std::array<Deviator<double>, 4>& tensors_;
   const Level<double>& level_;
   Folded folded_;
-  std::vector<std::array<std::uint32_t, 3>> across_;
+  LinkedTriangles triangles_;
   std::vector<Shape> shapes_;
   EdgeSet edges_;
 };
@@ -256,8 +221,7 @@ std::size_t flip_edges(const TetWithCurves<Scalar>& tet, const Level<Scalar>& le
   for (auto& p : corners) p = unit * p;
   const TetGeometry geometry(corners, tet.simplex.exponents);
   const std::array<Deviator<double>, 4> tensors = rounded(tet.simplex.tensors);
-  const auto level_in_double = in_double(level);
-  Flips flips(geometry, tensors, level_in_double, folded);
+  const auto in_double = level_in_double(level);
 
   std::vector<std::int32_t> ids;
   for (const auto& t : patch.triangles) ids.insert(ids.end(), t.begin(), t.end());
@@ -266,6 +230,11 @@ std::size_t flip_edges(const TetWithCurves<Scalar>& tet, const Level<Scalar>& le
   const auto place = [&](std::int32_t id) {
     return static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
   };
+  std::vector<Flips::Triangle> triangles;
+  triangles.reserve(patch.triangles.size());
+  for (const auto& t : patch.triangles)
+    triangles.push_back({place(t[0]), place(t[1]), place(t[2])});
+  Flips flips(geometry, tensors, in_double, folded, std::move(triangles));
   flips.points.resize(ids.size());
   flips.faces.resize(ids.size(), 0);
   for (std::size_t i = 0; i < ids.size() && ids[i] < 0; ++i)
@@ -276,13 +245,10 @@ std::size_t flip_edges(const TetWithCurves<Scalar>& tet, const Level<Scalar>& le
       flips.points[place(vertex.id)] = unit * vertex.position;
       flips.faces[place(vertex.id)] = vertex.faces;
     }
-  flips.triangles.reserve(patch.triangles.size());
-  for (const auto& t : patch.triangles)
-    flips.triangles.push_back({place(t[0]), place(t[1]), place(t[2])});
   const std::size_t count = flips.run();
   if (count > 0)
     for (std::size_t i = 0; i < patch.triangles.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) patch.triangles[i][k] = ids[flips.triangles[i][k]];
+      for (std::size_t k = 0; k < 3; ++k) patch.triangles[i][k] = ids[flips.triangles()[i][k]];
   return count;
 }
 

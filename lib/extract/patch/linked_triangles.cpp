@@ -1,31 +1,25 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "extract/patch/fill/disc_triangles.hpp"
+#include "extract/patch/linked_triangles.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <utility>
 
 namespace tensortopo {
 
-DiscTriangles::DiscTriangles(std::span<const std::array<int, 3>> triangles) {
-  triangles_.reserve(4 * triangles.size());
-  across_.reserve(4 * triangles.size());
+LinkedTriangles::LinkedTriangles(std::vector<Triangle> triangles)
+    : triangles_(std::move(triangles)), across_(triangles_.size(), {kNone, kNone, kNone}) {
   struct Side {
     std::uint64_t edge;  ///< smaller vertex first
     std::uint32_t triangle, corner;
   };
   std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (const auto& t : triangles) {
-    triangles_.push_back(
-        {static_cast<Vertex>(t[0]), static_cast<Vertex>(t[1]), static_cast<Vertex>(t[2])});
-    across_.push_back({kNone, kNone, kNone});
+  sides.reserve(3 * triangles_.size());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t)
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangles_.back()[k], triangles_.back()[(k + 1) % 3]);
-      sides.push_back(
-          {std::uint64_t{low} << 32 | high, static_cast<std::uint32_t>(triangles_.size() - 1), k});
+      const auto [low, high] = std::minmax(triangles_[t][k], triangles_[t][(k + 1) % 3]);
+      sides.push_back({std::uint64_t{low} << 32 | high, t, k});
     }
-  }
   std::sort(sides.begin(), sides.end(),
             [](const Side& p, const Side& q) { return p.edge < q.edge; });
   for (std::size_t i = 0; i + 1 < sides.size(); ++i)
@@ -35,32 +29,36 @@ DiscTriangles::DiscTriangles(std::span<const std::array<int, 3>> triangles) {
     }
 }
 
-std::uint32_t DiscTriangles::corner_of(std::uint32_t t, Vertex v) const {
+std::uint32_t LinkedTriangles::corner_of(std::size_t t, Vertex v) const {
   const auto& corners = triangles_[t];
   return static_cast<std::uint32_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
 }
 
-void DiscTriangles::set_across(std::uint32_t t, std::uint32_t from, std::uint32_t to) {
+void LinkedTriangles::set_across(std::uint32_t t, std::uint32_t from, std::uint32_t to) {
   if (t != kNone) *std::find(across_[t].begin(), across_[t].end(), from) = to;
 }
 
-auto DiscTriangles::opposite(std::size_t t, std::size_t k) const -> Vertex {
-  const std::uint32_t u = across_[t][k];
-  return triangles_[u][(corner_of(u, triangles_[t][k]) + 1) % 3];
+auto LinkedTriangles::pair_at(std::size_t t, std::size_t k) const -> Pair {
+  Pair pair{across_[t][k],
+            0,
+            triangles_[t][k],
+            triangles_[t][(k + 1) % 3],
+            triangles_[t][(k + 2) % 3],
+            0};
+  pair.corner = corner_of(pair.other, pair.b);
+  pair.d = triangles_[pair.other][(pair.corner + 2) % 3];
+  return pair;
 }
 
-bool DiscTriangles::has_edge(Vertex a, Vertex b) const {
+bool LinkedTriangles::has_edge(Vertex a, Vertex b) const {
   return std::any_of(triangles_.begin(), triangles_.end(), [&](const Triangle& t) {
     return std::find(t.begin(), t.end(), a) != t.end() &&
            std::find(t.begin(), t.end(), b) != t.end();
   });
 }
 
-void DiscTriangles::bisect(std::uint32_t t, std::uint32_t k, Vertex middle) {
-  const std::uint32_t u = across_[t][k];
-  const Vertex a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
-  const std::uint32_t at_b = corner_of(u, b);
-  const Vertex d = triangles_[u][(at_b + 2) % 3];
+void LinkedTriangles::bisect(std::uint32_t t, std::uint32_t k, Vertex middle) {
+  const auto [u, at_b, a, b, c, d] = pair_at(t, k);
   const std::uint32_t bc = across_[t][(k + 1) % 3], ca = across_[t][(k + 2) % 3],
                       ad = across_[u][(at_b + 1) % 3], db = across_[u][(at_b + 2) % 3];
   const auto p = static_cast<std::uint32_t>(triangles_.size()), q = p + 1;
@@ -76,11 +74,8 @@ void DiscTriangles::bisect(std::uint32_t t, std::uint32_t k, Vertex middle) {
   set_across(db, u, q);
 }
 
-void DiscTriangles::flip(std::uint32_t t, std::uint32_t k) {
-  const std::uint32_t u = across_[t][k];
-  const Vertex a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
-  const std::uint32_t at_b = corner_of(u, b);
-  const Vertex d = triangles_[u][(at_b + 2) % 3];
+void LinkedTriangles::flip(std::uint32_t t, std::uint32_t k) {
+  const auto [u, at_b, a, b, c, d] = pair_at(t, k);
   const std::uint32_t bc = across_[t][(k + 1) % 3], ca = across_[t][(k + 2) % 3],
                       ad = across_[u][(at_b + 1) % 3], db = across_[u][(at_b + 2) % 3];
   triangles_[t] = {a, d, c};
