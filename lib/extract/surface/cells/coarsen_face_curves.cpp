@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
@@ -54,11 +55,13 @@ class FaceCurveCoarsening {
         seam_(input.options, cells),
         level_(make_level<double>(input.level.value)),
         states_(meshes.cells.size()),
-        is_going_(meshes.vertices.position.size(), 0),
-        is_staying_(is_going_.size(), 0) {}
+        may_go_(meshes.vertices.position.size(), 0),
+        at_needle_(may_go_.size(), 0),
+        is_going_(may_go_.size(), 0),
+        is_staying_(may_go_.size(), 0) {}
 
   void run() {
-    const auto cells = cells_with_needles_around();
+    const auto cells = cells_at_needles();
     for_each_of(cells, [&](std::size_t t) { look(t); });
     for_each_of(cells, [&](std::size_t t) { propose(t); });
     for (const auto t : cells) {
@@ -97,23 +100,35 @@ class FaceCurveCoarsening {
                    [&](std::size_t i) { body(cells[i]); });
   }
 
-  /// Whether a tetrahedron may have a needle.
-  bool may_have_needle(std::size_t t) const {
-    std::array<Vector3<double>, 4> points;
-    for (std::size_t i = 0; i < 4; ++i)
-      points[i] = input_.mesh.points[as_size(input_.vertices_of(cells_, t)[i])];
-    const double unit = unit_of(points);
+  /// Marks the samples that may go and are corners of needles of a tetrahedron.
+  void mark_samples_at_needles(std::size_t t) {
     const auto& triangles = meshes_.cells[t].patch.triangles;
-    return std::any_of(triangles.begin(), triangles.end(), [&](const auto& triangle) {
-      if (std::any_of(triangle.begin(), triangle.end(), [](Index v) { return v < 0; }))
-        return true;  // not known yet
-      const auto at = [&](std::size_t i) {
-        return unit * meshes_.vertices.position[as_size(triangle[i])];
-      };
-      const auto p = at(0), q = at(1), r = at(2);
-      const auto n = cross(q - p, r - p);
-      return !(least_sine(p, q, r, length(n)) > kSineOfNeedle);
-    });
+    const auto may_go = [&](Index v) { return v >= 0 && may_go_[as_size(v)] != 0; };
+    std::array<Vector3<double>, 4> points;
+    double unit = 0;  // not known yet
+    for (const auto& triangle : triangles) {
+      if (std::none_of(triangle.begin(), triangle.end(), may_go)) continue;
+      if (unit == 0) {
+        for (std::size_t i = 0; i < 4; ++i)
+          points[i] = input_.mesh.points[as_size(input_.vertices_of(cells_, t)[i])];
+        unit = unit_of(points);
+      }
+      if (!may_be_needle(triangle, unit)) continue;
+      // Both tetrahedra of a face may mark a sample.
+      for (const Index v : triangle)
+        if (may_go(v)) std::atomic_ref(at_needle_[as_size(v)]).store(1, std::memory_order_relaxed);
+    }
+  }
+
+  bool may_be_needle(const std::array<Index, 3>& triangle, double unit) const {
+    if (std::any_of(triangle.begin(), triangle.end(), [](Index v) { return v < 0; }))
+      return true;  // the position of a vertex inside is not known yet
+    const auto at = [&](std::size_t i) {
+      return unit * meshes_.vertices.position[as_size(triangle[i])];
+    };
+    const auto p = at(0), q = at(1), r = at(2);
+    const auto n = cross(q - p, r - p);
+    return !(least_sine(p, q, r, length(n)) > kSineOfNeedle);
   }
 
   bool may_change(std::size_t t) const {
@@ -133,24 +148,38 @@ class FaceCurveCoarsening {
                        [&](Index t) { return t < 0 || may_change(as_size(t)); });
   }
 
-  /// The tetrahedra that have needles, and their neighbours across faces with samples.
-  std::vector<std::size_t> cells_with_needles_around() {
-    const std::size_t count = meshes_.cells.size();
-    std::vector<char> has_needle(count, 0), is_around(count, 0);
-    parallel_stage(input_.options, "tetrahedra", count, 256,
-                   [&](std::size_t t) { has_needle[t] = may_have_needle(t); });
-    may_change_on_.assign(cells_.faces.size(), 0);
-    for (std::size_t f = 0; f < cells_.faces.size(); ++f) {
+  /// The samples of a face, as numbers of vertices: the first, and the one after the last.
+  std::array<std::size_t, 2> samples_of(std::size_t f) const {
+    const auto first = as_size(meshes_.vertices.of_face[f]);
+    std::size_t count = 0;
+    for (const auto& arc : meshes_.boundary.arcs[f]) count += arc.samples.size();
+    return {first, first + count};
+  }
+
+  /// The tetrahedra of the faces that have a sample at a needle which may go.
+  std::vector<std::size_t> cells_at_needles() {
+    const std::size_t faces = cells_.faces.size();
+    may_change_on_.assign(faces, 0);
+    // Samples belong to one face each, so that no two threads write to one.
+    parallel_stage(input_.options, "faces", faces, 1024, [&](std::size_t f) {
       may_change_on_[f] = may_change_on(f);
-      if (!may_change_on_[f]) continue;
-      const auto [t, u] = cells_.face_tets[f];
-      if (!has_needle[as_size(t)] && (u < 0 || !has_needle[as_size(u)])) continue;
-      is_around[as_size(t)] = 1;
-      if (u >= 0) is_around[as_size(u)] = 1;
-    }
+      if (!may_change_on_[f]) return;
+      const auto [first, last] = samples_of(f);
+      std::fill(may_go_.data() + first, may_go_.data() + last, 1);
+    });
+    parallel_stage(input_.options, "tetrahedra", meshes_.cells.size(), 256,
+                   [&](std::size_t t) { mark_samples_at_needles(t); });
     std::vector<std::size_t> cells;
-    for (std::size_t t = 0; t < count; ++t)
-      if (is_around[t]) cells.push_back(t);
+    for (std::size_t f = 0; f < faces; ++f) {
+      if (!may_change_on_[f]) continue;
+      const auto [first, last] = samples_of(f);
+      const auto is_marked = [](char mark) { return mark != 0; };
+      if (std::none_of(at_needle_.data() + first, at_needle_.data() + last, is_marked)) continue;
+      for (const Index t : cells_.face_tets[f])
+        if (t >= 0) cells.push_back(as_size(t));
+    }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
   }
 
@@ -254,17 +283,14 @@ class FaceCurveCoarsening {
       const Index other = seam_.across(t, face);
       const auto f = as_size(cells_.tet_faces[t][face]);
       if (other < 0 || !may_change_on_[f]) continue;
-      const auto first = meshes_.vertices.of_face[f];
-      Index count = 0;
-      for (const auto& arc : meshes_.boundary.arcs[f])
-        count += static_cast<Index>(arc.samples.size());
+      const auto [first, last] = samples_of(f);
       bool any = round == MeshingMessage::kProposal;
       std::uint64_t digest = 0;
       double kind = 0;
       for (const auto* list : lists) {
         kind += 1;
         for (const auto v : *list) {
-          if (v < first || v >= first + count) continue;
+          if (as_size(v) < first || as_size(v) >= last) continue;
           any = true;
           const auto& p = meshes_.vertices.position[as_size(v)];
           digest += digest_of(std::array{kind, p.x, p.y, p.z});
@@ -300,6 +326,8 @@ class FaceCurveCoarsening {
   const Level<double> level_;
   std::vector<char> may_change_on_;             ///< of each face
   std::vector<std::unique_ptr<State>> states_;  ///< of the tetrahedra that are looked at
+  std::vector<char> may_go_;                    ///< of each vertex: a sample that may go
+  std::vector<char> at_needle_;                 ///< of these, those at which a needle may be
   std::vector<char> is_going_;                  ///< of each vertex
   std::vector<char> is_staying_;  ///< of each vertex: a tetrahedron refused to let it go
 };
