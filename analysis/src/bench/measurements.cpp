@@ -45,7 +45,9 @@ class Page {
     // First, while there is little in memory.
     text_ += programs_table(command_, budget_, progress_);
     times();
+    costs();
     serial_shares();
+    several_modes();
     curves();
     next_to_ends();
     if (has_other_methods()) other_methods();
@@ -67,12 +69,13 @@ class Page {
   // What parts of the page take, about, compared with each other: of each field and mode, and of
   // each field.
   static constexpr double kTimesWeight = 3, kMethodsWeight = 9;
-  static constexpr double kThreadsWeight = 2, kCurvesWeight = 0.5, kEndsWeight = 1;
+  static constexpr double kThreadsWeight = 2, kModesWeight = 3, kCurvesWeight = 0.5,
+                          kEndsWeight = 1;
 
   double times_weight() const { return kTimesWeight + (has_other_methods() ? kMethodsWeight : 0); }
   double weight_of_all() const {
     const double of_mode = kProgramsWeight + times_weight();
-    const double of_field = kThreadsWeight + kCurvesWeight + 2 * kEndsWeight;
+    const double of_field = kThreadsWeight + kModesWeight + kCurvesWeight + 2 * kEndsWeight;
     return static_cast<double>(command_.inputs.size()) *
            (of_field + of_mode * static_cast<double>(command_.modes.size()));
   }
@@ -124,11 +127,62 @@ class Page {
         add("| {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | "
             "{:.3f} | {:.1f} | {:.1f} | {:.0f} |\n",
             name(input), r.tetrahedra, both_signs(mode), r.series.front().seconds.size(),
-            r.series.front().triangles,
-            r.stages.at("edges"), r.stages.at("faces"), r.stages.at("tets"), r.stages.at("stitch"),
-            ours, certified, vtk, ours / vtk, certified / vtk,
-            ours / median("vtk_contour_3d_linear_grid"));
+            r.series.front().triangles, r.stages.at("edges"), r.stages.at("faces"),
+            r.stages.at("tets"), r.stages.at("stitch"), ours, certified, vtk, ours / vtk,
+            certified / vtk, ours / median("vtk_contour_3d_linear_grid"));
       }
+  }
+
+  /// Of the fields and modes of `times`.
+  void costs() {
+    add("\n## Cost of a triangle\n\nMicroseconds of processors for each triangle: seconds of a "
+        "stage "
+        "times threads, over triangles. `vtkContourGrid` runs on one thread; its triangles are its "
+        "own.\n\n"
+        "| field | modes | edges | faces | tetrahedra | assembly | all | vtkContourGrid | all over "
+        "it |\n|{}\n",
+        dashes(9));
+    for (const BenchReport& r : reports_) {
+      const auto of_series = [&](const char* name) {
+        return std::find_if(r.series.begin(), r.series.end(),
+                            [&](const BenchSeries& s) { return s.name == name; });
+      };
+      const auto ours = of_series("extract"), vtk = of_series("vtk_contour");
+      if (ours == r.series.end() || vtk == r.series.end() || ours->triangles == 0 ||
+          vtk->triangles == 0)
+        continue;
+      const double each =
+          1e6 * static_cast<double>(r.threads) / static_cast<double>(ours->triangles);
+      const double all = each * ours->median();
+      const double of_vtk = 1e6 * vtk->median() / static_cast<double>(vtk->triangles);
+      add("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.1f} |\n",
+          name(r.input), both_signs(r.modes.front()), each * r.stages.at("edges"),
+          each * r.stages.at("faces"), each * r.stages.at("tets"), each * r.stages.at("stitch"),
+          all, of_vtk, all / of_vtk);
+    }
+  }
+
+  void several_modes() {
+    add("\n## Several modes in one run\n\nSeconds without reading and writing, over those of one "
+        "mode (`bench --scaling modes`). The modes are spread evenly, so that other tetrahedra "
+        "hold "
+        "each surface.\n\n| field | seconds for 1 | 2 | 4 | 8 | 16 |\n|{}\n",
+        dashes(6));
+    for (const auto& input : command_.inputs) {
+      tell("several modes on " + name(input));
+      ScalingCommand scaling;
+      scaling.over = ScalingOver::modes;
+      scaling.input = input;
+      scaling.read = command_.read;
+      scaling.repeat = command_.repeat;
+      scaling.longest = budget_.take(kModesWeight);
+      const ScalingReport report = run_scaling(scaling);
+      const double one = report.points.front().seconds;
+      add("| {} | {:.2f} |", name(input), one);
+      for (std::size_t i = 1; i < report.points.size(); ++i)
+        add(" {:.1f} |", report.points[i].seconds / one);
+      add("\n");
+    }
   }
 
   void serial_shares() {
@@ -158,8 +212,9 @@ class Page {
     std::vector<std::string> result{"certified"};
     constexpr double kLargestOfPatches = 0.5;  // of A-patches
     for (const std::string& method : command_.only)
-      if (method == "hybrid" ? mode.sign() == 0
-                             : method != "a_patches" || std::abs(mode.approx()) <= kLargestOfPatches)
+      if (method == "hybrid"
+              ? mode.sign() == 0
+              : method != "a_patches" || std::abs(mode.approx()) <= kLargestOfPatches)
         result.push_back(method);
     return result;
   }
