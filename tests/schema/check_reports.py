@@ -61,6 +61,7 @@ def main():
         run("generate", "kelvin", "-o", "e.vtu", "--field-only", "--count", "2", "--together")
         run("extract", slab, "-o", "s.vtp", "--mode", "1/2", "--mode", "-1", "--generalized")
         run("extract", slab, "-o", "s.vtp", "--mode", "1/2", "--certify", "s.json")
+        run("extract", slab, "-o", "p.vtp", "--mode", "1/2", "--memory", "2GiB")
         run("check", slab, "s.vtp", "s.json")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--uncertainty", "1%")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--mode", "1", "--min-persistence", "0.02")

@@ -38,6 +38,24 @@ void require_no_surface_options(const ExtractCommand& command) {
     throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
 }
 
+/// Throws UsageError for what no estimate of the memory is about.
+void require_estimate(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
+  const char* const option = command.other                  ? "--method"
+                             : command.stream               ? "--stream"
+                             : command.pieces > 1           ? "--pieces"
+                             : command.max_error > 0        ? "--max-error"
+                             : command.improve              ? "--improve"
+                             : command.min_persistence > 0  ? "--min-persistence"
+                             : !command.uncertainty.empty() ? "--uncertainty"
+                             : !command.certificate.empty() ? "--certify"
+                                                            : nullptr;
+  if (option != nullptr)
+    throw UsageError(std::string("--memory: does not go with ") + option +
+                     ", of which the memory is not known beforehand");
+  if (std::any_of(modes.begin(), modes.end(), is_degenerate))
+    throw UsageError("--memory: has no effect on degenerate curves (--mode 1 or -1)");
+}
+
 }  // namespace
 
 void require_sense(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
@@ -63,6 +81,7 @@ void require_sense(const ExtractCommand& command, const std::vector<ModeValue>& 
   if (!command.uncertainty.empty() && command.other)
     throw UsageError(
         "--uncertainty: only surfaces of the methods `bisection` and `manifold` come with proofs");
+  if (command.memory > 0) require_estimate(command, modes);
   require_folder(command.output);
   if (!command.certificate.empty()) {
     require_certifiable(command.read, command.output, command.certificate);

@@ -141,6 +141,11 @@ std::string to_json(const ExtractReport& report) {
   const ExtractStatistics statistics = total_statistics(report);
   Json json = begin_json("tensortopo extract", report);
   json["output"] = output_json(report);
+  json["pieces"] = report.pieces;
+  if (report.memory)
+    json["memory"] = {{"limit_bytes", report.memory->limit},
+                      {"estimated_bytes", report.memory->estimated},
+                      {"peak_bytes", report.memory->peak}};
   json["surfaces"] = Json::array();
   for (const SurfaceReport& surface : report.surfaces) {
     json["surfaces"].push_back(surface_json(surface));

@@ -131,6 +131,9 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
       {"--pieces", "--mode", "1", "--pieces", "2"},
       {"--pieces", "--mode", "0.5", "--method", "marching", "--pieces", "2"},
       {"--pieces", "--mode", "0.5", "--max-error", "0.1", "--pieces", "2"},
+      {"--memory", "--mode", "1", "--memory", "8G"},
+      {"--memory", "--mode", "0.5", "--memory", "8G", "--pieces", "2"},
+      {"--memory", "--mode", "0.5", "--memory", "8G", "--improve"},
       {"--all-samples", "--mode", "0.5", "--method", "marching", "--all-samples"},
       {"--all-samples", "--invariant", "magnitude", "--value", "1", "--all-samples"},
       {"--resolution", "--mode", "0.5", "--resolution", "1e9"}};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -39,6 +40,8 @@ struct ExtractCommand {
   bool all_samples = false;  ///< `ExtractOptions::keep_samples`
   bool improve = false;  ///< surfaces by `improve_triangles`
   int pieces = 1;        ///< surfaces by `extract_in_pieces`, if more
+  /// Most bytes that the program may hold; chooses `pieces`, which then must be 1. 0 for no limit.
+  std::uint64_t memory = 0;
   bool stream = false;   ///< the field of a .pvtu piece by piece, by `extract_streamed`
   Provenance provenance;
   std::string uncertainty;  ///< of the field, as `parse_uncertainty` takes it, or array:NAME; empty for none

@@ -84,6 +84,13 @@ struct UnresolvedReport {
   std::vector<ModeValue> modes;  ///< for which it is unresolved
 };
 
+/// What came of a limit of the memory.
+struct MemoryReport {
+  std::uint64_t limit = 0;      ///< bytes that were asked for
+  std::uint64_t estimated = 0;  ///< bytes, before the extraction
+  std::uint64_t peak = 0;       ///< bytes that the program has held; 0 where nothing was written
+};
+
 /// What `run_extract` did.
 struct ExtractReport {
   Provenance provenance;
@@ -97,6 +104,8 @@ struct ExtractReport {
   std::size_t cells_left_out = 0;  ///< of the input, by a condition
   TornFaces torn_faces;            ///< of the input
 
+  std::int32_t pieces = 1;             ///< in which surfaces were extracted, one after the other
+  std::optional<MemoryReport> memory;  ///< if a limit was asked for
   std::vector<SurfaceReport> surfaces;       ///< one for each mode between -1 and 1
   std::vector<CurveReport> curves;           ///< one for each of the modes 1 and -1
   std::vector<UnresolvedReport> unresolved;  ///< by cell id, then reason

@@ -15,7 +15,7 @@ Provenance provenance_of(const CLI::App& app, const CommonOptions& common) {
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_name();
     if (option->count() == 0 || names_a_file(option) || name == "--json" || name == "--quiet" ||
-        name == "--threads" || name == "--pieces" || name == "--stream")
+        name == "--threads" || name == "--pieces" || name == "--memory" || name == "--stream")
       continue;
     const bool is_flag = option->get_type_size_max() == 0;
     provenance.options.emplace_back(name, is_flag ? std::vector<std::string>{} : option->results());

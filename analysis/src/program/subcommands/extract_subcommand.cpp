@@ -13,6 +13,7 @@
 
 #include "contours/vtk_contours.hpp"
 #include "program/options/invariant_option.hpp"
+#include "program/options/memory_option.hpp"
 #include "program/options/mode_option.hpp"
 #include "program/options/read_options.hpp"
 #include "program/output/progress_bar.hpp"
@@ -33,6 +34,7 @@ namespace {
 struct ExtractCommandOptions {
   ExtractCommand command;
   std::vector<std::string> modes;
+  std::string memory;
   std::string method = "bisection";
   BaselineOptions baseline;
   InvariantOption invariant;
@@ -108,6 +110,7 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
   if (options.modes.empty()) throw UsageError("--mode or --invariant is required");
   require_effect(options);
   command.modes = parse_modes(options.modes);
+  if (options.app->count("--memory") > 0) command.memory = parse_memory(options.memory);
   if (options.method == "manifold") command.meshing = MeshingMethod::manifold;
   command.other = other_method(options);
   command.only_neutral = options.method == "hybrid";
@@ -252,12 +255,18 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
                "Flip edges and move vertices within their tetrahedra and faces for better angles");
   app.add_flag("--all-samples", command.all_samples,
                "Keep samples of face curves that make needles and that the level can do without");
-  app.add_option("--pieces", command.pieces,
+  auto* pieces = app.add_option("--pieces", command.pieces,
                  "Extract so many pieces (slabs) of the mesh one after the other: the same surface, "
                  "bit for bit. For fields larger than memory see --stream")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N")
       ->capture_default_str();
+  app.add_option("--memory", options->memory,
+                 "Extract surfaces in as many pieces (--pieces) as keep the program below so much "
+                 "memory, or write nothing: bytes, or with a unit as 500M, 8G (powers of 1000) or "
+                 "2GiB. The field is in memory as a whole; else see --stream")
+      ->type_name("BYTES")
+      ->excludes(pieces);
   app.add_flag("--stream", command.stream,
                "Read the pieces of a .pvtu one after the other, for fields larger than memory: the "
                "same surface, bit for bit");
@@ -285,7 +294,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   add_invariant_option(app, options->invariant,
                        {"--mode", "--generalized", "--resolution", "--max-error", "--improve",
                         "--method", "--patch-samples", "--flatness", "--subdivide", "--all-samples",
-                        "--uncertainty", "--min-persistence", "--min-area", "--min-length", "--stream"});
+                        "--uncertainty", "--min-persistence", "--min-area", "--min-length", "--memory", "--stream"});
   writes(common,
          app.add_option("--certify", command.certificate,
                         "Also prove the topology and distances; the certificate (.json or .cbor)"))

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "extract/memory_plan.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include "tensortopo/mesh/as_size.hpp"
+#include "tensortopo/tensor/mode.hpp"
+
+namespace tensortopo {
+namespace {
+
+// Bytes. Measured as peaks of `extract --pieces N` on two threads, of two meshes of cubes cut in
+// six tetrahedra, with the surface of one mode:
+//   Kelvin's field, 1,053,696 tetrahedra, 19,196 crossed: 180 MB (N = 1), 295 (2), 217 (4), 180
+//   (16); a smoothed random field, 279,936 tetrahedra, 106,879 crossed: 281 MB (1), 252 (2), 235
+//   (4), 222 (8), 275 (32).
+// N = 16 of the first is the peak of reading.
+constexpr double kProgram = 50e6;  // the program with its libraries
+constexpr double kTet = 84;        // mesh and owners: (217 - 50 MB) less the slab of N = 4
+constexpr double kReadTet = 125;   // reading, and the screening of the whole: (180 - 50 MB) / tets
+constexpr double kSlabTet = 300;   // in the slab: (295 - 217 MB) / (tets / 2 - tets / 4)
+constexpr double kCrossed =
+    1250;  // surface of the slabs, merged and written: N = 2 and 4 of the second
+constexpr double kWholeCrossed = 1900;  // at once: N = 1 of the second, less kReadTet of all
+constexpr double kGhostCrossed = 360;   // where slabs meet: N = 32 less N = 8 of the second
+
+constexpr std::int32_t kMostPieces = 1000;
+
+/// Tetrahedra on both sides of a slab, of a cube of cubes cut in six.
+double ghosts(const MemorySizes& sizes) {
+  return 12 * std::cbrt(std::pow(static_cast<double>(sizes.tets) / 6, 2));
+}
+
+}  // namespace
+
+MemorySizes memory_sizes(const TetMesh& mesh, std::span<const ModeValue> modes) {
+  std::vector<double> at;
+  at.reserve(mesh.tensors.size());
+  for (const auto& tensor : mesh.tensors)
+    at.push_back(
+        mode_if_defined(deviator(tensor)).value_or(std::numeric_limits<double>::quiet_NaN()));
+  MemorySizes sizes{mesh.tets.size(), 0};
+  for (const ModeValue& mode : modes) {
+    const double level = mode.approx();
+    for (const auto& tet : mesh.tets) {
+      bool below = false, above = false;
+      for (const TetMesh::Index v : tet) {
+        below = below || at[as_size(v)] < level;
+        above = above || at[as_size(v)] >= level;
+      }
+      sizes.crossed += below && above;
+    }
+  }
+  return sizes;
+}
+
+double estimated_memory(const MemorySizes& sizes, std::int32_t pieces) {
+  const auto tets = static_cast<double>(sizes.tets), crossed = static_cast<double>(sizes.crossed);
+  const double reading = kProgram + kReadTet * tets;
+  if (pieces == 1) return reading + kWholeCrossed * crossed;
+  const double ghost = std::min(ghosts(sizes), tets), share = tets > 0 ? crossed / tets : 0;
+  const double slab = std::min(tets / pieces + ghost, tets);
+  return std::max(reading, kProgram + kTet * tets + kSlabTet * slab + kCrossed * crossed +
+                               kGhostCrossed * share * ghost * pieces);
+}
+
+std::optional<std::int32_t> pieces_within(const MemorySizes& sizes, std::uint64_t bytes) {
+  for (std::int32_t pieces = 1; pieces <= kMostPieces; ++pieces)
+    if (estimated_memory(sizes, pieces) <= static_cast<double>(bytes)) return pieces;
+  return std::nullopt;
+}
+
+double least_memory(const MemorySizes& sizes) {
+  double least = estimated_memory(sizes, 1);
+  for (std::int32_t pieces = 2; pieces <= kMostPieces; ++pieces)
+    least = std::min(least, estimated_memory(sizes, pieces));
+  return least;
+}
+
+std::uint64_t peak_memory() {
+  // Of this program alone, which ru_maxrss is not: it knows the process before exec as well.
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (std::uint64_t kib = 0; word == "VmHWM:" && status >> kib) return kib * 1024;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return static_cast<std::uint64_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+std::string memory_text(double bytes) {
+  constexpr std::array kUnits{"bytes", "kB", "MB", "GB", "TB"};
+  std::size_t unit = 0;
+  while (bytes >= 1000 && unit + 1 < kUnits.size()) bytes /= 1000, ++unit;
+  return unit == 0 ? fmt::format("{:.0f} bytes", bytes)
+                   : fmt::format("{:.4g} {}", bytes, kUnits[unit]);
+}
+
+}  // namespace tensortopo
