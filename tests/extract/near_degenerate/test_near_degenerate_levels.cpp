@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "extract/topology/regions/counted_sheets.hpp"
 #include "extract/cases/curved_tet.hpp"
+#include "extract/cases/extract_case.hpp"
+#include "extract/cases/laws.hpp"
 #include "extract/level/exact_tensors.hpp"
 #include "extract/level/segment_root.hpp"
 #include "extract/topology/near_degenerate_sheets.hpp"
-#include "extract/cases/extract_case.hpp"
-#include "extract/cases/laws.hpp"
+#include "extract/topology/regions/counted_sheets.hpp"
 #include "support/compared.hpp"
-#include "support/known_gaps.hpp"
 #include "support/fields/random_fields.hpp"
+#include "support/known_gaps.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/extract/predicate_counts.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
@@ -33,7 +33,10 @@ TEST_P(ThinLevels, HaveTheSameTopologyInTwoPrecisions) {
 }
 
 TEST_P(ThinLevels, OfIndependentTensorsAreFlawless) {
-  expect_flawless_surfaces(GetParam(), trials(1), 2, false, 20250510);
+  if (is_short())
+    expect_flawless_surfaces(GetParam(), 3, 1, false, 20250510);
+  else
+    expect_flawless_surfaces(GetParam(), trials(1), 2, false, 20250510);
 }
 
 TEST_P(ThinLevels, OfSmoothFieldsAreFlawless) {
@@ -208,7 +211,7 @@ TEST(ThinLevel, IsSettledNextToEdgesAndPlanesOfSymmetry) {
 TEST(ThinLevel, NeedsNoRationalsForSidesThatFiftyDigitsTell) {
   TetMesh mesh = cube_mesh(2);
   PredicateCounts all;
-  for (const std::uint64_t seed : {2u, 3u}) {
+  for (const unsigned seed : full_or_short<std::vector<unsigned>>({2, 3}, {2})) {
     fill_with_smooth_tensors(mesh, seed);
     const PredicateCounts before = predicate_counts();
     extract_mode_surface<double>(mesh, ModeValue::parse("0.999999999999"));
@@ -226,7 +229,9 @@ TEST(ThinLevel, IsFoundAtTheModeNextToOne) {
   fill_with_normal_tensors(mesh, 1);
   std::size_t crossed = 0, unresolved = 0;
   const PredicateCounts before = predicate_counts();
-  for (const char* mode : {"0.9999999999999999", "-0.9999999999999999"}) {
+  Share share(2);
+  for (const char* mode : {"-0.9999999999999999", "0.9999999999999999"}) {
+    if (!share.has("mode")) continue;
     const auto extraction = extract_mode_surface<double>(mesh, ModeValue::parse(mode));
     crossed += extraction.statistics.tets_crossed;
     unresolved += extraction.unresolved.size();
