@@ -96,15 +96,15 @@ TEST_P(EachStatement, IsRefutedIfANumberOfItIsWrong) {
     constants = std::max(constants, statement().check.constants(random_trial(7, i)));
   }
   ASSERT_GE(constants, 1u);
-  // The short suite leaves half of the slow ones to TopologyStatements.
-  tensortopo::test::Share share(is_quick(statement()) ? 1 : 2);
+  // The first fields of seed 11 show more of what takes long.
+  const std::uint64_t seed =
+      is_quick(statement()) ? 7 : tensortopo::test::full_or_short<std::uint64_t>(7, 11);
   for (std::size_t c = 0; c < constants; ++c) {
-    if (!share.has("number")) continue;
     bool noticed = false;
     for (std::size_t i = 0; i < fields && !noticed; ++i) {
       for (const int change : {1, -1}) {
         const Outcome outcome =
-            statement().check(random_trial(7, i), Arithmetic::rational, {c, change});
+            statement().check(random_trial(seed, i), Arithmetic::rational, {c, change});
         noticed = noticed || outcome.kind == Kind::violated;
       }
     }

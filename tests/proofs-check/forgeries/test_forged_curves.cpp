@@ -26,10 +26,12 @@ class CurveTrial {
     std::cout << tried_ << " forgeries\n";
   }
   void expect(const std::string& verdict, const CurveExhibit& e, const std::string& what) {
-    if (share_.has(what)) EXPECT_EQ(found(e), verdict) << what << '\n' << court_.report();
+    if (!share_.has(what)) return;
+    EXPECT_EQ(found(e), verdict) << what << '\n' << court_.report();
   }
   void expect_not_certified(const CurveExhibit& e, const std::string& what) {
-    if (share_.has(what)) EXPECT_NE(found(e), "certified") << what;
+    if (!share_.has(what)) return;
+    EXPECT_NE(found(e), "certified") << what;
   }
 
  private:
