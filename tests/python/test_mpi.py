@@ -22,7 +22,8 @@ pytestmark = pytest.mark.skipif(
 
 def mpirun(ranks, *words, python=("-m", "tensortopo.mpi")):
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                       OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_btl="self,vader")  # fmt: skip
+                       OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_mpi_yield_when_idle="1",
+                       OMPI_MCA_btl="self,vader")  # fmt: skip
     command = ["mpirun", "-n", str(ranks), sys.executable, *python, *map(str, words)]
     return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=240, check=False)
 

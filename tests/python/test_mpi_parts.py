@@ -249,9 +249,9 @@ class Parts:
 
 
 @pytest.fixture(scope="module")
-def honest(slab, tmp_path_factory):
+def honest(corner, tmp_path_factory):
     folder = tmp_path_factory.mktemp("honest")
-    write_pieces(slab, owners(slab, 3, "slabs", axis=1), folder)
+    write_pieces(corner, owners(corner, 3, "slabs", axis=1), folder)
     extract(folder, "1/2")
     return folder
 
