@@ -50,7 +50,7 @@ double share_of_complex_domain(const std::string& file, const std::string& mode)
 TEST(RenderTet, GreyIsTheShareOfTheComplexDomain) {
   const Folder folder;
   const std::string field = bifurcation(folder);
-  for (const std::string mode : full_or_short<std::vector<std::string>>({"1/5", "9/10"}, {"1/5"})) {
+  for (const std::string& mode : full_or_short<std::vector<std::string>>({"1/5", "9/10"}, {"1/5"})) {
     const Outcome run =
         run_program({"render", field, "--tet", "0", "--mode", mode, "--panels", "manifold",
                      "--beyond", "2", "--size", "300x360", "-o", folder / "m.png"});
