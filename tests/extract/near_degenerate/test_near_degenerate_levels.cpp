@@ -33,10 +33,7 @@ TEST_P(ThinLevels, HaveTheSameTopologyInTwoPrecisions) {
 }
 
 TEST_P(ThinLevels, OfIndependentTensorsAreFlawless) {
-  if (is_short())
-    expect_flawless_surfaces(GetParam(), 3, 1, false, 20250510);
-  else
-    expect_flawless_surfaces(GetParam(), trials(1), 2, false, 20250510);
+  expect_flawless_surfaces(GetParam(), trials(1), 2, false, 20250510);
 }
 
 TEST_P(ThinLevels, OfSmoothFieldsAreFlawless) {
@@ -211,7 +208,7 @@ TEST(ThinLevel, IsSettledNextToEdgesAndPlanesOfSymmetry) {
 TEST(ThinLevel, NeedsNoRationalsForSidesThatFiftyDigitsTell) {
   TetMesh mesh = cube_mesh(2);
   PredicateCounts all;
-  for (const unsigned seed : full_or_short<std::vector<unsigned>>({2, 3}, {2})) {
+  for (const std::uint64_t seed : {2u, 3u}) {
     fill_with_smooth_tensors(mesh, seed);
     const PredicateCounts before = predicate_counts();
     extract_mode_surface<double>(mesh, ModeValue::parse("0.999999999999"));
