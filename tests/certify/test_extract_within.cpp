@@ -20,8 +20,7 @@ class Within : public testing::TestWithParam<const char*> {};
 TEST_P(Within, ReachesTheDistanceWithTheTopologyOfThePlainExtraction) {
   const auto mode = ModeValue::parse(GetParam());
   std::size_t crossed = 0, farther = 0;
-  constexpr std::uint64_t first = 20241301;
-  for (auto seed = first; seed < first + static_cast<std::uint64_t>(trials(4)); ++seed) {
+  for (std::uint64_t seed = 20241301; seed < 20241305; ++seed) {
     SCOPED_TRACE(seed);
     TetMesh mesh = cube_mesh(1);
     fill_with_normal_tensors(mesh, seed);
