@@ -8,9 +8,10 @@
 #include <cmath>
 #include <vector>
 
+#include "support/fields/random_fields.hpp"
 #include "support/generators.hpp"
 #include "support/known_gaps.hpp"
-#include "support/fields/random_fields.hpp"
+#include "support/trials.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/field/critical_gaps.hpp"
 #include "tensortopo/field/degenerate_arcs.hpp"
@@ -48,7 +49,7 @@ RC_GTEST_PROP(CriticalGaps, LeaveOutNoCriticalValue, ()) {
 TEST(CriticalGaps, ReachTheNearestCriticalValueAlmostAlways) {
   Random random(20261107);
   int sharp = 0, decided = 0;
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < trials(200); ++trial) {
     const auto tensors = random.tet_tensors();
     const int sign = random.integer(0, 1) == 0 ? 1 : -1;
     const ModeValue mode = mode_of_gap(std::ldexp(1.0, -random.integer(1, 12)), sign);
@@ -66,7 +67,7 @@ TEST(CriticalGaps, ReachTheNearestCriticalValueAlmostAlways) {
     ++decided;
     sharp += found->open_until >= nearest / 1.3 ? 1 : 0;
   }
-  EXPECT_GE(decided, 150);
+  EXPECT_GE(decided, trials(150));
   EXPECT_GE(20 * sharp, 19 * decided) << sharp << " of " << decided;
 }
 
@@ -77,7 +78,8 @@ TEST(CriticalGaps, SeeTheSaddleInside) {
   };
   const TetTensors tensors{at(2, 2, 2), at(2, -2, -2), at(-2, 2, -2), at(-2, -2, 2)};
   const double saddle = 1 - 143.0 * 143 / (343.0 * 343);
-  const auto before = critical_gaps(cell_critical_points(tensors), ModeValue::parse("-0.418"), 0.99);
+  const auto before =
+      critical_gaps(cell_critical_points(tensors), ModeValue::parse("-0.418"), 0.99);
   ASSERT_TRUE(before);
   EXPECT_LE(before->open_until, saddle * (1 + 1e-12));
   EXPECT_FALSE(critical_gaps(cell_critical_points(tensors), ModeValue::parse("-143/343"), 0.99));

@@ -4,9 +4,10 @@
 
 #include <iostream>
 
-#include "support/oracles/brute_force.hpp"
 #include "support/compared.hpp"
 #include "support/fields/random_fields.hpp"
+#include "support/oracles/brute_force.hpp"
+#include "support/trials.hpp"
 #include "tensortopo/field/degenerate_arcs.hpp"
 #include "tensortopo/field/level_count.hpp"
 
@@ -27,7 +28,8 @@ TEST(LevelCount, HasOneLevelFromBothSides) {
         return degenerate_arcs(tensors, {0, 0, 0, 0}, ModeValue::parse(side)).has_value();
       };
       if (!has_clean_arcs("9/10") || !has_clean_arcs("-9/10")) continue;
-      const auto above = count_level(cell_critical_points(tensors), mode, 1), below = count_level(cell_critical_points(tensors), mode, -1);
+      const auto above = count_level(cell_critical_points(tensors), mode, 1),
+                 below = count_level(cell_critical_points(tensors), mode, -1);
       if (!above || !below) continue;
       ++compared;
       other_than_a_disc += above->level() != 1 ? 1 : 0;
@@ -44,8 +46,10 @@ TEST(LevelCount, HasTheEulerCharacteristicThatBruteForceSees) {
   const std::uint64_t seed = 20250572;
   SCOPED_TRACE(seed);
   Random random(seed);
-  Compared compared("levels that brute force decides", 60), several("with several sheets", 10);
-  for (int trial = 0; trial < 60; ++trial) {
+  const auto count_of = [](int count) { return static_cast<std::size_t>(trials(count)); };
+  Compared compared("levels that brute force decides", count_of(60)),
+      several("with several sheets", count_of(10));
+  for (int trial = 0; trial < trials(60); ++trial) {
     const TetTensors tensors = random.tet_tensors();
     for (const char* text : {"-4/5", "1/3", "1/2"}) {
       const ModeValue mode = ModeValue::parse(text);
@@ -78,7 +82,8 @@ TEST(LevelCount, ChangesByWhatIsBetweenTwoLevels) {
       for (const auto& mode : {near, far}) {
         const auto& from = side > 0 ? half : mode;
         const auto& to = side > 0 ? mode : half;
-        const auto first = count_level(cell_critical_points(tensors), from, side), last = count_level(cell_critical_points(tensors), to, side);
+        const auto first = count_level(cell_critical_points(tensors), from, side),
+                   last = count_level(cell_critical_points(tensors), to, side);
         const auto change = count_change(cell_critical_points(tensors), from, to, side);
         if (!first || !last) continue;
         ++compared;

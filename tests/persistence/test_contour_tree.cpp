@@ -8,6 +8,7 @@
 
 #include "support/compared.hpp"
 #include "support/fields/random_fields.hpp"
+#include "support/trials.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/persistence/contour_tree.hpp"
@@ -19,9 +20,11 @@ namespace {
 // Another computation that shares nothing with the tree but critical points: each arc across a mode
 // is a component of its surface.
 TEST(ContourTree, ArcsAreComponentsOfSurfaces) {
-  Compared compared("components", 100), several("surfaces of several components", 10);
-  Compared complete("complete trees", 5);
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  const auto count_of = [](int count) { return static_cast<std::size_t>(trials(count)); };
+  Compared compared("components", count_of(100)),
+      several("surfaces of several components", count_of(10));
+  Compared complete("complete trees", count_of(5));
+  for (std::uint64_t seed = 1; seed <= count_of(6); ++seed) {
     TetMesh mesh = cube_mesh(2);
     fill_with_normal_tensors(mesh, seed);
     const ContourTree tree = contour_tree(mesh, persistence_input(mesh));

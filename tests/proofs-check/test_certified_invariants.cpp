@@ -35,7 +35,9 @@ TEST(CertifiedInvariants, BundledFieldsAreCertified) {
       {"s4_",
        {"magnitude 1/4", "magnitude 1/2", "deviator-magnitude 0.2", "deviator-magnitude 0.4",
         "anisotropy 0.7", "anisotropy 9/10"}}};
+  Share share(2);
   for (const auto& [name, levels] : fields) {
+    if (!share.has("field")) continue;
     const auto files = bundled_files();
     const auto file = std::find_if(files.begin(), files.end(), [&](const auto& f) {
       return f.string().find(name) != std::string::npos;
@@ -223,7 +225,7 @@ TEST(CertifiedInvariants, ManyZeroTensorsAreNamedAndNothingIsRefuted) {
   Random random(kSeed);
   Court court("zero_tensors");
   std::size_t cut = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < trials(60); ++trial) {
     TetMesh mesh = cube_mesh(2);
     fill_with_normal_tensors(mesh, kSeed + static_cast<std::uint64_t>(trial));
     for (int i = 0; i < 6; ++i) mesh.tensors[static_cast<std::size_t>(random.integer(0, 26))] = {};

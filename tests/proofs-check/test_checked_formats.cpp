@@ -11,6 +11,7 @@
 #include "analysis/run_program.hpp"
 #include "certificate_check/check_certificate.hpp"
 #include "io/field_files.hpp"
+#include "support/trials.hpp"
 #include "tensortopo/hash/number_hash.hpp"
 
 namespace tensortopo::test {
@@ -101,7 +102,7 @@ TEST(CheckedFormats, NoAlteredFileIsCertifiedForAnotherField) {
   for (const Format& format : formats()) {
     const Certified c(format);
     const std::string whole = slurp(c.input), hash = field_sha256(read_mesh(c.input).mesh);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < trials(40); ++i) {
       std::string bytes = whole;
       bytes[random() % bytes.size()] = "0123456789 -.e\n"[random() % 15];
       if (i % 8 == 0) bytes.resize(random() % bytes.size());
@@ -116,7 +117,7 @@ TEST(CheckedFormats, NoAlteredFileIsCertifiedForAnotherField) {
       EXPECT_NE(verdict, "certified") << format.name << ", edit " << i;
     }
   }
-  EXPECT_GT(other, 50u);
+  EXPECT_GT(other, static_cast<std::size_t>(trials(50)));
 }
 
 /// What the checker does not read is refused before anything is extracted.
@@ -158,9 +159,9 @@ TEST(CheckedFormats, OthersAreNotCertified) {
   const std::string two = text.str();
   const std::string end = "</UnstructuredGrid>";
   const auto begin = two.find("<Piece");
-  std::ofstream(folder / "two.vtu")
-      << one.substr(0, one.find(end)) + two.substr(begin, two.find(end) - begin) +
-             one.substr(one.find(end));
+  std::ofstream(folder / "two.vtu") << one.substr(0, one.find(end)) +
+                                           two.substr(begin, two.find(end) - begin) +
+                                           one.substr(one.find(end));
   expect_refused("two.vtu", "not of one piece");
   std::ofstream(folder / "one.vtu") << one;
   for (const std::string name : {"index.pvtu", "INDEX.PVTU"}) {

@@ -4,9 +4,20 @@ import os
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import tensortopo as tt
+
+
+def is_short():
+    """Is this the short suite, which tries fewer inputs?"""
+    return 0 < float(os.environ.get("TENSORTOPO_TEST_MULTIPLIER", 1)) < 1
+
+
+def tried(inputs):
+    """All of a list, or in the short suite every other."""
+    return inputs[::2] if is_short() else inputs
 
 
 @pytest.fixture(scope="session")
@@ -22,6 +33,14 @@ def slab_file(data):
 @pytest.fixture(scope="session")
 def slab(slab_file):
     return tt.read(slab_file)
+
+
+@pytest.fixture(scope="session")
+def corner(slab):
+    """The cells of the slab's lower sixth, where surfaces pass, for what does not depend on a field's size."""
+    x = slab.points[slab.tets].mean(axis=1)[:, 0]
+    used, tets = np.unique(slab.tets[x < np.quantile(x, 1 / 6)], return_inverse=True)
+    return tt.Field(slab.points[used], slab.tensors[used], tets.reshape(-1, 4))
 
 
 @pytest.fixture(scope="session")

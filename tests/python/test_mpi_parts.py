@@ -10,6 +10,7 @@ import textwrap
 
 import numpy as np
 import pytest
+from conftest import tried
 from test_mpi import mpirun, write_pieces
 
 import tensortopo as tt
@@ -53,8 +54,8 @@ def part_of(path):
     return points, triangles, piece.sections
 
 
-@pytest.mark.parametrize("mode, parts, kind", [("1/2", 2, "slabs"), ("1/2", 5, "random"),
-                                               ("99/100", 3, "slabs"), ("99/100", 4, "random")])  # fmt: skip
+@pytest.mark.parametrize("mode, parts, kind", tried([("1/2", 5, "random"), ("1/2", 2, "slabs"),
+                                                     ("99/100", 3, "slabs"), ("99/100", 4, "random")]))  # fmt: skip
 def test_parts_are_the_whole_surface_and_certified(slab, program, tmp_path, mode, parts, kind):
     files = write_pieces(slab, owners(slab, parts, kind), tmp_path)
     extract(tmp_path, mode)
@@ -85,12 +86,12 @@ def program_check(program):
     return lambda *files: "certified:" in program("check", *files, "--expect-complete")
 
 
-def test_files_do_not_depend_on_the_ranks(slab, tmp_path):
+def test_files_do_not_depend_on_the_ranks(corner, tmp_path):
     made = []
     for ranks in (1, 4):  # one of four has no piece
         folder = tmp_path / str(ranks)
         folder.mkdir()
-        write_pieces(slab, owners(slab, 3, "slabs"), folder)
+        write_pieces(corner, owners(corner, 3, "slabs"), folder)
         extract(folder, "1/2", ranks)
         extract(folder, "1/2", ranks)  # takes the place of what is there
         names = sorted(p.relative_to(folder) for p in folder.rglob("*"))
@@ -150,8 +151,8 @@ def failing(folder, action):
     return (str(script),)
 
 
-def test_what_fails_leaves_no_file(slab, tmp_path):
-    write_pieces(slab, owners(slab, 3, "slabs"), tmp_path)
+def test_what_fails_leaves_no_file(corner, tmp_path):
+    write_pieces(corner, owners(corner, 3, "slabs"), tmp_path)
     script = failing(tmp_path, 'raise ValueError("on purpose")')
     refused(tmp_path, "on purpose", script=script)
     (tmp_path / "surface").mkdir()
@@ -165,8 +166,8 @@ def test_what_fails_leaves_no_file(slab, tmp_path):
     assert not (tmp_path / "surface").exists() and not (tmp_path / "surface.pvtp").exists()
 
 
-def test_a_lost_rank_leaves_no_output(slab, tmp_path):
-    write_pieces(slab, owners(slab, 3, "slabs"), tmp_path)
+def test_a_lost_rank_leaves_no_output(corner, tmp_path):
+    write_pieces(corner, owners(corner, 3, "slabs"), tmp_path)
     script = failing(tmp_path, "os.kill(os.getpid(), signal.SIGKILL)")
     done = mpirun(2, tmp_path / "field.pvtu", "-o", tmp_path / "surface.pvtp", "--mode", "1/2",
                   python=script)  # fmt: skip
@@ -248,9 +249,9 @@ class Parts:
 
 
 @pytest.fixture(scope="module")
-def honest(slab, tmp_path_factory):
+def honest(corner, tmp_path_factory):
     folder = tmp_path_factory.mktemp("honest")
-    write_pieces(slab, owners(slab, 3, "slabs", axis=1), folder)
+    write_pieces(corner, owners(corner, 3, "slabs", axis=1), folder)
     extract(folder, "1/2")
     return folder
 
@@ -424,10 +425,10 @@ def test_names_that_are_elsewhere(parts, name):
         parts.document["parts"][0][role]["file"] = first
 
 
-def test_names_of_certified_parts_are_beside(slab, tmp_path):
+def test_names_of_certified_parts_are_beside(corner, tmp_path):
     (tmp_path / "a").mkdir()
     (tmp_path / "b").mkdir()
-    write_pieces(slab, owners(slab, 2, "slabs"), tmp_path / "a")
+    write_pieces(corner, owners(corner, 2, "slabs"), tmp_path / "a")
     words = ["-o", tmp_path / "a" / "surface.pvtp", "--mode", "1/2", "--certify"]
     done = mpirun(1, tmp_path / "a" / "field.pvtu", *words, tmp_path / "b" / "surface.json")
     assert done.returncode == 3 and "names ../a/surface, which a certificate" in done.stderr

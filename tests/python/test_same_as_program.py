@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from conftest import tried
 
 import tensortopo as tt
 from tensortopo._vtk_xml import read_piece
@@ -43,14 +44,14 @@ def require_same(output, file, section):
 
 @pytest.mark.parametrize(
     "flags, options",
-    [
+    tried([
         (["--mode", "0.5", "--generalized"], dict(mode=0.5, generalized=True)),
         (["--mode", "0"], dict(mode=0)),
         (["--mode", "9/10", "--improve"], dict(mode="9/10", improve=True)),
         (["--mode", "-0.9", "--all-samples", "--resolution", "6"],
          dict(mode=-0.9, all_samples=True, resolution=6)),
         (["--mode", "0.3", "--max-error", "3"], dict(mode=0.3, max_error=3)),
-    ],
+    ]),
 )  # fmt: skip
 def test_surfaces(program, slab, slab_file, tmp_path, flags, options):
     file = tmp_path / "s.vtp"

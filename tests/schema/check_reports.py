@@ -84,7 +84,8 @@ def main():
         run("extract", "series.pvd", "-o", "series_{step}.vtp", "--mode", "1/2")
         run("render", "k.vtu", "-o", "p.png", "--size", "32x32", "--mode", "1/2")
         run("render", "k.vtu", "-o", "p.png", "--size", "32x32", "--animate", "0:0.5:2")
-        run("render", "k.vtu", "-o", "p.png", "--mode", "1/2", "--tet", "any", "--direction", "1,0,0")
+        run("render", "k.vtu", "-o", "p.png", "--mode", "1/2", "--tet", "any", "--direction", "1,0,0",
+            "--size", "96x96")
         run("render", "k.vtu", "-o", "p.png", "--size", "32x32", "--invariant", "magnitude",
             "--value", "2")
         run("conformance", "--surface", "k.reference.vtp", "--input", "k.vtu", "--mode", "1/2",
@@ -104,7 +105,7 @@ def main():
         run("analyze", "k.vtu", "--sweep", "0.2:0.3:2", "--check", "2", "-o", "d.png")
         run("check", slab, "s.vtp", "s.json")  # refuted: the surface is another one by now
         run("check", slab, "c.vtp", "c.json", "--expect-mode", "1/2")
-        run("verify", "--fields", "5")
+        run("verify", "--fields", "2")
         run("verify", "--input", "k.vtu", "--fields", "5", "--theorem", "mode-range")
         run("proofs")
         run("report", "k.vtu", "-o", "p.html", "--mode", "1/2", "--no-sweep")

@@ -3,16 +3,43 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
+#include <map>
+#include <string>
+#include <utility>
 
 namespace tensortopo::test {
 
-/// A number of trials times the environment variable TENSORTOPO_TEST_MULTIPLIER (of the short suite: a
-/// half).
-inline int trials(int count) {
+/// The environment variable TENSORTOPO_TEST_MULTIPLIER (of the short suite: a half), or 1.
+inline double multiplier() {
   const char* text = std::getenv("TENSORTOPO_TEST_MULTIPLIER");
   const double factor = text != nullptr ? std::atof(text) : 1;
-  return std::max(1, static_cast<int>(count * (factor > 0 ? factor : 1)));
+  return factor > 0 ? factor : 1;
 }
+
+/// A number of trials times the multiplier.
+inline int trials(int count) { return std::max(1, static_cast<int>(count * multiplier())); }
+
+/// Is this the short suite, which tries fewer inputs?
+inline bool is_short() { return multiplier() < 1; }
+
+/// What is tried, or less in the short suite.
+template <class T>
+T full_or_short(T full, T less) {
+  return is_short() ? std::move(less) : std::move(full);
+}
+
+/// Which inputs of a list are tried: all, but in the short suite only the first of each kind and
+/// every `step`th after it.
+class Share {
+ public:
+  explicit Share(std::size_t step) : step_(is_short() ? step : 1) {}
+  bool has(const std::string& kind) { return seen_[kind]++ % step_ == 0; }
+
+ private:
+  std::size_t step_;
+  std::map<std::string, std::size_t> seen_;
+};
 
 }  // namespace tensortopo::test

@@ -8,12 +8,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tensortopo/sweep/sweep.hpp"
 #include "analysis/run_program.hpp"
 #include "support/fields/random_fields.hpp"
 #include "support/fields/witness_fields.hpp"
+#include "support/trials.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
+#include "tensortopo/sweep/sweep.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -108,7 +109,7 @@ TEST(Sweep, TopologyIsConstantBetweenEvents) {
   EXPECT_TRUE(sweep.contradictions.empty());
   std::sort(sweep.intervals.begin(), sweep.intervals.end(),
             [](const auto& a, const auto& b) { return a.high - a.low > b.high - b.low; });
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(trials(6)); ++i) {
     const auto& [low, high, euler, level] = sweep.intervals[i];
     const double margin = (high - low) / 100;
     const auto at_low = topology_at(mesh, low + margin), at_high = topology_at(mesh, high - margin);

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "analysis/run_program.hpp"
+#include "support/trials.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -41,17 +42,17 @@ std::vector<Writing> writings() {
                    {"extract", "@/m.vtk", "--mode", "0.2", "-o", "@/s." + extension},
                    {"s." + extension}});
   for (const std::string extension : {"json", "cbor"})
-    all.push_back({"certify_" + extension,
-                   {"extract", "@/m.vtk", "--mode", "0.2", "-o", "@/s.vtp", "--certify",
-                    "@/c." + extension},
-                   {"s.vtp", "c." + extension}});
+    all.push_back(
+        {"certify_" + extension,
+         {"extract", "@/m.vtk", "--mode", "0.2", "-o", "@/s.vtp", "--certify", "@/c." + extension},
+         {"s.vtp", "c." + extension}});
   all.push_back({"curves",
                  {"extract", "@/m.vtk", "--mode", "1", "-o", "@/c.vtp", "--certify", "@/c.json"},
                  {"c.vtp", "c.json"}});
-  all.push_back({"invariant",
-                 {"extract", "@/m.vtk", "--invariant", "magnitude", "--value", "3", "-o",
-                  "@/i.vtp"},
-                 {"i.vtp"}});
+  all.push_back(
+      {"invariant",
+       {"extract", "@/m.vtk", "--invariant", "magnitude", "--value", "3", "-o", "@/i.vtp"},
+       {"i.vtp"}});
   all.push_back({"generate",
                  {"generate", "linear", "--count", "1", "-o", "@/g.vtu"},
                  {"g.vtu", "g.truth.json", "g.reference.vtp"}});
@@ -59,9 +60,8 @@ std::vector<Writing> writings() {
   all.push_back({"render",
                  {"render", "@/m.vtk", "--mode", "0.2", "--size", "16x16", "-o", "@/p.png"},
                  {"p.png"}});
-  all.push_back({"sweep_chart",
-                 {"analyze", "@/m.vtk", "--sweep", "0.1:0.3:3", "-o", "@/d.png"},
-                 {"d.png"}});
+  all.push_back(
+      {"sweep_chart", {"analyze", "@/m.vtk", "--sweep", "0.1:0.3:3", "-o", "@/d.png"}, {"d.png"}});
   return all;
 }
 
@@ -73,7 +73,7 @@ struct Limits {
 class Process {
  public:
   Process(const Folder& folder, const Folder& logs, std::vector<std::string> words,
-      const Limits& limits = {})
+          const Limits& limits = {})
       : out_(logs / "out"), err_(logs / "err") {
     for (std::string& word : words)
       if (word.starts_with("@")) word = folder / word.substr(2);
@@ -226,7 +226,7 @@ TEST_P(Faults, Signals) {
 }
 
 TEST_P(Faults, TwoRunsOnOneOutput) {
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < trials(2); ++i) {
     before();
     const Folder other_logs;
     Process first(folder_, logs_, GetParam().words), second(folder_, other_logs, GetParam().words);

@@ -45,7 +45,7 @@ TEST(Usage, NothingIsWrittenOverWhatIsReadOrWritten) {
 TEST(Usage, ACertificateIsNamedJsonOrCbor) {
   const Folder folder;
   for (const std::string level : {"--mode", "--invariant"}) {
-    std::vector<std::string> words{"extract", field("s4_slab"), "-o", folder / "s.vtp",
+    std::vector<std::string> words{"extract",   field("s4_slab"), "-o", folder / "s.vtp",
                                    "--certify", folder / "c.txt", level};
     words.push_back(level == "--mode" ? "0.5" : "magnitude");
     if (level != "--mode") words.insert(words.end(), {"--value", "1"});
@@ -176,13 +176,13 @@ TEST(Usage, WhatIsNotANumberIsBadUsage) {
   for (const char* bad : {"nan", "-nan", "inf", "-1", "x", ""}) {
     expect_line(run_program({"extract", in, "-o", s, "--mode", "0.5", "--max-error", bad}), 2,
                 "--max-error");
-    expect_line(
-        run_program({"extract", in, "-o", s, "--mode", "0", "--method", "hybrid", "--flatness", bad}),
-        2, "--flatness");
+    expect_line(run_program({"extract", in, "-o", s, "--mode", "0", "--method", "hybrid",
+                             "--flatness", bad}),
+                2, "--flatness");
     for (const std::string option : {"--merge", "--resolution"})
-      expect_line(run_program({"conformance", "--surface", s, "--input", in, "--mode", "0.5", option,
-                               bad}),
-                  2, option);
+      expect_line(
+          run_program({"conformance", "--surface", s, "--input", in, "--mode", "0.5", option, bad}),
+          2, option);
   }
   EXPECT_TRUE(folder.files().empty());
 }
@@ -194,8 +194,9 @@ TEST(Usage, ModesThatDoublesDoNotTellFromOneAreRefused) {
   for (const std::string mode : {"0.99999999999999999", "-0.99999999999999999999"}) {
     expect_line(run_program({"extract", in, "-o", s, "--mode", mode}), 2, mode);
     expect_line(run_program({"render", in, "-o", folder / "p.png", "--mode", mode}), 2, mode);
-    expect_line(run_program({"render", in, "-o", folder / "p.png", "--animate", "0:" + mode + ":2"}),
-                2, mode);
+    expect_line(
+        run_program({"render", in, "-o", folder / "p.png", "--animate", "0:" + mode + ":2"}), 2,
+        mode);
     expect_line(run_program({"generate", "linear", "-o", g, "--mode", mode}), 2, mode);
     expect_line(run_program({"bench", "--input", in, "--mode", mode}), 2, mode);
     expect_line(run_program({"conformance", "--surface", s, "--input", in, "--mode", mode}), 2,
@@ -309,9 +310,8 @@ TEST(Usage, WhatIsNoTruthIsBadInputInOurWords) {
   for (const char* text : {"", "[]", "{\"format\": 1}", "{"}) {
     const std::string truth = folder / "t.json";
     std::ofstream(truth) << text;
-    const Outcome run =
-        run_program({"conformance", "--surface", folder / "g.reference.vtp", "--input",
-                     folder / "g.vtu", "--mode", "0", "--truth", truth});
+    const Outcome run = run_program({"conformance", "--surface", folder / "g.reference.vtp",
+                                     "--input", folder / "g.vtu", "--mode", "0", "--truth", truth});
     expect_line(run, 3, truth);
     EXPECT_EQ(run.err.find("json.exception"), std::string::npos) << run.err;
   }
@@ -332,8 +332,8 @@ TEST(Usage, CoordinatesThatOverflowAreBadInputByName) {
 TEST(Usage, ABaselineHasNoResidual) {
   for (const char* method : {"marching", "vtk-contour-grid", "vtk-contour-3d-linear-grid"}) {
     const Folder folder;
-    const Outcome run = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
-                                     "0.5", "--method", method});
+    const Outcome run = run_program(
+        {"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode", "0.5", "--method", method});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.out.find("nan"), std::string::npos) << run.out;
   }
@@ -376,7 +376,7 @@ TEST(Usage, WhatTheCheckerMayLeaveOpenIsSaid) {
 }
 
 TEST(Usage, BenchTakesTheBundledField) {
-  const Outcome run = run_program({"bench", "--only", "none", "--json"});
+  const Outcome run = run_program({"bench", "--mode", "0", "--only", "none", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_NE(json.at("input").dump().find("examples/data/s3_three"), std::string::npos);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/run_program.hpp"
+#include "support/trials.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -17,7 +18,8 @@ Json without_seconds(Json json) {
 }
 
 TEST(Verify, ReportsEveryStatementAsJson) {
-  const Outcome run = run_program({"verify", "--fields", "12", "--seed", "3", "--json"});
+  const Outcome run =
+      run_program({"verify", "--fields", std::to_string(trials(12)), "--seed", "3", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const Json json = Json::parse(run.out);
@@ -71,7 +73,8 @@ TEST(Verify, SaysSoWhereConfigurationsAreFew) {
 
 TEST(Verify, GivesTheSameAgainForASeed) {
   const auto once = [] {
-    const Outcome run = run_program({"verify", "--fields", "5", "--seed", "8", "--json"});
+    const Outcome run =
+        run_program({"verify", "--fields", std::to_string(trials(5)), "--seed", "8", "--json"});
     return without_seconds(Json::parse(run.out));
   };
   EXPECT_EQ(once(), once());

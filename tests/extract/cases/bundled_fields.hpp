@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/trials.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo::test {
@@ -21,8 +22,16 @@ inline std::vector<std::filesystem::path> bundled_files() {
   return files;
 }
 
-/// The one whose name begins so ("s1"). Throws std::runtime_error unless there is exactly one: a test
-/// of a field that was renamed must not pass for want of one.
+/// All of them, or in the short suite every other.
+inline std::vector<std::filesystem::path> tried_files() {
+  std::vector<std::filesystem::path> files = bundled_files();
+  Share share(2);
+  std::erase_if(files, [&](const auto&) { return !share.has("field"); });
+  return files;
+}
+
+/// The one whose name begins so ("s1"). Throws std::runtime_error unless there is exactly one: a
+/// test of a field that was renamed must not pass for want of one.
 inline std::filesystem::path bundled_file(const std::string& name) {
   std::vector<std::filesystem::path> found;
   for (const auto& file : bundled_files())

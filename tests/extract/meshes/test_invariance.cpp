@@ -93,7 +93,7 @@ TEST(Invariance, ScalingAllTensorsMovesNoVertex) {
 
 // Scaling each vertex by its own positive factor is a projective map of every tetrahedron.
 TEST(Invariance, ScalingEachTensorByItsOwnPowerOfTwoKeepsTheTopology) {
-  for (const int range : {20, 900}) {
+  for (const int range : full_or_short<std::vector<int>>({20, 900}, {900})) {
     SCOPED_TRACE(range);
     expect_same_topology(20240902, [range](TetMesh& mesh) {
       Random random(7);
@@ -106,7 +106,11 @@ TEST(Invariance, MixedMagnitudesGiveFiniteSurfacesOnTheLevel) {
   TetMesh mesh = short_field(20240903);
   Random random(8);
   for (auto& t : mesh.tensors) t = std::ldexp(1.0, random.integer(-6, 6)) * t;
-  for (const char* mode : kLevels) EXPECT_EQ(flaws(extract(mesh, mode), mesh), "") << mode;
+  Share share(2);
+  for (const char* mode : kLevels) {
+    if (!share.has("mode")) continue;
+    EXPECT_EQ(flaws(extract(mesh, mode), mesh), "") << mode;
+  }
 }
 
 TEST(Invariance, PermutingAndReflectingAxesKeepsTheTopology) {
@@ -202,8 +206,8 @@ TEST(Invariance, RenumberingOneTetrahedronKeepsComponentsAndCrossings) {
     };
     for (TetMesh::Index i = 0; i < 4; ++i)
       for (TetMesh::Index j = i + 1; j < 4; ++j) {
-        const auto [u, v] = std::minmax(order[static_cast<std::size_t>(i)],
-                                        order[static_cast<std::size_t>(j)]);
+        const auto [u, v] =
+            std::minmax(order[static_cast<std::size_t>(i)], order[static_cast<std::size_t>(j)]);
         EXPECT_EQ(after.edge_crossings[edge(i, j)], before.edge_crossings[edge(u, v)]);
       }
   }

@@ -13,7 +13,7 @@ namespace tensortopo::test {
 namespace {
 
 Extraction extract_by(const TetMesh& mesh, const std::string& mode, MeshingMethod meshing,
-                double resolution = Sampling().resolution) {
+                      double resolution = Sampling().resolution) {
   ExtractOptions options;
   options.sampling.resolution = resolution;
   options.meshing = meshing;
@@ -26,7 +26,7 @@ class Bisection : public testing::TestWithParam<const char*> {};
 TEST_P(Bisection, GivesSheetsOfRealFieldsWithoutFlawsAndOfTheSameTopology) {
   const std::string mode = GetParam();
   std::size_t bisected = 0, on_manifold = 0;
-  for (const auto& file : bundled_files()) {
+  for (const auto& file : tried_files()) {
     SCOPED_TRACE(file.filename().string() + " at " + mode);
     const TetMesh mesh = read(file);
     const Extraction ours = extract_by(mesh, mode, MeshingMethod::bisection);

@@ -9,12 +9,13 @@
 #include <string>
 
 #include "forgery.hpp"
+#include "support/trials.hpp"
 
 namespace tensortopo::test {
 
 using Json = nlohmann::json;
 
-/// Counts what came of the forgeries of one test.
+/// Counts what came of the forgeries of one test. The short suite tries one in four of each kind.
 class Trial {
  public:
   explicit Trial(const std::string& name) : court_(name) {}
@@ -24,16 +25,19 @@ class Trial {
   }
 
   void expect_not_certified(const Exhibit& e, const std::string& what) {
+    if (!share_.has(what)) return;
     ++tried_;
     EXPECT_NE(court_.verdict(e), "certified") << what;
   }
   void expect(const std::string& verdict, const Exhibit& e, const std::string& what) {
+    if (!share_.has(what)) return;
     ++tried_;
     EXPECT_EQ(court_.verdict(e), verdict) << what << '\n' << court_.report();
   }
 
  private:
   Court court_;
+  Share share_{4};
   std::size_t tried_ = 0;
 };
 

@@ -10,13 +10,14 @@
 #include "curve_exhibit.hpp"
 #include "forgery.hpp"
 #include "support/fields/random_fields.hpp"
+#include "support/trials.hpp"
 
 namespace tensortopo::test {
 namespace {
 
 using Json = nlohmann::json;
 
-/// Counts what came of the forgeries of one test.
+/// Counts what came of the forgeries of one test. The short suite tries one in two of each kind.
 class CurveTrial {
  public:
   explicit CurveTrial(const std::string& name) : court_(name) {}
@@ -25,9 +26,11 @@ class CurveTrial {
     std::cout << tried_ << " forgeries\n";
   }
   void expect(const std::string& verdict, const CurveExhibit& e, const std::string& what) {
+    if (!share_.has(what)) return;
     EXPECT_EQ(found(e), verdict) << what << '\n' << court_.report();
   }
   void expect_not_certified(const CurveExhibit& e, const std::string& what) {
+    if (!share_.has(what)) return;
     EXPECT_NE(found(e), "certified") << what;
   }
 
@@ -37,6 +40,7 @@ class CurveTrial {
     return court_.verdict(e.field_text(), e.curve_text(), e.certificate.dump());
   }
   Court court_;
+  Share share_{2};
   std::size_t tried_ = 0;
 };
 

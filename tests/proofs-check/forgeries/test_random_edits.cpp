@@ -11,6 +11,7 @@
 #include "certificate_edits.hpp"
 #include "curve_exhibit.hpp"
 #include "forgery.hpp"
+#include "support/trials.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -108,7 +109,7 @@ void expect_bytes_noticed(const Exhibits& exhibits, const MayBeTrue& may_be_true
   EXPECT_GT(refused, tried / 2);
 }
 
-constexpr std::size_t kEdits = TENSORTOPO_EDITS;
+const auto kEdits = static_cast<std::size_t>(trials(TENSORTOPO_EDITS));
 
 TEST(RandomEdits, OfTheCertificateAreNoticed) {
   expect_edits_noticed(honest_exhibits(), may_be_true, kEdits * 3 / 4);
