@@ -18,20 +18,18 @@
 namespace tensortopo {
 namespace {
 
-// Bytes. Measured as peaks of `extract --pieces N` on two threads, of two meshes of cubes cut in
-// six tetrahedra, with the surface of one mode:
-//   Kelvin's field, 1,053,696 tetrahedra, 19,196 crossed: 180 MB (N = 1), 295 (2), 217 (4), 180
-//   (16); a smoothed random field, 279,936 tetrahedra, 106,879 crossed: 281 MB (1), 252 (2), 235
-//   (4), 222 (8), 275 (32).
-// N = 16 of the first is the peak of reading.
-constexpr double kProgram = 50e6;  // the program with its libraries
-constexpr double kTet = 84;        // mesh and owners: (217 - 50 MB) less the slab of N = 4
-constexpr double kReadTet = 125;   // reading, and the screening of the whole: (180 - 50 MB) / tets
-constexpr double kSlabTet = 300;   // in the slab: (295 - 217 MB) / (tets / 2 - tets / 4)
-constexpr double kCrossed =
-    1250;  // surface of the slabs, merged and written: N = 2 and 4 of the second
-constexpr double kWholeCrossed = 1900;  // at once: N = 1 of the second, less kReadTet of all
-constexpr double kGhostCrossed = 360;   // where slabs meet: N = 32 less N = 8 of the second
+// Bytes, fitted to peaks of `extract --pieces N` on two threads with the surface of one mode, in MB
+// of 10^6 bytes. Few crossed: Kelvin's field in a cube, 1,053,696 tetrahedra, 19,196 crossed: 189
+// (N = 1), 309 (2), 228 (4), 189 (16, the peak of reading). Many crossed: a smoothed random field,
+// 279,936 tetrahedra, 120,621 of them with
+// vertices on both sides: 281 (1), 254 (2), 235 (4), 233 (8), 288 (32).
+constexpr double kProgram = 50e6;       // the program with its libraries
+constexpr double kReadTet = 132;        // reading, and the screening of the whole: few, N = 16
+constexpr double kSlabTet = 308;        // in the slab: few, N = 2 less N = 4
+constexpr double kTet = 92;             // mesh and owners: few, N = 4 less its slab
+constexpr double kCrossed = 1100;       // surfaces of slabs, merged and written: many, N = 2 and 4
+constexpr double kWholeCrossed = 1700;  // at once: many, N = 1, and 6 % more
+constexpr double kGhostCrossed = 380;   // where slabs meet: many, N = 32 less N = 8
 
 constexpr std::int32_t kMostPieces = 1000;
 
