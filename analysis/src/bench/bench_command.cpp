@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +14,7 @@
 #include "bench/methods.hpp"
 #include "contours/vtk_contours.hpp"
 #include "counted.hpp"
+#include "peak_memory.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/extract/extract_options.hpp"
 #include "tensortopo/io/read_mesh.hpp"
@@ -26,12 +26,6 @@ namespace {
 constexpr int kFewest = 5;
 constexpr std::size_t kLargestSubdivided = 4'000'000;  // tetrahedra
 constexpr std::array<double, 9> kResolutions{1, 1.4, 2, 2.8, 4, 5.7, 8, 11.3, 16};
-
-std::size_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
-}
 
 std::string resolution_text(double resolution) {
   return fmt::format("resolution {:g}", resolution);
@@ -50,7 +44,7 @@ class Bench {
   BenchReport run() {
     report_.threads = threads_in_use();
     (void)our_surfaces(mesh_, modes_, resolution_, &stages_);
-    report_.peak_memory_bytes = peak_memory_bytes();
+    report_.peak_memory_bytes = peak_memory();
     vtk_ = std::make_unique<VtkContours>(mesh_, static_cast<int>(report_.threads));
     vtk_->contour_grid(values_);
     vtk_->contour_3d_linear_grid(values_);

@@ -95,6 +95,13 @@ class Page {
         "times as well. Counts do not depend on it.\n");
   }
 
+  /// Null if it was not run.
+  static const BenchSeries* series_of(const BenchReport& report, std::string_view name) {
+    const auto found = std::find_if(report.series.begin(), report.series.end(),
+                                    [&](const BenchSeries& s) { return s.name == name; });
+    return found != report.series.end() ? &*found : nullptr;
+  }
+
   void times() {
     add("\n## Extraction\n\nSeconds without reading and writing, by stage and for all, and of "
         "`vtkContourGrid`, which contours the modes of the vertices linearly; "
@@ -117,10 +124,9 @@ class Page {
         bench.only = comparisons_at(mode);
         reports_.push_back(run_bench(bench));
         const BenchReport& r = reports_.back();
-        const auto median = [&](const char* series) {
-          for (const BenchSeries& s : r.series)
-            if (s.name == series) return s.median();
-          return std::nan("");
+        const auto median = [&](std::string_view series) {
+          const BenchSeries* found = series_of(r, series);
+          return found != nullptr ? found->median() : std::nan("");
         };
         const double ours = median("extract"), certified = median("certified"),
                      vtk = median("vtk_contour");
@@ -136,20 +142,14 @@ class Page {
   /// Of the fields and modes of `times`.
   void costs() {
     add("\n## Cost of a triangle\n\nMicroseconds of processors for each triangle: seconds of a "
-        "stage "
-        "times threads, over triangles. `vtkContourGrid` runs on one thread; its triangles are its "
-        "own.\n\n"
+        "stage times threads, over triangles. `vtkContourGrid` runs on one thread; its triangles "
+        "are its own.\n\n"
         "| field | modes | edges | faces | tetrahedra | assembly | all | vtkContourGrid | all over "
         "it |\n|{}\n",
         dashes(9));
     for (const BenchReport& r : reports_) {
-      const auto of_series = [&](const char* name) {
-        return std::find_if(r.series.begin(), r.series.end(),
-                            [&](const BenchSeries& s) { return s.name == name; });
-      };
-      const auto ours = of_series("extract"), vtk = of_series("vtk_contour");
-      if (ours == r.series.end() || vtk == r.series.end() || ours->triangles == 0 ||
-          vtk->triangles == 0)
+      const BenchSeries *ours = series_of(r, "extract"), *vtk = series_of(r, "vtk_contour");
+      if (ours == nullptr || vtk == nullptr || ours->triangles == 0 || vtk->triangles == 0)
         continue;
       const double each =
           1e6 * static_cast<double>(r.threads) / static_cast<double>(ours->triangles);
@@ -162,20 +162,24 @@ class Page {
     }
   }
 
+  ScalingCommand scaling_of(const std::filesystem::path& input, ScalingOver over, double weight) {
+    ScalingCommand scaling;
+    scaling.over = over;
+    scaling.input = input;
+    scaling.read = command_.read;
+    scaling.repeat = command_.repeat;
+    scaling.longest = budget_.take(weight);
+    return scaling;
+  }
+
   void several_modes() {
     add("\n## Several modes in one run\n\nSeconds without reading and writing, over those of one "
         "mode (`bench --scaling modes`). The modes are spread evenly, so that other tetrahedra "
-        "hold "
-        "each surface.\n\n| field | seconds for 1 | 2 | 4 | 8 | 16 |\n|{}\n",
+        "hold each surface.\n\n| field | seconds for 1 | 2 | 4 | 8 | 16 |\n|{}\n",
         dashes(6));
     for (const auto& input : command_.inputs) {
       tell("several modes on " + name(input));
-      ScalingCommand scaling;
-      scaling.over = ScalingOver::modes;
-      scaling.input = input;
-      scaling.read = command_.read;
-      scaling.repeat = command_.repeat;
-      scaling.longest = budget_.take(kModesWeight);
+      const ScalingCommand scaling = scaling_of(input, ScalingOver::modes, kModesWeight);
       const ScalingReport report = run_scaling(scaling);
       const double one = report.points.front().seconds;
       add("| {} | {:.2f} |", name(input), one);
@@ -192,13 +196,8 @@ class Page {
         dashes(6));
     for (const auto& input : command_.inputs) {
       tell("threads on " + name(input));
-      ScalingCommand scaling;
-      scaling.over = ScalingOver::threads;
-      scaling.input = input;
-      scaling.read = command_.read;
+      ScalingCommand scaling = scaling_of(input, ScalingOver::threads, kThreadsWeight);
       scaling.modes = {command_.modes.size() > 1 ? command_.modes[1] : command_.modes[0]};
-      scaling.repeat = command_.repeat;
-      scaling.longest = budget_.take(kThreadsWeight);
       const ScalingReport report = run_scaling(scaling);
       add("| {} | {} | {} | {:.2f} | {:.2f} | {} |\n", name(input), both_signs(scaling.modes[0]),
           report.threads, report.points.front().seconds, report.points.back().seconds,

@@ -26,6 +26,7 @@
 #include "extract/spare_memory.hpp"
 #include "extract/stability.hpp"
 #include "extract/streamed_field.hpp"
+#include "peak_memory.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/extract_within.hpp"

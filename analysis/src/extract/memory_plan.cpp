@@ -3,12 +3,10 @@
 #include "extract/memory_plan.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <vector>
 
@@ -21,8 +19,8 @@ namespace {
 // Bytes, fitted to peaks of `extract --pieces N` on two threads with the surface of one mode, in MB
 // of 10^6 bytes. Few crossed: Kelvin's field in a cube, 1,053,696 tetrahedra, 19,196 crossed: 189
 // (N = 1), 309 (2), 228 (4), 189 (16, the peak of reading). Many crossed: a smoothed random field,
-// 279,936 tetrahedra, 120,621 of them with
-// vertices on both sides: 281 (1), 254 (2), 235 (4), 233 (8), 288 (32).
+// 279,936 tetrahedra, 120,621 of them with vertices on both sides: 281 (1), 254 (2), 235 (4), 233
+// (8), 288 (32).
 constexpr double kProgram = 50e6;       // the program with its libraries
 constexpr double kReadTet = 132;        // reading, and the screening of the whole: few, N = 16
 constexpr double kSlabTet = 308;        // in the slab: few, N = 2 less N = 4
@@ -82,20 +80,6 @@ double least_memory(const MemorySizes& sizes) {
   for (std::int32_t pieces = 2; pieces <= kMostPieces; ++pieces)
     least = std::min(least, estimated_memory(sizes, pieces));
   return least;
-}
-
-std::uint64_t peak_memory() {
-  // Of this program alone, which ru_maxrss is not: it knows the process before exec as well.
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (std::uint64_t kib = 0; word == "VmHWM:" && status >> kib) return kib * 1024;
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<std::uint64_t>(usage.ru_maxrss);
-#else
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-#endif
 }
 
 std::string memory_text(double bytes) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,9 +33,6 @@ std::optional<std::int32_t> pieces_within(const MemorySizes& sizes, std::uint64_
 
 /// The least of the estimates of all numbers of pieces.
 double least_memory(const MemorySizes& sizes);
-
-/// The most memory that the process has held since it began, in bytes: resident pages.
-std::uint64_t peak_memory();
 
 /// "8.0 GB", in powers of 1000.
 std::string memory_text(double bytes);

@@ -104,11 +104,11 @@ class FaceCurveCoarsening {
   void mark_samples_at_needles(std::size_t t) {
     const auto& triangles = meshes_.cells[t].patch.triangles;
     const auto may_go = [&](Index v) { return v >= 0 && may_go_[as_size(v)] != 0; };
-    std::array<Vector3<double>, 4> points;
     double unit = 0;  // not known yet
     for (const auto& triangle : triangles) {
       if (std::none_of(triangle.begin(), triangle.end(), may_go)) continue;
       if (unit == 0) {
+        std::array<Vector3<double>, 4> points;
         for (std::size_t i = 0; i < 4; ++i)
           points[i] = input_.mesh.points[as_size(input_.vertices_of(cells_, t)[i])];
         unit = unit_of(points);
