@@ -32,14 +32,14 @@ class CurveAssembler {
                  const std::vector<CurvePlace>& places, const std::vector<CurveLink>& links)
       : mesh_(mesh), field_(field), places_(places), links_(links), graph_(links, places.size()) {}
 
-  CurveMesh run(Degeneracy kind, const ExtractOptions& options) {
+  AssembledCurves run(Degeneracy kind, const ExtractOptions& options) {
     add_places();
     add_inner_points();
     const auto components = graph_.components();
     for (std::size_t c = 0; c < components.size(); ++c)
       for (const CurveStep& step : components[c]) add_line(step, static_cast<Index>(c));
     describe(kind, options);
-    return std::move(curves_);
+    return {std::move(curves_), std::move(used_), std::move(inner_link_), std::move(steps_)};
   }
 
  private:
@@ -101,6 +101,7 @@ class CurveAssembler {
     curves_.lines.push_back(std::move(line));
     curves_.tet.push_back(link.tet);
     curves_.component.push_back(component);
+    steps_.push_back(step);
   }
 
   /// What the field says at each vertex; where lines meet, the mean over their tetrahedra.
@@ -139,13 +140,15 @@ class CurveAssembler {
   std::vector<std::size_t> used_;        ///< the places that are vertices, in order
   std::vector<Index> first_inner_;       ///< of each link
   std::vector<std::size_t> inner_link_;  ///< of each vertex between places
+  std::vector<CurveStep> steps_;         ///< of each line
 };
 
 }  // namespace
 
-CurveMesh assemble_curves(const TetMesh& mesh, const ScaledField<double>& field, Degeneracy kind,
-                          const std::vector<CurvePlace>& places,
-                          const std::vector<CurveLink>& links, const ExtractOptions& options) {
+AssembledCurves assemble_curves(const TetMesh& mesh, const ScaledField<double>& field,
+                                Degeneracy kind, const std::vector<CurvePlace>& places,
+                                const std::vector<CurveLink>& links,
+                                const ExtractOptions& options) {
   return CurveAssembler(mesh, field, places, links).run(kind, options);
 }
 

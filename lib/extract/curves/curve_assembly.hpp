@@ -30,9 +30,23 @@ struct CurveLink {
   std::vector<CurveSample> inner;
 };
 
+/// A link in a component, run from its end `from` to the other one.
+struct CurveStep {
+  std::size_t link;
+  std::size_t from;
+};
+
+/// Curves, and what they were put together from.
+struct AssembledCurves {
+  CurveMesh curves;
+  std::vector<std::size_t> places;  ///< of the first vertices; behind them are those of `inner`
+  std::vector<std::size_t> inner;   ///< of each vertex behind them: the link
+  std::vector<CurveStep> steps;     ///< of each line
+};
+
 /// Numbers the vertices, and puts the lines of each component in order.
-CurveMesh assemble_curves(const TetMesh& mesh, const ScaledField<double>& field, Degeneracy kind,
-                          const std::vector<CurvePlace>& places,
-                          const std::vector<CurveLink>& links, const ExtractOptions& options);
+AssembledCurves assemble_curves(const TetMesh& mesh, const ScaledField<double>& field,
+                                Degeneracy kind, const std::vector<CurvePlace>& places,
+                                const std::vector<CurveLink>& links, const ExtractOptions& options);
 
 }  // namespace tensortopo

@@ -10,12 +10,6 @@
 
 namespace tensortopo {
 
-/// A link in a component, run from its end `from` to the other one.
-struct CurveStep {
-  std::size_t link;
-  std::size_t from;
-};
-
 /// The links at each place, and the curves that they make up.
 class CurveGraph {
  public:

@@ -3,6 +3,8 @@
 #include "tensortopo/extract/extract_degenerate_curves.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "extract/curves/special_positions.hpp"
 #include "extract/level/proofs/screen.hpp"
 #include "extract/run/parallel_stage.hpp"
+#include "tensortopo/extract/curve_keys.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/renumber.hpp"
 #include "tensortopo/scalar/constants.hpp"
@@ -33,7 +36,7 @@ class CurveExtractor {
   CurveExtractor(const TetMesh& mesh, Degeneracy kind, const ExtractOptions& options)
       : mesh_(mesh), kind_(kind), options_(options), field_(mesh) {}
 
-  CurveExtraction run() {
+  KeyedCurves run() {
     Stopwatch watch;
     screen();
     find_face_points();
@@ -42,10 +45,13 @@ class CurveExtractor {
     result_.statistics.seconds_faces = watch.lap();
     join_in_tets(special);
     result_.statistics.seconds_tets = watch.lap();
-    result_.curves = assemble_curves(mesh_, field_, kind_, cells_.places, links_, options_);
+    AssembledCurves assembled =
+        assemble_curves(mesh_, field_, kind_, cells_.places, links_, options_);
+    find_keys(assembled);
+    result_.curves = std::move(assembled.curves);
     result_.statistics.tets_crossed = count_different(result_.curves.tet);
     result_.statistics.seconds_stitch = watch.lap();
-    return std::move(result_);
+    return {std::move(result_), std::move(keys_)};
   }
 
  private:
@@ -209,6 +215,34 @@ class CurveExtractor {
       cells_.places.insert(cells_.places.end(), cell.places.begin(), cell.places.end());
     }
     for (CurveLink& link : special.links_below(tets)) links_.push_back(std::move(link));
+    keys_.messages = special.messages_below(tets);
+  }
+
+  /// Places in one simplex follow each other, and so do links.
+  void find_keys(const AssembledCurves& assembled) {
+    const auto ordinals = [](const auto& all) {
+      std::vector<std::int32_t> result(all.size(), 0);
+      for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i].vertices == all[i - 1].vertices) result[i] = result[i - 1] + 1;
+      return result;
+    };
+    constexpr std::array kinds{CurveVertexKind::on_vertex, CurveVertexKind::on_edge,
+                               CurveVertexKind::on_face, CurveVertexKind::in_tet};
+    const auto place_ordinal = ordinals(cells_.places), link_ordinal = ordinals(links_);
+    for (const std::size_t place : assembled.places) {
+      const auto& vertices = cells_.places[place].vertices;
+      const auto count = std::find(vertices.begin(), vertices.end(), -1) - vertices.begin();
+      keys_.vertices.push_back({place < result_.statistics.face_points ? CurveVertexKind::general
+                                                                       : kinds[as_size(count - 1)],
+                                place_ordinal[place]});
+    }
+    for (std::size_t i = 0; i < assembled.inner.size(); ++i) {
+      const bool is_first = i == 0 || assembled.inner[i] != assembled.inner[i - 1];
+      keys_.vertices.push_back(
+          {CurveVertexKind::between_ends, is_first ? 0 : keys_.vertices.back().ordinal + 1});
+    }
+    for (const CurveStep& step : assembled.steps)
+      keys_.lines.push_back({links_[step.link].vertices, link_ordinal[step.link], step.from == 1});
   }
 
   const TetMesh& mesh_;
@@ -220,21 +254,42 @@ class CurveExtractor {
   std::vector<char> is_within_;      ///< of the complex' faces: in no others than these
   std::vector<CurveLink> links_;
   CurveExtraction result_;
+  CurveKeys keys_;
 };
+
+/// To numbers of the mesh given.
+void renumber_keys(CurveKeys& keys, const CanonicalMesh& canonical) {
+  for (auto& line : keys.lines) {
+    const auto end = std::find(line.cell.begin(), line.cell.end(), -1);
+    for (auto v = line.cell.begin(); v != end; ++v) *v = canonical.vertices[as_size(*v)];
+    std::sort(line.cell.begin(), end);
+  }
+  for (MeshingMessage& message : keys.messages) {
+    message.from = canonical.tets[as_size(message.from)];
+    message.to = canonical.tets[as_size(message.to)];
+  }
+}
 
 }  // namespace
 
-CurveExtraction extract_degenerate_curves(const TetMesh& mesh, Degeneracy kind,
-                                          const ExtractOptions& options) {
+KeyedCurves extract_keyed_curves(const TetMesh& mesh, Degeneracy kind,
+                                 const ExtractOptions& options) {
   const CanonicalMesh canonical = canonical_mesh(mesh);
-  CurveExtraction result = CurveExtractor(canonical.mesh, kind, options).run();
+  KeyedCurves keyed = CurveExtractor(canonical.mesh, kind, options).run();
+  CurveExtraction& result = keyed.extraction;
   renumber(result.curves, canonical.vertices, canonical.tets);
   for (auto* list : {&result.unresolved, &result.special}) {
     for (UnresolvedCurve& cell : *list) cell.tet = canonical.tets[as_size(cell.tet)];
     std::sort(list->begin(), list->end(),
               [](const auto& p, const auto& q) { return p.tet < q.tet; });
   }
-  return result;
+  renumber_keys(keyed.keys, canonical);
+  return keyed;
+}
+
+CurveExtraction extract_degenerate_curves(const TetMesh& mesh, Degeneracy kind,
+                                          const ExtractOptions& options) {
+  return extract_keyed_curves(mesh, kind, options).extraction;
 }
 
 }  // namespace tensortopo

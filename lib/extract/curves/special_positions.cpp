@@ -295,8 +295,15 @@ CellCurves SpecialPositions::curve_in_tet(std::size_t t) const {
   return result;
 }
 
-std::vector<CurveLink> SpecialPositions::links_below(const std::vector<CellCurves>& tets) const {
+std::vector<SpecialPositions::Below> SpecialPositions::simplices_below() const {
   const auto& complex = cells_.complex;
+  std::vector<Below> result;
+  for (const auto& [f, found] : faces_) {
+    if (found.cell.pieces.empty()) continue;
+    Below& below = result.emplace_back(Below{&found, padded(complex.faces[as_size(f)]), {}});
+    for (const Index t : complex.face_tets[as_size(f)])
+      if (t >= 0) below.around.push_back(as_size(t));
+  }
   std::map<Index, std::vector<std::size_t>> tets_at_edge;
   for (const auto& [e, found] : edges_)
     if (!found.cell.pieces.empty()) tets_at_edge[e] = {};
@@ -304,14 +311,18 @@ std::vector<CurveLink> SpecialPositions::links_below(const std::vector<CellCurve
     for (std::size_t t = 0; t < complex.tets.size(); ++t)
       for (const Index e : complex.tet_edges[t])
         if (const auto at = tets_at_edge.find(e); at != tets_at_edge.end()) at->second.push_back(t);
+  for (auto& [e, around] : tets_at_edge)
+    result.push_back({&edges_.at(e), padded(complex.edges[as_size(e)]), std::move(around)});
+  return result;
+}
 
+std::vector<CurveLink> SpecialPositions::links_below(const std::vector<CellCurves>& tets) const {
   std::vector<CurveLink> result;
-  const auto add = [&](const Found& found, const SimplexVertices& vertices,
-                       const std::vector<std::size_t>& around) {
-    for (const SpecialPiece& piece : found.cell.pieces) {
+  for (const auto& [found, vertices, around] : simplices_below())
+    for (const SpecialPiece& piece : found->cell.pieces) {
       CurveLink link;
       link.vertices = vertices;
-      link.ends = {found.boundary[piece.ends[0]], found.boundary[piece.ends[1]]};
+      link.ends = {found->boundary[piece.ends[0]], found->boundary[piece.ends[1]]};
       link.inner = piece.inner;
       // One end has a direction, which for straight pieces is that of all of them.
       auto e = cells_.places[link.ends[0]].dominant;
@@ -319,7 +330,7 @@ std::vector<CurveLink> SpecialPositions::links_below(const std::vector<CellCurve
       bool bounds_surface = false;
       for (const std::size_t t : around) {
         const auto& tet = tets[t];
-        if (link.tet < 0 || tets[t].obstacle == std::nullopt) link.tet = complex.tets[t];
+        if (link.tet < 0 || tet.obstacle == std::nullopt) link.tet = cells_.complex.tets[t];
         if (tet.obstacle != CurveObstacle::degenerate_on_a_surface &&
             tet.obstacle != CurveObstacle::degenerate_throughout)
           continue;
@@ -331,15 +342,24 @@ std::vector<CurveLink> SpecialPositions::links_below(const std::vector<CellCurve
       }
       if (!bounds_surface) result.push_back(std::move(link));
     }
+  return result;
+}
+
+std::vector<MeshingMessage> SpecialPositions::messages_below(
+    const std::vector<CellCurves>& tets) const {
+  const auto digest = [](const CellCurves& cell) {
+    const auto axis = cell.axis.value_or(Vector3<double>{});
+    return digest_of(std::array{cell.obstacle ? static_cast<double>(*cell.obstacle) : -1.0,
+                                cell.axis ? 1.0 : 0.0, axis.x, axis.y, axis.z});
   };
-  for (const auto& [f, found] : faces_) {
-    std::vector<std::size_t> around;
-    for (const Index t : complex.face_tets[as_size(f)])
-      if (t >= 0) around.push_back(as_size(t));
-    add(found, padded(complex.faces[as_size(f)]), around);
-  }
-  for (const auto& [e, around] : tets_at_edge)
-    add(edges_.at(e), padded(complex.edges[as_size(e)]), around);
+  const auto& numbers = cells_.complex.tets;
+  std::vector<MeshingMessage> result;
+  for (const Below& below : simplices_below())
+    for (const std::size_t from : below.around)
+      for (const std::size_t to : below.around)
+        if (from != to) result.push_back({numbers[from], numbers[to], 0, 0, digest(tets[from])});
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

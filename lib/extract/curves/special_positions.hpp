@@ -9,6 +9,7 @@
 
 #include "extract/curves/curve_assembly.hpp"
 #include "extract/curves/special/special_cell.hpp"
+#include "tensortopo/extract/meshing_message.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 
 namespace tensortopo {
@@ -52,6 +53,11 @@ class SpecialPositions {
   /// @param tets  of the complex
   std::vector<CurveLink> links_below(const std::vector<CellCurves>& tets) const;
 
+  /// What the tetrahedra around each edge and face with such pieces tell each other: their
+  /// obstacles and axes, on which it depends what becomes of the pieces. Ascending, by tetrahedra
+  /// of the mesh.
+  std::vector<MeshingMessage> messages_below(const std::vector<CellCurves>& tets) const;
+
  private:
   using Index = TetMesh::Index;
 
@@ -65,6 +71,15 @@ class SpecialPositions {
     std::vector<std::size_t> places;
   };
 
+  /// An edge or face with pieces, and the tetrahedra of the complex around it.
+  struct Below {
+    const Found* found;
+    SimplexVertices vertices;
+    std::vector<std::size_t> around;  ///< ascending
+  };
+
+  /// Faces, then edges.
+  std::vector<Below> simplices_below() const;
   void find_on_vertices();
   void find_on_edges();
   void find_on_faces();
