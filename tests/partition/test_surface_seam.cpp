@@ -271,7 +271,7 @@ TEST_F(WrongSeams, OneHasOtherVerticesSidesOrMessages) {
     });
   }
   for (std::size_t m = 0; m < seams_[1].heard.size(); m += 5)
-    expect("was not meshed alike", [&](SurfaceSeam& s) { ++s.heard[m].digest; });
+    expect("was not treated alike", [&](SurfaceSeam& s) { ++s.heard[m].digest; });
 }
 
 TEST_F(WrongSeams, NumbersAreNone) {

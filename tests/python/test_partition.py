@@ -82,7 +82,7 @@ def test_seams_that_do_not_fit_are_refused(slab):
         tt.join_seams([first])
     with pytest.raises(ValueError, match="is owned by two pieces"):
         tt.join_seams([first, first, second])
-    with pytest.raises(tt.PiecesDiffer, match="do not meet|they differ|meshed alike"):
+    with pytest.raises(tt.PiecesDiffer, match="do not meet|they differ|treated alike"):
         tt.join_seams([first, other])
     with pytest.raises(ValueError, match="seam are not what they should be"):
         tt.join_seams([first, tt.SurfaceSeam(second.numbers[:-1])])

@@ -10,6 +10,7 @@
 
 #include "owned_part.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
+#include "tensortopo/partition/curve_seam.hpp"
 #include "tensortopo/partition/surface_seam.hpp"
 
 namespace tensortopo {
@@ -32,6 +33,7 @@ std::vector<Index> order_by_id(const TetMesh& mesh) {
 }
 
 std::int64_t id_of(const UnresolvedOwnedCell& cell) { return cell.cell_id; }
+std::int64_t id_of(const OwnedCurveCell& cell) { return cell.cell_id; }
 std::int64_t id_of(std::int64_t id) { return id; }
 
 /// Runs of ids as they should be, and what the piece says is about cells that it owns.
@@ -47,7 +49,10 @@ void require_owned(const Piece& piece) {
       refuse("cell " + std::to_string(id) + " is in one that does not own it");
   };
   for (const std::int64_t id : piece.cells.cell_ids) require(id);
-  for (const auto& cell : piece.unresolved) require(id_of(cell));
+  if constexpr (requires { piece.unresolved; })
+    for (const auto& cell : piece.unresolved) require(id_of(cell));
+  if constexpr (requires { piece.special; })
+    for (const auto& cell : piece.special) require(id_of(cell));
 }
 
 }  // namespace
@@ -128,7 +133,11 @@ void require_all_cells(std::span<const Piece> pieces) {
 
 template CrossedCells crossed_cells(std::span<const PieceSurface> pieces);
 template CrossedCells crossed_cells(std::span<const SurfaceSeam> seams);
+template CrossedCells crossed_cells(std::span<const PieceCurves> pieces);
+template CrossedCells crossed_cells(std::span<const CurveSeam> seams);
 template void require_all_cells(std::span<const PieceSurface> pieces);
 template void require_all_cells(std::span<const SurfaceSeam> seams);
+template void require_all_cells(std::span<const PieceCurves> pieces);
+template void require_all_cells(std::span<const CurveSeam> seams);
 
 }  // namespace tensortopo

@@ -30,14 +30,14 @@ struct CrossedCells {
   TetMesh sorted() const;
 };
 
-/// @param pieces  surfaces (`PieceSurface`) or seams (`SurfaceSeam`)
+/// @param pieces  surfaces, curves (`PieceSurface`, `PieceCurves`) or seams of these
 /// @throws std::invalid_argument if a vertex has two places or tensors
 template <class Piece>
 CrossedCells crossed_cells(std::span<const Piece> pieces);
 
 /// The pieces own each tetrahedron of the whole mesh once, and what they say is about tetrahedra
 /// that they own.
-/// @param pieces  surfaces (`PieceSurface`) or seams (`SurfaceSeam`)
+/// @param pieces  surfaces, curves (`PieceSurface`, `PieceCurves`) or seams of these
 /// @throws std::invalid_argument
 template <class Piece>
 void require_all_cells(std::span<const Piece> pieces);

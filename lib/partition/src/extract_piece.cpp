@@ -20,30 +20,6 @@ namespace {
 using Index = TetMesh::Index;
 using Face = std::array<Index, 3>;
 
-/// With vertices in the order of their ids, which is the order of vertices at one place.
-MeshPiece in_order_of_ids(const MeshPiece& piece) {
-  std::vector<Index> order(piece.vertex_ids.size()), number(order.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index u, Index v) {
-    return piece.vertex_ids[as_size(u)] < piece.vertex_ids[as_size(v)];
-  });
-  MeshPiece result;
-  result.is_owned = piece.is_owned;
-  result.whole_tets = piece.whole_tets;
-  result.mesh.cell_ids = piece.mesh.cell_ids;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto v = as_size(order[i]);
-    number[v] = static_cast<Index>(i);
-    result.vertex_ids.push_back(piece.vertex_ids[v]);
-    result.mesh.points.push_back(piece.mesh.points[v]);
-    result.mesh.tensors.push_back(piece.mesh.tensors[v]);
-  }
-  result.mesh.tets = piece.mesh.tets;
-  for (auto& tet : result.mesh.tets)
-    for (Index& v : tet) v = number[as_size(v)];
-  return result;
-}
-
 /// Of each vertex how many before it have the same carrier.
 std::vector<std::int32_t> ordinals_of(const SurfaceMesh& surface) {
   std::vector<std::size_t> order(surface.points.size());
@@ -150,7 +126,7 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
   if (extraction.statistics.vertices_on_level > 0) result.on_level = vertices_on_level(piece, mode);
   if (options.keep_topology)
     result.topology = topology_of_owned(std::move(extraction.topology), piece);
-  add_messages(piece, extraction.messages, result);
+  add_messages(piece, extraction.messages, result.told, result.heard);
   keep_surface(piece, result);
   return result;
 }

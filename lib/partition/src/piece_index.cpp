@@ -18,7 +18,7 @@ namespace {
 using Index = TetMesh::Index;
 
 /// A point on the boundary of a piece.
-struct BoundaryPoint {
+struct OuterPoint {
   std::int64_t id = 0;
   SymmetricTensor<double> tensor;
   std::vector<std::int32_t> pieces;  ///< that have it, ascending
@@ -67,7 +67,7 @@ std::vector<std::int64_t> IndexedPiece::point_ids() const {
 }
 
 PieceIndex::PieceIndex(const PieceSource& source) {
-  std::unordered_map<Vector3<double>, BoundaryPoint, PointHash> boundary;
+  std::unordered_map<Vector3<double>, OuterPoint, PointHash> boundary;
   for (std::int32_t p = 0; p < source.pieces; ++p) {
     const TetMesh mesh = source.read(p);
     const auto is_open = outer_vertices(mesh);
@@ -81,8 +81,8 @@ PieceIndex::PieceIndex(const PieceSource& source) {
         continue;
       }
       const auto [found, is_new] =
-          boundary.try_emplace(mesh.points[i], BoundaryPoint{points, mesh.tensors[i], {p}, false});
-      BoundaryPoint& point = found->second;
+          boundary.try_emplace(mesh.points[i], OuterPoint{points, mesh.tensors[i], {p}, false});
+      OuterPoint& point = found->second;
       if (is_new) {
         ++points;
         continue;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "differing_pieces.hpp"
+#include "tensortopo/partition/curve_seam.hpp"
 #include "tensortopo/partition/surface_seam.hpp"
 
 namespace tensortopo {
@@ -48,15 +49,17 @@ const PieceMessage* difference(std::span<const PieceMessage> a, std::span<const 
 }  // namespace
 
 void add_messages(const MeshPiece& piece, std::span<const MeshingMessage> messages,
-                  PieceSurface& result) {
+                  std::vector<PieceMessage>& told, std::vector<PieceMessage>& heard) {
   for (const MeshingMessage& message : messages) {
     const auto from = as_size(message.from), to = as_size(message.to);
-    (piece.is_owned[from] != 0 ? result.told : result.heard)
+    const bool is_own = piece.is_owned[from] != 0;
+    if (is_own == (piece.is_owned[to] != 0)) continue;
+    (is_own ? told : heard)
         .push_back({piece.mesh.cell_ids[from], piece.mesh.cell_ids[to], message.pass, message.round,
                     message.digest});
   }
-  std::sort(result.told.begin(), result.told.end());
-  std::sort(result.heard.begin(), result.heard.end());
+  std::sort(told.begin(), told.end());
+  std::sort(heard.begin(), heard.end());
 }
 
 template <class Piece>
@@ -70,11 +73,13 @@ void require_same_messages(std::span<const Piece> pieces) {
     std::sort(to_hear[p].begin(), to_hear[p].end());
     if (const PieceMessage* message = difference(to_hear[p], pieces[p].heard))
       refuse_differing("cell " + std::to_string(message->from_cell) +
-                       " was not meshed alike by all that have it");
+                       " was not treated alike by all that have it");
   }
 }
 
 template void require_same_messages(std::span<const PieceSurface> pieces);
 template void require_same_messages(std::span<const SurfaceSeam> seams);
+template void require_same_messages(std::span<const PieceCurves> pieces);
+template void require_same_messages(std::span<const CurveSeam> seams);
 
 }  // namespace tensortopo

@@ -3,14 +3,17 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "tensortopo/partition/piece_surface.hpp"
 
 namespace tensortopo {
 
-/// Fills `told` and `heard`.
+/// Those between owned tetrahedra and ghosts, ascending.
+/// @param told   by owned ones
+/// @param heard  from ghosts
 void add_messages(const MeshPiece& piece, std::span<const MeshingMessage> messages,
-                  PieceSurface& result);
+                  std::vector<PieceMessage>& told, std::vector<PieceMessage>& heard);
 
 /// What each piece heard from its ghosts is what their owners told.
 ///
@@ -18,7 +21,7 @@ void add_messages(const MeshPiece& piece, std::span<const MeshingMessage> messag
 /// does in one step depends on its field, on its faces' first samples, and on what it was told
 /// before. An owned tetrahedron is told so by owned ones, which did right by induction, and by
 /// ghosts, which are compared with their owners' pieces, where they did right by induction, too.
-/// @param pieces  surfaces (`PieceSurface`) or seams (`SurfaceSeam`)
+/// @param pieces  surfaces, curves (`PieceSurface`, `PieceCurves`) or seams of these
 /// @throws PiecesDiffer with the tetrahedron
 template <class Piece>
 void require_same_messages(std::span<const Piece> pieces);
