@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "curve_arrays.hpp"
 #include "mesh.hpp"
 #include "surface_arrays.hpp"
 #include "watched.hpp"
@@ -144,25 +145,8 @@ py::dict extract_curves(const Mesh& self, bool linear, bool planar, double resol
     request.progress = report;
     return self.extractor->curves(request);
   });
-  CurveMesh& c = made.curves;
-  std::vector<std::int64_t> offsets{0};
-  std::vector<Index> connectivity;
-  for (const auto& line : c.lines) {
-    connectivity.insert(connectivity.end(), line.begin(), line.end());
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-  }
   py::dict out;
-  out["points"] = array_of<double>(std::move(c.points));
-  out["offsets"] = array_of<std::int64_t>(std::move(offsets));
-  out["connectivity"] = array_of<Index>(std::move(connectivity));
-  out["dominant_eigenvectors"] = array_of<double>(std::move(c.dominant_eigenvector));
-  out["mode"] = array_of<double>(std::move(c.mode));
-  out["residual"] = array_of<double>(std::move(c.residual));
-  out["separation"] = array_of<double>(std::move(c.separation));
-  out["carrier"] = array_of<std::uint8_t>(std::move(c.carrier));
-  out["carrier_vertices"] = array_of<Index>(std::move(c.carrier_vertices));
-  out["tet"] = array_of<Index>(std::move(c.tet));
-  out["component"] = array_of<Index>(std::move(c.component));
+  put_curves(out, std::move(made.curves));
   for (CellArray& array : made.more)
     out[py::str(array.name)] = array_of<std::int32_t>(std::move(array.line_values));
   out["unresolved"] = list_of(made.unresolved);

@@ -103,6 +103,7 @@ void define_mesh(py::module_& m) {
   define_persistence(mesh);
   define_sweep(mesh);
   define_partition(m, mesh);
+  define_curve_pieces(m, mesh);
 }
 
 void define_families(py::module_& m) {

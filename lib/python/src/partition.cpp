@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -16,6 +15,7 @@
 
 #include "arrays.hpp"
 #include "mesh.hpp"
+#include "piece_arrays.hpp"
 #include "surface_arrays.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/hash/number_hash.hpp"
@@ -55,41 +55,15 @@ py::list list_of(const std::vector<UnresolvedOwnedCell>& cells) {
   return list;
 }
 
-using MessageRow = std::array<std::int64_t, 5>;
-
-std::vector<MessageRow> message_rows(const std::vector<PieceMessage>& messages) {
-  std::vector<MessageRow> rows;
-  for (const PieceMessage& m : messages)
-    rows.push_back(
-        {m.from_cell, m.to_cell, m.pass, m.round, std::bit_cast<std::int64_t>(m.digest)});
-  return rows;
-}
-
-std::vector<PieceMessage> messages_of(const std::vector<MessageRow>& rows) {
-  std::vector<PieceMessage> messages;
-  for (const auto& [from, to, pass, round, digest] : rows)
-    messages.push_back({from, to, static_cast<std::int32_t>(pass), static_cast<std::int32_t>(round),
-                        std::bit_cast<std::uint64_t>(digest)});
-  return messages;
-}
-
 py::dict dict_of(PieceSurface&& made) {
   py::dict out;
   put_surface(out, std::move(made.surface));
   out["ordinals"] = array_of<std::int32_t>(std::move(made.ordinals));
   out["ghost_across"] = array_of<std::int64_t>(std::move(made.ghost_across));
-  out["cell_points"] = array_of<double>(std::move(made.cells.points));
-  out["cell_tensors"] = array_of<double>(std::move(made.cells.tensors));
-  out["cell_tets"] = array_of<Index>(std::move(made.cells.tets));
-  out["cell_ids"] = array_of<std::int64_t>(std::move(made.cells.cell_ids));
-  out["vertex_ids"] = array_of<std::int64_t>(std::move(made.vertex_ids));
+  put_cells(out, made);
   out["unresolved"] = list_of(made.unresolved);
   out["not_embedded"] = made.not_embedded;
-  out["owned_ids"] = array_of<std::int64_t>(std::move(made.owned_ids));
-  out["whole_cells"] = made.whole_tets;
   out["on_level"] = made.on_level;
-  out["told"] = array_of<std::int64_t>(message_rows(made.told));
-  out["heard"] = array_of<std::int64_t>(message_rows(made.heard));
   if (made.topology) {
     TopologyNumbers proofs = numbers_of(*made.topology);
     out["proofs"] = array_of<std::int32_t>(std::move(proofs.integers));
@@ -101,11 +75,8 @@ py::dict dict_of(PieceSurface&& made) {
 py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64_t>& vertex_ids,
                const Input<bool>& owned, std::int64_t whole_cells, double resolution,
                bool all_samples, bool certify, const py::object& progress) {
-  if (!(resolution > 0) || resolution > 1000)
-    throw py::value_error("resolution: must be a positive number, at most 1000");
-  MeshPiece given{self.mesh, {}, {}, whole_cells};
-  given.vertex_ids.assign(vertex_ids.data(), vertex_ids.data() + vertex_ids.size());
-  for (py::ssize_t t = 0; t < owned.size(); ++t) given.is_owned.push_back(owned.data()[t]);
+  require_resolution(resolution);
+  const MeshPiece given = piece_of(self, vertex_ids, owned, whole_cells);
   ExtractOptions options;
   options.sampling.resolution = resolution, options.keep_samples = all_samples;
   options.keep_topology = certify;
@@ -115,17 +86,6 @@ py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64
     return extract_piece(given, value, options);
   });
   return dict_of(std::move(made));
-}
-
-template <class Row, class T>
-std::vector<Row> rows(const py::dict& piece, const char* name) {
-  return rows_of<Row>(piece[name].cast<Input<T>>(), name);
-}
-
-template <class T>
-std::vector<T> numbers(const py::dict& piece, const char* name) {
-  const auto array = piece[name].cast<Input<T>>();
-  return {array.data(), array.data() + array.size()};
 }
 
 /// All indices of a piece are in range, whoever has made it.
@@ -168,20 +128,12 @@ PieceSurface piece_from(const py::dict& d) {
   s.tet = numbers<Index>(d, "tet");
   piece.ordinals = numbers<std::int32_t>(d, "ordinals");
   piece.ghost_across = rows<std::array<std::int64_t, 3>, std::int64_t>(d, "ghost_across");
-  piece.cells.points = rows<Vector3<double>, double>(d, "cell_points");
-  piece.cells.tensors = rows<SymmetricTensor<double>, double>(d, "cell_tensors");
-  piece.cells.tets = rows<std::array<Index, 4>, Index>(d, "cell_tets");
-  piece.cells.cell_ids = numbers<std::int64_t>(d, "cell_ids");
-  piece.vertex_ids = numbers<std::int64_t>(d, "vertex_ids");
+  take_cells(d, piece);
   for (const auto& [id, reason] :
        d["unresolved"].cast<std::vector<std::pair<std::int64_t, std::string>>>())
     piece.unresolved.push_back({id, reason_named(reason)});
   piece.not_embedded = d["not_embedded"].cast<std::vector<std::int64_t>>();
-  piece.owned_ids = rows<std::array<std::int64_t, 2>, std::int64_t>(d, "owned_ids");
-  piece.whole_tets = d["whole_cells"].cast<std::int64_t>();
   piece.on_level = d["on_level"].cast<std::vector<std::int64_t>>();
-  piece.told = messages_of(rows<MessageRow, std::int64_t>(d, "told"));
-  piece.heard = messages_of(rows<MessageRow, std::int64_t>(d, "heard"));
   require_indices(piece);
   if (d.contains("proofs"))
     piece.topology =

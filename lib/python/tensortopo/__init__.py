@@ -23,6 +23,18 @@ from ._bridges import (
 )
 from ._check import Finding, Verdict, certify, check
 from ._conformance import conformance
+from ._curve_pieces import (
+    MergedCurves,
+    PieceCurves,
+    extract_curve_piece,
+    merge_curve_pieces,
+)
+from ._curve_seams import (
+    CurveSeam,
+    JoinedCurveSeams,
+    curve_seam_of,
+    join_curve_seams,
+)
 from ._errors import Cancelled, Defect, FileError, MeshError, UnresolvedError
 from ._families import Generated, field_kinds, generate
 from ._field import Field
@@ -79,6 +91,7 @@ __all__ = [
     "CriticalPoint",
     "CurveLevel",
     "CurvePersistence",
+    "CurveSeam",
     "Curves",
     "Defect",
     "Field",
@@ -86,13 +99,16 @@ __all__ = [
     "FileError",
     "Finding",
     "Generated",
+    "JoinedCurveSeams",
     "JoinedSeams",
     "LoopEvent",
+    "MergedCurves",
     "MergedSurface",
     "MeshError",
     "NodalAverage",
     "Persistence",
     "PersistencePair",
+    "PieceCurves",
     "PieceSurface",
     "PiecesDiffer",
     "PyVistaAccessor",
@@ -110,17 +126,21 @@ __all__ = [
     "certify",
     "check",
     "conformance",
+    "curve_seam_of",
     "deviator",
     "eigen",
     "exact_mode",
+    "extract_curve_piece",
     "extract_piece",
     "field_kinds",
     "from_meshio",
     "from_pyvista",
     "generate",
+    "join_curve_seams",
     "join_seams",
     "limit_threads",
     "lode_angle",
+    "merge_curve_pieces",
     "merge_pieces",
     "mode",
     "nodal_average",

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, Optional, Union
 import numpy as np
 
 from . import _core
+from ._curve_pieces import MergedCurves
 from ._errors import FileError, MeshError
 from ._field import Field
 from ._partition import MergedSurface
@@ -258,7 +259,7 @@ def _field_text(field: Field) -> str:
     )
 
 
-def _output_text(output: Union[_Output, MergedSurface]) -> str:
+def _output_text(output: Union[_Output, MergedSurface, MergedCurves]) -> str:
     point_data: dict[str, Any] = {"mode": output.mode}
     cell_data: dict[str, Any] = {"tet": output.cell_ids, "component": output.component}
     counts = {"NumberOfPoints": len(output.points), "NumberOfVerts": 0}
@@ -271,7 +272,7 @@ def _output_text(output: Union[_Output, MergedSurface]) -> str:
         connectivity = output.triangles.astype(np.int64).ravel()
         offsets = np.arange(3, 3 * n + 1, 3, dtype=np.int64)
         section, counts["NumberOfPolys"] = "Polys", n
-    elif isinstance(output, Curves):
+    elif isinstance(output, (Curves, MergedCurves)):
         point_data["dominant_eigenvector"] = output.dominant_eigenvectors
         point_data["residual"] = output.residual
         point_data["separation"] = output.separation
@@ -280,7 +281,7 @@ def _output_text(output: Union[_Output, MergedSurface]) -> str:
         section, counts["NumberOfLines"] = "Lines", len(output)
     else:
         raise TypeError(f"nothing is written of a {type(output).__name__}")
-    if not isinstance(output, MergedSurface) and output.stable is not None:
+    if isinstance(output, _Output) and output.stable is not None:
         cell_data["instability"], cell_data["stable"] = output.instability, output.stable
         point_data["crossing_instability"] = output.crossing_instability
         point_data["crossing_stable"] = output.crossing_stable
@@ -293,17 +294,17 @@ def _output_text(output: Union[_Output, MergedSurface]) -> str:
             "Points": {"Points": output.points},
             section: {"connectivity": connectivity, "offsets": offsets},
         },
-        marks={"Scalars": "mode"} | ({} if isinstance(output, Curves) else {"Normals": "normal"}),
+        marks={"Scalars": "mode"} | ({} if section == "Lines" else {"Normals": "normal"}),
     )
 
 
-def output_bytes(output: Union[_Output, MergedSurface]) -> bytes:
+def output_bytes(output: Union[_Output, MergedSurface, MergedCurves]) -> bytes:
     """What `write` puts into a .vtp."""
     return _output_text(output).encode("utf-8")
 
 
 def write(
-    path: Union[str, os.PathLike[str]], what: Union[Field, Surface, MergedSurface, Curves]
+    path: Union[str, os.PathLike[str]], what: Union[Field, Surface, MergedSurface, Curves, MergedCurves]
 ) -> None:
     """Writes a field (.vtu), or a surface or curves (.vtp), whole or not at all.
 
@@ -314,7 +315,7 @@ def write(
     ----------
     path : str or path
         Ends in .vtu for a field, else in .vtp.
-    what : Field, Surface, MergedSurface or Curves
+    what : Field, Surface, MergedSurface, Curves or MergedCurves
 
     Raises
     ------

@@ -112,10 +112,22 @@ def part_bytes(part: PartSurface) -> bytes:
     return text.encode("utf-8")
 
 
-def pvtp_bytes(sources: Sequence[str]) -> bytes:
+@dataclass(frozen=True)
+class PartArrays:
+    """The arrays of parts: name, type and components of each; and which point arrays are marked as what."""
+
+    points: tuple[tuple[str, str, int], ...]
+    cells: tuple[tuple[str, str, int], ...]
+    marks: Mapping[str, str]
+
+
+SURFACE_ARRAYS = PartArrays(_POINT_ARRAYS, _CELL_ARRAYS, _MARKS)
+
+
+def pvtp_bytes(sources: Sequence[str], arrays: PartArrays = SURFACE_ARRAYS) -> bytes:
     """A .pvtp of these parts."""
 
-    def arrays(section: str, rows: Sequence[tuple[str, str, int]], marks: str = "") -> list[str]:
+    def listed(section: str, rows: Sequence[tuple[str, str, int]], marks: str = "") -> list[str]:
         named = [f'<PDataArray type="{kind}" Name="{name}" NumberOfComponents="{width}"/>'
                  for name, kind, width in rows]  # fmt: skip
         return [f"<{section}{marks}>", *named, f"</{section}>"]
@@ -125,9 +137,9 @@ def pvtp_bytes(sources: Sequence[str]) -> bytes:
         '<VTKFile type="PPolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64" '
         'compressor="vtkZLibDataCompressor">',
         '<PPolyData GhostLevel="0">',
-        *arrays("PPointData", _POINT_ARRAYS, "".join(f' {k}="{v}"' for k, v in _MARKS.items())),
-        *arrays("PCellData", _CELL_ARRAYS),
-        *arrays("PPoints", [("Points", "Float64", 3)]),
+        *listed("PPointData", arrays.points, "".join(f' {k}="{v}"' for k, v in arrays.marks.items())),
+        *listed("PCellData", arrays.cells),
+        *listed("PPoints", [("Points", "Float64", 3)]),
         *[f'<Piece Source="{escaped(source)}"/>' for source in sources],
         "</PPolyData>",
         "</VTKFile>",

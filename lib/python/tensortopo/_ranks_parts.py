@@ -8,10 +8,11 @@ import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Callable, Optional, TypeVar, Union
 
 import numpy as np
 
+from ._curve_pieces import PieceCurves
 from ._errors import FileError
 from ._modes import mode_texts
 from ._partition import CertifiedField, FieldHash, PieceSurface, PiecesDiffer
@@ -28,6 +29,10 @@ from ._parts import (
 )
 from ._ranks import Array, together
 from ._seams import JoinedSeams, join_seams, piece_components, seam_of
+
+Written = TypeVar("Written")
+Seam = TypeVar("Seam")
+Joined = TypeVar("Joined")
 
 
 @dataclass(frozen=True)
@@ -67,8 +72,8 @@ class RankPieces:
         Of all of its files.
     vertex_ids, cell_ids : ndarray of int64
         In the whole mesh.
-    surface : PieceSurface or None
-        None if the rank has no cells.
+    surface : PieceSurface, PieceCurves or None
+        What was extracted; None if the rank has no cells.
     """
 
     files: Sequence[PieceFile]
@@ -77,7 +82,7 @@ class RankPieces:
     tets: Array
     vertex_ids: Array
     cell_ids: Array
-    surface: Optional[PieceSurface]
+    surface: Union[PieceSurface, PieceCurves, None]
 
 
 @dataclass(frozen=True)
@@ -106,6 +111,46 @@ def _counts_of(joined: JoinedSeams) -> dict[str, int]:
     }
 
 
+def join_on_first(
+    comm: Any, seam: Optional[Seam], join: Callable[[list[Seam]], Joined]
+) -> tuple[Optional[Joined], Array, Optional[str]]:
+    """What the seams of all ranks say of the whole, on the first rank; the numbers of this rank's components; or why
+    the ranks do not agree.
+
+    Parameters
+    ----------
+    comm : mpi4py.MPI.Comm
+    seam : any
+        Of this rank; None if it has no cells.
+    join : callable
+        Puts seams together: the result has ``numbers`` of each.
+
+    Raises
+    ------
+    RankError
+        On all ranks, if something is wrong on one.
+    """
+    gathered = comm.gather(seam)
+
+    def joined_seams() -> tuple[Any, Optional[str]]:
+        if gathered is None:
+            return None, None
+        try:
+            return join([own for own in gathered if own is not None]), None
+        except PiecesDiffer as error:
+            return None, str(error)
+
+    joined, differ = together(comm, joined_seams)
+    differ = comm.bcast(differ)
+    if differ is not None:
+        return None, np.empty(0, np.int32), differ
+    shares = None
+    if joined is not None:
+        left = iter(joined.numbers)
+        shares = [None if own is None else next(left) for own in gathered]
+    return joined, comm.scatter(shares), None
+
+
 def number_components(comm: Any, own: Optional[PieceSurface]) -> tuple[Optional[WholeNumbers], Optional[str]]:
     """The components of the whole surface, for which ranks exchange no more than seams; or why they do not agree.
 
@@ -120,32 +165,17 @@ def number_components(comm: Any, own: Optional[PieceSurface]) -> tuple[Optional[
     RankError
         On all ranks, if something is wrong on one.
     """
-    gathered = comm.gather(together(comm, lambda: None if own is None else seam_of(own)))
-
-    def join() -> tuple[Optional[JoinedSeams], Optional[str]]:
-        if gathered is None:
-            return None, None
-        try:
-            return join_seams([seam for seam in gathered if seam is not None]), None
-        except PiecesDiffer as error:
-            return None, str(error)
-
-    joined, differ = together(comm, join)
-    differ = comm.bcast(differ)
+    seam = together(comm, lambda: None if own is None else seam_of(own))
+    joined, numbers, differ = join_on_first(comm, seam, join_seams)
     if differ is not None:
         return None, differ
-    shares = None
-    if joined is not None:
-        left = iter(joined.numbers)
-        shares = [None if seam is None else next(left) for seam in gathered]
-    numbers = comm.scatter(shares)
     component = np.empty(0, np.int32) if own is None else numbers[piece_components(own)]
     return WholeNumbers(component, {} if joined is None else _counts_of(joined)), None
 
 
 def _components(pieces: RankPieces, whole: WholeNumbers) -> list[Array]:
     """Of each of the rank's files: components in the whole of its triangles, by the ids of their cells."""
-    if pieces.surface is None:
+    if not isinstance(pieces.surface, PieceSurface):
         return []
     of_triangles = pieces.surface.arrays["cell_ids"][pieces.surface.arrays["tet"]]
     order = np.argsort(of_triangles, kind="stable")
@@ -183,7 +213,7 @@ def _write_part(folder: Path, name: str, pieces: RankPieces, file: PieceFile, co
     points, tets = slice(*file.points), slice(*file.tets)
     vertices = np.column_stack([pieces.vertex_ids[points], np.arange(file.points[1] - file.points[0])])
     cells = np.column_stack([pieces.cell_ids[tets], file.cells])
-    if pieces.surface is None:
+    if not isinstance(pieces.surface, PieceSurface):
         raise FileError(f"{file.path}: has no tetrahedra, so there is no part of it; leave it out")
     certified = _certified(pieces, file) if certify else None
     try:
@@ -199,6 +229,73 @@ def _write_part(folder: Path, name: str, pieces: RankPieces, file: PieceFile, co
         certificate = (f"{stem}.json", sha256_of(part.surface.certificate))
     field = sha256_of(file.path.read_bytes()) if certify else ""
     return _Written((f"{stem}.vtp", sha256_of(data)), certificate, (str(file.path), field))
+
+
+def put_parts(
+    comm: Any,
+    output: Path,
+    pieces: RankPieces,
+    begin: Callable[[], None],
+    write: Callable[[Path, int], Written],
+    finish: Callable[[list[Written]], dict[Path, bytes]],
+) -> None:
+    """Writes a file in parts, one for each file of the pieces: all files or none. All ranks call it.
+
+    Parameters
+    ----------
+    comm : mpi4py.MPI.Comm
+    output : Path
+        The .pvtp. The parts go into a folder of its name without the ending.
+    pieces : RankPieces
+    begin : callable
+        What is required before; on the first rank.
+    write : callable
+        Writes a part into a folder, of one of the rank's files.
+    finish : callable
+        What goes beside the folder, from what ``write`` gave for all parts in order; on the first rank.
+
+    Raises
+    ------
+    RankError
+        On all ranks, if something is wrong on one.
+    """
+    folder = output.with_suffix("")
+
+    def start() -> Optional[Path]:
+        for file in pieces.files:
+            if file.tets[0] == file.tets[1]:
+                raise FileError(f"{file.path}: has no tetrahedra, so there is no part of it; leave it out")
+        if len(orders) > 1:
+            raise FileError(f"{output}: the pieces have tensors in several orders: {', '.join(sorted(orders))}")
+        if comm.rank != 0:
+            return None
+        begin()
+        require_folder(folder)
+        return new_folder(folder)
+
+    orders = {order for own in comm.allgather([f.order for f in pieces.files]) for order in own}
+    made = together(comm, start)
+    filled: Path = comm.bcast(made)
+    try:
+
+        def write_all() -> list[Written]:
+            try:
+                return [write(filled, number) for number in range(len(pieces.files))]
+            except OSError as error:
+                if isinstance(error, FileError):
+                    raise
+                raise FileError(f"{folder}: cannot be written ({error.strerror or error})") from error
+
+        gathered = comm.gather(together(comm, write_all))
+
+        def end() -> None:
+            if comm.rank == 0:
+                put_in_place(filled, folder, finish([part for rank in gathered for part in rank]))
+
+        together(comm, end)
+    finally:
+        if comm.rank == 0:
+            shutil.rmtree(filled, ignore_errors=True)
 
 
 def write_parts(
@@ -236,59 +333,31 @@ def write_parts(
     if certificate is not None:
         beside = os.path.relpath(folder, certificate.parent).replace(os.sep, "/")
 
-    def begin() -> Optional[Path]:
-        for file in pieces.files:
-            if file.tets[0] == file.tets[1]:
-                raise FileError(f"{file.path}: has no tetrahedra, so there is no part of it; leave it out")
-        if len(orders) > 1:
-            raise FileError(f"{output}: the pieces have tensors in several orders: {', '.join(sorted(orders))}")
-        if comm.rank != 0:
-            return None
+    cells = comm.reduce(len(pieces.tets))
+    components = _components(pieces, whole)
+
+    def begin() -> None:
         if certificate is not None:
             require_below(certificate, beside)
-        require_folder(folder)
-        return new_folder(folder)
 
-    orders = {order for own in comm.allgather([f.order for f in pieces.files]) for order in own}
-    made = together(comm, begin)
-    filled: Path = comm.bcast(made)
-    try:
-        components = _components(pieces, whole)
+    def write(filled: Path, number: int) -> _Written:
+        return _write_part(filled, folder.name, pieces, pieces.files[number], components[number], text,
+                           certificate is not None)  # fmt: skip
 
-        def write() -> list[_Written]:
-            try:
-                return [
-                    _write_part(filled, folder.name, pieces, file, own, text, certificate is not None)
-                    for file, own in zip(pieces.files, components)
-                ]
-            except OSError as error:
-                if isinstance(error, FileError):
-                    raise
-                raise FileError(f"{folder}: cannot be written ({error.strerror or error})") from error
+    def finish(parts: list[_Written]) -> dict[Path, bytes]:
+        files = {output: pvtp_bytes([f"{folder.name}/{part.surface[0]}" for part in parts])}
+        if certificate is not None:
+            listed = [
+                {
+                    "input": (source, part.field[1]),
+                    "surface": (f"{folder.name}/{part.surface[0]}", part.surface[1]),
+                    "certificate": (f"{beside}/{part.certificate[0]}", part.certificate[1]),
+                }
+                for source, part in zip(sources, parts)
+                if part.certificate is not None
+            ]
+            claimed = {"tetrahedra": cells, **whole.counts}
+            files[certificate] = certificate_of_parts(text, listed, claimed)
+        return files
 
-        gathered = comm.gather(together(comm, write))
-        cells = comm.reduce(len(pieces.tets))
-
-        def finish() -> None:
-            if comm.rank != 0:
-                return
-            parts = [part for rank in gathered for part in rank]
-            files = {output: pvtp_bytes([f"{folder.name}/{part.surface[0]}" for part in parts])}
-            if certificate is not None:
-                listed = [
-                    {
-                        "input": (source, part.field[1]),
-                        "surface": (f"{folder.name}/{part.surface[0]}", part.surface[1]),
-                        "certificate": (f"{beside}/{part.certificate[0]}", part.certificate[1]),
-                    }
-                    for source, part in zip(sources, parts)
-                    if part.certificate is not None
-                ]
-                claimed = {"tetrahedra": cells, **whole.counts}
-                files[certificate] = certificate_of_parts(text, listed, claimed)
-            put_in_place(filled, folder, files)
-
-        together(comm, finish)
-    finally:
-        if comm.rank == 0:
-            shutil.rmtree(filled, ignore_errors=True)
+    put_parts(comm, output, pieces, begin, write, finish)

@@ -1,31 +1,30 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-"""Mode surfaces of fields in pieces, on the ranks of MPI.
+"""Mode surfaces and degenerate curves of fields in pieces, on the ranks of MPI.
 
 ::
 
     mpirun -n 4 python3 -m tensortopo.mpi field.pvtu -o surface.vtp --mode 1/2 --certify surface.json
 
 Each rank reads its share of the pieces, gets from the others the cells around it, and extracts; the first rank
-puts the surfaces together and writes. With ``-o surface.pvtp`` each rank writes the parts of its own pieces, and no
-more than seams are sent to the first rank. The files have the same bytes on any number of ranks. Needs mpi4py.
+puts the surfaces together and writes. With ``--mode 1`` or ``--mode=-1`` these are the degenerate curves. With
+``-o surface.pvtp`` each rank writes the parts of its own pieces, and no more than seams are sent to the first rank.
+The files have the same bytes on any number of ranks. Needs mpi4py.
 """
 from __future__ import annotations
 
 import argparse
-import dataclasses
 import sys
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, Optional, Sequence
-from xml.etree import ElementTree
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 
-from ._errors import FileError
+from ._curve_pieces import MergedCurves, PieceCurves, extract_curve_piece, merge_curve_pieces
 from ._field import Field
-from ._files import grid_of, output_bytes
+from ._files import output_bytes
 from ._modes import mode_texts
 from ._partition import (
     CertifiedField,
@@ -38,123 +37,31 @@ from ._partition import (
 )
 from ._parts import require_below
 from ._ranks import Array, Cells, RankError, number_points, together, with_ghosts
-from ._ranks_parts import (
-    PieceFile,
-    RankPieces,
-    WholeNumbers,
-    number_components,
-    write_parts,
-)
-from ._vtk_xml import read_piece, write_whole
+from ._ranks_curves import curve_kind, number_curves, write_curve_parts
+from ._ranks_parts import RankPieces, WholeNumbers, number_components, write_parts
+from ._ranks_read import Part, is_pvtu, piece_sources, read_part
+from ._vtk_xml import write_whole
 
 _MOST_LAYERS = 8
 
 
-@dataclass
-class Part:
-    """The pieces of one rank.
-
-    Attributes
-    ----------
-    points, tensors : ndarray, shapes (n, 3), (n, 6)
-    piece : ndarray of int64, shape (n,)
-        Which of all pieces has the point.
-    tets : ndarray of int64, shape (m, 4)
-    tensor_name : str
-    files : list of PieceFile
-        Where they were read; needed to write a surface in parts.
-    """
-
-    points: Array
-    tensors: Array
-    piece: Array
-    tets: Array
-    tensor_name: str = ""
-    files: list[PieceFile] = dataclasses.field(default_factory=list)
-
-
 @dataclass(frozen=True)
 class Extracted:
-    """A surface on the ranks.
+    """A surface or curves on the ranks.
 
     Attributes
     ----------
     pieces : RankPieces
         What this rank has.
-    merged : MergedSurface or None
+    merged : MergedSurface, MergedCurves or None
         The whole, on the first rank, unless it stays in parts.
-    whole : WholeNumbers or None
-        Of a surface that stays in parts.
+    whole : WholeNumbers, ndarray or None
+        Of a surface that stays in parts; of curves the components of lines in the whole.
     """
 
     pieces: RankPieces
-    merged: Optional[MergedSurface]
-    whole: Optional[WholeNumbers] = None
-
-
-def piece_sources(inputs: Sequence[Path]) -> list[str]:
-    """The pieces as a .pvtu names them, or the files given.
-
-    Raises
-    ------
-    FileError
-    """
-    if not _is_pvtu(inputs):
-        return [str(path) for path in inputs]
-    (path,) = inputs
-    try:
-        root = ElementTree.parse(path).getroot()
-    except OSError as error:
-        raise FileError(f"{path}: {error.strerror or error}") from error
-    except ElementTree.ParseError as error:
-        raise FileError(f"{path}: is no XML ({error})") from error
-    sources = [piece.get("Source") for piece in root.iterfind("PUnstructuredGrid/Piece")]
-    if not sources or not all(sources):
-        raise FileError(f"{path}: names no pieces")
-    if len(set(sources)) < len(sources):
-        raise FileError(f"{path}: names a piece twice")
-    return [str(source) for source in sources]
-
-
-def _is_pvtu(inputs: Sequence[Path]) -> bool:
-    return len(inputs) == 1 and inputs[0].suffix.lower() == ".pvtu"
-
-
-def read_part(
-    files: Sequence[Path], rank: int, ranks: int, tensor: Optional[str], components: Optional[str]
-) -> Part:
-    """A rank's share of the pieces: those that follow the share of the rank before."""
-    begin, end = (len(files) * r // ranks for r in (rank, rank + 1))
-    part = Part(np.empty((0, 3)), np.empty((0, 6)), np.empty(0, np.int64), np.empty((0, 4), np.int64))
-    for number in range(begin, end):
-        path = files[number]
-        if path.suffix.lower() != ".vtu":
-            raise FileError(f"{path}: the pieces must be .vtu files")
-        grid = grid_of(path, read_piece(path), tensor, components, False)
-        points = np.asarray(grid.points, np.float64)
-        tets = np.asarray(grid.tets, np.int64)
-        if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
-            raise FileError(f"{path}: a coordinate is missing or not finite")
-        if tets.size and not 0 <= tets.min() <= tets.max() < len(points):
-            raise FileError(f"{path}: a cell has a vertex that is not there")
-        file = PieceFile(
-            path,
-            number,
-            (len(part.points), len(part.points) + len(points)),
-            (len(part.tets), len(part.tets) + len(tets)),
-            np.asarray(grid.cells, np.int64),
-            grid.tensor_name,
-            grid.order,
-        )
-        part = Part(
-            np.concatenate([part.points, points]),
-            np.concatenate([part.tensors, grid.tensors]),
-            np.concatenate([part.piece, np.full(len(points), number)]),
-            np.concatenate([part.tets, tets + len(part.points)]),
-            grid.tensor_name,
-            [*part.files, file],
-        )
-    return part
+    merged: Union[MergedSurface, MergedCurves, None]
+    whole: Union[WholeNumbers, Array, None] = None
 
 
 def _field_hash(comm: Any, owned: Cells, first: Cells, starts: Array, cells: int) -> Optional[str]:
@@ -214,8 +121,35 @@ def mode_surface(
     RankError
         On all ranks, if something is wrong on one.
     """
-    return extracted(comm, part, mode, certify=certify, resolution=resolution, all_samples=all_samples,
-                     cells=cells).merged  # fmt: skip
+    made = extracted(comm, part, mode, certify=certify, resolution=resolution, all_samples=all_samples, cells=cells)
+    return made.merged if isinstance(made.merged, MergedSurface) else None
+
+
+def degenerate_curves(
+    comm: Any, part: Part, kind: str, *, resolution: float = 4, cells: Optional[int] = None
+) -> Optional[MergedCurves]:
+    """The degenerate curves of a mesh whose pieces lie on the ranks. All ranks call it.
+
+    They are what `Field.degenerate_curves` gives for the whole mesh, bit for bit.
+
+    Parameters
+    ----------
+    comm, part, resolution, cells
+        As for `mode_surface`.
+    kind : {"linear", "planar"}
+
+    Returns
+    -------
+    MergedCurves or None
+        None but on the first rank.
+
+    Raises
+    ------
+    RankError
+        On all ranks, if something is wrong on one.
+    """
+    made = extracted(comm, part, {"linear": 1, "planar": -1}[kind], resolution=resolution, cells=cells)
+    return made.merged if isinstance(made.merged, MergedCurves) else None
 
 
 def extracted(
@@ -229,15 +163,15 @@ def extracted(
     cells: Optional[int] = None,
     in_parts: bool = False,
 ) -> Extracted:
-    """What `mode_surface` gives, and the piece of each rank.
+    """What `mode_surface` or, of modes 1 and -1, `degenerate_curves` gives, and the piece of each rank.
 
     Parameters
     ----------
     comm, part, mode, certify, resolution, all_samples, cells
         As for `mode_surface`.
     in_parts : bool, default False
-        The surface stays in parts: ranks exchange seams, and its components are numbered. With ``certify``, proofs
-        are kept for certificates of parts.
+        What is extracted stays in parts: ranks exchange seams, and components are numbered. With ``certify``, proofs
+        are kept for certificates of parts. Of curves there are none.
 
     Raises
     ------
@@ -265,22 +199,25 @@ def extracted(
         if sha256 is not None:
             certified = CertifiedField(int(numbered.starts[-1]), sha256, names.pop())
 
+    kind = curve_kind(mode)
     for layers in range(1, _MOST_LAYERS + 1):
         held = with_ghosts(comm, owned, numbered, layers)
 
-        def extract(held: Cells = held) -> Optional[PieceSurface]:
+        def extract(held: Cells = held) -> Union[PieceSurface, PieceCurves, None]:
             is_owned = np.isin(held.ids, own_ids, assume_unique=True)
             if not is_owned.any():
                 return None
             local = np.searchsorted(held.vertex_ids, held.tets)
             field = Field(held.points, held.tensors, local, vertex_ids=held.vertex_ids, cell_ids=held.ids)
+            if kind is not None:
+                return extract_curve_piece(field, kind, is_owned, held.vertex_ids, whole, resolution=resolution)
             return extract_piece(field, mode, is_owned, held.vertex_ids, whole, resolution=resolution,
                                  all_samples=all_samples, certify=certify)  # fmt: skip
 
         own = together(comm, extract)
-        merged, whole_numbers = None, None
+        merged, numbers = None, None
         if in_parts:
-            whole_numbers, differ = number_components(comm, own)
+            numbers, differ = number_components(comm, own) if kind is None else number_curves(comm, own)
         else:
             gathered = comm.gather(own)
             merged, differ = together(comm, partial(_merged, gathered, certified, mode))
@@ -289,18 +226,20 @@ def extracted(
             pieces = RankPieces(
                 part.files, part.points, part.tensors, part.tets, numbered.ids, own_ids, own
             )
-            return Extracted(pieces, merged, whole_numbers)
+            return Extracted(pieces, merged, numbers)
     raise RankError(f"{differ} (with {_MOST_LAYERS} layers)")
 
 
 def _merged(
-    gathered: Optional[list[Optional[PieceSurface]]], certified: Optional[CertifiedField], mode: Any
-) -> tuple[Optional[MergedSurface], Optional[str]]:
-    """The whole surface where the pieces were gathered, or why they need more layers."""
+    gathered: Optional[list[Any]], certified: Optional[CertifiedField], mode: Any
+) -> tuple[Union[MergedSurface, MergedCurves, None], Optional[str]]:
+    """The whole where the pieces were gathered, or why they need more layers."""
     if gathered is None:
         return None, None
     pieces = [piece for piece in gathered if piece is not None]
     try:
+        if curve_kind(mode) is not None:
+            return merge_curve_pieces(pieces), None
         return merge_pieces(pieces, certify=certified, mode=mode), None
     except PiecesDiffer as error:
         return None, str(error)
@@ -308,11 +247,11 @@ def _merged(
 
 def _options(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="tensortopo.mpi", description="The mode surface of a field in pieces, on the ranks of MPI"
+        prog="tensortopo.mpi", description="Mode surface or degenerate curves of a field in pieces, on ranks of MPI"
     )
     parser.add_argument("input", nargs="+", type=Path, help="a .pvtu, or its pieces (.vtu) in order")
-    parser.add_argument("-o", "--output", required=True, type=Path, help="the surface: .vtp, or .pvtp with a .vtp for each piece")
-    parser.add_argument("--mode", required=True, help="strictly between -1 and 1: 0.5 or 1/2")
+    parser.add_argument("-o", "--output", required=True, type=Path, help="surface or curves: .vtp, or .pvtp with a .vtp for each piece")
+    parser.add_argument("--mode", required=True, help="0.5 or 1/2; 1 and -1: the degenerate curves")
     parser.add_argument("--certify", type=Path, metavar="CERT", help="also write a certificate (.json)")
     parser.add_argument("--tensor", help="the array of the points, if there are several")
     parser.add_argument("--components", help="the order of six components, if the files do not name it")
@@ -329,11 +268,16 @@ def _in_parts(options: argparse.Namespace) -> bool:
 def _require_names(options: argparse.Namespace) -> None:
     if options.output.suffix.lower() not in (".vtp", ".pvtp"):
         raise ValueError(f"{options.output}: the name of the surface must end in .vtp or .pvtp")
-    if _in_parts(options) and options.certify is not None and not _is_pvtu(options.input):
+    if _in_parts(options) and options.certify is not None and not is_pvtu(options.input):
         raise ValueError(f"{options.certify}: a certificate of parts is about a .pvtu; give one as input")
     if options.certify is not None and options.certify.suffix.lower() != ".json":
         raise ValueError(f"{options.certify}: the name of the certificate must end in .json")
-    if len(mode_texts(options.mode)) != 1:
+    if curve_kind(options.mode) is not None:
+        if options.certify is not None:
+            raise ValueError(f"{options.certify}: curves in pieces have no certificate; leave out --certify")
+        if options.all_samples:
+            raise ValueError("--all-samples: is about surfaces; curves have all samples")
+    elif len(mode_texts(options.mode)) != 1:
         raise ValueError("mode: one is extracted at a time")
 
 
@@ -349,7 +293,7 @@ def run(comm: Any, options: argparse.Namespace) -> None:
     """All of it; files appear together or not at all."""
     together(comm, lambda: _require_names(options))
     sources = together(comm, lambda: _sources(options))
-    folder = options.input[0].parent if _is_pvtu(options.input) else Path()
+    folder = options.input[0].parent if is_pvtu(options.input) else Path()
     files = [folder / source for source in sources]
     part = together(
         comm, lambda: read_part(files, comm.rank, comm.size, options.tensor, options.components)
@@ -367,12 +311,14 @@ def run(comm: Any, options: argparse.Namespace) -> None:
     surface = made.merged
     own = made.pieces.surface
     unresolved = comm.gather([] if own is None else own.unresolved)
-    if made.whole is not None:
+    if isinstance(made.whole, np.ndarray):
+        write_curve_parts(comm, options.output, made.pieces, made.whole)
+    elif made.whole is not None:
         write_parts(comm, options.output, options.certify, made.pieces, made.whole, options.mode, sources)
     elif surface is not None:
         outputs = {options.output: output_bytes(surface)}
         if options.certify is not None:
-            outputs[options.certify] = surface.certificate or b""
+            outputs[options.certify] = getattr(surface, "certificate", None) or b""
         together(comm, partial(write_whole, outputs))
     else:
         together(comm, lambda: None)
