@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-"""compare.py OUT: the pieces' triangles and components together are those of the whole field, bit for bit."""
+"""compare.py OUT: the pieces' triangles, lines and components together are those of the whole field, bit for bit."""
 import sys
 from pathlib import Path
 
@@ -46,3 +46,32 @@ print(
     f"two ranks: {len(parts[0])} and {len(parts[1])} triangles, together the whole's {len(expected['corners'])}; "
     f"{len(shared)} of {expected['counts'][:, 0].sum()} components lie on both"
 )
+
+
+def lines_of(points, connectivity, offsets, component):
+    """By the coordinates of their points, whatever their direction, and their component."""
+    lines = [points[line] for line in np.split(connectivity, offsets[:-1])]
+    return sorted((min(line.tobytes(), line[::-1].tobytes()), number) for line, number in zip(lines, component.tolist()))
+
+
+whole = lines_of(*(expected[f"curves_{name}"] for name in ("points", "cells", "offsets", "component")))
+parts, components = [], []
+for file in sorted(out.glob("curves/curves_*.vtp")):
+    sections = read_piece(file).sections
+    points = next(iter(sections["Points"].values())).values
+    lines, component = sections["Lines"], sections["CellData"]["component"].values
+    parts.append(lines_of(points, lines["connectivity"].values, lines["offsets"].values, component))
+    components.append(component)
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    data = reader.GetOutput().GetFieldData()
+    counts = [vtk_to_numpy(data.GetArray(name)) for name in ("components", "closed_components")]
+    assert np.array_equal(np.stack(counts, axis=1), expected["curve_counts"]), counts
+    assert vtk_to_numpy(data.GetArray("curve_mode")).tolist() == [1, -1]
+assert len(parts) == 2 and min(map(len, parts)) > 20, [len(p) for p in parts]
+shared = np.intersect1d(*components)
+assert len(shared) > 0, "no curve lies on both ranks"
+assert sorted(parts[0] + parts[1]) == whole
+print(f"two ranks: {len(parts[0])} and {len(parts[1])} lines, together the whole's {len(whole)}; "
+      f"{len(shared)} of {expected['curve_counts'][:, 0].sum()} components lie on both")  # fmt: skip

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
-"""mpirun -n 2 pvbatch parallel.py PLUGIN OUT KIND [CELLS]: the surfaces of a field in pieces, written in pieces.
+"""mpirun -n 2 pvbatch parallel.py PLUGIN OUT KIND [CELLS]: the surfaces and curves of a field in pieces, written in pieces.
 
-Ends with status 1 if the filter fails, which leaves its output without the field array `components`. KIND `alone`
+Ends with status 1 if a filter fails, which leaves its output without the field array `components`. KIND `alone`
 is `field` without ghosts.
 """
 import sys
@@ -20,3 +20,8 @@ surface.UpdatePipeline()
 if "components" not in surface.FieldData.keys():
     sys.exit(1)
 SaveData(f"{out}/surface.pvtp", proxy=ProcessIdScalars(Input=surface), DataMode="Binary", CompressorType="None")
+curves = TensorDegenerateCurves(Input=pieces)
+curves.UpdatePipeline()
+if "components" not in curves.FieldData.keys():
+    sys.exit(1)
+SaveData(f"{out}/curves.pvtp", proxy=curves, DataMode="Binary", CompressorType="None")

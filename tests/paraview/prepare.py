@@ -129,6 +129,7 @@ np.savez(
         + [sum(getattr(part, key) for part in level.components) for key in ("euler_characteristic", "boundary_loops")]
         for level in every.levels
     ],
+    curve_counts=[[level.components, level.closed_components] for level in curves.levels],
     tets=len(field.tets),
     unresolved=len(surface.unresolved) + len(curves.unresolved),
 )

@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#include "tensortopo/io/read_mesh.hpp"
+#include "slab_grid.hpp"
 #include "tensortopo/io/temporary_folder.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/modes/mode_extractor.hpp"
@@ -36,37 +36,6 @@
 
 namespace tensortopo {
 namespace {
-
-const std::string kField = TENSORTOPO_DATA "/s4_slab_small_C3D8I.vtu";
-
-/// The mesh as a grid of tensors "S", without any reader of VTK.
-vtkSmartPointer<vtkUnstructuredGrid> grid_of(const TetMesh& mesh) {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> tensors;
-  tensors->SetName("S");
-  tensors->SetNumberOfComponents(6);
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const auto& p = mesh.points[v];
-    points->InsertNextPoint(p.x, p.y, p.z);
-    const auto& t = mesh.tensors[v];
-    const double row[6]{t.xx, t.yy, t.zz, t.xy, t.yz, t.xz};
-    tensors->InsertNextTuple(row);
-  }
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(tensors);
-  for (const auto& t : mesh.tets) {
-    const vtkIdType v[4]{t[0], t[1], t[2], t[3]};
-    grid->InsertNextCell(VTK_TETRA, 4, v);
-  }
-  return grid;
-}
-
-const TetMesh& slab() {
-  static const TetMesh mesh = read_mesh(kField).mesh;
-  return mesh;
-}
 
 /// What a filter complains of.
 struct Complaints {

@@ -191,7 +191,7 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
     ExtractOptions options;
     options.sampling.resolution = request.resolution;
     options.progress = progress;
-    CurveExtraction extraction = extract_degenerate_curves(mesh, kind, options);
+    auto [extraction, keys] = extract_keyed_curves(mesh, kind, options);
     ModePart part;
     part.mode = mode;
     part.vertices = extraction.curves.points.size();
@@ -208,6 +208,7 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
       result.claims += certified.back().claims();
     }
     result.parts.push_back(std::move(part));
+    result.keys.push_back(std::move(keys));
     append_curves(result.curves, std::move(extraction.curves));
   }
   if (stability) result.more = stability->arrays();

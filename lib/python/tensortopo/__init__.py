@@ -29,12 +29,6 @@ from ._curve_pieces import (
     extract_curve_piece,
     merge_curve_pieces,
 )
-from ._curve_seams import (
-    CurveSeam,
-    JoinedCurveSeams,
-    curve_seam_of,
-    join_curve_seams,
-)
 from ._errors import Cancelled, Defect, FileError, MeshError, UnresolvedError
 from ._families import Generated, field_kinds, generate
 from ._field import Field
@@ -59,8 +53,12 @@ from ._persistence import (
     PersistencePair,
 )
 from ._seams import (
+    CurveSeam,
+    JoinedCurveSeams,
     JoinedSeams,
     SurfaceSeam,
+    curve_seam_of,
+    join_curve_seams,
     join_seams,
     piece_components,
     seam_of,

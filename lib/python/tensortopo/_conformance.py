@@ -15,7 +15,7 @@ from ._errors import FileError
 from ._field import Field
 from ._files import write
 from ._modes import Mode, mode_text
-from ._program import find_program
+from ._files import find_program
 from ._surface import Surface
 from ._tensors import real_array
 from ._vtk_xml import piece_text, write_whole

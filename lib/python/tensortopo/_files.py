@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import operator
 import os
+import shutil
 import subprocess
 import tempfile
 from collections.abc import Sequence
@@ -18,7 +19,6 @@ from ._curve_pieces import MergedCurves
 from ._errors import FileError, MeshError
 from ._field import Field
 from ._partition import MergedSurface
-from ._program import find_program, has_program
 from ._surface import Curves, Surface, _Output
 from ._tensors import COMPONENT_ORDERS, tensor_rows
 from ._vtk_xml import XmlArray, XmlPiece, piece_text, read_piece, write_whole
@@ -29,6 +29,21 @@ _TETRA = 10
 _GHOST = 1 | 32  # bits of vtkGhostType: another piece's cell, and one that is hidden
 _FLAT = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36}  # points, lines, faces
 _LINEAR_NAMES = {11: "voxels", 12: "hexahedra", 13: "wedges", 14: "pyramids"}
+
+
+def has_program() -> bool:
+    """Whether `find_program` finds one."""
+    return bool(os.environ.get("TENSORTOPO_PROGRAM") or shutil.which("tensortopo"))
+
+
+def find_program(path: Optional[str] = None) -> str:
+    """The program: as given, else what TENSORTOPO_PROGRAM names, else tensortopo on the path."""
+    found = path or os.environ.get("TENSORTOPO_PROGRAM") or shutil.which("tensortopo")
+    if found is None:
+        raise FileError(
+            "tensortopo: the program is not on the path; pass program=, or set TENSORTOPO_PROGRAM"
+        )
+    return found
 
 
 def _tensors(arrays: dict[str, XmlArray]) -> dict[str, XmlArray]:

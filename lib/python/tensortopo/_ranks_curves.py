@@ -10,10 +10,10 @@ from typing import Any, Optional
 import numpy as np
 
 from ._curve_pieces import PieceCurves
-from ._curve_seams import curve_seam_of, join_curve_seams
 from ._parts import PartArrays, pvtp_bytes
 from ._ranks import Array, together
 from ._ranks_parts import RankPieces, join_on_first, put_parts
+from ._seams import curve_seam_of, join_curve_seams
 from ._vtk_xml import piece_text
 
 _ARRAYS = PartArrays(

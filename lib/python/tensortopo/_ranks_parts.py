@@ -27,38 +27,12 @@ from ._parts import (
     require_folder,
     sha256_of,
 )
-from ._ranks import Array, together
+from ._ranks import Array, PieceFile, together
 from ._seams import JoinedSeams, join_seams, piece_components, seam_of
 
 Written = TypeVar("Written")
 Seam = TypeVar("Seam")
 Joined = TypeVar("Joined")
-
-
-@dataclass(frozen=True)
-class PieceFile:
-    """A file of a rank's pieces.
-
-    Attributes
-    ----------
-    path : Path
-    number : int
-        Among all pieces.
-    points, tets : tuple of int
-        Where its points and tetrahedra begin and end among those of the rank.
-    cells : ndarray of int64
-        Of each of its tetrahedra, which of the file's cells it is.
-    tensor_name, order : str
-        Name of the tensors' array, and order of its components.
-    """
-
-    path: Path
-    number: int
-    points: tuple[int, int]
-    tets: tuple[int, int]
-    cells: Array
-    tensor_name: str
-    order: str
 
 
 @dataclass(frozen=True)

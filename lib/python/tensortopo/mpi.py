@@ -36,10 +36,20 @@ from ._partition import (
     merge_pieces,
 )
 from ._parts import require_below
-from ._ranks import Array, Cells, RankError, number_points, together, with_ghosts
+from ._ranks import (
+    Array,
+    Cells,
+    Part,
+    RankError,
+    is_pvtu,
+    number_points,
+    piece_sources,
+    read_part,
+    together,
+    with_ghosts,
+)
 from ._ranks_curves import curve_kind, number_curves, write_curve_parts
 from ._ranks_parts import RankPieces, WholeNumbers, number_components, write_parts
-from ._ranks_read import Part, is_pvtu, piece_sources, read_part
 from ._vtk_xml import write_whole
 
 _MOST_LAYERS = 8
@@ -215,9 +225,13 @@ def extracted(
                                  all_samples=all_samples, certify=certify)  # fmt: skip
 
         own = together(comm, extract)
-        merged, numbers = None, None
+        merged = None
+        numbers: Union[WholeNumbers, Array, None] = None
         if in_parts:
-            numbers, differ = number_components(comm, own) if kind is None else number_curves(comm, own)
+            if kind is not None:
+                numbers, differ = number_curves(comm, own if isinstance(own, PieceCurves) else None)
+            else:
+                numbers, differ = number_components(comm, own if isinstance(own, PieceSurface) else None)
         else:
             gathered = comm.gather(own)
             merged, differ = together(comm, partial(_merged, gathered, certified, mode))

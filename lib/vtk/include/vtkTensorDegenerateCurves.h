@@ -8,8 +8,9 @@
 ///
 /// Input as of vtkTensorModeSurface. Outputs: 0, the curves, with point arrays `mode`,
 /// `dominant_eigenvector`, `residual` and `separation`, and cell arrays `tet` and `component`; 1,
-/// the cells that no proof covers, with their reasons. With several pieces components are those of
-/// the piece.
+/// the cells that no proof covers, with their reasons. Field arrays of output 0, one number for each
+/// kind: `curve_mode`, `components` and `closed_components` of the whole curves. On several ranks
+/// components are those of the whole curves; of pieces without ranks, those of the piece.
 class TENSORTOPOFILTERS_EXPORT vtkTensorDegenerateCurves : public vtkTensorTopology {
  public:
   static vtkTensorDegenerateCurves* New();  ///< as of any VTK filter

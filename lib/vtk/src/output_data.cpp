@@ -165,6 +165,20 @@ void fill(vtkPolyData* output, const std::vector<WholeSurface>& surfaces) {
     output->GetFieldData()->AddArray(array);
 }
 
+void fill(vtkPolyData* output, const std::vector<WholeCurves>& curves) {
+  vtkNew<vtkDoubleArray> mode;
+  vtkNew<vtkTypeInt64Array> components, closed;
+  mode->SetName("curve_mode"), components->SetName("components");
+  closed->SetName("closed_components");
+  for (const WholeCurves& kind : curves) {
+    mode->InsertNextValue(kind.mode);
+    components->InsertNextValue(kind.components);
+    closed->InsertNextValue(kind.closed_components);
+  }
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{mode, components, closed})
+    output->GetFieldData()->AddArray(array);
+}
+
 void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
           const std::vector<CellArray>& more) {
   const auto own = own_cells(curves.tet, grid);

@@ -12,6 +12,7 @@
 #include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/modes/mode_extractor.hpp"
+#include "whole_curves.hpp"
 #include "whole_surface.hpp"
 
 namespace tensortopo::filters {
@@ -29,6 +30,8 @@ void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& gri
 /// Field arrays, one number for each mode: `surface_mode`, `components`, `euler_characteristic` and
 /// `boundary_loops`.
 void fill(vtkPolyData* output, const std::vector<WholeSurface>& surfaces);
+/// Field arrays, one number for each kind: `curve_mode`, `components` and `closed_components`.
+void fill(vtkPolyData* output, const std::vector<WholeCurves>& curves);
 /// Lines, as triangles.
 void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
           const std::vector<CellArray>& more);

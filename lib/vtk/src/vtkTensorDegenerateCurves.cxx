@@ -10,6 +10,7 @@
 
 #include "output_data.hpp"
 #include "ranks.hpp"
+#include "whole_curves.hpp"
 
 using namespace tensortopo;
 
@@ -38,7 +39,12 @@ void vtkTensorDegenerateCurves::Extract(const Input& input, vtkInformationVector
       made = ModeExtractor(grid.piece.mesh).curves(request);
     });
   });
-  filters::fill(vtkPolyData::GetData(outputs, 0), made.curves, grid, made.more);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  if (input.ranks.are_several())
+    filters::fill(output, filters::number_components(made, grid, input.ranks, input.whole));
+  else if (!input.in_pieces)
+    filters::fill(output, filters::counted(made));
+  filters::fill(output, made.curves, grid, made.more);
   filters::fill(vtkUnstructuredGrid::GetData(outputs, 1), made.unresolved, grid);
   if (IsCertifying()) WriteCertificate(made.certificate);
 }

@@ -10,11 +10,11 @@
 
 #include <array>
 #include <charconv>
-#include <optional>
 #include <stdexcept>
 
 #include "output_data.hpp"
 #include "ranks.hpp"
+#include "whole_curves.hpp"
 #include "whole_surface.hpp"
 
 using namespace tensortopo;
@@ -66,7 +66,7 @@ void vtkTensorModeSurface::Extract(const Input& input, vtkInformationVector* out
   curves.resolution = GetSampling();
 
   ModeSurfaces surface;
-  std::optional<DegenerateCurves> lines;
+  DegenerateCurves lines;
   input.ranks.together([&] {
     surfaces.modes = modes_of(UseModeNumber ? shortest(ModeNumber) : Modes);
     surfaces.uncertainty = curves.uncertainty = filters::uncertainty_of(GetUncertainty());
@@ -89,10 +89,15 @@ void vtkTensorModeSurface::Extract(const Input& input, vtkInformationVector* out
   else if (!input.in_pieces)
     filters::fill(output, filters::counted(surface));
   filters::fill(output, surface.surface, grid, surface.more);
-  if (lines) {
-    filters::fill(vtkPolyData::GetData(outputs, 1), lines->curves, grid, lines->more);
-    surface.unresolved.insert(surface.unresolved.end(), lines->unresolved.begin(),
-                              lines->unresolved.end());
+  if (Curves != 0) {
+    vtkPolyData* of_curves = vtkPolyData::GetData(outputs, 1);
+    if (input.ranks.are_several())
+      filters::fill(of_curves, filters::number_components(lines, grid, input.ranks, input.whole));
+    else if (!input.in_pieces)
+      filters::fill(of_curves, filters::counted(lines));
+    filters::fill(of_curves, lines.curves, grid, lines.more);
+    surface.unresolved.insert(surface.unresolved.end(), lines.unresolved.begin(),
+                              lines.unresolved.end());
   }
   filters::fill(vtkUnstructuredGrid::GetData(outputs, 2), surface.unresolved, grid);
   if (IsCertifying()) WriteCertificate(surface.certificate);

@@ -3,10 +3,9 @@
 #include "whole_surface.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <span>
 #include <utility>
 
+#include "mode_parts.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/partition/seam_numbers.hpp"
 #include "tensortopo/partition/surface_seam.hpp"
@@ -17,12 +16,6 @@ namespace {
 
 using Index = SurfaceMesh::Index;
 using Numbers = std::vector<std::int64_t>;
-
-template <class T>
-std::vector<T> some(const std::vector<T>& values, std::size_t first, std::size_t count) {
-  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
-}
 
 /// What a piece's surface needs of a mode's part.
 SurfaceMesh part_of(const SurfaceMesh& all, const ModePart& part, std::size_t first_vertex,
@@ -46,41 +39,9 @@ SurfaceMesh part_of(const SurfaceMesh& all, const ModePart& part, std::size_t fi
   return surface;
 }
 
-/// What a rank says of one mode.
-struct SentPart {
-  double mode = 0;
-  SurfaceSeam seam;
-};
-
-/// What `write_part` wrote, part after part.
-std::vector<SentPart> read_parts(std::span<const std::int64_t> numbers) {
-  std::vector<SentPart> parts;
-  while (!numbers.empty()) {
-    const auto mode = std::bit_cast<double>(numbers[0]);
-    const auto size = static_cast<std::size_t>(numbers[1]);
-    parts.push_back({mode, seam_of_numbers(numbers.subspan(2, size))});
-    numbers = numbers.subspan(2 + size);
-  }
-  return parts;
-}
-
-void write_part(const ModeValue& mode, const SurfaceSeam& seam, Numbers& to) {
-  const Numbers numbers = numbers_of(seam);
-  to.push_back(std::bit_cast<std::int64_t>(mode.approx()));
-  to.push_back(static_cast<std::int64_t>(numbers.size()));
-  to.insert(to.end(), numbers.begin(), numbers.end());
-}
-
-/// The triangles of a mode in owned tetrahedra.
-struct OwnTriangles {
-  std::vector<std::size_t> triangles;  ///< in the surface of all modes
-  std::vector<Index> component;        ///< in the seam
-};
-
 /// Writes the seams of a rank.
-std::vector<OwnTriangles> write_parts(const ModeSurfaces& made, const MeshPiece& piece,
-                                      Numbers& to) {
-  std::vector<OwnTriangles> own;
+std::vector<OwnCells> write_parts(const ModeSurfaces& made, const MeshPiece& piece, Numbers& to) {
+  std::vector<OwnCells> own;
   std::size_t first_vertex = 0, first_triangle = 0;
   for (const ModePart& part : made.parts) {
     const PieceSurface surface =
@@ -90,11 +51,11 @@ std::vector<OwnTriangles> write_parts(const ModeSurfaces& made, const MeshPiece&
     for (const LeftOut& cell : made.unresolved)
       if (cell.mode == part.mode && piece.is_owned[as_size(cell.tet)] != 0)
         seam.unresolved.push_back(piece.mesh.cell_ids[as_size(cell.tet)]);
-    write_part(part.mode, seam, to);
-    OwnTriangles& these = own.emplace_back();
+    write_part(part.mode, numbers_of(seam), to);
+    OwnCells& these = own.emplace_back();
     these.component = surface_components(surface.surface);
     for (std::size_t i = first_triangle; i < first_triangle + part.cells; ++i)
-      if (piece.is_owned[as_size(made.surface.tet[i])] != 0) these.triangles.push_back(i);
+      if (piece.is_owned[as_size(made.surface.tet[i])] != 0) these.cells.push_back(i);
     first_vertex += part.vertices, first_triangle += part.cells;
   }
   return own;
@@ -113,12 +74,12 @@ std::vector<WholeSurface> counted(const ModeSurfaces& made) {
 std::vector<WholeSurface> number_components(ModeSurfaces& made, const TensorGrid& grid,
                                             const Ranks& ranks, const WholeMesh& whole) {
   Numbers message;
-  std::vector<OwnTriangles> own;
+  std::vector<OwnCells> own;
   ranks.together([&] { own = write_parts(made, grid.piece, message); });
-  std::vector<std::vector<SentPart>> sent;
+  std::vector<std::vector<SentPart<SurfaceSeam>>> sent;
   std::size_t modes = 0;
   for (const Numbers& numbers : ranks.gather(message)) {
-    sent.push_back(read_parts(numbers));
+    sent.push_back(read_parts<SurfaceSeam>(numbers, seam_of_numbers));
     modes = std::max(modes, sent.back().size());
   }
   std::vector<WholeSurface> counts;
@@ -141,8 +102,8 @@ std::vector<WholeSurface> number_components(ModeSurfaces& made, const TensorGrid
     count.boundary_loops = total.boundary_loops;
     if (m < own.size()) {
       const auto& numbers = joined.numbers[as_size(ranks.own())];
-      for (std::size_t i = 0; i < own[m].triangles.size(); ++i)
-        made.surface.component[own[m].triangles[i]] = first + numbers[as_size(own[m].component[i])];
+      for (std::size_t i = 0; i < own[m].cells.size(); ++i)
+        made.surface.component[own[m].cells[i]] = first + numbers[as_size(own[m].component[i])];
     }
     first += static_cast<Index>(joined.components.size());
   }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tensortopo/extract/curve_keys.hpp"
 #include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
@@ -93,6 +94,7 @@ struct DegenerateCurves {
   CurveMesh curves;  ///< all of them
   std::vector<CellArray> more;  ///< of an uncertain field: see `StabilityRun::arrays`
   std::vector<ModePart> parts;  ///< linear ones first
+  std::vector<CurveKeys> keys;  ///< of each part, for curves of a mesh in pieces
   std::vector<LeftOut> unresolved;  ///< by kind, then tetrahedron
   std::string certificate;  ///< the bytes of a file, if asked for
   std::size_t claims = 0;  ///< that it makes

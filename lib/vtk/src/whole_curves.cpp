@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "whole_curves.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "mode_parts.hpp"
+#include "tensortopo/partition/curve_seam.hpp"
+#include "tensortopo/partition/seam_numbers.hpp"
+
+namespace tensortopo::filters {
+
+namespace {
+
+using Index = CurveMesh::Index;
+using Numbers = std::vector<std::int64_t>;
+
+/// What a piece's curves need of a kind's part.
+CurveMesh curves_of_part(const CurveMesh& all, const ModePart& part, std::size_t first_vertex,
+                         std::size_t first_line) {
+  const auto vertices = [&](const auto& values) {
+    return some(values, first_vertex, part.vertices);
+  };
+  CurveMesh curves;
+  curves.points = vertices(all.points);
+  curves.carrier = vertices(all.carrier);
+  curves.carrier_vertices = vertices(all.carrier_vertices);
+  curves.dominant_eigenvector = vertices(all.dominant_eigenvector);
+  curves.mode = vertices(all.mode);
+  curves.separation = vertices(all.separation);
+  curves.residual = vertices(all.residual);
+  curves.lines = some(all.lines, first_line, part.cells);
+  for (auto& line : curves.lines)
+    for (Index& v : line) v -= static_cast<Index>(first_vertex);
+  curves.tet = some(all.tet, first_line, part.cells);
+  return curves;
+}
+
+/// Writes the seams of a rank.
+std::vector<OwnCells> write_curve_seams(const DegenerateCurves& made, const MeshPiece& piece,
+                                        Numbers& to) {
+  std::vector<OwnCells> own;
+  std::size_t first_vertex = 0, first_line = 0;
+  for (std::size_t m = 0; m < made.parts.size(); ++m) {
+    const ModePart& part = made.parts[m];
+    KeyedCurves keyed;
+    keyed.extraction.curves = curves_of_part(made.curves, part, first_vertex, first_line);
+    keyed.keys = made.keys[m];
+    const Degeneracy kind = part.mode.approx() > 0 ? Degeneracy::linear : Degeneracy::planar;
+    PieceCurves curves = owned_curves(piece, kind, std::move(keyed));
+    CurveSeam seam = curve_seam_of(curves);
+    seam.owned_ids.clear();  // all ranks know them
+    write_part(part.mode, numbers_of(seam), to);
+    OwnCells& these = own.emplace_back();
+    these.component = std::move(curves.curves.component);
+    for (std::size_t i = first_line; i < first_line + part.cells; ++i)
+      if (piece.is_owned[as_size(made.curves.tet[i])] != 0) these.cells.push_back(i);
+    first_vertex += part.vertices, first_line += part.cells;
+  }
+  return own;
+}
+
+}  // namespace
+
+std::vector<WholeCurves> counted(const DegenerateCurves& made) {
+  std::vector<WholeCurves> counts;
+  for (const ModePart& part : made.parts)
+    counts.push_back({part.mode.approx(),
+                      static_cast<std::int64_t>(part.curve_invariants.components),
+                      static_cast<std::int64_t>(part.curve_invariants.closed_components)});
+  return counts;
+}
+
+std::vector<WholeCurves> number_components(DegenerateCurves& made, const TensorGrid& grid,
+                                           const Ranks& ranks, const WholeMesh& whole) {
+  Numbers message;
+  std::vector<OwnCells> own;
+  ranks.together([&] { own = write_curve_seams(made, grid.piece, message); });
+  std::vector<std::vector<SentPart<CurveSeam>>> sent;
+  std::size_t kinds = 0;
+  for (const Numbers& numbers : ranks.gather(message)) {
+    sent.push_back(read_parts<CurveSeam>(numbers, curve_seam_of_numbers));
+    kinds = std::max(kinds, sent.back().size());
+  }
+  std::vector<WholeCurves> counts;
+  Index first = 0;  // component of the kind
+  for (std::size_t m = 0; m < kinds; ++m) {
+    WholeCurves& count = counts.emplace_back();
+    std::vector<CurveSeam> seams(sent.size());
+    for (std::size_t r = 0; r < sent.size(); ++r)
+      if (!sent[r].empty()) {
+        seams[r] = std::move(sent[r][m].seam);
+        count.mode = sent[r][m].mode;
+      }
+    for (std::size_t r = 0; r < sent.size(); ++r) {
+      // A rank without cells has curves of any kind: none.
+      seams[r].kind = count.mode > 0 ? Degeneracy::linear : Degeneracy::planar;
+      seams[r].owned_ids = whole.owned_ids[r];
+      seams[r].whole_tets = whole.tets;
+    }
+    const JoinedCurveSeams joined = join_curve_seams(seams);
+    count.components = static_cast<std::int64_t>(joined.components.size());
+    count.closed_components = joined.closed_components();
+    if (m < own.size()) {
+      const auto& numbers = joined.numbers[as_size(ranks.own())];
+      for (std::size_t i = 0; i < own[m].cells.size(); ++i)
+        made.curves.component[own[m].cells[i]] = first + numbers[as_size(own[m].component[i])];
+    }
+    first += static_cast<Index>(joined.components.size());
+  }
+  return counts;
+}
+
+}  // namespace tensortopo::filters
