@@ -23,6 +23,7 @@
 /// It is checked that the ranks own each cell once and have all ghosts, that vertices that they
 /// share agree, and that sides of triangles between them have partners; what is wrong is an error
 /// on all of them. Otherwise components are those of the piece, and there are no field arrays.
+/// Output 1 is as output 0 of vtkTensorDegenerateCurves.
 class TENSORTOPOFILTERS_EXPORT vtkTensorModeSurface : public vtkTensorTopology {
  public:
   static vtkTensorModeSurface* New();  ///< as of any VTK filter
