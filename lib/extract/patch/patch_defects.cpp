@@ -77,7 +77,8 @@ UpwardTest::Facing UpwardTest::facing(const Vector3<double>& a, const Vector3<do
           product / (normal * gradient)};
 }
 
-PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test) {
+PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test,
+                        std::size_t most_tested) {
   PatchDefects defects;
   for (std::uint32_t i = 0; i < patch.triangles.size(); ++i) {
     const auto& t = patch.triangles[i];
@@ -85,9 +86,10 @@ PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test) {
       defects.against.push_back(i);
   }
   if (patch.triangles.size() > 1) {
-    auto [pairs, tested] = intersecting_pairs(patch.points, patch.triangles);
-    defects.intersecting = std::move(pairs);
-    defects.tested = tested;
+    auto found = intersecting_pairs(patch.points, patch.triangles, most_tested);
+    defects.intersecting = std::move(found.pairs);
+    defects.tested = found.tested;
+    defects.are_all = found.are_all;
   }
   return defects;
 }

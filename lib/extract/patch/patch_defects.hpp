@@ -57,11 +57,14 @@ struct PatchDefects {
   std::vector<std::uint32_t> against;  ///< triangles at 90 degrees to the gradient or more
   std::vector<std::array<std::uint32_t, 2>> intersecting;  ///< see `intersecting_pairs`
   std::size_t tested = 0;                                  ///< likewise
+  bool are_all = true;                                     ///< likewise
 
   bool any() const { return !against.empty() || !intersecting.empty(); }
 };
 
-PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test);
+/// @param most_tested  as for `intersecting_pairs`
+PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test,
+                        std::size_t most_tested = SIZE_MAX);
 
 /// Whether two vertices of the boundary loops have the same coordinates, as next to a tensor that is
 /// nearly isotropic: then no triangles with these loops are embedded.

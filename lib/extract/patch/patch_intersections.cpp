@@ -206,7 +206,8 @@ void for_parts(std::size_t count, const Body& body) {
 }  // namespace
 
 IntersectingPairs intersecting_pairs(std::span<const Vector3<double>> points,
-                                     std::span<const PatchTriangle> triangles) {
+                                     std::span<const PatchTriangle> triangles,
+                                     std::size_t most_tested) {
   // Nearly all patches are small: no memory for each of them.
   thread_local std::vector<Side> sides;
   make_sides(points, triangles, sides);
@@ -219,10 +220,14 @@ IntersectingPairs intersecting_pairs(std::span<const Vector3<double>> points,
     return std::pair(extents[i].low[0], i) < std::pair(extents[j].low[0], j);
   });
   IntersectingPairs result;
-  for (std::size_t i = 0; i < order.size(); ++i)
+  for (std::size_t i = 0; i < order.size() && result.are_all; ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       if (extents[order[j]].low[0] > extents[order[i]].high[0]) break;
       if (!boxes_meet(extents[order[i]], extents[order[j]])) continue;
+      if (result.tested >= most_tested && !result.pairs.empty()) {
+        result.are_all = false;
+        break;
+      }
       ++result.tested;
       if (!are_in_conflict(sides[order[i]], sides[order[j]])) continue;
       const auto [a, b] = std::minmax(order[i], order[j]);
@@ -232,22 +237,28 @@ IntersectingPairs intersecting_pairs(std::span<const Vector3<double>> points,
   return result;
 }
 
-bool intersects_any(std::span<const Vector3<double>> points, std::span<const PatchTriangle> first,
-                    std::span<const PatchTriangle> others) {
+std::optional<std::size_t> find_intersection(std::span<const Vector3<double>> points,
+                                             std::span<const PatchTriangle> first,
+                                             std::span<const PatchTriangle> others) {
   thread_local std::vector<Side> sides;
   make_sides(points, first, sides);
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < sides.size(); ++j)
-      if (are_in_conflict(sides[i], sides[j])) return true;
-  for (const auto& t : others) {
-    const AxisBox box = box_of(points, t);
+      if (are_in_conflict(sides[i], sides[j])) return others.size();
+  for (std::size_t other = 0; other < others.size(); ++other) {
+    const AxisBox box = box_of(points, others[other]);
     if (std::none_of(sides.begin(), sides.end(), [&](const Side& s) { return boxes_meet(s, box); }))
       continue;
-    const Side side = side_of(points, t);
+    const Side side = side_of(points, others[other]);
     for (const auto& s : sides)
-      if (are_in_conflict(s, side)) return true;
+      if (are_in_conflict(s, side)) return other;
   }
-  return false;
+  return std::nullopt;
+}
+
+bool intersects_any(std::span<const Vector3<double>> points, std::span<const PatchTriangle> first,
+                    std::span<const PatchTriangle> others) {
+  return find_intersection(points, first, others).has_value();
 }
 
 bool are_embedded(std::span<const Vector3<double>> points,

@@ -65,6 +65,8 @@ CellPatch::CellPatch(const TetWithCurves<Scalar>& tet, const Level<double>& leve
       around_[place_of(id)].push_back(static_cast<std::uint32_t>(triangles_.size()));
     triangles_.push_back({place_of(t[0]), place_of(t[1]), place_of(t[2])});
   }
+  changed_.resize(triangles_.size(), 0);
+  refusals_.resize(around_.size());
 }
 
 /// Of a vertex that no triangle here has: a place without triangles.
@@ -198,22 +200,54 @@ double CellPatch::least_sine_after(Id vertex, Id neighbour, double least, double
   return faces_up ? sine : 0;
 }
 
-bool CellPatch::is_embedded_after(Id vertex, Id neighbour) const {
+bool CellPatch::is_still_refused(Place v, Place u) const {
+  const auto& refusals = refusals_[v];
+  const auto refusal = std::find_if(refusals.begin(), refusals.end(),
+                                    [&](const Refusal& r) { return r.neighbour == u; });
+  if (refusal == refusals.end()) return false;
+  const auto is_unchanged = [&](std::uint32_t t) { return changed_[t] <= refusal->turn; };
+  const auto& star = around_[v];
+  return star.size() == refusal->star && std::all_of(star.begin(), star.end(), is_unchanged) &&
+         (refusal->intersected == Refusal::kNone || is_unchanged(refusal->intersected));
+}
+
+void CellPatch::refuse(Place v, Place u, std::uint32_t intersected) {
+  auto& refusals = refusals_[v];
+  const auto old = std::find_if(refusals.begin(), refusals.end(),
+                                [&](const Refusal& r) { return r.neighbour == u; });
+  const Refusal refusal{u, intersected, around_[v].size(), turn_};
+  if (old == refusals.end())
+    refusals.push_back(refusal);
+  else
+    *old = refusal;
+}
+
+bool CellPatch::is_embedded_after(Id vertex, Id neighbour) {
   const Place v = place_of(vertex), u = place_of(neighbour);
+  if (is_still_refused(v, u)) return false;
   thread_local std::vector<PatchTriangle> changed, others;
-  changed.clear(), others.clear();
-  for (const auto& triangle : triangles_) {
+  thread_local std::vector<std::uint32_t> numbers;  // of the others
+  changed.clear(), others.clear(), numbers.clear();
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    const auto& triangle = triangles_[i];
     if (triangle[0] == triangle[1]) continue;
     if (!has(triangle, v)) {
       others.push_back(triangle);
+      numbers.push_back(i);
     } else if (!has(triangle, u)) {
       auto t = triangle;
       *std::find(t.begin(), t.end(), v) = u;
-      if (!upward_.facing(places_[t[0]], places_[t[1]], places_[t[2]]).is_upward) return false;
+      if (!upward_.facing(places_[t[0]], places_[t[1]], places_[t[2]]).is_upward) {
+        refuse(v, u, Refusal::kNone);
+        return false;
+      }
       changed.push_back(t);
     }
   }
-  return !intersects_any(places_, changed, others);
+  const auto found = find_intersection(places_, changed, others);
+  if (!found) return true;
+  refuse(v, u, *found < numbers.size() ? numbers[*found] : Refusal::kNone);
+  return false;
 }
 
 bool CellPatch::turns_alike_without(const std::vector<Id>& polygon, Id vertex) const {
@@ -235,8 +269,10 @@ bool CellPatch::turns_alike_without(const std::vector<Id>& polygon, Id vertex) c
 
 void CellPatch::move(Id vertex, Id neighbour) {
   const Place v = place_of(vertex), u = place_of(neighbour);
+  ++turn_;
   for (const auto i : around_[v]) {
     auto& t = triangles_[i];
+    changed_[i] = turn_;
     if (!has(t, u)) {
       *std::find(t.begin(), t.end(), v) = u;
       around_[u].push_back(i);

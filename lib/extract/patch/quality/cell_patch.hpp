@@ -36,7 +36,7 @@ class CellPatch {
 
   /// Whether the triangles that the vertex's become when it moves to a neighbour face larger modes,
   /// and intersect none (see `PatchDefects`).
-  bool is_embedded_after(Id vertex, Id neighbour) const;
+  bool is_embedded_after(Id vertex, Id neighbour);
 
   /// How far the level is from the triangles around a vertex, at most, at the middles of their
   /// edges and of themselves, to first order and in longest edges of the tetrahedron.
@@ -61,7 +61,19 @@ class CellPatch {
     std::uint8_t faces = 0;    ///< of the tetrahedron, that hold the vertex
   };
 
+  /// Why a vertex may not move to a neighbour: a triangle that would be intersected, or the
+  /// vertex's own triangles. It holds until one of these changes.
+  struct Refusal {
+    static constexpr std::uint32_t kNone = 0xffffffff;
+    Place neighbour;
+    std::uint32_t intersected = kNone;
+    std::size_t star = 0;   ///< how many triangles the vertex had
+    std::uint32_t turn = 0;  ///< of `changed_`
+  };
+
   Place place_of(Id id) const;
+  bool is_still_refused(Place v, Place u) const;
+  void refuse(Place v, Place u, std::uint32_t intersected);
   bool keeps_sheets(Place v, Place u) const;
   const Vector3<double>& up(Corner& corner) const;
   Vector3<double> normal(const Triangle& t) const;
@@ -79,6 +91,9 @@ class CellPatch {
   std::vector<Triangle> triangles_;  ///< with three times the same corner: taken out
   using Star = boost::container::small_vector<std::uint32_t, 6>;
   std::vector<Star> around_;  ///< the triangles of each corner, ascending
+  std::uint32_t turn_ = 0;    ///< moves made
+  std::vector<std::uint32_t> changed_;  ///< the last move that changed each triangle
+  std::vector<boost::container::small_vector<Refusal, 2>> refusals_;  ///< of each corner
 };
 
 }  // namespace tensortopo

@@ -70,7 +70,7 @@ bool stays_close(const CellPatch& patch, const CurveChain& chain, Id v, Id u) {
   return offset <= chain.flatness || offset <= patch.offset_around(v);
 }
 
-bool may_go(const CellPatch& patch, const CurveChain& chain, Id v, const Way& way) {
+bool may_go(CellPatch& patch, const CurveChain& chain, Id v, const Way& way) {
   return way.sine > 0 && (!chain.is_closed || patch.turns_alike_without(chain.vertices, v)) &&
          (!chain.stays_embedded || patch.is_embedded_after(v, way.to));
 }

@@ -21,6 +21,10 @@ namespace {
 /// How often all triangles that have defects are gone through.
 constexpr int kMostRounds = 8;
 
+/// Triangles tried for each triangle of the patch: whoever needs more hardly ever succeeds. Boxes
+/// compared count as well, so many as one triangle.
+constexpr std::size_t kMostTried = 256, kBoxesAsOne = 8;
+
 /// Newton steps go on, four at a time, until they change no weight by more than rounding does.
 constexpr int kMostAttempts = 8;
 constexpr double kConverged = 0x1p-48;
@@ -46,7 +50,8 @@ class Untangling {
         around_(placed_.ids.size()),
         faces_(placed_.ids.size(), 0),
         bad_(placed_.triangles.size(), 0),
-        cosine_(placed_.triangles.size()) {
+        cosine_(placed_.triangles.size()),
+        most_tried_(kMostTried * placed_.triangles.size()) {
     for (std::uint32_t t = 0; t < placed_.triangles.size(); ++t) enter(t);
     for (const auto& loop : boundaries)
       for (const auto& vertex : loop) {
@@ -64,7 +69,7 @@ class Untangling {
     for (int round = 0; round < kMostRounds; ++round) {
       bool has_changed = false;
       for (std::uint32_t t = 0; t < placed_.triangles.size(); ++t)
-        if (bad_[t] != 0 && !is_gone(t)) has_changed |= mend(t);
+        if (bad_[t] != 0 && !is_gone(t) && tried_ < most_tried_) has_changed |= mend(t);
       any |= has_changed;
       if (!has_changed) break;
     }
@@ -102,8 +107,9 @@ class Untangling {
 
   /// Whether triangles in place of some others leave fewer defects, or as many that are less
   /// against the gradient, and none with the rest.
-  bool is_better(std::span<const std::uint32_t> old, std::span<const PatchTriangle> fresh) const {
+  bool is_better(std::span<const std::uint32_t> old, std::span<const PatchTriangle> fresh) {
     std::ptrdiff_t before = 0, after = 0;
+    tried_ += fresh.size();
     double worst_before = 1, worst_after = 1;
     for (const std::uint32_t t : old)
       before += bad_[t], worst_before = std::min(worst_before, cosine_[t]);
@@ -113,6 +119,7 @@ class Untangling {
       if (!is_upward && ++after > before) return false;
     }
     if (after == before && worst_after < worst_before + kLessAgainst) return false;
+    tried_ += placed_.triangles.size() / kBoxesAsOne;
     Vector low = placed_.points[fresh[0][0]], high = low;
     for (const PatchTriangle& t : fresh) add_to_box(t, low, high);
     std::vector<PatchTriangle> others;
@@ -339,6 +346,7 @@ class Untangling {
   std::vector<std::uint8_t> faces_;                 ///< of the tetrahedron, that hold each vertex
   std::vector<char> bad_;                           ///< triangles with defects
   std::vector<double> cosine_;                      ///< of triangles, with the gradient
+  std::size_t tried_ = 0, most_tried_;
 };
 
 }  // namespace

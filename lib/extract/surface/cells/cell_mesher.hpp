@@ -24,7 +24,7 @@ struct MeshingState {
   bool must_be_embedded = true;                 ///< `PatchDefects` are not accepted
   bool was_meshed = false;                      ///< with the proved topology, but with defects
   std::size_t tried = 0;                        ///< triangles of patches with defects
-  std::size_t defects = 0;                      ///< of the patch
+  std::size_t defects = 0;                      ///< of the patch; SIZE_MAX: not all were counted
   int halvings = 0;                             ///< of steps along boundary loops beside defects
   int refinements = 0;                          ///< of the subdivision at defects
   std::vector<SampleRequest<Scalar>> beside_defects;  ///< samples of boundary loops there

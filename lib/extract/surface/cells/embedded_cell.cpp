@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -78,15 +80,17 @@ template <class Scalar>
 bool CellMesher<Scalar>::find_defects() {
   thread_local PlacedPatch patch;
   place_patch<Scalar>(tet_, mesh_.patch, around_.vertices.position, patch);
-  const auto defects = defects_of(patch, UpwardTest(tet_));
+  const std::size_t left = kMostTried - std::min(state_.tried, kMostTried);
+  const auto defects = defects_of(patch, UpwardTest(tet_), kTestsAsOne * left);
   mesh_.has_defects = defects.any();
-  state_.defects = defects.against.size() + defects.intersecting.size();
+  state_.defects =
+      defects.are_all ? defects.against.size() + defects.intersecting.size() : SIZE_MAX;
   if (mesh_.has_defects)
     state_.tried += mesh_.patch.triangles.size() + defects.intersecting.size() +
                     defects.tested / kTestsAsOne;
   mesh_.has_doubled_boundary = mesh_.has_defects && tensortopo::has_doubled_boundary(patch);
   state_.beside_defects.clear();
-  if (mesh_.has_defects && state_.must_be_embedded)
+  if (mesh_.has_defects && state_.must_be_embedded && defects.are_all)
     state_.beside_defects = samples_beside(defects, patch, tet_, around_.arc_vertices(tet_));
   return mesh_.has_defects;
 }

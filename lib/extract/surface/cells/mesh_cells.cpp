@@ -129,7 +129,9 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
     if (is_open(t)) meshing.push_back(t);
   for (int round = 1; !meshing.empty(); ++round) {
     std::vector<char> done(meshing.size(), 0);
-    parallel_stage(input.options, "tetrahedra", meshing.size(), 16, [&](std::size_t i) {
+    // After the first round only tetrahedra remain that take long, and those are neighbours.
+    const std::size_t grain = round == 1 ? 16 : 1;
+    parallel_stage(input.options, "tetrahedra", meshing.size(), grain, [&](std::size_t i) {
       done[i] = mesher_of(meshing[i]).try_mesher();
       TENSORTOPO_ASSERT(
           !done[i] || are_corners_known(meshes.cells[meshing[i]].patch, meshes.vertices),
@@ -139,7 +141,7 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
     std::vector<std::size_t> failed;
     for (std::size_t i = 0; i < meshing.size(); ++i)
       if (!done[i]) failed.push_back(meshing[i]);
-    parallel_stage(input.options, "tetrahedra", failed.size(), 16,
+    parallel_stage(input.options, "tetrahedra", failed.size(), grain,
                    [&](std::size_t i) { mesher_of(failed[i]).choose_next(); });
     if (seam.exists()) note_requests<Scalar>(seam, failed, states, round, meshes);
     const auto changed = add_requested_samples<Scalar>(input, sides, cells, failed, states, meshes);

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: the tensortopo authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "extract/patch/patch_intersections.hpp"
+#include "support/trials.hpp"
+
+namespace tensortopo::test {
+namespace {
+
+struct RandomTriangles {
+  std::vector<Vector3<double>> points;
+  std::vector<PatchTriangle> triangles;
+};
+
+/// Coordinates are whole numbers, so that many triangles share vertices, touch, or have no area.
+RandomTriangles random_triangles(std::size_t count, int largest, std::mt19937& random) {
+  std::uniform_int_distribution<int> place(0, largest);
+  RandomTriangles result;
+  for (std::size_t i = 0; i < count; ++i)
+    result.points.push_back({static_cast<double>(place(random)), static_cast<double>(place(random)),
+                             static_cast<double>(place(random))});
+  std::uniform_int_distribution<std::uint32_t> corner(0, static_cast<std::uint32_t>(count - 1));
+  while (result.triangles.size() < count) {
+    const PatchTriangle t{corner(random), corner(random), corner(random)};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) result.triangles.push_back(t);
+  }
+  return result;
+}
+
+TEST(PatchIntersections, AWitnessIsFoundIfAndOnlyIfThereIsAPair) {
+  std::mt19937 random(20261127);
+  std::size_t with_other = 0, with_itself = 0, without = 0;
+  for (int trial = 0; trial < trials(2000); ++trial) {
+    const auto [points, triangles] = random_triangles(6, 9, random);
+    const auto all = intersecting_pairs(points, triangles).pairs;
+    const std::span<const PatchTriangle> list(triangles), first = list.first(2),
+                                                          others = list.subspan(2);
+    const auto is_pair = [&](std::uint32_t a, std::uint32_t b) {
+      return std::find(all.begin(), all.end(), std::array{a, b}) != all.end();
+    };
+    const auto meets_first = [&](std::size_t other) {
+      const auto b = static_cast<std::uint32_t>(other + 2);
+      return is_pair(0, b) || is_pair(1, b);
+    };
+    const auto found = find_intersection(points, first, others);
+    EXPECT_EQ(found.has_value(), intersects_any(points, first, others));
+    if (!found) {
+      EXPECT_FALSE(is_pair(0, 1));
+      for (std::size_t other = 0; other < others.size(); ++other) EXPECT_FALSE(meets_first(other));
+      ++without;
+    } else if (*found == others.size()) {
+      EXPECT_TRUE(is_pair(0, 1));
+      ++with_itself;
+    } else {
+      EXPECT_TRUE(meets_first(*found));
+      ++with_other;
+    }
+  }
+  EXPECT_GT(std::min({with_other, with_itself, without}), 20u);
+}
+
+TEST(PatchIntersections, FewerTestsFindAPairIfThereIsOne) {
+  std::mt19937 random(7);
+  std::size_t cut_short = 0, without = 0;
+  for (int trial = 0; trial < trials(400); ++trial) {
+    const bool is_dense = trial % 2 == 0;
+    const auto [points, triangles] =
+        is_dense ? random_triangles(12, 7, random) : random_triangles(4, 60, random);
+    const auto all = intersecting_pairs(points, triangles);
+    ASSERT_TRUE(all.are_all);
+    for (const std::size_t most : {0u, 1u, 5u, 1000u}) {
+      const auto some = intersecting_pairs(points, triangles, most);
+      EXPECT_EQ(some.pairs.empty(), all.pairs.empty());
+      EXPECT_TRUE(
+          std::includes(all.pairs.begin(), all.pairs.end(), some.pairs.begin(), some.pairs.end()));
+      if (some.are_all) {
+        EXPECT_EQ(some.pairs, all.pairs);
+        EXPECT_EQ(some.tested, all.tested);
+      }
+      cut_short += !some.are_all;
+    }
+    without += all.pairs.empty();
+  }
+  EXPECT_GT(cut_short, 100u);
+  EXPECT_GT(without, 0u);
+}
+
+}  // namespace
+}  // namespace tensortopo::test
