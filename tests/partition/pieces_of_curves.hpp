@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "pieces_of_fields.hpp"
-#include "support/fields/renumbered_mesh.hpp"
 #include "support/fields/special_meshes.hpp"
 #include "tensortopo/partition/curve_seam.hpp"
 #include "tensortopo/partition/piece_curves.hpp"
@@ -19,23 +18,6 @@
 namespace tensortopo::test {
 
 inline constexpr std::array kDegeneracies{Degeneracy::linear, Degeneracy::planar};
-
-/// A piece of a renumbered mesh, by the ids of the mesh given.
-inline MeshPiece piece_of_renumbered(const RenumberedMesh& other,
-                                     const std::vector<std::int32_t>& owner, int p) {
-  MeshPiece piece = cut_piece(other.mesh, owner, p);
-  for (auto& id : piece.vertex_ids) id = other.vertices[static_cast<std::size_t>(id)];
-  for (auto& id : piece.mesh.cell_ids) id = other.tets[static_cast<std::size_t>(id)];
-  return piece;
-}
-
-/// Slabs, by bisection, or at random.
-inline std::vector<std::int32_t> owners_of_kind(int kind, const TetMesh& mesh, int pieces,
-                                                Random& random) {
-  return kind == 0   ? slabs(mesh, pieces)
-         : kind == 1 ? bisected(mesh, pieces)
-                     : random_owners(mesh, pieces, random);
-}
 
 inline std::vector<PieceCurves> curve_pieces(const TetMesh& mesh,
                                              const std::vector<std::int32_t>& owner, int pieces,

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/fields/field_of_any_kind.hpp"
+#include "support/fields/renumbered_mesh.hpp"
 #include "tensortopo/partition/mesh_piece.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 
@@ -60,6 +61,23 @@ inline std::vector<std::int32_t> bisected(const TetMesh& mesh, int pieces) {
   std::iota(all.begin(), all.end(), std::size_t{0});
   split(split, std::move(all), 0, pieces);
   return owner;
+}
+
+/// A piece of a renumbered mesh, by the ids of the mesh given.
+inline MeshPiece piece_of_renumbered(const RenumberedMesh& other,
+                                     const std::vector<std::int32_t>& owner, int p) {
+  MeshPiece piece = cut_piece(other.mesh, owner, p);
+  for (auto& id : piece.vertex_ids) id = other.vertices[static_cast<std::size_t>(id)];
+  for (auto& id : piece.mesh.cell_ids) id = other.tets[static_cast<std::size_t>(id)];
+  return piece;
+}
+
+/// Slabs, by bisection, or at random.
+inline std::vector<std::int32_t> owners_of_kind(int kind, const TetMesh& mesh, int pieces,
+                                                Random& random) {
+  return kind == 0   ? slabs(mesh, pieces)
+         : kind == 1 ? bisected(mesh, pieces)
+                     : random_owners(mesh, pieces, random);
 }
 
 inline std::vector<PieceSurface> extract_pieces(const TetMesh& mesh,

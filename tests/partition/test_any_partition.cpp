@@ -9,23 +9,12 @@
 
 #include "pieces_of_fields.hpp"
 #include "support/compared.hpp"
-#include "support/fields/renumbered_mesh.hpp"
 #include "support/trials.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/partition/certify_pieces.hpp"
 
 namespace tensortopo::test {
 namespace {
-
-using Index = TetMesh::Index;
-
-/// A piece of a renumbered mesh, by the ids of the mesh given.
-MeshPiece piece_of(const RenumberedMesh& other, const std::vector<std::int32_t>& owner, int p) {
-  MeshPiece piece = cut_piece(other.mesh, owner, p);
-  for (auto& id : piece.vertex_ids) id = other.vertices[static_cast<std::size_t>(id)];
-  for (auto& id : piece.mesh.cell_ids) id = other.tets[static_cast<std::size_t>(id)];
-  return piece;
-}
 
 std::string certificate_of(const CertifiedLevel& level, const TetMesh& mesh) {
   return certificate_bytes({}, std::span(&level, 1), mesh, CertificateEncoding::json);
@@ -47,9 +36,7 @@ TEST(AnyNumberingAndPartition, GivesTheSameBits) {
       mesh.cell_ids[t] = static_cast<std::int64_t>(t);
     const RenumberedMesh other = renumbered_mesh(mesh, random);
     const int pieces = random.integer(2, 16), kind = random.integer(0, 2);
-    const auto owner = kind == 0   ? slabs(other.mesh, pieces)
-                       : kind == 1 ? bisected(other.mesh, pieces)
-                                   : random_owners(other.mesh, pieces, random);
+    const auto owner = owners_of_kind(kind, other.mesh, pieces, random);
     const PreparedField<double> prepared(mesh);
     ExtractOptions options;
     options.keep_topology = true;
@@ -62,7 +49,7 @@ TEST(AnyNumberingAndPartition, GivesTheSameBits) {
       Extraction whole = extract_mode_surface(prepared, mode, options);
       std::vector<PieceSurface> parts;
       for (int p = 0; p < pieces; ++p)
-        parts.push_back(extract_piece(piece_of(other, owner, p), mode, options));
+        parts.push_back(extract_piece(piece_of_renumbered(other, owner, p), mode, options));
       const MergedSurface merged = merge_pieces(parts);
       expect_bits(whole.surface.points, merged.surface.points, where);
       expect_bits(whole.surface.triangles, merged.surface.triangles, where);
