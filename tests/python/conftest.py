@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: the tensortopo authors
 # SPDX-License-Identifier: Apache-2.0
 import os
+import pickle
 import subprocess
 from pathlib import Path
 
@@ -18,6 +19,27 @@ def is_short():
 def tried(inputs):
     """All of a list, or in the short suite every other."""
     return inputs[::2] if is_short() else inputs
+
+
+FAR = 2**40  # ids need 64 bits
+
+
+def pieces_of(field, owner, extract, far=FAR):
+    """What is extracted, as processes would have it: from pieces numbered by themselves, and sent as bytes.
+
+    extract(piece, owned, vertex_ids, whole_cells): of one piece.
+    """
+    random = np.random.default_rng(5)
+    for part in np.unique(owner):
+        near = np.zeros(len(field.points), bool)
+        near[field.tets[owner == part].ravel()] = True
+        cells = random.permutation(np.flatnonzero(near[field.tets].any(axis=1)))
+        vertices = random.permutation(np.unique(field.tets[cells]))
+        number = np.full(len(field.points), -1)
+        number[vertices] = np.arange(len(vertices))
+        piece = tt.Field(field.points[vertices], field.tensors[vertices], number[field.tets[cells]], cell_ids=far + cells)
+        made = extract(piece, owner[cells] == part, far + vertices, len(field.tets))
+        yield pickle.loads(pickle.dumps(made))
 
 
 @pytest.fixture(scope="session")

@@ -5,25 +5,13 @@ import pickle
 
 import numpy as np
 import pytest
+from conftest import FAR, pieces_of
 
 import tensortopo as tt
 
-FAR = 2**40  # ids need 64 bits
 
-
-def pieces_of(field, owner, kind):
-    """As processes would have them: numbered by themselves, and sent as bytes."""
-    random = np.random.default_rng(5)
-    for part in np.unique(owner):
-        near = np.zeros(len(field.points), bool)
-        near[field.tets[owner == part].ravel()] = True
-        cells = random.permutation(np.flatnonzero(near[field.tets].any(axis=1)))
-        vertices = random.permutation(np.unique(field.tets[cells]))
-        number = np.full(len(field.points), -1)
-        number[vertices] = np.arange(len(vertices))
-        piece = tt.Field(field.points[vertices], field.tensors[vertices], number[field.tets[cells]], cell_ids=FAR + cells)
-        curves = tt.extract_curve_piece(piece, kind, owner[cells] == part, FAR + vertices, len(field.tets))
-        yield pickle.loads(pickle.dumps(curves))
+def curve_pieces(field, owner, kind):
+    return pieces_of(field, owner, lambda piece, *about: tt.extract_curve_piece(piece, kind, *about))
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +22,7 @@ def owner(slab):
 @pytest.mark.parametrize("kind", ["linear", "planar"])
 def test_pieces_give_the_curves_of_the_whole(slab, owner, kind):
     whole = slab.degenerate_curves(kind)
-    merged = tt.merge_curve_pieces(reversed(list(pieces_of(slab, owner, kind))))
+    merged = tt.merge_curve_pieces(reversed(list(curve_pieces(slab, owner, kind))))
     assert len(whole) > 20
     for name in ("points", "offsets", "connectivity", "dominant_eigenvectors", "mode", "residual", "separation",
                  "carrier", "component"):  # fmt: skip
@@ -47,7 +35,7 @@ def test_pieces_give_the_curves_of_the_whole(slab, owner, kind):
 @pytest.mark.parametrize("kind", ["linear", "planar"])
 def test_seams_number_the_components_of_the_whole(slab, owner, kind):
     whole = slab.degenerate_curves(kind)
-    pieces = list(pieces_of(slab, owner, kind))
+    pieces = list(curve_pieces(slab, owner, kind))
     joined = tt.join_curve_seams([pickle.loads(pickle.dumps(tt.curve_seam_of(piece))) for piece in pieces])
     (level,) = whole.levels
     assert len(joined.lines) == level.components == whole.component.max() + 1
@@ -60,8 +48,8 @@ def test_seams_number_the_components_of_the_whole(slab, owner, kind):
 
 
 def test_pieces_that_do_not_fit_are_refused(slab, owner):
-    first, second, third = pieces_of(slab, owner, "linear")
-    _, planar, _ = pieces_of(slab, owner, "planar")
+    first, second, third = curve_pieces(slab, owner, "linear")
+    _, planar, _ = curve_pieces(slab, owner, "planar")
     moved = tt.PieceCurves({**second.arrays, "separation": second.arrays["separation"] + 1})
     for put_together in (tt.merge_curve_pieces, lambda all: tt.join_curve_seams(map(tt.curve_seam_of, all))):
         put_together([first, second, third])

@@ -5,25 +5,13 @@ import pickle
 
 import numpy as np
 import pytest
+from conftest import FAR, pieces_of
 
 import tensortopo as tt
 
-FAR = 2**40  # ids need 64 bits
 
-
-def pieces_of(field, owner, mode, far=FAR, **options):
-    """As processes would have them: numbered by themselves, and sent as bytes."""
-    random = np.random.default_rng(5)
-    for part in np.unique(owner):
-        near = np.zeros(len(field.points), bool)
-        near[field.tets[owner == part].ravel()] = True
-        cells = random.permutation(np.flatnonzero(near[field.tets].any(axis=1)))
-        vertices = random.permutation(np.unique(field.tets[cells]))
-        number = np.full(len(field.points), -1)
-        number[vertices] = np.arange(len(vertices))
-        piece = tt.Field(field.points[vertices], field.tensors[vertices], number[field.tets[cells]], cell_ids=far + cells)
-        surface = tt.extract_piece(piece, mode, owner[cells] == part, far + vertices, len(field.tets), **options)
-        yield pickle.loads(pickle.dumps(surface))
+def surface_pieces(field, owner, mode, far=FAR, **options):
+    return pieces_of(field, owner, lambda piece, *about: tt.extract_piece(piece, mode, *about, **options), far)
 
 
 def test_what_is_not_embedded_is_kept(tetrahedron):
@@ -38,7 +26,7 @@ def test_pieces_give_the_surface_of_the_whole(slab, mode):
     field = slab
     owner = np.random.default_rng(3).integers(0, 3, len(field.tets))
     whole = field.mode_surface(mode)
-    merged = tt.merge_pieces(reversed(list(pieces_of(field, owner, mode))))
+    merged = tt.merge_pieces(reversed(list(surface_pieces(field, owner, mode))))
     assert len(whole.triangles) > 1000
     for name in ("points", "triangles", "normals", "medium_eigenvectors", "dominant_eigenvectors", "mode",
                  "residual", "component"):  # fmt: skip
@@ -51,7 +39,7 @@ def test_pieces_give_the_surface_of_the_whole(slab, mode):
 def test_seams_number_the_components_of_the_whole(slab, mode):
     owner = np.random.default_rng(3).integers(0, 3, len(slab.tets))
     whole = slab.mode_surface(mode)
-    pieces = list(pieces_of(slab, owner, mode))
+    pieces = list(surface_pieces(slab, owner, mode))
     seams = [pickle.loads(pickle.dumps(tt.seam_of(piece))) for piece in pieces]
     joined = tt.join_seams(seams)
     (level,) = whole.levels
@@ -75,8 +63,8 @@ def test_seams_number_the_components_of_the_whole(slab, mode):
 def test_seams_that_do_not_fit_are_refused(slab):
     middle = np.median(slab.mode_surface("0").points[:, 1])  # the surface crosses the seam
     owner = (slab.points[slab.tets].mean(axis=1)[:, 1] > middle).astype(int)
-    first, second = (tt.seam_of(piece) for piece in pieces_of(slab, owner, "0"))
-    _, other = (tt.seam_of(piece) for piece in pieces_of(slab, owner, "1/100"))
+    first, second = (tt.seam_of(piece) for piece in surface_pieces(slab, owner, "0"))
+    _, other = (tt.seam_of(piece) for piece in surface_pieces(slab, owner, "1/100"))
     assert len(tt.join_seams([first, second]).triangles) > 0
     with pytest.raises(ValueError, match="a piece is missing"):
         tt.join_seams([first])
@@ -91,16 +79,16 @@ def test_seams_that_do_not_fit_are_refused(slab):
 def test_the_certificate_is_that_of_the_whole(slab):
     owner = np.random.default_rng(4).integers(0, 3, len(slab.tets))
     whole = slab.mode_surface("1/2", certify=True)
-    pieces = list(pieces_of(slab, owner, "1/2", far=0, certify=True))
+    pieces = list(surface_pieces(slab, owner, "1/2", far=0, certify=True))
     known = tt.CertifiedField(len(slab.points), slab.sha256, slab.tensor_name)
     merged = tt.merge_pieces(pieces, certify=known, mode="1/2")
     assert len(merged.certificate) > 100_000
     assert merged.certificate == whole.certificate
     assert tt.check(slab, merged).refuted == 0
-    far = list(pieces_of(slab, owner, "1/2", certify=True))  # ids of 41 bits
+    far = list(surface_pieces(slab, owner, "1/2", certify=True))  # ids of 41 bits
     assert str(FAR).encode()[:4] in tt.merge_pieces(far, certify=known, mode="1/2").certificate
     with pytest.raises(ValueError, match="keep_topology"):
-        tt.merge_pieces(pieces_of(slab, owner, "1/2"), certify=known, mode="1/2")
+        tt.merge_pieces(surface_pieces(slab, owner, "1/2"), certify=known, mode="1/2")
     proofs = pieces[0].arrays["proofs"]
     for wrong in (proofs[:-1], np.append(proofs, 0), np.where(proofs > 2, 10**6, proofs)):
         broken = tt.PieceSurface({**pieces[0].arrays, "proofs": wrong.astype(np.int32)})
@@ -124,7 +112,7 @@ def test_pieces_that_do_not_fit_are_refused(slab):
     field = slab
     middle = np.median(field.mode_surface("0").points[:, 1])  # the surface crosses the seam
     owner = (field.points[field.tets].mean(axis=1)[:, 1] > middle).astype(int)
-    first, second = pieces_of(field, owner, "0")
+    first, second = surface_pieces(field, owner, "0")
     with pytest.raises(ValueError, match="a piece is missing"):
         tt.merge_pieces([first])
     with pytest.raises(ValueError, match="is owned by two pieces"):

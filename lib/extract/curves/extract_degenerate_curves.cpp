@@ -214,8 +214,9 @@ class CurveExtractor {
       }
       cells_.places.insert(cells_.places.end(), cell.places.begin(), cell.places.end());
     }
-    for (CurveLink& link : special.links_below(tets)) links_.push_back(std::move(link));
-    keys_.messages = special.messages_below(tets);
+    auto below = special.lines_below(tets);
+    for (CurveLink& link : below.links) links_.push_back(std::move(link));
+    keys_.messages = std::move(below.messages);
   }
 
   /// Places in one simplex follow each other, and so do links.

@@ -316,9 +316,16 @@ std::vector<SpecialPositions::Below> SpecialPositions::simplices_below() const {
   return result;
 }
 
-std::vector<CurveLink> SpecialPositions::links_below(const std::vector<CellCurves>& tets) const {
+SpecialPositions::LinesBelow SpecialPositions::lines_below(
+    const std::vector<CellCurves>& tets) const {
+  const auto simplices = simplices_below();
+  return {links_of(simplices, tets), messages_of(simplices, tets)};
+}
+
+std::vector<CurveLink> SpecialPositions::links_of(std::span<const Below> simplices,
+                                                  const std::vector<CellCurves>& tets) const {
   std::vector<CurveLink> result;
-  for (const auto& [found, vertices, around] : simplices_below())
+  for (const auto& [found, vertices, around] : simplices)
     for (const SpecialPiece& piece : found->cell.pieces) {
       CurveLink link;
       link.vertices = vertices;
@@ -345,8 +352,8 @@ std::vector<CurveLink> SpecialPositions::links_below(const std::vector<CellCurve
   return result;
 }
 
-std::vector<MeshingMessage> SpecialPositions::messages_below(
-    const std::vector<CellCurves>& tets) const {
+std::vector<MeshingMessage> SpecialPositions::messages_of(
+    std::span<const Below> simplices, const std::vector<CellCurves>& tets) const {
   const auto digest = [](const CellCurves& cell) {
     const auto axis = cell.axis.value_or(Vector3<double>{});
     return digest_of(std::array{cell.obstacle ? static_cast<double>(*cell.obstacle) : -1.0,
@@ -354,7 +361,7 @@ std::vector<MeshingMessage> SpecialPositions::messages_below(
   };
   const auto& numbers = cells_.complex.tets;
   std::vector<MeshingMessage> result;
-  for (const Below& below : simplices_below())
+  for (const Below& below : simplices)
     for (const std::size_t from : below.around)
       for (const std::size_t to : below.around)
         if (from != to) result.push_back({numbers[from], numbers[to], 0, 0, digest(tets[from])});

@@ -49,14 +49,18 @@ class SpecialPositions {
   /// What a tetrahedron of the complex holds.
   CellCurves curve_in_tet(std::size_t tet) const;
 
-  /// The pieces that run along edges and in faces, but for those that bound surfaces.
-  /// @param tets  of the complex
-  std::vector<CurveLink> links_below(const std::vector<CellCurves>& tets) const;
+  /// What edges and faces hold.
+  struct LinesBelow {
+    /// The pieces that run along edges and in faces, but for those that bound surfaces.
+    std::vector<CurveLink> links;
+    /// What the tetrahedra around each edge and face with such pieces tell each other: their
+    /// obstacles and axes, on which it depends what becomes of the pieces. Ascending, by
+    /// tetrahedra of the mesh.
+    std::vector<MeshingMessage> messages;
+  };
 
-  /// What the tetrahedra around each edge and face with such pieces tell each other: their
-  /// obstacles and axes, on which it depends what becomes of the pieces. Ascending, by tetrahedra
-  /// of the mesh.
-  std::vector<MeshingMessage> messages_below(const std::vector<CellCurves>& tets) const;
+  /// @param tets  of the complex
+  LinesBelow lines_below(const std::vector<CellCurves>& tets) const;
 
  private:
   using Index = TetMesh::Index;
@@ -80,6 +84,10 @@ class SpecialPositions {
 
   /// Faces, then edges.
   std::vector<Below> simplices_below() const;
+  std::vector<CurveLink> links_of(std::span<const Below> simplices,
+                                  const std::vector<CellCurves>& tets) const;
+  std::vector<MeshingMessage> messages_of(std::span<const Below> simplices,
+                                          const std::vector<CellCurves>& tets) const;
   void find_on_vertices();
   void find_on_edges();
   void find_on_faces();

@@ -114,7 +114,7 @@ std::vector<std::vector<Index>> lines_of(const py::dict& d) {
   return lines;
 }
 
-/// All indices of a piece are in range, whoever has made it.
+/// All indices of a piece are in range: its arrays may have been altered.
 void require_indices(const PieceCurves& piece) {
   const auto in_range = [](Index i, std::size_t count) { return i >= 0 && as_size(i) < count; };
   const CurveMesh& c = piece.curves;

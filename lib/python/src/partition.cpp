@@ -88,7 +88,7 @@ py::dict piece(const Mesh& self, const std::string& mode, const Input<std::int64
   return dict_of(std::move(made));
 }
 
-/// All indices of a piece are in range, whoever has made it.
+/// All indices of a piece are in range: its arrays may have been altered.
 void require_indices(const PieceSurface& piece) {
   const auto in_range = [](Index i, std::size_t count) { return i >= 0 && as_size(i) < count; };
   const SurfaceMesh& s = piece.surface;

@@ -11,7 +11,7 @@ import numpy as np
 
 from ._curve_pieces import PieceCurves
 from ._parts import PartArrays, pvtp_bytes
-from ._ranks import Array, together
+from ._ranks import Array
 from ._ranks_parts import RankPieces, join_on_first, put_parts
 from ._seams import curve_seam_of, join_curve_seams
 from ._vtk_xml import piece_text
@@ -52,8 +52,7 @@ def number_curves(comm: Any, own: Optional[PieceCurves]) -> tuple[Optional[Array
     RankError
         On all ranks, if something is wrong on one.
     """
-    seam = together(comm, lambda: None if own is None else curve_seam_of(own))
-    _, numbers, differ = join_on_first(comm, seam, join_curve_seams)
+    _, numbers, differ = join_on_first(comm, own, curve_seam_of, join_curve_seams)
     if differ is not None:
         return None, differ
     return np.empty(0, np.int32) if own is None else numbers[own.component], None

@@ -31,6 +31,7 @@ from ._ranks import Array, PieceFile, together
 from ._seams import JoinedSeams, join_seams, piece_components, seam_of
 
 Written = TypeVar("Written")
+Piece = TypeVar("Piece")
 Seam = TypeVar("Seam")
 Joined = TypeVar("Joined")
 
@@ -86,16 +87,18 @@ def _counts_of(joined: JoinedSeams) -> dict[str, int]:
 
 
 def join_on_first(
-    comm: Any, seam: Optional[Seam], join: Callable[[list[Seam]], Joined]
+    comm: Any, own: Optional[Piece], seam_of_piece: Callable[[Piece], Seam], join: Callable[[list[Seam]], Joined]
 ) -> tuple[Optional[Joined], Array, Optional[str]]:
     """What the seams of all ranks say of the whole, on the first rank; the numbers of this rank's components; or why
-    the ranks do not agree.
+    the ranks do not agree. Ranks exchange no more than seams.
 
     Parameters
     ----------
     comm : mpi4py.MPI.Comm
-    seam : any
-        Of this rank; None if it has no cells.
+    own : PieceSurface, PieceCurves or None
+        What this rank has; None if it has no cells.
+    seam_of_piece : callable
+        Its seam.
     join : callable
         Puts seams together: the result has ``numbers`` of each.
 
@@ -104,13 +107,13 @@ def join_on_first(
     RankError
         On all ranks, if something is wrong on one.
     """
-    gathered = comm.gather(seam)
+    gathered = comm.gather(together(comm, lambda: None if own is None else seam_of_piece(own)))
 
     def joined_seams() -> tuple[Any, Optional[str]]:
         if gathered is None:
             return None, None
         try:
-            return join([own for own in gathered if own is not None]), None
+            return join([seam for seam in gathered if seam is not None]), None
         except PiecesDiffer as error:
             return None, str(error)
 
@@ -121,7 +124,7 @@ def join_on_first(
     shares = None
     if joined is not None:
         left = iter(joined.numbers)
-        shares = [None if own is None else next(left) for own in gathered]
+        shares = [None if seam is None else next(left) for seam in gathered]
     return joined, comm.scatter(shares), None
 
 
@@ -139,8 +142,7 @@ def number_components(comm: Any, own: Optional[PieceSurface]) -> tuple[Optional[
     RankError
         On all ranks, if something is wrong on one.
     """
-    seam = together(comm, lambda: None if own is None else seam_of(own))
-    joined, numbers, differ = join_on_first(comm, seam, join_seams)
+    joined, numbers, differ = join_on_first(comm, own, seam_of, join_seams)
     if differ is not None:
         return None, differ
     component = np.empty(0, np.int32) if own is None else numbers[piece_components(own)]

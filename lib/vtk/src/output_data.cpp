@@ -47,14 +47,6 @@ struct Kept {
   }
 };
 
-/// The cells that are this piece's own.
-std::vector<std::size_t> own_cells(const std::vector<Index>& tets, const TensorGrid& grid) {
-  std::vector<std::size_t> own;
-  for (std::size_t i = 0; i < tets.size(); ++i)
-    if (grid.piece.is_owned[as_size(tets[i])] != 0) own.push_back(i);
-  return own;
-}
-
 vtkSmartPointer<vtkDoubleArray> numbers(const char* name, const std::vector<double>& values,
                                         const std::vector<std::size_t>& which) {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -135,7 +127,7 @@ void add_more(vtkPolyData* output, const std::vector<CellArray>& more,
 
 void fill(vtkPolyData* output, const SurfaceMesh& surface, const TensorGrid& grid,
           const std::vector<CellArray>& more) {
-  const auto own = own_cells(surface.tet, grid);
+  const auto own = own_cells(grid.piece, surface.tet, 0, surface.tet.size());
   const Kept kept(surface.points.size(), surface.triangles, own);
   const auto& which = kept.vertices;
   output->SetPoints(points_of(surface.points, which));
@@ -181,7 +173,7 @@ void fill(vtkPolyData* output, const std::vector<WholeCurves>& curves) {
 
 void fill(vtkPolyData* output, const CurveMesh& curves, const TensorGrid& grid,
           const std::vector<CellArray>& more) {
-  const auto own = own_cells(curves.tet, grid);
+  const auto own = own_cells(grid.piece, curves.tet, 0, curves.tet.size());
   const Kept kept(curves.points.size(), curves.lines, own);
   const auto& which = kept.vertices;
   output->SetPoints(points_of(curves.points, which));

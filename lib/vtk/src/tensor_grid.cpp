@@ -188,4 +188,12 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
   return result;
 }
 
+std::vector<std::size_t> own_cells(const MeshPiece& piece, const std::vector<TetMesh::Index>& tets,
+                                   std::size_t first, std::size_t count) {
+  std::vector<std::size_t> own;
+  for (std::size_t i = first; i < first + count; ++i)
+    if (piece.is_owned[as_size(tets[i])] != 0) own.push_back(i);
+  return own;
+}
+
 }  // namespace tensortopo::filters

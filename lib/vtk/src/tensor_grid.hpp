@@ -6,6 +6,7 @@
 #include <vtkType.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -39,5 +40,11 @@ TensorGrid tensor_grid(vtkUnstructuredGrid* grid, vtkDataArray* tensors, int ord
 /// The only point array of six or nine components; throws std::runtime_error if there is none, or
 /// several.
 vtkDataArray* only_tensors(vtkUnstructuredGrid* grid);
+
+/// Those of some triangles or lines that lie in tetrahedra which a piece owns.
+/// @param tets   of each triangle or line
+/// @param first  of those that are looked at
+std::vector<std::size_t> own_cells(const MeshPiece& piece, const std::vector<TetMesh::Index>& tets,
+                                   std::size_t first, std::size_t count);
 
 }  // namespace tensortopo::filters

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "whole_curves.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "mode_parts.hpp"
@@ -52,10 +51,8 @@ std::vector<OwnCells> write_curve_seams(const DegenerateCurves& made, const Mesh
     CurveSeam seam = curve_seam_of(curves);
     seam.owned_ids.clear();  // all ranks know them
     write_part(part.mode, numbers_of(seam), to);
-    OwnCells& these = own.emplace_back();
-    these.component = std::move(curves.curves.component);
-    for (std::size_t i = first_line; i < first_line + part.cells; ++i)
-      if (piece.is_owned[as_size(made.curves.tet[i])] != 0) these.cells.push_back(i);
+    own.push_back({own_cells(piece, made.curves.tet, first_line, part.cells),
+                   std::move(curves.curves.component)});
     first_vertex += part.vertices, first_line += part.cells;
   }
   return own;
@@ -74,41 +71,17 @@ std::vector<WholeCurves> counted(const DegenerateCurves& made) {
 
 std::vector<WholeCurves> number_components(DegenerateCurves& made, const TensorGrid& grid,
                                            const Ranks& ranks, const WholeMesh& whole) {
-  Numbers message;
-  std::vector<OwnCells> own;
-  ranks.together([&] { own = write_curve_seams(made, grid.piece, message); });
-  std::vector<std::vector<SentPart<CurveSeam>>> sent;
-  std::size_t kinds = 0;
-  for (const Numbers& numbers : ranks.gather(message)) {
-    sent.push_back(read_parts<CurveSeam>(numbers, curve_seam_of_numbers));
-    kinds = std::max(kinds, sent.back().size());
-  }
+  const auto write = [&](Numbers& to) { return write_curve_seams(made, grid.piece, to); };
+  const auto join = [](std::vector<CurveSeam> seams, double mode) {
+    // A rank without cells has curves of any kind: none.
+    for (CurveSeam& seam : seams) seam.kind = mode > 0 ? Degeneracy::linear : Degeneracy::planar;
+    return join_curve_seams(seams);
+  };
   std::vector<WholeCurves> counts;
-  Index first = 0;  // component of the kind
-  for (std::size_t m = 0; m < kinds; ++m) {
-    WholeCurves& count = counts.emplace_back();
-    std::vector<CurveSeam> seams(sent.size());
-    for (std::size_t r = 0; r < sent.size(); ++r)
-      if (!sent[r].empty()) {
-        seams[r] = std::move(sent[r][m].seam);
-        count.mode = sent[r][m].mode;
-      }
-    for (std::size_t r = 0; r < sent.size(); ++r) {
-      // A rank without cells has curves of any kind: none.
-      seams[r].kind = count.mode > 0 ? Degeneracy::linear : Degeneracy::planar;
-      seams[r].owned_ids = whole.owned_ids[r];
-      seams[r].whole_tets = whole.tets;
-    }
-    const JoinedCurveSeams joined = join_curve_seams(seams);
-    count.components = static_cast<std::int64_t>(joined.components.size());
-    count.closed_components = joined.closed_components();
-    if (m < own.size()) {
-      const auto& numbers = joined.numbers[as_size(ranks.own())];
-      for (std::size_t i = 0; i < own[m].cells.size(); ++i)
-        made.curves.component[own[m].cells[i]] = first + numbers[as_size(own[m].component[i])];
-    }
-    first += static_cast<Index>(joined.components.size());
-  }
+  for (const auto& part : join_parts<CurveSeam>(ranks, whole, write, curve_seam_of_numbers, join,
+                                                made.curves.component))
+    counts.push_back({part.mode, static_cast<std::int64_t>(part.joined.components.size()),
+                      part.joined.closed_components()});
   return counts;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "whole_surface.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "mode_parts.hpp"
@@ -52,10 +51,8 @@ std::vector<OwnCells> write_parts(const ModeSurfaces& made, const MeshPiece& pie
       if (cell.mode == part.mode && piece.is_owned[as_size(cell.tet)] != 0)
         seam.unresolved.push_back(piece.mesh.cell_ids[as_size(cell.tet)]);
     write_part(part.mode, numbers_of(seam), to);
-    OwnCells& these = own.emplace_back();
-    these.component = surface_components(surface.surface);
-    for (std::size_t i = first_triangle; i < first_triangle + part.cells; ++i)
-      if (piece.is_owned[as_size(made.surface.tet[i])] != 0) these.cells.push_back(i);
+    own.push_back({own_cells(piece, made.surface.tet, first_triangle, part.cells),
+                   surface_components(surface.surface)});
     first_vertex += part.vertices, first_triangle += part.cells;
   }
   return own;
@@ -73,39 +70,14 @@ std::vector<WholeSurface> counted(const ModeSurfaces& made) {
 
 std::vector<WholeSurface> number_components(ModeSurfaces& made, const TensorGrid& grid,
                                             const Ranks& ranks, const WholeMesh& whole) {
-  Numbers message;
-  std::vector<OwnCells> own;
-  ranks.together([&] { own = write_parts(made, grid.piece, message); });
-  std::vector<std::vector<SentPart<SurfaceSeam>>> sent;
-  std::size_t modes = 0;
-  for (const Numbers& numbers : ranks.gather(message)) {
-    sent.push_back(read_parts<SurfaceSeam>(numbers, seam_of_numbers));
-    modes = std::max(modes, sent.back().size());
-  }
+  const auto write = [&](Numbers& to) { return write_parts(made, grid.piece, to); };
+  const auto join = [](const std::vector<SurfaceSeam>& seams, double) { return join_seams(seams); };
   std::vector<WholeSurface> counts;
-  Index first = 0;  // component of the mode
-  for (std::size_t m = 0; m < modes; ++m) {
-    WholeSurface& count = counts.emplace_back();
-    std::vector<SurfaceSeam> seams(sent.size());
-    for (std::size_t r = 0; r < sent.size(); ++r) {
-      if (!sent[r].empty()) {
-        seams[r] = std::move(sent[r][m].seam);
-        count.mode = sent[r][m].mode;
-      }
-      seams[r].owned_ids = whole.owned_ids[r];
-      seams[r].whole_tets = whole.tets;
-    }
-    const JoinedSeams joined = join_seams(seams);
-    const auto total = joined.total();
-    count.components = static_cast<std::int64_t>(joined.components.size());
-    count.euler_characteristic = total.euler_characteristic;
-    count.boundary_loops = total.boundary_loops;
-    if (m < own.size()) {
-      const auto& numbers = joined.numbers[as_size(ranks.own())];
-      for (std::size_t i = 0; i < own[m].cells.size(); ++i)
-        made.surface.component[own[m].cells[i]] = first + numbers[as_size(own[m].component[i])];
-    }
-    first += static_cast<Index>(joined.components.size());
+  for (const auto& part : join_parts<SurfaceSeam>(ranks, whole, write, seam_of_numbers, join,
+                                                  made.surface.component)) {
+    const auto total = part.joined.total();
+    counts.push_back({part.mode, static_cast<std::int64_t>(part.joined.components.size()),
+                      total.euler_characteristic, total.boundary_loops});
   }
   return counts;
 }

@@ -62,10 +62,10 @@ TEST(CellPatch, AnswersAfterMovesAreThoseOfANewPatch) {
   std::array<std::size_t, 2> answers{};
   std::size_t moves = 0;
   for (int trial = 0; trial < trials(12); ++trial) {
-    const auto drawn = two_layers(tet, random);
-    CellPatch patch(tet, level, {}, drawn);
+    const auto made = two_layers(tet, random);
+    CellPatch patch(tet, level, {}, made);
     for (int round = 0; round < 8; ++round) {
-      auto fresh_patch = drawn;
+      auto fresh_patch = made;
       fresh_patch.triangles = patch.triangles();
       CellPatch fresh(tet, level, {}, fresh_patch);
       std::vector<std::pair<Id, Id>> allowed;

@@ -200,11 +200,16 @@ double CellPatch::least_sine_after(Id vertex, Id neighbour, double least, double
   return faces_up ? sine : 0;
 }
 
-bool CellPatch::is_still_refused(Place v, Place u) const {
-  const auto& refusals = refusals_[v];
-  const auto refusal = std::find_if(refusals.begin(), refusals.end(),
-                                    [&](const Refusal& r) { return r.neighbour == u; });
-  if (refusal == refusals.end()) return false;
+CellPatch::Refusal* CellPatch::refusal_of(Place v, Place u) {
+  auto& refusals = refusals_[v];
+  const auto found = std::find_if(refusals.begin(), refusals.end(),
+                                  [&](const Refusal& r) { return r.neighbour == u; });
+  return found == refusals.end() ? nullptr : &*found;
+}
+
+bool CellPatch::is_still_refused(Place v, Place u) {
+  const Refusal* refusal = refusal_of(v, u);
+  if (refusal == nullptr) return false;
   const auto is_unchanged = [&](std::uint32_t t) { return changed_[t] <= refusal->turn; };
   const auto& star = around_[v];
   return star.size() == refusal->star && std::all_of(star.begin(), star.end(), is_unchanged) &&
@@ -212,14 +217,9 @@ bool CellPatch::is_still_refused(Place v, Place u) const {
 }
 
 void CellPatch::refuse(Place v, Place u, std::uint32_t intersected) {
-  auto& refusals = refusals_[v];
-  const auto old = std::find_if(refusals.begin(), refusals.end(),
-                                [&](const Refusal& r) { return r.neighbour == u; });
-  const Refusal refusal{u, intersected, around_[v].size(), turn_};
-  if (old == refusals.end())
-    refusals.push_back(refusal);
-  else
-    *old = refusal;
+  Refusal* old = refusal_of(v, u);
+  Refusal& refusal = old != nullptr ? *old : refusals_[v].emplace_back();
+  refusal = {u, intersected, around_[v].size(), turn_};
 }
 
 bool CellPatch::is_embedded_after(Id vertex, Id neighbour) {

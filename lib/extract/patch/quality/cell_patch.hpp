@@ -65,14 +65,16 @@ class CellPatch {
   /// vertex's own triangles. It holds until one of these changes.
   struct Refusal {
     static constexpr std::uint32_t kNone = 0xffffffff;
-    Place neighbour;
+    Place neighbour = 0;
     std::uint32_t intersected = kNone;
     std::size_t star = 0;   ///< how many triangles the vertex had
     std::uint32_t turn = 0;  ///< of `changed_`
   };
 
   Place place_of(Id id) const;
-  bool is_still_refused(Place v, Place u) const;
+  /// Of a vertex and a neighbour; null if there is none.
+  Refusal* refusal_of(Place v, Place u);
+  bool is_still_refused(Place v, Place u);
   void refuse(Place v, Place u, std::uint32_t intersected);
   bool keeps_sheets(Place v, Place u) const;
   const Vector3<double>& up(Corner& corner) const;

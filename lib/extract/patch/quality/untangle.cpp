@@ -21,8 +21,8 @@ namespace {
 /// How often all triangles that have defects are gone through.
 constexpr int kMostRounds = 8;
 
-/// Triangles tried for each triangle of the patch: whoever needs more hardly ever succeeds. Boxes
-/// compared count as well, so many as one triangle.
+/// Triangles tried for each triangle of the patch: where more are needed, mending hardly ever
+/// succeeds. Boxes compared count as well, so many as one triangle.
 constexpr std::size_t kMostTried = 256, kBoxesAsOne = 8;
 
 /// Newton steps go on, four at a time, until they change no weight by more than rounding does.
