@@ -140,8 +140,10 @@ TEST(CheckerArithmetic, ProofsOfEdges) {
   const Level half(1, 2);
   EXPECT_EQ(prove_edge(half, diagonal(1, 0), diagonal(10, -1)), Proof::empty);
   EXPECT_EQ(prove_edge(half, diagonal(1, 0), diagonal(11, -5)), Proof::monotone);
-  // The mode stops to increase where it is 1.
-  EXPECT_EQ(prove_edge(half, diagonal(1, 0), diagonal(2, -1)), Proof::open);
+  // The mode stops to increase where it is 1, beyond the level.
+  EXPECT_EQ(prove_edge(half, diagonal(1, 0), diagonal(2, -1)), Proof::monotone);
+  // It is 1 in the middle of the edge, and passes the level before and after.
+  EXPECT_EQ(prove_edge(Level(9, 10), diagonal(1, 0), diagonal(3, -2)), Proof::open);
   // Through zero, where there is no mode.
   EXPECT_EQ(prove_edge(half, diagonal(2, -1), diagonal(-2, 1)), Proof::open);
   // Constant at the level, or not at it.
@@ -215,6 +217,83 @@ TEST(CheckerArithmetic, OneSidedTrianglesAreOneSided) {
     }
   }
   EXPECT_GT(shown, 10 * left);
+}
+
+/// Along the direction of a proof points above the level stay above it; and much is proved.
+template <std::size_t V>
+void monotone_simplices_are_crossed_upwards(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto number = [&](int most) {
+    return static_cast<int>(random() % (2 * static_cast<unsigned>(most) + 1)) - most;
+  };
+  int proved = 0, crossed = 0;
+  long moved = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    const int kind = trial % 5;
+    const Level level(kind == 0 ? 0 : kind == 1 ? 999 - 1998 * (trial % 2) : number(900), 1000);
+    // Next to modes 1 and -1 the middle has such a mode.
+    Tensor<mpz_class> middle;
+    middle[0] = 2000;
+    middle[1] = kind == 1 ? -1000 : number(1200);
+    for (std::size_t k = 3; k < 6; ++k) middle[k] = kind == 1 ? 0 : number(400);
+    const int sign = kind == 1 && trial % 2 == 1 ? -1 : 1;
+    const int spread = std::array{60, 300, 900}[static_cast<std::size_t>(trial) % 3];
+    std::array<Tensor<mpz_class>, V> tensors;
+    for (auto& t : tensors) {
+      t = middle;
+      for (mpz_class& x : t) {
+        x += number(spread);
+        x *= sign;
+      }
+      t[2] = -t[0] - t[1];
+    }
+    const Simplex<V> s(level, tensors);
+    const auto proof = level.prove(s.corners);
+    if (proof.proof != Proof::monotone) continue;
+    ++proved;
+    for (std::size_t i = 1; i < V; ++i)
+      if (s.corners[i].above != s.corners[0].above) {
+        ++crossed;
+        break;
+      }
+    for (int line = 0; line < 12; ++line) {
+      std::array<long, V> weights;
+      for (long& w : weights) w = 40000L * static_cast<long>(random() % 6);
+      bool was_above = false;
+      for (long step = 0; step < 40; ++step) {
+        Tensor<mpz_class> m;
+        bool is_inside = true, any = false;
+        for (std::size_t i = 0; i < V; ++i) {
+          const long w = weights[i] + step * proof.direction[i] / 8;
+          is_inside = is_inside && w >= 0;
+          any = any || w > 0;
+          for (std::size_t k = 0; k < 6; ++k) {
+            mpz_class share = tensors[i][k];
+            share *= w;
+            m[k] += share;
+          }
+        }
+        if (!is_inside || !any) break;
+        const bool above = is_above(level, m);
+        ASSERT_TRUE(above || !was_above) << "trial " << trial << ", line " << line;
+        was_above = above;
+        moved += step > 0;
+      }
+    }
+  }
+  EXPECT_GT(proved, 400);
+  EXPECT_GT(crossed, 100);
+  EXPECT_GT(moved, 10000);
+}
+
+TEST(CheckerArithmetic, MonotoneEdgesAreCrossedUpwards) {
+  monotone_simplices_are_crossed_upwards<2>(1);
+}
+TEST(CheckerArithmetic, MonotoneTrianglesAreCrossedUpwards) {
+  monotone_simplices_are_crossed_upwards<3>(2);
+}
+TEST(CheckerArithmetic, MonotoneTetrahedraAreCrossedUpwards) {
+  monotone_simplices_are_crossed_upwards<4>(3);
 }
 
 }  // namespace

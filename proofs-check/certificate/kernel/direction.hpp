@@ -10,20 +10,21 @@
 
 namespace certificate {
 
-/// A direction along which the level's function probably increases, with small integer entries: a
-/// guess in double arithmetic, for others to prove. A perceptron over the coefficients of
-/// `increase`, which is linear in the direction.
+/// A direction along which the forms of `rise` are probably positive, with small integer entries: a
+/// guess in double arithmetic, for others to prove. A perceptron over their coefficients, which are
+/// linear in the direction.
 /// @param within_chart  among the directions whose entries have the sum 0
-template <template <class, std::size_t> class Form, std::size_t V>
-std::optional<std::array<int, V>> likely_direction(const Form<Ball, V>& f, bool within_chart) {
-  const auto plain_form = plain(f);
-  constexpr std::size_t kCount = decltype(increase(plain_form, {}))::kCount;
-  std::array<std::array<double, V>, kCount> rows{};
+template <std::size_t V, class Rise>
+std::optional<std::array<int, V>> likely_direction(const Rise& rise, bool within_chart) {
+  using Forms = decltype(rise(std::array<int, V>()));
+  constexpr std::size_t kCount = Forms::value_type::kCount;
+  std::array<std::array<double, V>, std::tuple_size_v<Forms> * kCount> rows{};
   for (std::size_t j = 0; j < V; ++j) {
     std::array<int, V> axis{};
     axis[j] = 1;
-    const auto g = increase(plain_form, axis);
-    for (std::size_t i = 0; i < kCount; ++i) rows[i][j] = g.coefficients[i];
+    const Forms forms = rise(axis);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i][j] = forms[i / kCount].coefficients[i % kCount].value;
   }
   for (auto& row : rows) {
     double mean = 0;

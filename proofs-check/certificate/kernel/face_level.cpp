@@ -96,7 +96,7 @@ FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners
   bool is_simple = proved.proof == Proof::monotone;
   for (const EdgeLevel* edge : edges) {
     if (face.decided || !edge->decided) return face;
-    is_simple = is_simple && edge->proof != Proof::open;
+    is_simple = is_simple && edge->crossings < 2;
   }
   if (is_simple) {
     face.decided = true;

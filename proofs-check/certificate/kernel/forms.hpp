@@ -73,20 +73,6 @@ struct Forms {
   }
 };
 
-template <std::size_t V, std::size_t D>
-Polynomial<double, V, D> values(const Polynomial<Ball, V, D>& p) {
-  Polynomial<double, V, D> result;
-  for (std::size_t i = 0; i < p.kCount; ++i) result.coefficients[i] = p.coefficients[i].value;
-  return result;
-}
-/// Without the errors.
-template <std::size_t V>
-Forms<double, V> plain(const Forms<Ball, V>& f) {
-  Forms<double, V> result;
-  result.p = values(f.p), result.q = values(f.q);
-  return result;
-}
-
 /// 2 P dQ - 3 Q dP along d: of the sign of the mode's derivative, if P > 0.
 template <class N, std::size_t V>
 Polynomial<N, V, 4> increase(const Forms<N, V>& f, const std::array<int, V>& d) {

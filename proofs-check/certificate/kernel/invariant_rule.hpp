@@ -25,10 +25,6 @@ template <class N, std::size_t V>
 struct QuadraticForm {
   Polynomial<N, V, 2> q;
 };
-template <std::size_t V>
-QuadraticForm<double, V> plain(const QuadraticForm<Ball, V>& f) {
-  return {values(f.q)};
-}
 /// Of the sign of the form's derivative along d.
 template <class N, std::size_t V>
 Polynomial<N, V, 1> increase(const QuadraticForm<N, V>& f, const std::array<int, V>& d) {
@@ -71,9 +67,10 @@ class InvariantRule {
     return have_sign(f.q, above ? 1 : -1, above ? Zero::fails : Zero::will_do);
   }
   template <std::size_t V>
-  bool lies_by_norm(bool, const std::array<const Tensor<Ball>*, V>&,
-                    const QuadraticForm<Ball, V>&) const {
-    return false;
+  static bool lies_by_norm(bool, const QuadraticForm<Ball, V>&) { return false; }
+  template <std::size_t V>
+  static auto rise(const QuadraticForm<Ball, V>& f) {
+    return [&f](const std::array<int, V>& d) { return std::array{increase(f, d)}; };
   }
   template <class N>
   Answer is_on(const QuadraticForm<N, 1>& f) const {

@@ -18,16 +18,20 @@ class Level::Simplex {
  public:
   Simplex(const Level& level, const Rule& rule, const std::array<Corner, V>& corners)
       : level_(level), rule_(rule), corners_(corners) {
-    for (std::size_t i = 0; i < V; ++i) tensors_[i] = corners[i].ball;
-    balls_ = rule.forms(tensors_);
+    std::array<const Tensor<Ball>*, V> tensors;
+    for (std::size_t i = 0; i < V; ++i) tensors[i] = corners[i].ball;
+    balls_ = rule.forms(tensors);
   }
 
   const Form<Ball>& balls() const { return balls_; }
   bool took_integers() const { return exact_.has_value(); }
   template <class Question>
   bool is_true(const Question& question) {
-    Answer answer = question(balls_);
-    if (answer != Answer::unsure) return ++level_.by_balls_, answer == Answer::yes;
+    return is_true(question(balls_), question);
+  }
+  template <class Question>
+  bool is_true(Answer by_balls, const Question& question) {
+    if (by_balls != Answer::unsure) return ++level_.by_balls_, by_balls == Answer::yes;
     if (!exact_) exact_ = exact_form();
     return ++level_.by_integers_, question(*exact_) == Answer::yes;
   }
@@ -38,7 +42,16 @@ class Level::Simplex {
     return is_true([&](const auto& f) { return rule_.is_on(f); });
   }
   /// By the form of lower degree first, which mostly does.
-  bool is_on_side(bool up) { return rule_.lies_by_norm(up, tensors_, balls_) || lies(up); }
+  bool is_on_side(bool up) { return rule_.lies_by_norm(up, balls_) || lies(up); }
+  /// By the rule's forms along d, and by integers for all values of the function.
+  bool increases(const auto& rising, const std::array<int, V>& d) {
+    Answer answer = Answer::yes;
+    for (const auto& form : rising)
+      answer = both(answer, [&] { return have_sign(form, 1, Zero::fails); });
+    return is_true(answer, [&](const auto& f) {
+      return both(rule_.is_defined(f), [&] { return have_sign(increase(f, d), 1, Zero::fails); });
+    });
+  }
 
  private:
   /// Multiplied by a power of 2.
@@ -58,7 +71,6 @@ class Level::Simplex {
   const Level& level_;
   const Rule& rule_;
   const std::array<Corner, V>& corners_;
-  std::array<const Tensor<Ball>*, V> tensors_;
   Form<Ball> balls_;
   std::optional<Form<mpz_class>> exact_;
 };
@@ -91,15 +103,21 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
     Simplex<Rule, V> simplex(*this, rule, corners);
     if (!is_crossed && simplex.is_on_side(corners[0].above))
       return {Proof::empty, {}, simplex.took_integers()};
-    const auto d = likely_direction(simplex.balls(), std::is_same_v<Rule, InvariantRule>);
-    // Entries of both signs, so that in some chart moving along d is moving in parallel.
-    if (!d || !(*std::min_element(d->begin(), d->end()) < 0) ||
-        !(*std::max_element(d->begin(), d->end()) > 0))
-      return {Proof::open, {}, simplex.took_integers()};
-    const bool increases = simplex.is_true([&](const auto& f) {
-      return both(rule.is_defined(f), [&] { return have_sign(increase(f, *d), 1, Zero::fails); });
-    });
-    return {increases ? Proof::monotone : Proof::open, *d, simplex.took_integers()};
+    const auto rise = rule.rise(simplex.balls());
+    const auto direction = [&](bool within_chart) {
+      const auto d = likely_direction<V>(rise, within_chart);
+      if (!d) return d;
+      // Entries of both signs, so that in some chart moving along d is moving in parallel.
+      const auto [low, high] = std::minmax_element(d->begin(), d->end());
+      return *low < 0 && *high > 0 ? d : std::nullopt;
+    };
+    // The form of a level grows along the corners themselves where it is positive.
+    const bool within_chart = !is_crossed || std::is_same_v<Rule, InvariantRule>;
+    auto d = direction(within_chart);
+    if (!d && !within_chart) d = direction(true);
+    if (!d) return {Proof::open, {}, simplex.took_integers()};
+    return {simplex.increases(rise(*d), *d) ? Proof::monotone : Proof::open, *d,
+            simplex.took_integers()};
   };
   return std::visit(by, rule_);
 }

@@ -26,10 +26,29 @@ class ModeRule {
   /// Is all of the simplex on this side? Points of mode exactly mu are below.
   template <class N, std::size_t V>
   Answer lies(bool above, const Forms<N, V>& f) const;
-  /// The same in other ways.
+  /// The same by a form that vanishes at mu only. (F does so at -mu as well, where the answer would
+  /// need parts as narrow as all between.)
   template <std::size_t V>
-  bool lies_by_norm(bool above, const std::array<const Tensor<Ball>*, V>& corners,
-                    const Forms<Ball, V>& f) const;
+  bool lies_by_norm(bool above, const Forms<Ball, V>& f) const {
+    if (sign_ == 0) return false;
+    const auto s = root_bound(above == (sign_ > 0), f.p);
+    return have_sign(combination(root_.q, f.q, root_.p, f.p * s), above ? 1 : -1, Zero::fails) ==
+           Answer::yes;
+  }
+  /// Of a direction d: forms that are positive only if the mode increases along d wherever it is mu.
+  /// They are the derivatives of `root_`'s form, q dQ + 3/2 p sqrt(P/54) dP, with a bound from below
+  /// and one from above for the root, of which that is an affine function.
+  template <std::size_t V>
+  auto rise(const Forms<Ball, V>& f) const {
+    return [&f, this, lower = root_bound(false, f.p),
+            upper = root_bound(true, f.p)](const std::array<int, V>& d) {
+      const auto dq = derivative(f.q, d);
+      const auto dp = derivative(f.p, d);
+      const Ball p = Ball(1.5, 0) * root_.p;
+      return std::array{combination(root_.q, dq, p, lower * dp),
+                        combination(root_.q, dq, p, upper * dp)};
+    };
+  }
   /// Is the mode exactly mu, there being one? Neither this sign of the form nor the other.
   template <class N>
   Answer is_on(const Forms<N, 1>& f) const {
@@ -57,6 +76,9 @@ class ModeRule {
     else return form(exact_);
   }
 
+  template <std::size_t V>
+  static Polynomial<Ball, V, 1> root_bound(bool from_above, const Polynomial<Ball, V, 2>& p);
+
   int sign_;  ///< of mu
   Factors<mpz_class> exact_;
   Factors<Ball> balls_;  ///< both divided by one positive number
@@ -77,36 +99,29 @@ Answer ModeRule::lies(bool above, const Forms<N, V>& f) const {
                : both(q_is(-1, Zero::fails), f_is(1, Zero::will_do));
 }
 
-/// By a form that vanishes at mu only. (F does so at -mu as well, where the answer would need parts
-/// as narrow as all between.) With a linear bound s of sqrt(P/54), from above by convexity or from
-/// below by Cauchy's inequality.
+/// A linear bound of sqrt(P/54), with infinite errors if there is none: from above by convexity; from
+/// below by Cauchy's inequality, tr(M E) for any E with 54 tr(E^2) < 1, here the corners' mean.
 template <std::size_t V>
-bool ModeRule::lies_by_norm(bool above, const std::array<const Tensor<Ball>*, V>& corners,
-                            const Forms<Ball, V>& f) const {
-  if (sign_ == 0) return false;
-  const int side = above ? 1 : -1;
+Polynomial<Ball, V, 1> ModeRule::root_bound(bool from_above, const Polynomial<Ball, V, 2>& p) {
+  static constexpr auto places = detail::product_table<V, 1, 1>();
   Polynomial<Ball, V, 1> s;
-  if (side == sign_) {
-    for (std::size_t i = 0; i < V; ++i) {
-      const Ball square = trace(*corners[i], *corners[i]);
-      const Ball root((1 + 0x1p-40) * std::sqrt(square.value / 54), 0);
-      if (has_sign(Ball(54) * root * root - square, 1, Zero::fails) != Answer::yes) return false;
-      s.coefficients[i] = root;
-    }
-  } else {
-    // For all E with 54 tr(E^2) < 1: here about the mean of the corners.
-    Tensor<Ball> e{};
-    for (const Tensor<Ball>* corner : corners) {
-      const double length = std::sqrt(trace(*corner, *corner).value);
-      for (std::size_t k = 0; k < 6; ++k) e[k].value += (*corner)[k].value / length;
-    }
-    const double factor = (1 - 0x1p-40) / std::sqrt(54 * trace(e, e).value);
-    for (Ball& x : e) x.value *= factor;
-    if (has_sign(Ball(1) - Ball(54) * trace(e, e), 1, Zero::fails) != Answer::yes) return false;
-    for (std::size_t i = 0; i < V; ++i) s.coefficients[i] = trace(*corners[i], e);
+  Ball square, room(1);  // tr(E^2) up to a factor; what is to be positive
+  std::array<double, V> roots{};
+  for (std::size_t i = 0; i < V; ++i) roots[i] = std::sqrt(p.coefficients[places[i][i]].value);
+  for (std::size_t i = 0; i < V && !from_above; ++i) {
+    for (std::size_t j = 0; j < V; ++j)
+      s.coefficients[i] += Ball((i == j ? 1 : 0.5) / roots[j], 0) * p.coefficients[places[i][j]];
+    square += Ball(1 / roots[i], 0) * s.coefficients[i];
   }
-  const auto form = combination(root_.q, f.q, root_.p, f.p * s);
-  return have_sign(form, side, Zero::fails) == Answer::yes;
+  const Ball factor((1 - 0x1p-40) / std::sqrt(54 * square.value), 0);
+  if (!from_above) room -= Ball(54) * factor * factor * square;
+  for (std::size_t i = 0; i < V; ++i) {
+    Ball& x = s.coefficients[i];
+    x = from_above ? Ball((1 + 0x1p-40) * roots[i] / std::sqrt(54.0), 0) : factor * x;
+    if (from_above) room = Ball(54) * x * x - p.coefficients[places[i][i]];
+    if (has_sign(room, 1, Zero::fails) != Answer::yes) x.error = HUGE_VAL;
+  }
+  return s;
 }
 
 }  // namespace certificate

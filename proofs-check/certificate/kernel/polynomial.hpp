@@ -22,8 +22,9 @@ struct Monomials {
   static constexpr std::array<Exponents, kCount> table() {
     std::array<Exponents, kCount> result{};
     std::size_t n = 0;
-    constexpr std::size_t kCodes = power(D + 1, V);
-    for (std::size_t code = 0; code < kCodes; ++code) {
+    std::size_t codes = 1;
+    for (std::size_t i = 0; i < V; ++i) codes *= D + 1;
+    for (std::size_t code = 0; code < codes; ++code) {
       Exponents e{};
       std::size_t sum = 0, rest = code;
       for (std::size_t i = 0; i < V; ++i, rest /= D + 1) {
@@ -40,11 +41,6 @@ struct Monomials {
     std::size_t n = 0;
     while (n < kCount && kTable[n] != e) ++n;
     return n;
-  }
-
- private:
-  static constexpr std::size_t power(std::size_t base, std::size_t n) {
-    return n == 0 ? 1 : base * power(base, n - 1);
   }
 };
 
@@ -67,21 +63,6 @@ constexpr auto product_table() {
       typename Monomials<V, D>::Exponents sum{};
       for (std::size_t k = 0; k < V; ++k) sum[k] = a[i][k] + b[j][k];
       result[i][j] = static_cast<unsigned char>(Monomials<V, D + E>::index(sum));
-    }
-  }
-  return result;
-}
-
-/// Where the derivative of a monomial by each variable is; meaningless where that is zero.
-template <std::size_t V, std::size_t D>
-constexpr auto derivative_table() {
-  constexpr auto a = Monomials<V, D>::kTable;
-  std::array<std::array<unsigned char, V>, a.size()> result{};
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < V; ++j) {
-      auto e = a[i];
-      --e[j];
-      result[i][j] = static_cast<unsigned char>(Monomials<V, D - 1>::index(e));
     }
   }
   return result;
@@ -123,12 +104,14 @@ Polynomial<N, V, D> operator-(Polynomial<N, V, D> p, const Polynomial<N, V, D>& 
 template <class N, std::size_t V, std::size_t D>
 Polynomial<N, V, D - 1> derivative(const Polynomial<N, V, D>& p, const std::array<int, V>& d) {
   static constexpr auto exponents = Monomials<V, D>::kTable;
-  static constexpr auto places = detail::derivative_table<V, D>();
+  static constexpr auto places = detail::product_table<V, D - 1, 1>();
   Polynomial<N, V, D - 1> result;
-  for (std::size_t i = 0; i < p.kCount; ++i)
-    for (std::size_t j = 0; j < V; ++j)
-      if (const int factor = static_cast<int>(exponents[i][j]) * d[j]; factor != 0)
-        result.coefficients[places[i][j]] += N(N(factor) * p.coefficients[i]);
+  for (std::size_t i = 0; i < result.kCount; ++i)
+    for (std::size_t j = 0; j < V; ++j) {
+      const std::size_t from = places[i][j];
+      if (const int factor = static_cast<int>(exponents[from][j]) * d[j]; factor != 0)
+        result.coefficients[i] += N(N(factor) * p.coefficients[from]);
+    }
   return result;
 }
 
