@@ -74,7 +74,8 @@ inline constexpr std::string_view kExtraction = R"(
 What the extractor and the checker of certificates rest on beyond the statements, for a reader:
 
 - *Coefficients.* Where all Bernstein coefficients of a form have one strict sign, so has the form on the simplex. The coefficients are exact or enclosed. In Coq: `checker-kernel`, for the checker's integers.
-- *A monotone simplex.* The mode's derivative along a constant direction d of weights has coefficients of one strict sign. Then the level is a graph across d: each line along d meets it once or not at all, as
+- *A monotone simplex.* The mode's derivative along a constant direction d of weights has coefficients of one strict sign; or, for one level mu, that of Q - mu P sqrt(P/54) has, both with a linear form below
+  the root and with one above it in the root's place. Then the level is a graph across d: each line along d meets it once or not at all, as
   the modes of its ends on the boundary say, and the point depends continuously on the line. In Coq: `monotone-simplex`. Left to a reader: so nothing closed fits in, and the level is known from the boundary.
 - *From simplices to the tetrahedron.* A level that is a graph, with known arcs on its faces, is a disc or nothing; and discs glued along arcs have the Euler characteristic, components and boundary loops that are counted.
 - *Isotopy.* A vertex on the level counts as below it. The proofs hold for all levels close by, so the level an infinitesimal above is isotopic to what is counted.
