@@ -32,7 +32,6 @@ void require_no_surface_options(const ExtractCommand& command) {
                              : command.all_samples                        ? "--all-samples"
                              : command.max_error > 0                      ? "--max-error"
                              : command.meshing == MeshingMethod::manifold ? "--method manifold"
-                             : command.pieces > 1                         ? "--pieces"
                                                                           : nullptr;
   if (option != nullptr)
     throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");

@@ -108,10 +108,17 @@ void keep_owned_lines(const MeshPiece& piece, PieceCurves& part) {
   keep(part.around, is_used);
 }
 
-/// Gathers the tetrahedra with lines, and counts in terms of these.
+/// Gathers the tetrahedra with lines, and those that are unresolved or special; counts in terms of
+/// these.
 void gather_cells_of_lines(const MeshPiece& piece, PieceCurves& part) {
   CurveMesh& curves = part.curves;
+  std::vector<std::int64_t> named;
+  for (const auto* list : {&part.unresolved, &part.special})
+    for (const OwnedCurveCell& cell : *list) named.push_back(cell.cell_id);
+  std::sort(named.begin(), named.end());
   std::vector<char> is_crossed(piece.mesh.tets.size(), 0);
+  for (std::size_t t = 0; t < is_crossed.size(); ++t)
+    is_crossed[t] = std::binary_search(named.begin(), named.end(), piece.mesh.cell_ids[t]);
   for (const Index t : curves.tet) is_crossed[as_size(t)] = 1;
   const KeptCells kept = keep_cells(piece, is_crossed, part.cells, part.vertex_ids);
   const auto to_cells = [&](Simplex& simplex) {
