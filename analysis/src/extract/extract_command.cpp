@@ -163,40 +163,10 @@ class ExtractRun {
       read_ = read_field(command_, report_);
       if (is_certifying()) checkable_.emplace(command_.input, read_);
     }
-    plan_pieces();
+    plan_pieces(command_, read_.mesh, modes_, report_);
     if (!uncertainty_) return;
     read_radii(command_.input, command_.read, read_, *uncertainty_);
     stability_.emplace(read_.mesh, *uncertainty_);
-  }
-
-  /// As many pieces as fit in the memory that was asked for.
-  void plan_pieces() {
-    report_.pieces = command_.pieces;
-    if (command_.memory == 0) return;
-    require_below_limit();
-    const MemorySizes sizes = memory_sizes(read_.mesh, modes_);
-    const auto pieces = pieces_within(sizes, command_.memory);
-    if (!pieces)
-      throw UsageError(fmt::format(
-          "--memory: {}: {} are too little for {} tetrahedra, some {} of which the surfaces cross: "
-          "in any number of pieces it takes about {}",
-          command_.input.string(), memory_text(static_cast<double>(command_.memory)), sizes.tets,
-          sizes.crossed, memory_text(least_memory(sizes))));
-    report_.pieces = *pieces;
-    report_.memory = MemoryReport{
-        command_.memory, static_cast<std::uint64_t>(estimated_memory(sizes, *pieces)), 0};
-  }
-
-  /// Throws UsageError if the program has held more memory than it may.
-  void require_below_limit() const {
-    if (command_.memory == 0) return;
-    const std::uint64_t peak = peak_memory();
-    if (peak > command_.memory)
-      throw UsageError(fmt::format(
-          "--memory: {}: {} are too little: the program has held {}{}; nothing written",
-          command_.input.string(), memory_text(static_cast<double>(command_.memory)),
-          memory_text(static_cast<double>(peak)),
-          report_.memory ? fmt::format(" in {} pieces", report_.pieces) : " to read the field"));
   }
 
   void leave_out(TetMesh::Index tet, std::string_view reason, const ModeValue& mode) {
@@ -298,7 +268,7 @@ class ExtractRun {
       certified_.push_back(std::move(*level));
     }
     append_surface(surface_, std::move(extraction.surface));
-    require_below_limit();
+    require_below_limit(command_, report_);
   }
 
   void tell_distance(SurfaceReport& known, const DistanceClaim& distance,
@@ -330,7 +300,7 @@ class ExtractRun {
     report_.written = true;
     report_.seconds_write = clock.seconds();
     if (is_certifying()) write_claims(more);
-    require_below_limit();
+    require_below_limit(command_, report_);
     if (report_.memory) report_.memory->peak = peak_memory();
     files.commit();
   }
@@ -344,7 +314,7 @@ class ExtractRun {
             : write_certificate(command_.certificate, field, read_, curves_, more,
                                 certified_curves_);
     report_.certificate->seconds = seconds_certify_ + clock.seconds();
-    report_.certificate->counts_beyond_checker = command_.pieces == 1 && !streamed_;
+    report_.certificate->counts_beyond_checker = report_.pieces == 1 && !streamed_;
     for (const SurfaceReport& s : report_.surfaces) {
       report_.certificate->tubes += s.statistics.sheets_tubes;
       report_.certificate->at_critical += s.statistics.tets_nearby;
