@@ -67,7 +67,7 @@ std::vector<TetMesh> some_fields(int count) {
 
 TEST(CurvesInPieces, HaveTheBitsAndTheCertificateOfTheWhole) {
   std::size_t lines = 0, special = 0;
-  for (const TetMesh& field : some_fields(trials(14)))
+  for (const TetMesh& field : some_fields(trials(10)))
     for (const Degeneracy kind : kDegeneracies) {
       const CurveExtraction whole = extract_degenerate_curves(field, kind);
       for (const int pieces : {1, 2, 3, 7}) {
@@ -146,7 +146,7 @@ void require_streamed(const TetMesh& mesh, std::uint64_t seed, std::size_t& curv
 
 TEST(StreamedCurves, HaveTheBitsAndTheCertificateOfTheWholeBesideSurfaces) {
   std::size_t curves = 0, surfaces = 0;
-  const auto fields = some_fields(trials(10));
+  const auto fields = some_fields(trials(6));
   for (std::size_t i = 0; i < fields.size(); ++i) {
     SCOPED_TRACE("field " + std::to_string(i));
     require_streamed(fields[i], 20261129u + i, curves, surfaces);

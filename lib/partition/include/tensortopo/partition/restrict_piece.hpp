@@ -40,8 +40,8 @@ PieceSurface restrict_piece(const PieceSurface& piece, const PartNumbers& number
 ///
 /// Law       `merge_curve_pieces` of the result alone, and `certify`, give the curves and the claims
 ///           about them in the part's mesh. Lines and vertices are those of the piece, bit for bit.
-/// Vertices  `separation` remains that of the piece: at the part's border it is a mean over lines that
-///           the part does not have.
+/// Vertices  `separation` and `residual` remain those of the piece: at the part's border they depend on
+///           lines that the part does not have.
 /// @throws std::invalid_argument as above
 PieceCurves restrict_piece(const PieceCurves& piece, const PartNumbers& numbers);
 

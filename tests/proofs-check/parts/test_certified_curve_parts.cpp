@@ -17,7 +17,7 @@
 
 #include "partition/pieces_of_curves.hpp"
 #include "proofs-check/forgeries/curve_exhibit.hpp"
-#include "proofs-check/parts_in_files.hpp"
+#include "proofs-check/parts/parts_in_files.hpp"
 #include "support/compared.hpp"
 #include "support/trials.hpp"
 #include "tensortopo/certify/certificate.hpp"
@@ -146,6 +146,29 @@ TEST(CertifiedCurveParts, AreWhatTheWholeIs) {
   EXPECT_GE(lines, 500u);
   EXPECT_GE(on_seams, 100u);
   EXPECT_GE(several, 5u);
+}
+
+/// What is in special position stays open, with the whole; what is not is certified.
+TEST(CertifiedCurveParts, AreNotRefutedInSpecialPosition) {
+  std::size_t lines = 0, open = 0;
+  for (int i = 0; i < std::min(trials(1), 20); ++i)
+    for (const MeshKind mesh_kind : all_mesh_kinds()) {
+      Random random(20261203u + static_cast<unsigned>(i));
+      TetMesh mesh = special_mesh(mesh_kind, random);
+      mesh.cell_ids.resize(mesh.tets.size());
+      for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+        mesh.cell_ids[t] = static_cast<std::int64_t>(t);
+      const auto owner = random_owners(mesh, 2, random);
+      for (const Degeneracy kind : kDegeneracies) {
+        const CurveParts parts = parts_of_field(mesh, owner, 2, kind, random);
+        const auto report = parts.check();
+        EXPECT_EQ(report.refuted, 0u) << name_of(mesh_kind) << '\n' << to_text(report);
+        lines += parts.whole["lines"].get<std::size_t>();
+        open += report.status() == "undecided";
+      }
+    }
+  EXPECT_GE(lines, 100u);
+  EXPECT_GE(open, 5u);
 }
 
 // ---- forgeries ----

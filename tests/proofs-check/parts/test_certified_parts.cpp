@@ -14,7 +14,7 @@
 #include "certificate_check/check_certificate.hpp"
 #include "partition/pieces_of_fields.hpp"
 #include "proofs-check/forgeries/forgery.hpp"
-#include "proofs-check/parts_in_files.hpp"
+#include "proofs-check/parts/parts_in_files.hpp"
 #include "support/compared.hpp"
 #include "support/trials.hpp"
 #include "tensortopo/certify/certificate.hpp"
