@@ -66,11 +66,12 @@ CurveParts parts_of_field(const TetMesh& mesh, const std::vector<std::int32_t>& 
                           Degeneracy kind, Random& random) {
   CurveParts result{kind, {}, {}};
   const auto pieces = curve_pieces(mesh, owner, parts, kind);
-  for (int p = 0; p < parts; ++p)
-    result.parts.push_back(
-        part_of_curves(part_mesh(mesh, owner, p, random), pieces[as_size(p)]));
-  const CurveInvariants known = curve_invariants(merge_curve_pieces(pieces).curves);
+  for (int p = 0; p < parts; ++p) {
+    const PartMesh own = part_mesh(mesh, owner, p, random);
+    if (!own.mesh.tets.empty()) result.parts.push_back(part_of_curves(own, pieces[as_size(p)]));
+  }
   const MergedCurves merged = merge_curve_pieces(pieces);
+  const CurveInvariants known = curve_invariants(merged.curves);
   result.whole = {{"tetrahedra", mesh.tets.size()},
                   {"vertices", known.vertices},
                   {"lines", merged.curves.lines.size()},
