@@ -22,7 +22,11 @@ def owner(slab):
 @pytest.mark.parametrize("kind", ["linear", "planar"])
 def test_pieces_give_the_curves_of_the_whole(slab, owner, kind):
     whole = slab.degenerate_curves(kind)
-    merged = tt.merge_curve_pieces(reversed(list(curve_pieces(slab, owner, kind))))
+    pieces = list(curve_pieces(slab, owner, kind))
+    merged = tt.merge_curve_pieces(reversed(pieces))
+    assert merged.certificate is None
+    certified = tt.merge_curve_pieces(pieces, certify=tt.CertifiedField(len(slab.points), slab.sha256))
+    assert b'"polylines"' in (certified.certificate or b"")
     assert len(whole) > 20
     for name in ("points", "offsets", "connectivity", "dominant_eigenvectors", "mode", "residual", "separation",
                  "carrier", "component"):  # fmt: skip

@@ -32,7 +32,6 @@ void require_no_surface_options(const ExtractCommand& command) {
                              : command.all_samples                        ? "--all-samples"
                              : command.max_error > 0                      ? "--max-error"
                              : command.meshing == MeshingMethod::manifold ? "--method manifold"
-                             : command.pieces > 1                         ? "--pieces"
                                                                           : nullptr;
   if (option != nullptr)
     throw UsageError(std::string(option) + ": has no effect on degenerate curves (--mode 1 or -1)");
@@ -47,13 +46,14 @@ void require_estimate(const ExtractCommand& command, const std::vector<ModeValue
                              : command.improve              ? "--improve"
                              : command.min_persistence > 0  ? "--min-persistence"
                              : !command.uncertainty.empty() ? "--uncertainty"
-                             : !command.certificate.empty() ? "--certify"
                                                             : nullptr;
   if (option != nullptr)
     throw UsageError(std::string("--memory: does not go with ") + option +
                      ", of which the memory is not known beforehand");
   if (std::any_of(modes.begin(), modes.end(), is_degenerate))
-    throw UsageError("--memory: has no effect on degenerate curves (--mode 1 or -1)");
+    throw UsageError(
+        "--memory: does not go with degenerate curves (--mode 1 or -1), of which the memory is not "
+        "known beforehand: give a number of --pieces");
 }
 
 }  // namespace

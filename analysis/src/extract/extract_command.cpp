@@ -131,7 +131,7 @@ class ExtractRun {
     surfaces_left_ = std::count_if(modes_.begin(), modes_.end(),
                                    [](const auto& mode) { return !is_degenerate(mode); });
     for (const ModeValue& mode : modes_) {
-      if (!streamed_) overall_.begin("mode " + short_text(mode) + ": ");
+      if (!streamed_) begin(mode);
       if (checkable_) checkable_->look();
       if (is_degenerate(mode))
         add_curves(mode);
@@ -147,13 +147,15 @@ class ExtractRun {
   }
 
  private:
+  void begin(const ModeValue& mode) { overall_.begin("mode " + short_text(mode) + ": "); }
+
   bool is_certifying() const { return !command_.certificate.empty(); }
 
   void read() {
     if (command_.stream) {
       const Clock clock;
-      overall_.begin("mode " + short_text(modes_[0]) + ": ");
-      streamed_ = stream_field(command_, modes_, options_, report_);
+      streamed_ = stream_field(
+          command_, modes_, options_, [&](const ModeValue& mode) { begin(mode); }, report_);
       report_.seconds_extract += clock.seconds();
       read_ = std::move(streamed_->read);
     } else {
@@ -161,40 +163,10 @@ class ExtractRun {
       read_ = read_field(command_, report_);
       if (is_certifying()) checkable_.emplace(command_.input, read_);
     }
-    plan_pieces();
+    plan_pieces(command_, read_.mesh, modes_, report_);
     if (!uncertainty_) return;
     read_radii(command_.input, command_.read, read_, *uncertainty_);
     stability_.emplace(read_.mesh, *uncertainty_);
-  }
-
-  /// As many pieces as fit in the memory that was asked for.
-  void plan_pieces() {
-    report_.pieces = command_.pieces;
-    if (command_.memory == 0) return;
-    require_below_limit();
-    const MemorySizes sizes = memory_sizes(read_.mesh, modes_);
-    const auto pieces = pieces_within(sizes, command_.memory);
-    if (!pieces)
-      throw UsageError(fmt::format(
-          "--memory: {}: {} are too little for {} tetrahedra, some {} of which the surfaces cross: "
-          "in any number of pieces it takes about {}",
-          command_.input.string(), memory_text(static_cast<double>(command_.memory)), sizes.tets,
-          sizes.crossed, memory_text(least_memory(sizes))));
-    report_.pieces = *pieces;
-    report_.memory = MemoryReport{
-        command_.memory, static_cast<std::uint64_t>(estimated_memory(sizes, *pieces)), 0};
-  }
-
-  /// Throws UsageError if the program has held more memory than it may.
-  void require_below_limit() const {
-    if (command_.memory == 0) return;
-    const std::uint64_t peak = peak_memory();
-    if (peak > command_.memory)
-      throw UsageError(fmt::format(
-          "--memory: {}: {} are too little: the program has held {}{}; nothing written",
-          command_.input.string(), memory_text(static_cast<double>(command_.memory)),
-          memory_text(static_cast<double>(peak)),
-          report_.memory ? fmt::format(" in {} pieces", report_.pieces) : " to read the field"));
   }
 
   void leave_out(TetMesh::Index tet, std::string_view reason, const ModeValue& mode) {
@@ -202,10 +174,19 @@ class ExtractRun {
     unresolved_[{id, std::string(reason)}].push_back(mode);
   }
 
+  /// Of the mode that comes next, a surface or curves.
+  template <class Level>
+  Level streamed() {
+    return std::get<Level>(std::move(streamed_->extractions[next_streamed_++]));
+  }
+
   void add_curves(const ModeValue& mode) {
     const Clock clock;
-    const auto kind = mode.approx() > 0 ? Degeneracy::linear : Degeneracy::planar;
-    CurveExtraction extraction = extract_degenerate_curves(read_.mesh, kind, options_);
+    const Degeneracy kind = degeneracy_of(mode);
+    CurveExtraction extraction =
+        streamed_             ? streamed<CurveExtraction>()
+        : report_.pieces > 1 ? extract_in_pieces(read_.mesh, kind, report_.pieces, options_)
+                              : extract_degenerate_curves(read_.mesh, kind, options_);
     report_.seconds_extract += clock.seconds();
     for (const UnresolvedCurve& cell : extraction.unresolved)
       leave_out(cell.tet, name_of(cell.obstacle), mode);
@@ -219,6 +200,7 @@ class ExtractRun {
       overall_("certificate", 0);
       const Clock certify_clock;
       auto& claims = certified_curves_.emplace_back(certify(read_.mesh, kind, extraction));
+      if (streamed_) claims.vertex_ids = streamed_->vertex_ids;
       if (stability_) claims.stability = stability_->claim(known.stability->summary);
       seconds_certify_ += certify_clock.seconds();
     }
@@ -229,7 +211,7 @@ class ExtractRun {
   /// of it, and the tetrahedra that are farther.
   Extraction extract(const ModeValue& mode, std::optional<CertifiedLevel>& level,
                      std::vector<TetMesh::Index>& farther) {
-    if (streamed_) return std::move(streamed_->extraction);
+    if (streamed_) return streamed<Extraction>();
     if (command_.other) return other_(read_.mesh, mode);
     if (command_.max_error > 0) {
       auto within = extract_within(read_.mesh, mode, command_.max_error, options_);
@@ -286,7 +268,7 @@ class ExtractRun {
       certified_.push_back(std::move(*level));
     }
     append_surface(surface_, std::move(extraction.surface));
-    require_below_limit();
+    require_below_limit(command_, report_);
   }
 
   void tell_distance(SurfaceReport& known, const DistanceClaim& distance,
@@ -318,7 +300,7 @@ class ExtractRun {
     report_.written = true;
     report_.seconds_write = clock.seconds();
     if (is_certifying()) write_claims(more);
-    require_below_limit();
+    require_below_limit(command_, report_);
     if (report_.memory) report_.memory->peak = peak_memory();
     files.commit();
   }
@@ -332,7 +314,7 @@ class ExtractRun {
             : write_certificate(command_.certificate, field, read_, curves_, more,
                                 certified_curves_);
     report_.certificate->seconds = seconds_certify_ + clock.seconds();
-    report_.certificate->counts_beyond_checker = command_.pieces == 1 && !streamed_;
+    report_.certificate->counts_beyond_checker = report_.pieces == 1 && !streamed_;
     for (const SurfaceReport& s : report_.surfaces) {
       report_.certificate->tubes += s.statistics.sheets_tubes;
       report_.certificate->at_critical += s.statistics.tets_nearby;
@@ -348,6 +330,7 @@ class ExtractRun {
   OtherMethod other_;
   ExtractOptions options_;
   std::optional<StreamedField> streamed_;
+  std::size_t next_streamed_ = 0;
   ReadResult read_;
   std::optional<CheckableInput> checkable_;  ///< if a certificate is asked for
   std::optional<StabilityRun> stability_;
@@ -375,6 +358,10 @@ ModeValue parse_mode(std::string_view text) {
 bool is_degenerate(const ModeValue& mode) {
   const std::string text = mode.text();
   return text == "1" || text == "-1";
+}
+
+Degeneracy degeneracy_of(const ModeValue& mode) {
+  return mode.sign() > 0 ? Degeneracy::linear : Degeneracy::planar;
 }
 
 std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool generalized) {

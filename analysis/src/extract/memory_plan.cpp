@@ -10,6 +10,8 @@
 #include <limits>
 #include <vector>
 
+#include "peak_memory.hpp"
+#include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
@@ -29,6 +31,15 @@ constexpr double kCrossed = 1100;       // surfaces of slabs, merged and written
 constexpr double kWholeCrossed = 1700;  // at once: many, N = 1, and 6 % more
 constexpr double kGhostCrossed = 380;   // where slabs meet: many, N = 32 less N = 8
 
+// What a certificate adds: few crossed (the same field) 165 (N = 1), 168 (2), 158 (4 and 16); many
+// crossed, 279,936 tetrahedra, 119,310 of them with vertices on both sides: 186 (1), 203 (2), 199 (4),
+// 245 (8), 286 (32).
+constexpr double kCheckedTet = 124;            // the checker's own reading: few, N = 16
+constexpr double kClaimedTet = 130;            // that, and what is left of it later
+constexpr double kClaimedCrossed = 1500;       // proofs and claims: many, N = 2, 4 and 8
+constexpr double kClaimedWholeCrossed = 1300;  // at once: many, N = 1
+constexpr double kClaimedGhostCrossed = 340;   // where slabs meet: many, N = 32
+
 constexpr std::int32_t kMostPieces = 1000;
 
 /// Tetrahedra on both sides of a slab, of a cube of cubes cut in six.
@@ -44,7 +55,7 @@ MemorySizes memory_sizes(const TetMesh& mesh, std::span<const ModeValue> modes) 
   for (const auto& tensor : mesh.tensors)
     at.push_back(
         mode_if_defined(deviator(tensor)).value_or(std::numeric_limits<double>::quiet_NaN()));
-  MemorySizes sizes{mesh.tets.size(), 0};
+  MemorySizes sizes{mesh.tets.size(), 0, false};
   for (const ModeValue& mode : modes) {
     const double level = mode.approx();
     for (const auto& tet : mesh.tets) {
@@ -61,12 +72,16 @@ MemorySizes memory_sizes(const TetMesh& mesh, std::span<const ModeValue> modes) 
 
 double estimated_memory(const MemorySizes& sizes, std::int32_t pieces) {
   const auto tets = static_cast<double>(sizes.tets), crossed = static_cast<double>(sizes.crossed);
-  const double reading = kProgram + kReadTet * tets;
-  if (pieces == 1) return reading + kWholeCrossed * crossed;
+  const double claims = sizes.is_certified ? 1 : 0;
+  const double reading = kProgram + (kReadTet + claims * kCheckedTet) * tets;
+  if (pieces == 1)
+    return reading + (kWholeCrossed + claims * kClaimedWholeCrossed) * crossed;
   const double ghost = std::min(ghosts(sizes), tets), share = tets > 0 ? crossed / tets : 0;
   const double slab = std::min(tets / pieces + ghost, tets);
-  return std::max(reading, kProgram + kTet * tets + kSlabTet * slab + kCrossed * crossed +
-                               kGhostCrossed * share * ghost * pieces);
+  return std::max(reading, kProgram + (kTet + claims * kClaimedTet) * tets + kSlabTet * slab +
+                               (kCrossed + claims * kClaimedCrossed) * crossed +
+                               (kGhostCrossed + claims * kClaimedGhostCrossed) * share * ghost *
+                                   pieces);
 }
 
 std::optional<std::int32_t> pieces_within(const MemorySizes& sizes, std::uint64_t bytes) {
@@ -80,6 +95,36 @@ double least_memory(const MemorySizes& sizes) {
   for (std::int32_t pieces = 2; pieces <= kMostPieces; ++pieces)
     least = std::min(least, estimated_memory(sizes, pieces));
   return least;
+}
+
+void plan_pieces(const ExtractCommand& command, const TetMesh& mesh,
+                 std::span<const ModeValue> modes, ExtractReport& report) {
+  report.pieces = command.pieces;
+  if (command.memory == 0) return;
+  require_below_limit(command, report);
+  MemorySizes sizes = memory_sizes(mesh, modes);
+  sizes.is_certified = !command.certificate.empty();
+  const auto pieces = pieces_within(sizes, command.memory);
+  if (!pieces)
+    throw UsageError(fmt::format(
+        "--memory: {}: {} are too little for {} tetrahedra, some {} of which the surfaces cross: "
+        "in any number of pieces it takes about {}",
+        command.input.string(), memory_text(static_cast<double>(command.memory)), sizes.tets,
+        sizes.crossed, memory_text(least_memory(sizes))));
+  report.pieces = *pieces;
+  report.memory = MemoryReport{
+      command.memory, static_cast<std::uint64_t>(estimated_memory(sizes, *pieces)), 0};
+}
+
+void require_below_limit(const ExtractCommand& command, const ExtractReport& report) {
+  if (command.memory == 0) return;
+  const std::uint64_t peak = peak_memory();
+  if (peak > command.memory)
+    throw UsageError(fmt::format(
+        "--memory: {}: {} are too little: the program has held {}{}; nothing written",
+        command.input.string(), memory_text(static_cast<double>(command.memory)),
+        memory_text(static_cast<double>(peak)),
+        report.memory ? fmt::format(" in {} pieces", report.pieces) : " to read the field"));
 }
 
 std::string memory_text(double bytes) {

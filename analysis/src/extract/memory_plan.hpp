@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
 
@@ -17,6 +18,7 @@ namespace tensortopo {
 struct MemorySizes {
   std::size_t tets = 0;     ///< of the mesh
   std::size_t crossed = 0;  ///< of all modes, those with vertices on both sides of the mode
+  bool is_certified = false;  ///< whether a certificate is written, too
 };
 
 /// Counts them. In double precision: no result depends on it but the number of pieces.
@@ -32,6 +34,14 @@ std::optional<std::int32_t> pieces_within(const MemorySizes& sizes, std::uint64_
 
 /// The least of the estimates of all numbers of pieces.
 double least_memory(const MemorySizes& sizes);
+
+/// As many pieces as fit in the memory that the command asks for, into `report.pieces`, with
+/// `report.memory`; else as many as it says. Throws UsageError if none fit.
+void plan_pieces(const ExtractCommand& command, const TetMesh& mesh,
+                 std::span<const ModeValue> modes, ExtractReport& report);
+
+/// Throws UsageError if the program has held more memory than the command allows.
+void require_below_limit(const ExtractCommand& command, const ExtractReport& report);
 
 /// "8.0 GB", in powers of 1000.
 std::string memory_text(double bytes);

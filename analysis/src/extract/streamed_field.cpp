@@ -9,14 +9,14 @@
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/field_pieces.hpp"
 #include "tensortopo/io/io_error.hpp"
-#include "tensortopo/partition/certify_pieces.hpp"
+#include "tensortopo/partition/common_cells.hpp"
 #include "tensortopo/partition/extract_streamed.hpp"
 
 namespace tensortopo {
 
 namespace {
 
-void require_streamable(const ExtractCommand& command, const std::vector<ModeValue>& modes) {
+void require_streamable(const ExtractCommand& command) {
   const char* const option = command.other                  ? "--method"
                              : command.max_error > 0        ? "--max-error"
                              : command.pieces > 1           ? "--pieces"
@@ -26,40 +26,47 @@ void require_streamable(const ExtractCommand& command, const std::vector<ModeVal
   if (option != nullptr)
     throw UsageError(std::string(option) +
                      ": needs the whole field, and does not go with --stream");
-  if (modes.size() != 1 || is_degenerate(modes.front()))
-    throw UsageError("--stream: extracts the surface of one mode at a time");
 }
 
 }  // namespace
 
 StreamedField stream_field(const ExtractCommand& command, const std::vector<ModeValue>& modes,
-                           const ExtractOptions& options, ExtractReport& report) {
-  require_streamable(command, modes);
+                           const ExtractOptions& options,
+                           const std::function<void(const ModeValue&)>& begin,
+                           ExtractReport& report) {
+  require_streamable(command);
   const FieldPieces pieces(command.input, command.read);
-  StreamedSurface made;
+  StreamedField result;
+  CertificateSubject& subject = result.subject;
+  std::vector<std::variant<MergedSurface, MergedCurves>> merged;
   try {
-    made = extract_streamed({pieces.size(), [&](std::int32_t p) { return pieces.read(p); }},
-                            modes.front(), options);
+    const StreamedMesh mesh({pieces.size(), [&](std::int32_t p) { return pieces.read(p); }});
+    for (const ModeValue& mode : modes) {
+      begin(mode);
+      if (is_degenerate(mode))
+        merged.emplace_back(extract_streamed(mesh, degeneracy_of(mode), options));
+      else
+        merged.emplace_back(extract_streamed(mesh, mode, options));
+    }
+    subject.points = mesh.points(), subject.tetrahedra = mesh.tets();
+    if (options.keep_topology) subject.field_sha256 = mesh.field_sha256();
   } catch (const std::invalid_argument& error) {
     throw IoError(IoError::Kind::invalid, command.input, error.what());
   }
-  StreamedField result;
-  result.extraction = extraction_of(made.merged);
+  CommonCells common = in_common_cells(std::move(merged));
+  result.extractions = std::move(common.levels);
   result.read.report = pieces.report();
   result.read.sha256 = pieces.sha256();
-  result.read.mesh = std::move(made.merged.cells);
-  result.vertex_ids = std::move(made.merged.vertex_ids);
-  CertificateSubject& subject = result.subject;
+  result.read.mesh = std::move(common.cells);
+  result.vertex_ids = std::move(common.vertex_ids);
   subject.tensor = pieces.report().tensor_name;
   subject.components = name_of(pieces.report().components.order);
-  subject.points = made.points, subject.tetrahedra = made.tets;
-  subject.field_sha256 = std::move(made.field_sha256);
 
   report.provenance = command.provenance;
   report.sha256 = result.read.sha256;
   report.tensor_name = pieces.report().tensor_name;
   report.components = pieces.report().components;
-  report.vertices = made.points, report.tetrahedra = made.tets;
+  report.vertices = subject.points, report.tetrahedra = subject.tetrahedra;
   return result;
 }
 

@@ -26,7 +26,8 @@ struct Ids {
   const std::vector<std::int64_t>& vertices;  ///< empty: their numbers
   const std::vector<std::int64_t>& cells;
 
-  Ids(const CertifiedLevel& level, const TetMesh& mesh)
+  template <class Level>
+  Ids(const Level& level, const TetMesh& mesh)
       : vertices(level.vertex_ids), cells(level.cell_ids.empty() ? mesh.cell_ids : level.cell_ids) {}
 
   std::int64_t vertex(TetMesh::Index v) const { return vertices.empty() ? v : vertices[as_size(v)]; }
@@ -211,10 +212,11 @@ void write_level(DocumentWriter& out, const CertifiedLevel& level, std::size_t f
   out.end_object();
 }
 
-Json curve_faces_json(const CertifiedCurves& kind, std::size_t first_vertex) {
+Json curve_faces_json(const CertifiedCurves& kind, std::size_t first_vertex, const Ids& ids) {
   Json faces = Json::array();
   for (const auto& face : kind.faces) {
-    Json item{face.vertices[0], face.vertices[1], face.vertices[2]};
+    Json item{ids.vertex(face.vertices[0]), ids.vertex(face.vertices[1]),
+              ids.vertex(face.vertices[2])};
     for (const auto& point : face.points)
       item.push_back({first_vertex + as_size(point.vertex), point.place[0], point.place[1],
                       point.depth});
@@ -223,10 +225,10 @@ Json curve_faces_json(const CertifiedCurves& kind, std::size_t first_vertex) {
   return faces;
 }
 
-Json pieces_json(const CertifiedCurves& kind, std::size_t first_vertex, const TetMesh& mesh) {
+Json pieces_json(const CertifiedCurves& kind, std::size_t first_vertex, const Ids& ids) {
   Json tets = Json::array();
   for (const auto& tet : kind.tets) {
-    Json item = Json::array({mesh.cell_ids[as_size(tet.tet)]});
+    Json item = Json::array({ids.cell(tet.tet)});
     for (const auto& [v, w] : tet.pieces)
       item.push_back({first_vertex + as_size(v), first_vertex + as_size(w)});
     tets.push_back(std::move(item));
@@ -236,6 +238,7 @@ Json pieces_json(const CertifiedCurves& kind, std::size_t first_vertex, const Te
 
 Json curves_json(const CertifiedCurves& kind, std::size_t first_vertex, std::size_t first_line,
                  const TetMesh& mesh) {
+  const Ids ids(kind, mesh);
   Json curves = Json::array();
   for (const auto& c : kind.curves)
     curves.push_back({{"closed", c.closed},
@@ -245,9 +248,9 @@ Json curves_json(const CertifiedCurves& kind, std::size_t first_vertex, std::siz
   json["mode"] = kind.kind == Degeneracy::linear ? "1" : "-1";
   json["vertices"] = {first_vertex, kind.vertices};
   json["lines"] = {first_line, kind.lines};
-  json["undecided"] = undecided_json(kind.undecided, mesh.cell_ids);
-  json["faces"] = curve_faces_json(kind, first_vertex);
-  json["tets"] = pieces_json(kind, first_vertex, mesh);
+  json["undecided"] = undecided_json(kind.undecided, ids.cells);
+  json["faces"] = curve_faces_json(kind, first_vertex, ids);
+  json["tets"] = pieces_json(kind, first_vertex, ids);
   json["curves"] = std::move(curves);
   if (kind.stability)
     json["stability"] =

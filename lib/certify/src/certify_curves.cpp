@@ -125,9 +125,10 @@ class FaceClaims {
                                            const FacePoint& point) {
     int largest = tensors[0].exponent;
     for (const auto& t : tensors) largest = std::max(largest, t.exponent);
+    using std::ldexp;
     std::array<Extended, 3> w;
     for (std::size_t i = 0; i < 3; ++i)
-      w[i] = std::ldexp(point.weights[i], tensors[i].exponent - largest);
+      w[i] = ldexp(point.weights[i], tensors[i].exponent - largest);
     const Extended sum = w[0] + w[1] + w[2];
     return {static_cast<double>(w[0] / sum), static_cast<double>(w[1] / sum),
             static_cast<double>(w[2] / sum)};

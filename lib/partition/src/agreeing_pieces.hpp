@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "tensortopo/partition/piece_curves.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 
 namespace tensortopo {
@@ -24,14 +26,21 @@ inline ExtractOptions options_of_piece(const ExtractOptions& options, std::int32
   return own;
 }
 
-/// The merged surface of pieces with as few layers of ghosts as they need to agree.
-/// @param pieces  pieces(layers): the surfaces of all pieces
+inline MergedSurface merged_of(const std::vector<PieceSurface>& pieces) {
+  return merge_pieces(pieces);
+}
+inline MergedCurves merged_of(const std::vector<PieceCurves>& pieces) {
+  return merge_curve_pieces(pieces);
+}
+
+/// The merged surface, or curves, of pieces with as few layers of ghosts as they need to agree.
+/// @param pieces  pieces(layers): the surfaces or curves of all pieces
 /// @param most_layers  with so many no piece can grow any more
 template <class Pieces>
-MergedSurface merge_agreeing_pieces(const Pieces& pieces, std::size_t most_layers) {
+auto merge_agreeing_pieces(const Pieces& pieces, std::size_t most_layers) {
   for (int layers = 1;; ++layers) {
     try {
-      return merge_pieces(pieces(layers));
+      return merged_of(pieces(layers));
     } catch (const PiecesDiffer&) {
       if (as_size(layers) > most_layers) throw;
     }

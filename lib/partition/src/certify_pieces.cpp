@@ -42,6 +42,21 @@ Extraction extraction_of(const MergedSurface& merged) {
   return result;
 }
 
+CurveExtraction extraction_of(const MergedCurves& merged) {
+  const auto& cells = merged.cells.cell_ids;
+  CurveExtraction result;
+  result.curves = curves_in_cells(merged);
+  std::vector<Index> crossed = result.curves.tet;
+  std::sort(crossed.begin(), crossed.end());
+  result.statistics.tets_crossed =
+      as_size(std::unique(crossed.begin(), crossed.end()) - crossed.begin());
+  for (const OwnedCurveCell& cell : merged.unresolved)
+    result.unresolved.push_back({position(cells, cell.cell_id), cell.obstacle});
+  for (const OwnedCurveCell& cell : merged.special)
+    result.special.push_back({position(cells, cell.cell_id), cell.obstacle});
+  return result;
+}
+
 CertifiedLevel certify(const MergedSurface& merged, const ModeValue& mode) {
   if (!merged.topology)
     throw std::invalid_argument(
@@ -51,6 +66,13 @@ CertifiedLevel certify(const MergedSurface& merged, const ModeValue& mode) {
   level.vertex_ids = merged.vertex_ids;
   level.cell_ids = merged.cells.cell_ids;
   return level;
+}
+
+CertifiedCurves certify(const MergedCurves& merged) {
+  CertifiedCurves claims = certify(merged.cells, merged.kind, extraction_of(merged));
+  claims.vertex_ids = merged.vertex_ids;
+  claims.cell_ids = merged.cells.cell_ids;
+  return claims;
 }
 
 }  // namespace tensortopo

@@ -135,6 +135,7 @@ template CrossedCells crossed_cells(std::span<const PieceSurface> pieces);
 template CrossedCells crossed_cells(std::span<const SurfaceSeam> seams);
 template CrossedCells crossed_cells(std::span<const PieceCurves> pieces);
 template CrossedCells crossed_cells(std::span<const CurveSeam> seams);
+template CrossedCells crossed_cells(std::span<const NumberedCells> levels);
 template void require_all_cells(std::span<const PieceSurface> pieces);
 template void require_all_cells(std::span<const SurfaceSeam> seams);
 template void require_all_cells(std::span<const PieceCurves> pieces);

@@ -17,6 +17,12 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
+/// Tetrahedra with the ids of their points.
+struct NumberedCells {
+  TetMesh cells;
+  std::vector<std::int64_t> vertex_ids;  ///< ascending
+};
+
 /// `cells` of all pieces as one mesh.
 struct CrossedCells {
   TetMesh mesh;
@@ -30,7 +36,8 @@ struct CrossedCells {
   TetMesh sorted() const;
 };
 
-/// @param pieces  surfaces, curves (`PieceSurface`, `PieceCurves`) or seams of these
+/// @param pieces  surfaces, curves (`PieceSurface`, `PieceCurves`), seams of these, or
+///                `NumberedCells`
 /// @throws std::invalid_argument if a vertex has two places or tensors
 template <class Piece>
 CrossedCells crossed_cells(std::span<const Piece> pieces);

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "agreeing_pieces.hpp"
-#include "tensortopo/mesh/renumber.hpp"
+#include "levels/renumber_level.hpp"
 #include "tensortopo/partition/certify_pieces.hpp"
 #include "tensortopo/partition/mesh_piece.hpp"
+#include "tensortopo/partition/piece_curves.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
-#include "topology/topology_parts.hpp"
 
 namespace tensortopo {
 
@@ -22,13 +22,14 @@ std::vector<TetMesh::Index> numbers_of(const std::vector<std::int64_t>& ids) {
   return numbers;
 }
 
-}  // namespace
-
-Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
-                             const ExtractOptions& options) {
+/// What all slabs give together.
+/// @param extract  extract(piece, options): of one of them
+template <class Extract>
+auto merged_slabs(const TetMesh& mesh, std::int32_t pieces, const ExtractOptions& options,
+                  const Extract& extract) {
   const auto owner = slabs(mesh, pieces);
-  const auto surfaces = [&](int layers) {
-    std::vector<PieceSurface> all;
+  const auto all_pieces = [&](int layers) {
+    std::vector<decltype(extract(MeshPiece{}, options))> all;
     for (std::int32_t p = 0; p < pieces; ++p) {
       const MeshPiece piece = cut_piece(mesh, owner, p, layers);
       ExtractOptions own = options_of_piece(options, p, pieces);
@@ -36,18 +37,35 @@ Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::in
       if (!options.density.empty())
         for (const std::int64_t t : piece.mesh.cell_ids)
           own.density.push_back(options.density[as_size(t)]);
-      all.push_back(extract_piece(piece, mode, own));
+      all.push_back(extract(piece, own));
     }
     return all;
   };
   // With so many layers as tetrahedra each piece is the whole mesh.
-  const MergedSurface merged = merge_agreeing_pieces(surfaces, mesh.tets.size());
+  return merge_agreeing_pieces(all_pieces, mesh.tets.size());
+}
+
+}  // namespace
+
+Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
+                             const ExtractOptions& options) {
+  const MergedSurface merged = merged_slabs(
+      mesh, pieces, options, [&](const MeshPiece& piece, const ExtractOptions& own) {
+        return extract_piece(piece, mode, own);
+      });
   Extraction result = extraction_of(merged);
-  const auto tets = numbers_of(merged.cells.cell_ids);
-  renumber(result.surface, numbers_of(merged.vertex_ids), tets);
-  for (UnresolvedCell& cell : result.unresolved) cell.tet = tets[as_size(cell.tet)];
-  for (TetMesh::Index& t : result.not_embedded) t = tets[as_size(t)];
-  renumber_mesh(result.topology, numbers_of(merged.vertex_ids), tets);
+  renumber_level(result, numbers_of(merged.vertex_ids), numbers_of(merged.cells.cell_ids));
+  return result;
+}
+
+CurveExtraction extract_in_pieces(const TetMesh& mesh, Degeneracy kind, std::int32_t pieces,
+                                  const ExtractOptions& options) {
+  const MergedCurves merged = merged_slabs(
+      mesh, pieces, options, [&](const MeshPiece& piece, const ExtractOptions& own) {
+        return extract_curve_piece(piece, kind, own);
+      });
+  CurveExtraction result = extraction_of(merged);
+  renumber_level(result, numbers_of(merged.vertex_ids), numbers_of(merged.cells.cell_ids));
   return result;
 }
 

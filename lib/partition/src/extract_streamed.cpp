@@ -180,24 +180,45 @@ std::string hash_of(const PieceSource& source, const PieceIndex& index) {
   return hash.hex();
 }
 
-}  // namespace
-
-StreamedSurface extract_streamed(const PieceSource& source, const ModeValue& mode,
-                                 const ExtractOptions& options) {
-  const PieceIndex index(source);
-  const auto surfaces = [&](int layers) {
-    PieceCache cache(source, index);
-    std::vector<PieceSurface> all;
-    for (std::int32_t p = 0; p < source.pieces; ++p)
-      all.push_back(extract_piece(piece_with_ghosts(cache, index, p, layers), mode,
-                                  options_of_piece(options, p, source.pieces)));
+/// What all pieces give together.
+/// @param extract  extract(piece, options): of one of them
+template <class Extract>
+auto merged_stream(const StreamedMesh& mesh, const ExtractOptions& options,
+                   const Extract& extract) {
+  const auto all_pieces = [&](int layers) {
+    PieceCache cache(mesh.source(), mesh.index());
+    std::vector<decltype(extract(MeshPiece{}, options))> all;
+    for (std::int32_t p = 0; p < mesh.source().pieces; ++p)
+      all.push_back(extract(piece_with_ghosts(cache, mesh.index(), p, layers),
+                            options_of_piece(options, p, mesh.source().pieces)));
     return all;
   };
-  StreamedSurface result;
-  result.merged = merge_agreeing_pieces(surfaces, as_size(index.tets));
-  result.points = as_size(index.points), result.tets = as_size(index.tets);
-  if (options.keep_topology) result.field_sha256 = hash_of(source, index);
-  return result;
+  return merge_agreeing_pieces(all_pieces, mesh.tets());
+}
+
+}  // namespace
+
+StreamedMesh::StreamedMesh(PieceSource source)
+    : source_(std::move(source)), index_(std::make_shared<const PieceIndex>(source_)) {}
+
+std::size_t StreamedMesh::points() const { return as_size(index_->points); }
+
+std::size_t StreamedMesh::tets() const { return as_size(index_->tets); }
+
+std::string StreamedMesh::field_sha256() const { return hash_of(source_, *index_); }
+
+MergedSurface extract_streamed(const StreamedMesh& mesh, const ModeValue& mode,
+                               const ExtractOptions& options) {
+  return merged_stream(mesh, options, [&](const MeshPiece& piece, const ExtractOptions& own) {
+    return extract_piece(piece, mode, own);
+  });
+}
+
+MergedCurves extract_streamed(const StreamedMesh& mesh, Degeneracy kind,
+                              const ExtractOptions& options) {
+  return merged_stream(mesh, options, [&](const MeshPiece& piece, const ExtractOptions& own) {
+    return extract_curve_piece(piece, kind, own);
+  });
 }
 
 }  // namespace tensortopo

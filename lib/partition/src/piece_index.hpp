@@ -45,7 +45,7 @@ struct PieceIndex {
   std::vector<IndexedPiece> pieces;
   std::int64_t points = 0, tets = 0;
 
-  /// Reads each piece once. Throws as `extract_streamed`.
+  /// Reads each piece once. Throws as `StreamedMesh`.
   explicit PieceIndex(const PieceSource& source);
 };
 

@@ -12,6 +12,7 @@
 
 #include "arrays.hpp"
 #include "curve_arrays.hpp"
+#include "curve_pieces.hpp"
 #include "mesh.hpp"
 #include "piece_arrays.hpp"
 #include "tensortopo/partition/curve_seam.hpp"
@@ -32,13 +33,6 @@ constexpr std::array kObstacles{
     CurveObstacle::neutral_characteristic,   CurveObstacle::degenerate_on_a_surface,
     CurveObstacle::degenerate_throughout,    CurveObstacle::no_deviator_in_cell,
     CurveObstacle::points_not_told_apart};
-
-py::list list_of(const std::vector<OwnedCurveCell>& cells) {
-  py::list list;
-  for (const auto& cell : cells)
-    list.append(py::make_tuple(cell.cell_id, std::string(name_of(cell.obstacle))));
-  return list;
-}
 
 std::vector<OwnedCurveCell> cells_of(const py::dict& d, const char* name) {
   std::vector<OwnedCurveCell> cells;
@@ -83,8 +77,8 @@ py::dict dict_of(PieceCurves&& made) {
   out["is_shared"] = array_of<std::uint8_t>(
       std::vector<std::uint8_t>(made.is_shared.begin(), made.is_shared.end()));
   put_cells(out, made);
-  out["unresolved"] = list_of(made.unresolved);
-  out["special"] = list_of(made.special);
+  out["unresolved"] = list_of_cells(made.unresolved);
+  out["special"] = list_of_cells(made.special);
   return out;
 }
 
@@ -160,6 +154,8 @@ void require_indices(const PieceCurves& piece) {
   if (!fits) throw py::value_error("pieces: arrays of one piece do not fit each other");
 }
 
+}  // namespace
+
 PieceCurves curves_from(const py::dict& d) {
   PieceCurves piece;
   CurveMesh& c = piece.curves;
@@ -198,22 +194,14 @@ PieceCurves curves_from(const py::dict& d) {
   return piece;
 }
 
-py::dict merge_curves(const std::vector<py::dict>& dicts) {
-  std::vector<PieceCurves> pieces;
-  for (const py::dict& d : dicts) pieces.push_back(curves_from(d));
-  MergedCurves made;
-  {
-    const py::gil_scoped_release unlocked;
-    made = merge_curve_pieces(pieces);
-  }
-  py::dict out;
-  put_curves(out, std::move(made.curves));
-  out["cell_ids"] = array_of<std::int64_t>(std::move(made.cell_ids));
-  out["carrier_ids"] = array_of<std::int64_t>(std::move(made.carrier_ids));
-  out["unresolved"] = list_of(made.unresolved);
-  out["special"] = list_of(made.special);
-  return out;
+py::list list_of_cells(const std::vector<OwnedCurveCell>& cells) {
+  py::list list;
+  for (const auto& cell : cells)
+    list.append(py::make_tuple(cell.cell_id, std::string(name_of(cell.obstacle))));
+  return list;
 }
+
+namespace {
 
 py::array curve_seam(const py::dict& piece) {
   return array_of<std::int64_t>(numbers_of(curve_seam_of(curves_from(piece))));
@@ -246,7 +234,6 @@ py::dict join_curves(const std::vector<Input<std::int64_t>>& arrays) {
 void define_curve_pieces(py::module_& m, py::class_<Mesh>& mesh) {
   mesh.def("curve_piece", &curve_piece, py::arg("kind"), py::arg("vertex_ids"), py::arg("owned"),
            py::arg("whole_cells"), py::arg("resolution"), py::arg("progress"));
-  m.def("merge_curve_pieces", &merge_curves, py::arg("pieces"));
   m.def("curve_seam_of", &curve_seam, py::arg("piece"));
   m.def("join_curve_seams", &join_curves, py::arg("seams"));
 }

@@ -104,6 +104,7 @@ void define_mesh(py::module_& m) {
   define_sweep(mesh);
   define_partition(m, mesh);
   define_curve_pieces(m, mesh);
+  define_merged_curves(m);
 }
 
 void define_families(py::module_& m) {

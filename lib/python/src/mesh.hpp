@@ -27,6 +27,7 @@ struct Mesh {
 
 void define_mesh(pybind11::module_& m);
 void define_partition(pybind11::module_& m, pybind11::class_<Mesh>& mesh);
+void define_merged_curves(pybind11::module_& m);
 void define_curve_pieces(pybind11::module_& m, pybind11::class_<Mesh>& mesh);
 void define_extraction(pybind11::class_<Mesh>& mesh);
 void define_persistence(pybind11::class_<Mesh>& mesh);

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._field import Field
+from ._partition import CertifiedField, certified_numbers
 
 
 def _lines(offsets: npt.NDArray[np.int64], connectivity: npt.NDArray[np.int32]) -> list[npt.NDArray[np.int32]]:
@@ -86,6 +87,8 @@ class MergedCurves:
         Ids of cells whose curves are not known, with the reason.
     special : list of tuple
         Ids of other cells in which a curve may be in special position, with what is special.
+    certificate : bytes or None
+        What `merge_curve_pieces` was asked for; `check` takes it.
     """
 
     points: npt.NDArray[np.float64]
@@ -101,6 +104,7 @@ class MergedCurves:
     cell_ids: npt.NDArray[np.int64]
     unresolved: list[tuple[int, str]]
     special: list[tuple[int, str]]
+    certificate: Optional[bytes] = None
 
     @property
     def lines(self) -> list[npt.NDArray[np.int32]]:
@@ -166,14 +170,19 @@ def extract_curve_piece(
     return PieceCurves(made)
 
 
-def merge_curve_pieces(pieces: Iterable[PieceCurves]) -> MergedCurves:
+def merge_curve_pieces(
+    pieces: Iterable[PieceCurves], *, certify: Optional[CertifiedField] = None
+) -> MergedCurves:
     """The degenerate curves of the whole mesh, from all of its pieces in any order.
 
-    They are what `Field.degenerate_curves` gives for the whole mesh, bit for bit and in the same order.
+    They are what `Field.degenerate_curves` gives for the whole mesh, bit for bit and in the same order, and so is
+    the certificate, byte for byte.
 
     Parameters
     ----------
     pieces : iterable of PieceCurves
+    certify : CertifiedField, optional
+        Make a certificate.
 
     Raises
     ------
@@ -183,5 +192,5 @@ def merge_curve_pieces(pieces: Iterable[PieceCurves]) -> MergedCurves:
         If they do not meet: they were extracted with other options, or more layers of cells around the owned ones
         are needed. The message says where. It is a ValueError.
     """
-    made = _core.merge_curve_pieces([piece.arrays for piece in pieces])
+    made = _core.merge_curve_pieces([piece.arrays for piece in pieces], certified_numbers(certify, ""))
     return MergedCurves(**{name: made[name] for name in MergedCurves.__dataclass_fields__})

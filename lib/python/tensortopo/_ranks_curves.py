@@ -3,17 +3,29 @@
 """Ranks of MPI number degenerate curves, and write them in parts: each those of its pieces."""
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ._curve_pieces import PieceCurves
-from ._parts import PartArrays, pvtp_bytes
-from ._ranks import Array
-from ._ranks_parts import RankPieces, join_on_first, put_parts
-from ._seams import curve_seam_of, join_curve_seams
+from . import _core
+from ._curve_pieces import MergedCurves, PieceCurves
+from ._partition import CertifiedField, certified_numbers
+from ._parts import PartArrays
+from ._ranks import Array, PieceFile
+from ._ranks_parts import (
+    OutputKind,
+    RankPieces,
+    WrittenPart,
+    certified_part,
+    file_numbers,
+    join_on_first,
+    write_output_parts,
+    write_part_files,
+)
+from ._seams import JoinedCurveSeams, curve_seam_of, join_curve_seams
 from ._vtk_xml import piece_text
 
 _ARRAYS = PartArrays(
@@ -23,9 +35,34 @@ _ARRAYS = PartArrays(
         ("residual", "Float64", 1),
         ("separation", "Float64", 1),
     ),
-    (("tet", "Int64", 1), ("whole_component", "Int32", 1)),
+    (("tet", "Int64", 1), ("component", "Int32", 1), ("whole_component", "Int32", 1)),
     {"Scalars": "mode"},
 )
+
+
+@dataclass(frozen=True)
+class WholeCurves:
+    """What a rank knows of the whole curves.
+
+    Attributes
+    ----------
+    component : ndarray of int32
+        Of each line of the rank its component in the whole.
+    counts : dict of str to int
+        What a certificate of parts claims of the whole; on the first rank, else empty.
+    """
+
+    component: Array
+    counts: dict[str, int]
+
+
+def _counts_of(joined: JoinedCurveSeams) -> dict[str, int]:
+    return {
+        "vertices": int(joined.vertices.sum()),
+        "lines": int(joined.lines.sum()),
+        "components": len(joined.lines),
+        "closed_components": int((joined.ends == 0).sum()),
+    }
 
 
 def curve_kind(mode: Any) -> Optional[str]:
@@ -37,9 +74,8 @@ def curve_kind(mode: Any) -> Optional[str]:
     return {1: "linear", -1: "planar"}.get(int(exact)) if exact.denominator == 1 else None
 
 
-def number_curves(comm: Any, own: Optional[PieceCurves]) -> tuple[Optional[Array], Optional[str]]:
-    """Of each line of this rank its component in the whole, for which ranks exchange no more than seams; or why they
-    do not agree.
+def number_curves(comm: Any, own: Optional[PieceCurves]) -> tuple[Optional[WholeCurves], Optional[str]]:
+    """The components of the whole curves, for which ranks exchange no more than seams; or why they do not agree.
 
     Parameters
     ----------
@@ -52,52 +88,54 @@ def number_curves(comm: Any, own: Optional[PieceCurves]) -> tuple[Optional[Array
     RankError
         On all ranks, if something is wrong on one.
     """
-    _, numbers, differ = join_on_first(comm, own, curve_seam_of, join_curve_seams)
+    joined, numbers, differ = join_on_first(comm, own, curve_seam_of, join_curve_seams)
     if differ is not None:
         return None, differ
-    return np.empty(0, np.int32) if own is None else numbers[own.component], None
+    component = np.empty(0, np.int32) if own is None else numbers[own.component]
+    return WholeCurves(component, {} if joined is None else _counts_of(joined)), None
 
 
-def _lines_in_order(curves: PieceCurves, first: int, last: int) -> list[int]:
-    """The lines in cells of some ids, in an order that does not depend on the piece: by the ids of their cells."""
-    arrays = curves.arrays
-    cell_ids = curves.cell_ids
-    which = np.flatnonzero((cell_ids >= first) & (cell_ids <= last))
+def curve_part(
+    piece: PieceCurves, cells: Array, vertices: Array, component: Array, certified: Optional[CertifiedField]
+) -> tuple[MergedCurves, Array]:
+    """What a piece has of the curves in some of its cells, in the numbers of the part's file; of each line its
+    component in the whole.
 
-    def key(line: int) -> tuple[Any, ...]:
-        cell = arrays["line_cells"][line]
-        simplex = sorted(arrays["vertex_ids"][cell[cell >= 0]].tolist())
-        return int(cell_ids[line]), -len(simplex), simplex, int(arrays["line_ordinals"][line])
+    Parameters
+    ----------
+    piece : PieceCurves
+    cells, vertices : ndarray of int64 of shape (n, 2)
+        Ids in the whole mesh, and numbers in the part's file.
+    component : ndarray of int32
+        Of each line of the piece its component in the whole.
+    certified : CertifiedField or None
+        What the certificate says of the part's file; None makes none.
+    """
+    made = _core.curve_part(piece.arrays, cells, vertices, component, certified_numbers(certified, ""))
+    return MergedCurves(**{name: made[name] for name in MergedCurves.__dataclass_fields__}), made["whole_component"]
 
-    return sorted(which.tolist(), key=key)
 
-
-def _part_bytes(curves: PieceCurves, component: Array, lines: list[int], tets: Array) -> bytes:
-    """The .vtp of some lines, each in the direction in which its cell has it; points as lines have them first."""
-    arrays = curves.arrays
-    of_piece = curves.lines
-    turned = [of_piece[i][::-1] if arrays["line_reversed"][i] else of_piece[i] for i in lines]
-    number: dict[int, int] = {}
-    for line in turned:
-        for vertex in line.tolist():
-            number.setdefault(vertex, len(number))
-    vertices = np.fromiter(number, np.int64, len(number))
-    connectivity = [number[vertex] for line in turned for vertex in line.tolist()]
+def curve_part_bytes(curves: MergedCurves, whole_component: Array) -> bytes:
+    """The part's .vtp."""
     text = piece_text(
         "PolyData",
-        {"NumberOfPoints": len(vertices), "NumberOfVerts": 0, "NumberOfLines": len(lines)},
+        {"NumberOfPoints": len(curves.points), "NumberOfVerts": 0, "NumberOfLines": len(curves)},
         {
             "PointData": {
-                "mode": arrays["mode"][vertices],
-                "dominant_eigenvector": arrays["dominant_eigenvectors"][vertices],
-                "residual": arrays["residual"][vertices],
-                "separation": arrays["separation"][vertices],
+                "mode": curves.mode,
+                "dominant_eigenvector": curves.dominant_eigenvectors,
+                "residual": curves.residual,
+                "separation": curves.separation,
             },
-            "CellData": {"tet": tets, "whole_component": component[lines]},
-            "Points": {"Points": arrays["points"][vertices]},
+            "CellData": {
+                "tet": curves.cell_ids,
+                "component": curves.component,
+                "whole_component": whole_component,
+            },
+            "Points": {"Points": curves.points},
             "Lines": {
-                "connectivity": np.array(connectivity, np.int64),
-                "offsets": np.cumsum([len(line) for line in turned], dtype=np.int64),
+                "connectivity": curves.connectivity.astype(np.int64),
+                "offsets": curves.offsets[1:],
             },
         },
         marks=_ARRAYS.marks,
@@ -105,37 +143,38 @@ def _part_bytes(curves: PieceCurves, component: Array, lines: list[int], tets: A
     return text.encode("utf-8")
 
 
-def write_curve_parts(comm: Any, output: Path, pieces: RankPieces, component: Array) -> None:
+def write_curve_parts(
+    comm: Any,
+    output: Path,
+    certificate: Optional[Path],
+    pieces: RankPieces,
+    whole: WholeCurves,
+    mode: str,
+    sources: Sequence[str],
+) -> None:
     """Writes degenerate curves in parts, all files or none. All ranks call it.
 
     Parameters
     ----------
-    comm : mpi4py.MPI.Comm
-    output : Path
-        The .pvtp. The parts go into a folder of its name without the ending.
-    pieces : RankPieces
-    component : ndarray of int32
-        Of each line of this rank its component in the whole.
+    comm, output, certificate, pieces, sources
+        As for `write_parts`.
+    whole : WholeCurves
+    mode : {"1", "-1"}
 
     Raises
     ------
     RankError
         On all ranks, if something is wrong on one.
     """
-    folder = output.with_suffix("")
 
-    def write(filled: Path, number: int) -> str:
-        file = pieces.files[number]
+    def write(filled: Path, number: int) -> WrittenPart:
+        file: PieceFile = pieces.files[number]
         curves = pieces.surface
         assert isinstance(curves, PieceCurves)  # a rank without cells has no files with cells
-        first, last = (int(pieces.cell_ids[i]) for i in (file.tets[0], file.tets[1] - 1))
-        lines = _lines_in_order(curves, first, last)
-        tets = file.cells[curves.cell_ids[lines] - first]
-        name = f"{folder.name}_{file.number}.vtp"
-        (filled / name).write_bytes(_part_bytes(curves, component, lines, tets))
-        return name
+        certified = certified_part(pieces, file) if certificate is not None else None
+        part, components = curve_part(curves, *file_numbers(pieces, file), whole.component, certified)
+        return write_part_files(filled, output.stem, file, curve_part_bytes(part, components), part.certificate)
 
-    def finish(parts: list[str]) -> dict[Path, bytes]:
-        return {output: pvtp_bytes([f"{folder.name}/{part}" for part in parts], _ARRAYS)}
-
-    put_parts(comm, output, pieces, lambda: None, write, finish)
+    write_output_parts(
+        comm, output, certificate, pieces, OutputKind("polylines", _ARRAYS), write, mode, whole.counts, sources
+    )

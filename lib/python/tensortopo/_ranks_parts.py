@@ -17,6 +17,8 @@ from ._errors import FileError
 from ._modes import mode_texts
 from ._partition import CertifiedField, FieldHash, PieceSurface, PiecesDiffer
 from ._parts import (
+    SURFACE_ARRAYS,
+    PartArrays,
     certificate_of_parts,
     new_folder,
     part_bytes,
@@ -163,7 +165,7 @@ def _components(pieces: RankPieces, whole: WholeNumbers) -> list[Array]:
     ]
 
 
-def _certified(pieces: RankPieces, file: PieceFile) -> CertifiedField:
+def certified_part(pieces: RankPieces, file: PieceFile) -> CertifiedField:
     """What the certificate of a part says of its piece."""
     points, tets = slice(*file.points), slice(*file.tets)
     numbers = FieldHash(file.points[1] - file.points[0], file.tets[1] - file.tets[0])
@@ -176,35 +178,57 @@ def _certified(pieces: RankPieces, file: PieceFile) -> CertifiedField:
 
 
 @dataclass(frozen=True)
-class _Written:
+class WrittenPart:
     """Name and SHA-256 of the files of a part."""
 
-    surface: tuple[str, str]
+    output: tuple[str, str]
     certificate: Optional[tuple[str, str]]
     field: tuple[str, str]
 
 
-def _write_part(folder: Path, name: str, pieces: RankPieces, file: PieceFile, components: Array,
-                mode: str, certify: bool) -> _Written:  # fmt: skip
+@dataclass(frozen=True)
+class OutputKind:
+    """What is in parts: how a certificate of parts calls it, and its arrays."""
+
+    role: str
+    arrays: PartArrays
+
+
+def file_numbers(pieces: RankPieces, file: PieceFile) -> tuple[Array, Array]:
+    """Of the cells and of the points of a file: ids in the whole mesh, and numbers in the file."""
     points, tets = slice(*file.points), slice(*file.tets)
-    vertices = np.column_stack([pieces.vertex_ids[points], np.arange(file.points[1] - file.points[0])])
     cells = np.column_stack([pieces.cell_ids[tets], file.cells])
+    vertices = np.column_stack([pieces.vertex_ids[points], np.arange(file.points[1] - file.points[0])])
+    return cells, vertices
+
+
+def write_part_files(
+    folder: Path, name: str, file: PieceFile, data: bytes, certificate: Optional[bytes]
+) -> WrittenPart:
+    """Writes a part, and its certificate if there is one."""
+    stem = f"{name}_{file.number}"
+    (folder / f"{stem}.vtp").write_bytes(data)
+    if certificate is None:
+        return WrittenPart((f"{stem}.vtp", sha256_of(data)), None, (str(file.path), ""))
+    (folder / f"{stem}.json").write_bytes(certificate)
+    return WrittenPart(
+        (f"{stem}.vtp", sha256_of(data)),
+        (f"{stem}.json", sha256_of(certificate)),
+        (str(file.path), sha256_of(file.path.read_bytes())),
+    )
+
+
+def _write_part(folder: Path, name: str, pieces: RankPieces, file: PieceFile, components: Array,
+                mode: str, certify: bool) -> WrittenPart:  # fmt: skip
+    cells, vertices = file_numbers(pieces, file)
     if not isinstance(pieces.surface, PieceSurface):
         raise FileError(f"{file.path}: has no tetrahedra, so there is no part of it; leave it out")
-    certified = _certified(pieces, file) if certify else None
+    certified = certified_part(pieces, file) if certify else None
     try:
         part = part_surface(pieces.surface, cells, vertices, components, certified, mode)
     except ValueError as error:
         raise ValueError(f"{file.path}: {error}") from error
-    data = part_bytes(part)
-    stem = f"{name}_{file.number}"
-    (folder / f"{stem}.vtp").write_bytes(data)
-    certificate = None
-    if part.surface.certificate is not None:
-        (folder / f"{stem}.json").write_bytes(part.surface.certificate)
-        certificate = (f"{stem}.json", sha256_of(part.surface.certificate))
-    field = sha256_of(file.path.read_bytes()) if certify else ""
-    return _Written((f"{stem}.vtp", sha256_of(data)), certificate, (str(file.path), field))
+    return write_part_files(folder, name, file, part_bytes(part), part.surface.certificate)
 
 
 def put_parts(
@@ -274,6 +298,64 @@ def put_parts(
             shutil.rmtree(filled, ignore_errors=True)
 
 
+def write_output_parts(
+    comm: Any,
+    output: Path,
+    certificate: Optional[Path],
+    pieces: RankPieces,
+    kind: OutputKind,
+    write: Callable[[Path, int], WrittenPart],
+    mode: str,
+    counts: dict[str, int],
+    sources: Sequence[str],
+) -> None:
+    """Writes a surface or curves in parts, all files or none. All ranks call it.
+
+    Parameters
+    ----------
+    comm, output, certificate, pieces, sources
+        As for `write_parts`.
+    kind : OutputKind
+    write : callable
+        Writes a part into a folder, of one of the rank's files.
+    mode : str
+        Exactly.
+    counts : dict of str to int
+        What a certificate of parts claims of the whole besides tetrahedra; on the first rank.
+
+    Raises
+    ------
+    RankError
+        On all ranks, if something is wrong on one.
+    """
+    folder = output.with_suffix("")
+    beside = ""
+    if certificate is not None:
+        beside = os.path.relpath(folder, certificate.parent).replace(os.sep, "/")
+    cells = comm.reduce(len(pieces.tets))
+
+    def begin() -> None:
+        if certificate is not None:
+            require_below(certificate, beside)
+
+    def finish(parts: list[WrittenPart]) -> dict[Path, bytes]:
+        files = {output: pvtp_bytes([f"{folder.name}/{part.output[0]}" for part in parts], kind.arrays)}
+        if certificate is not None:
+            listed = [
+                {
+                    "input": (source, part.field[1]),
+                    kind.role: (f"{folder.name}/{part.output[0]}", part.output[1]),
+                    "certificate": (f"{beside}/{part.certificate[0]}", part.certificate[1]),
+                }
+                for source, part in zip(sources, parts)
+                if part.certificate is not None
+            ]
+            files[certificate] = certificate_of_parts(mode, listed, {"tetrahedra": cells, **counts})
+        return files
+
+    put_parts(comm, output, pieces, begin, write, finish)
+
+
 def write_parts(
     comm: Any,
     output: Path,
@@ -304,36 +386,12 @@ def write_parts(
         On all ranks, if something is wrong on one.
     """
     (text,) = mode_texts(mode)
-    folder = output.with_suffix("")
-    beside = ""
-    if certificate is not None:
-        beside = os.path.relpath(folder, certificate.parent).replace(os.sep, "/")
-
-    cells = comm.reduce(len(pieces.tets))
     components = _components(pieces, whole)
 
-    def begin() -> None:
-        if certificate is not None:
-            require_below(certificate, beside)
-
-    def write(filled: Path, number: int) -> _Written:
-        return _write_part(filled, folder.name, pieces, pieces.files[number], components[number], text,
+    def write(filled: Path, number: int) -> WrittenPart:
+        return _write_part(filled, output.stem, pieces, pieces.files[number], components[number], text,
                            certificate is not None)  # fmt: skip
 
-    def finish(parts: list[_Written]) -> dict[Path, bytes]:
-        files = {output: pvtp_bytes([f"{folder.name}/{part.surface[0]}" for part in parts])}
-        if certificate is not None:
-            listed = [
-                {
-                    "input": (source, part.field[1]),
-                    "surface": (f"{folder.name}/{part.surface[0]}", part.surface[1]),
-                    "certificate": (f"{beside}/{part.certificate[0]}", part.certificate[1]),
-                }
-                for source, part in zip(sources, parts)
-                if part.certificate is not None
-            ]
-            claimed = {"tetrahedra": cells, **whole.counts}
-            files[certificate] = certificate_of_parts(text, listed, claimed)
-        return files
-
-    put_parts(comm, output, pieces, begin, write, finish)
+    write_output_parts(
+        comm, output, certificate, pieces, OutputKind("surface", SURFACE_ARRAYS), write, text, whole.counts, sources
+    )

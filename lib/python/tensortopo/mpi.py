@@ -48,7 +48,7 @@ from ._ranks import (
     together,
     with_ghosts,
 )
-from ._ranks_curves import curve_kind, number_curves, write_curve_parts
+from ._ranks_curves import WholeCurves, curve_kind, number_curves, write_curve_parts
 from ._ranks_parts import RankPieces, WholeNumbers, number_components, write_parts
 from ._vtk_xml import write_whole
 
@@ -65,13 +65,13 @@ class Extracted:
         What this rank has.
     merged : MergedSurface, MergedCurves or None
         The whole, on the first rank, unless it stays in parts.
-    whole : WholeNumbers, ndarray or None
-        Of a surface that stays in parts; of curves the components of lines in the whole.
+    whole : WholeNumbers, WholeCurves or None
+        Of a surface, or of curves, that stay in parts.
     """
 
     pieces: RankPieces
     merged: Union[MergedSurface, MergedCurves, None]
-    whole: Union[WholeNumbers, Array, None] = None
+    whole: Union[WholeNumbers, WholeCurves, None] = None
 
 
 def _field_hash(comm: Any, owned: Cells, first: Cells, starts: Array, cells: int) -> Optional[str]:
@@ -136,15 +136,21 @@ def mode_surface(
 
 
 def degenerate_curves(
-    comm: Any, part: Part, kind: str, *, resolution: float = 4, cells: Optional[int] = None
+    comm: Any,
+    part: Part,
+    kind: str,
+    *,
+    certify: bool = False,
+    resolution: float = 4,
+    cells: Optional[int] = None,
 ) -> Optional[MergedCurves]:
     """The degenerate curves of a mesh whose pieces lie on the ranks. All ranks call it.
 
-    They are what `Field.degenerate_curves` gives for the whole mesh, bit for bit.
+    They are what `Field.degenerate_curves` gives for the whole mesh, bit for bit, and so is the certificate.
 
     Parameters
     ----------
-    comm, part, resolution, cells
+    comm, part, certify, resolution, cells
         As for `mode_surface`.
     kind : {"linear", "planar"}
 
@@ -158,7 +164,8 @@ def degenerate_curves(
     RankError
         On all ranks, if something is wrong on one.
     """
-    made = extracted(comm, part, {"linear": 1, "planar": -1}[kind], resolution=resolution, cells=cells)
+    mode = {"linear": 1, "planar": -1}[kind]
+    made = extracted(comm, part, mode, certify=certify, resolution=resolution, cells=cells)
     return made.merged if isinstance(made.merged, MergedCurves) else None
 
 
@@ -181,7 +188,7 @@ def extracted(
         As for `mode_surface`.
     in_parts : bool, default False
         What is extracted stays in parts: ranks exchange seams, and components are numbered. With ``certify``, proofs
-        are kept for certificates of parts. Of curves there are none.
+        of surfaces are kept for certificates of parts; curves need none.
 
     Raises
     ------
@@ -226,7 +233,7 @@ def extracted(
 
         own = together(comm, extract)
         merged = None
-        numbers: Union[WholeNumbers, Array, None] = None
+        numbers: Union[WholeNumbers, WholeCurves, None] = None
         if in_parts:
             if kind is not None:
                 numbers, differ = number_curves(comm, own if isinstance(own, PieceCurves) else None)
@@ -253,7 +260,7 @@ def _merged(
     pieces = [piece for piece in gathered if piece is not None]
     try:
         if curve_kind(mode) is not None:
-            return merge_curve_pieces(pieces), None
+            return merge_curve_pieces(pieces, certify=certified), None
         return merge_pieces(pieces, certify=certified, mode=mode), None
     except PiecesDiffer as error:
         return None, str(error)
@@ -287,8 +294,6 @@ def _require_names(options: argparse.Namespace) -> None:
     if options.certify is not None and options.certify.suffix.lower() != ".json":
         raise ValueError(f"{options.certify}: the name of the certificate must end in .json")
     if curve_kind(options.mode) is not None:
-        if options.certify is not None:
-            raise ValueError(f"{options.certify}: curves in pieces have no certificate; leave out --certify")
         if options.all_samples:
             raise ValueError("--all-samples: is about surfaces; curves have all samples")
     elif len(mode_texts(options.mode)) != 1:
@@ -325,8 +330,9 @@ def run(comm: Any, options: argparse.Namespace) -> None:
     surface = made.merged
     own = made.pieces.surface
     unresolved = comm.gather([] if own is None else own.unresolved)
-    if isinstance(made.whole, np.ndarray):
-        write_curve_parts(comm, options.output, made.pieces, made.whole)
+    if isinstance(made.whole, WholeCurves):
+        text = {"linear": "1", "planar": "-1"}[curve_kind(options.mode) or ""]
+        write_curve_parts(comm, options.output, options.certify, made.pieces, made.whole, text, sources)
     elif made.whole is not None:
         write_parts(comm, options.output, options.certify, made.pieces, made.whole, options.mode, sources)
     elif surface is not None:

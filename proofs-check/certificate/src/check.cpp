@@ -147,7 +147,8 @@ void check_level(const Json& claims, const Level& level, const RadiiByArray& rad
 }
 
 void check_curves(const Json& claims, const RadiiByArray& radii, const Input& input,
-                  const Field& field, const Polylines& curves, Ledger& ledger, const Progress& progress) {
+                  const Field& field, const Polylines& curves, Ledger& ledger,
+                  const Progress& progress, PartCurves* part) {
   ledger.begin_level("mode " + claims["mode"].get<std::string>());
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
@@ -163,6 +164,7 @@ void check_curves(const Json& claims, const RadiiByArray& radii, const Input& in
   compare_pieces(c, vertices, ledger);
   ledger.begin("curves");
   compare_polylines(c, ledger);
+  if (part != nullptr && !ledger.has_refuted() && ledger.open() == 0) add_curves(c, *part);
   ledger.begin("stability");
   if (claims.contains("stability"))
     compare_stability(c, radii, !ledger.has_refuted() && ledger.open() == left_open, progress,
@@ -236,7 +238,7 @@ class Checking {
     report_.subject.output = file;
     if (!compare_files(surface, "surface", "triangles", surface.triangles.size())) return report_;
     if (border != nullptr) {
-      *border = border_of(input_);
+      static_cast<MeshBorder&>(*border) = border_of(input_);
       if (levels.size() != 1) return report_;
     }
     std::optional<Field> field;  // levels mostly are about the same tensors
@@ -256,13 +258,18 @@ class Checking {
     return report_;
   }
 
-  Report of_curves(const File& file) {
+  /// @param part  as `border`
+  Report of_curves(const File& file, PartCurves* part = nullptr) {
     const Polylines curves = read_polylines(file);
     report_.subject.output = file.name, report_.subject.of_curves = true;
     if (!compare_files(curves, "polylines", "lines", curves.lines.size())) return report_;
+    if (part != nullptr) {
+      static_cast<MeshBorder&>(*part) = border_of(input_);
+      if (certificate_["levels"].size() != 1) return report_;
+    }
     const Field field(input_, Multiples{}, in_parallel({}));
     for (const Json& claims : certificate_["levels"])
-      check_curves(claims, radii_, input_, field, curves, ledger_, progress_);
+      check_curves(claims, radii_, input_, field, curves, ledger_, progress_, part);
     return report_;
   }
 
@@ -319,20 +326,43 @@ Subject read_subject(const std::string& input, const std::string& tensor, const 
   return subject_of(input, tensor, order, read_input(read_file(input), tensor, order));
 }
 
-CheckedPart check_part(const File& input, const File& surface, const File& certificate,
-                       const Progress& progress) {
+namespace {
+
+/// @param check  check(checking): what a part's certificate comes to
+template <class Check>
+void check_document(const File& input, const File& output, const File& certificate, bool of_curves,
+                    const Progress& progress, const Check& check) {
   const Json document = read_document(certificate);
-  if (document.contains("polylines"))
-    throw Malformed(certificate.name, "is of curves, not of a part of a surface");
+  if (document.contains("polylines") != of_curves)
+    throw Malformed(certificate.name, of_curves ? "is of a surface, not of a part of curves"
+                                                : "is of curves, not of a part of a surface");
   try {
-    CheckedPart part;
-    const std::size_t bytes = input.bytes.size() + surface.bytes.size() + certificate.bytes.size();
+    const std::size_t bytes = input.bytes.size() + output.bytes.size() + certificate.bytes.size();
     Checking checking(input, document, bytes, progress);
-    part.report = checking.of_surface(surface.name, read_triangles(surface), &part.border);
-    return part;
+    check(checking);
   } catch (const Malformed& error) {
     throw Malformed(error.file().empty() ? certificate.name : error.file(), error.problem());
   }
+}
+
+}  // namespace
+
+CheckedPart check_part(const File& input, const File& surface, const File& certificate,
+                       const Progress& progress) {
+  CheckedPart part;
+  check_document(input, surface, certificate, false, progress, [&](Checking& checking) {
+    part.report = checking.of_surface(surface.name, read_triangles(surface), &part.border);
+  });
+  return part;
+}
+
+CheckedCurves check_curve_part(const File& input, const File& polylines, const File& certificate,
+                               const Progress& progress) {
+  CheckedCurves part;
+  check_document(input, polylines, certificate, true, progress, [&](Checking& checking) {
+    part.report = checking.of_curves(polylines, &part.curves);
+  });
+  return part;
 }
 
 Report check_certificate(const std::string& input, const std::string& surface,

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -70,7 +71,7 @@ TEST(MemoryOption, TakesBytesAndUnits) {
 TEST(MemoryPlan, TakesTheFewestPiecesThatFit) {
   for (const std::size_t tets : {1'000u, 300'000u, 100'000'000u})
     for (const std::size_t share : {0u, 10u, 40u, 100u}) {
-      const MemorySizes sizes{tets, tets / 100 * share};
+      const MemorySizes sizes{tets, tets / 100 * share, share % 20 == 0};
       const double least = least_memory(sizes);
       EXPECT_FALSE(pieces_within(sizes, static_cast<std::uint64_t>(least) - 1));
       for (const double factor : {1.0, 1.05, 1.5, 3.0}) {
@@ -102,6 +103,40 @@ TEST(ExtractMemory, StaysBelowALimitThatTheWholeExceeds) {
   ASSERT_EQ(again, 0);
   EXPECT_LT(less, limit) << "whole " << peak;
   EXPECT_TRUE(contents(whole) == contents(limited));
+}
+
+/// A certificate takes more memory: it is estimated, and measured.
+TEST(ExtractMemory, StaysBelowALimitWithACertificateOrWritesNothing) {
+  const Folder folder;
+  const std::string input = folder / "f.vtu", whole = folder / "whole.vtp",
+                    limited = folder / "limited.vtp";
+  const std::string all = folder / "whole.json", some = folder / "limited.json";
+  write_smooth_field(input, 24, 6);
+  const std::vector<std::string> words{"--mode", "1/2", "--quiet", "--certify"};
+  std::vector<std::string> at_once{"extract", input, "-o", whole};
+  at_once.insert(at_once.end(), words.begin(), words.end());
+  at_once.push_back(all);
+  const auto [status, peak] = status_and_peak(at_once);
+  ASSERT_LE(status, 1);
+  for (const std::uint64_t limit : {peak / 100 * 60, peak / 100 * 95, peak * 2}) {
+    std::vector<std::string> below{"extract", input, "-o", limited};
+    below.insert(below.end(), words.begin(), words.end());
+    below.insert(below.end(), {some, "--memory", std::to_string(limit)});
+    const auto [again, less] = status_and_peak(below);
+    if (limit < peak && again == 2) {
+      EXPECT_FALSE(std::filesystem::exists(limited) || std::filesystem::exists(some));
+      continue;
+    }
+    ASSERT_LE(again, 1) << "limit " << limit << ", whole " << peak << ", peak " << less;
+    EXPECT_LT(less, limit) << "whole " << peak;
+    EXPECT_TRUE(contents(whole) == contents(limited));
+    EXPECT_TRUE(contents(all) == contents(some));
+    std::filesystem::remove(limited), std::filesystem::remove(some);
+  }
+  at_once.insert(at_once.end(), {"--memory", "1M"});
+  at_once[3] = limited;
+  EXPECT_EQ(status_and_peak(at_once).first, 2);
+  EXPECT_FALSE(std::filesystem::exists(limited));
 }
 
 TEST(ExtractMemory, SaysHowManyPiecesItTook) {

@@ -60,6 +60,24 @@ TEST(ExtractCertificate, IsTheSameBytesWhateverTheNumberOfPieces) {
   EXPECT_TRUE(contents(surfaces[0]) == contents(surfaces[1]));
 }
 
+TEST(ExtractCurves, GivesTheSameBytesWhateverTheNumberOfPieces) {
+  for (const char* mode : {"1", "-1"}) {
+    const Folder folder;
+    std::vector<std::string> files;
+    for (const char* pieces : {"1", "2", "9"}) {
+      files.push_back(folder / (std::string(pieces) + ".vtp"));
+      const Outcome run = run_program({"extract", field("s1_compress_off"), "-o", files.back(),
+                                       std::string("--mode=") + mode, "--mode", "0.5", "--pieces",
+                                       pieces, "--quiet"});
+      ASSERT_EQ(run.status, 0) << run.err;
+    }
+    const std::string bytes = contents(files[0]);
+    EXPECT_GT(bytes.size(), 10000u);
+    EXPECT_TRUE(bytes == contents(files[1]));
+    EXPECT_TRUE(bytes == contents(files[2]));
+  }
+}
+
 TEST(ExtractCurves, GivesTheSameBytesWhateverTheNumberOfThreads) {
   for (const std::string extension : {".vtp", ".ply", ".obj"}) {
     const Folder folder;

@@ -61,9 +61,38 @@ TEST_F(StreamedExtraction, GivesTheBytesOfTheWhole) {
   EXPECT_TRUE(contents(a) == contents(b));
 }
 
+/// Alone, certified; and in one file with surfaces.
+TEST_F(StreamedExtraction, GivesTheBytesOfTheWholeCurves) {
+  ASSERT_EQ(run_program({"convert", pieces_, "-o", whole_, "--quiet"}).status, 0);
+  const std::vector<std::vector<std::string>> cases{
+      {"--mode", "1"}, {"--mode=1", "--generalized"}, {"--mode", "1", "--mode", "0.9", "--mode=-1"}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    std::vector<std::string> bytes, certificates;
+    for (const char* how : {"whole", "pieces", "stream"}) {
+      const std::string output = folder_ / (std::string(how) + ".vtp"),
+                        certificate = folder_ / (std::string(how) + ".json");
+      const std::string& input = std::string(how) == "stream" ? pieces_ : whole_;
+      std::vector<std::string> words{"extract", input, "-o", output, "--quiet"};
+      words.insert(words.end(), cases[i].begin(), cases[i].end());
+      if (i < 2) words.insert(words.end(), {"--certify", certificate});
+      if (std::string(how) == "pieces") words.insert(words.end(), {"--pieces", "5"});
+      if (std::string(how) == "stream") words.emplace_back("--stream");
+      const Outcome run = run_program(words);
+      ASSERT_LE(run.status, 1) << run.err;
+      bytes.push_back(contents(output));
+      if (i < 2) certificates.push_back(contents(certificate));
+    }
+    EXPECT_GT(bytes[0].size(), 2000u);
+    EXPECT_TRUE(bytes[0] == bytes[1]) << i;
+    // The provenance in the file names the input.
+    EXPECT_TRUE(bytes[1].size() == bytes[2].size()) << i;
+    for (std::size_t k = 1; k < certificates.size(); ++k)
+      EXPECT_TRUE(certificates[0] == certificates[k]) << i;
+  }
+}
+
 TEST_F(StreamedExtraction, RefusesWhatNeedsTheWholeField) {
   expect_refused("--max-error: needs the whole field", {"--max-error", "1"});
-  expect_refused("one mode at a time", {"--generalized"});
   expect_refused("does not go with reading piece by piece", {"--merge-points"});
 }
 

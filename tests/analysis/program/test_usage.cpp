@@ -128,7 +128,6 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
       {"--subdivide", "--mode", "0.5", "--subdivide", "1"},
       {"--certify", "--mode", "0.5", "--method", "vtk-contour-grid", "--certify", "c.json"},
       {"--all-samples", "--mode", "1", "--all-samples"},
-      {"--pieces", "--mode", "1", "--pieces", "2"},
       {"--pieces", "--mode", "0.5", "--method", "marching", "--pieces", "2"},
       {"--pieces", "--mode", "0.5", "--max-error", "0.1", "--pieces", "2"},
       {"--memory", "--mode", "1", "--memory", "8G"},

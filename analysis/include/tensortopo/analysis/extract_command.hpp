@@ -11,6 +11,7 @@
 
 #include "tensortopo/analysis/extract_report.hpp"
 #include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 #include "tensortopo/analysis/provenance.hpp"
 #include "tensortopo/io/read_mesh.hpp"
@@ -39,7 +40,7 @@ struct ExtractCommand {
   MeshingMethod meshing = MeshingMethod::bisection;
   bool all_samples = false;  ///< `ExtractOptions::keep_samples`
   bool improve = false;  ///< surfaces by `improve_triangles`
-  int pieces = 1;        ///< surfaces by `extract_in_pieces`, if more
+  int pieces = 1;        ///< by `extract_in_pieces`, if more
   /// Most bytes that the program may hold; chooses `pieces`, which then must be 1. 0 for no limit.
   std::uint64_t memory = 0;
   bool stream = false;   ///< the field of a .pvtu piece by piece, by `extract_streamed`
@@ -59,6 +60,10 @@ ModeValue parse_mode(std::string_view text);
 
 /// Whether the mode is 1 or -1, exactly: where the field has it there are curves, not surfaces.
 bool is_degenerate(const ModeValue& mode);
+
+/// The kind of curves that such a mode stands for.
+/// @param mode  degenerate
+Degeneracy degeneracy_of(const ModeValue& mode);
 
 /// The modes to extract, in order, each once. Throws UsageError for none.
 std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool generalized);

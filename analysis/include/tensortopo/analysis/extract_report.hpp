@@ -104,7 +104,7 @@ struct ExtractReport {
   std::size_t cells_left_out = 0;  ///< of the input, by a condition
   TornFaces torn_faces;            ///< of the input
 
-  std::int32_t pieces = 1;             ///< in which surfaces were extracted, one after the other
+  std::int32_t pieces = 1;             ///< of the mesh, extracted one after the other
   std::optional<MemoryReport> memory;  ///< if a limit was asked for
   std::vector<SurfaceReport> surfaces;       ///< one for each mode between -1 and 1
   std::vector<CurveReport> curves;           ///< one for each of the modes 1 and -1

@@ -256,8 +256,8 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   app.add_flag("--all-samples", command.all_samples,
                "Keep samples of face curves that make needles and that the level can do without");
   auto* pieces = app.add_option("--pieces", command.pieces,
-                 "Extract so many pieces (slabs) of the mesh one after the other: the same surface, "
-                 "bit for bit. For fields larger than memory see --stream")
+                 "Extract so many pieces (slabs) of the mesh one after the other: the same surfaces "
+                 "and curves, bit for bit. For fields larger than memory see --stream")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N")
       ->capture_default_str();
@@ -269,7 +269,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->excludes(pieces);
   app.add_flag("--stream", command.stream,
                "Read the pieces of a .pvtu one after the other, for fields larger than memory: the "
-               "same surface, bit for bit");
+               "same surfaces and curves, bit for bit");
   app.add_option("--method", options->method,
                  "How to extract: sheets that turn far by bisection of edges, or on the medium "
                  "eigenvector manifold, as in the paper; all others only compare. 'graph': old name of "

@@ -35,6 +35,8 @@ E converted_to(const MultiprecisionInterval& x) {
   if constexpr (std::is_same_v<E, FastInterval>) {
     return {mpfr_get_d(x.low.backend().data(), MPFR_RNDD),
             mpfr_get_d(x.high.backend().data(), MPFR_RNDU)};
+  } else if constexpr (std::is_same_v<E, Extended>) {
+    return to_extended(MultiprecisionInterval::End((x.low + x.high) / 2));
   } else {
     return static_cast<E>(MultiprecisionInterval::End((x.low + x.high) / 2));
   }

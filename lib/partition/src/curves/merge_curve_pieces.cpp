@@ -213,6 +213,7 @@ class CurveMerger {
     }
     result_.cells = cells_.sorted();
     result_.vertex_ids = std::move(cells_.vertex_ids);
+    result_.kind = pieces_[0].kind;
     result_.whole_tets = pieces_[0].whole_tets;
   }
 

@@ -6,12 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "curves/line_order.hpp"
+#include "curves/kept_lines.hpp"
 #include "curves/piece_vertices.hpp"
 #include "owned_part.hpp"
 #include "piece_messages.hpp"
-#include "tensortopo/mesh/canonical_mesh.hpp"
-#include "tensortopo/mesh/union_find.hpp"
 #include "tensortopo/partition/piece_curves.hpp"
 
 namespace tensortopo {
@@ -79,71 +77,6 @@ std::vector<OwnedCurveCell> owned_cells(const MeshPiece& piece,
       result.push_back({piece.mesh.cell_ids[as_size(cell.tet)], cell.obstacle});
   std::sort(result.begin(), result.end(),
             [](const auto& a, const auto& b) { return a.cell_id < b.cell_id; });
-  return result;
-}
-
-/// Takes out lines in ghosts, and vertices that no other line has.
-void keep_owned_lines(const MeshPiece& piece, PieceCurves& part) {
-  CurveMesh& curves = part.curves;
-  std::vector<char> is_kept(curves.lines.size()), is_used(curves.points.size(), 0);
-  for (std::size_t i = 0; i < is_kept.size(); ++i) {
-    is_kept[i] = piece.is_owned[as_size(curves.tet[i])];
-    if (is_kept[i] != 0)
-      for (const Index v : curves.lines[i]) is_used[as_size(v)] = 1;
-  }
-  keep(curves.lines, is_kept);
-  keep(curves.tet, is_kept);
-  keep(part.keys.lines, is_kept);
-  const auto number = numbers_of_kept(is_used);
-  for (auto& line : curves.lines)
-    for (Index& v : line) v = number[as_size(v)];
-  keep(curves.points, is_used);
-  keep(curves.carrier, is_used);
-  keep(curves.carrier_vertices, is_used);
-  keep(curves.dominant_eigenvector, is_used);
-  keep(curves.mode, is_used);
-  keep(curves.separation, is_used);
-  keep(curves.residual, is_used);
-  keep(part.keys.vertices, is_used);
-  keep(part.around, is_used);
-}
-
-/// Gathers the tetrahedra with lines, and counts in terms of these.
-void gather_cells_of_lines(const MeshPiece& piece, PieceCurves& part) {
-  CurveMesh& curves = part.curves;
-  std::vector<char> is_crossed(piece.mesh.tets.size(), 0);
-  for (const Index t : curves.tet) is_crossed[as_size(t)] = 1;
-  const KeptCells kept = keep_cells(piece, is_crossed, part.cells, part.vertex_ids);
-  const auto to_cells = [&](Simplex& simplex) {
-    const auto end = std::find(simplex.begin(), simplex.end(), -1);
-    for (auto v = simplex.begin(); v != end; ++v) *v = kept.vertex[as_size(*v)];
-  };
-  for (Index& t : curves.tet) t = kept.tet[as_size(t)];
-  for (auto& carrier : curves.carrier_vertices) to_cells(carrier);
-  for (auto& line : part.keys.lines) to_cells(line.cell);
-}
-
-/// In the order of the keys of first lines.
-std::vector<Index> components_of_lines(const PieceCurves& part) {
-  const auto& lines = part.curves.lines;
-  UnionFind classes(part.curves.points.size());
-  for (const auto& line : lines)
-    classes.unite(static_cast<std::uint32_t>(line.front()),
-                  static_cast<std::uint32_t>(line.back()));
-  const auto rank = inverse_permutation(canonical_mesh(part.cells).vertices);
-  std::vector<std::tuple<CellOrder, std::int32_t, std::size_t>> order;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto& key = part.keys.lines[i];
-    order.emplace_back(order_of_cell(key.cell, rank), key.ordinal, i);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<Index> number(classes.size(), -1), result(lines.size());
-  Index count = 0;
-  for (const auto& [cell, ordinal, i] : order) {
-    Index& known = number[classes.find(static_cast<std::uint32_t>(lines[i].front()))];
-    if (known < 0) known = count++;
-    result[i] = known;
-  }
   return result;
 }
 

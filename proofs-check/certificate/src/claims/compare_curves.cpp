@@ -6,59 +6,14 @@
 #include <set>
 
 #include "claims/containment.hpp"
+#include "claims/point_boxes.hpp"
 #include "union_find.hpp"
 
 namespace certificate {
 namespace {
 
-/// A claimed point [v, i, j, k] of a face: |2^k b - i| <= 1 and |2^k c - j| <= 1 for its weights at
-/// the second and third vertex.
-struct Box {
-  explicit Box(const Json& claim) : vertex(claim[0]), k(claim[3]) {
-    constexpr Number kLongest = 60;
-    for (std::size_t n = 0; n < 2; ++n) at[n] = claim[n + 1].get<Number>();
-    if (k > kLongest || at[0] > Number{1} << k || at[1] > Number{1} << k)
-      throw Malformed("", "no box " + claim.dump());
-  }
-  mpz_class middle(std::size_t n) const { return static_cast<unsigned long>(at[n]); }
-  mpz_class one() const { return mpz_class(1) << static_cast<unsigned long>(k); }
-
-  Number vertex;
-  std::array<Number, 2> at{};
-  Number k;
-};
-
-/// Is a point in a box? Unsure if it is on its edge.
-Answer holds(const CurveCase& c, const Box& box, const CurveFace& face, FacePoint point) {
-  // Weights refer to multiples of the tensors: those of the tensors are in this proportion.
-  std::array<mpz_class, 3> scale;
-  long largest = c.field.exponent(face.vertices[0]);
-  for (const Vertex v : face.vertices) largest = std::max(largest, c.field.exponent(v));
-  for (std::size_t n = 0; n < 3; ++n)
-    scale[n] =
-        mpz_class(1) << static_cast<unsigned long>(largest - c.field.exponent(face.vertices[n]));
-  constexpr int kMostCuts = 40;
-  for (int cut = 0; cut < kMostCuts; ++cut, point.sharpen()) {
-    bool inside = true, outside = false;
-    for (const std::size_t n : {0U, 1U})
-      for (const int end : {-1, 1}) {
-        std::array<mpz_class, 5> form;
-        for (std::size_t i = 0; i < 5; ++i) {
-          std::array<mpz_class, 3> w;
-          for (std::size_t l = 0; l < 3; ++l) w[l] = scale[l] * point.weight(l, i);
-          form[i] = end * ((box.middle(n) + end) * (w[0] + w[1] + w[2]) - box.one() * w[n + 1]);
-        }
-        inside = inside && common_sign(form) > 0;
-        outside = outside || common_sign(form) < 0;
-      }
-    if (outside) return Answer::no;
-    if (inside) return Answer::yes;
-  }
-  return Answer::unsure;
-}
-
 /// Has the vertex, as far as rounding goes, coordinates that points of the box have?
-bool is_near(const CurveCase& c, const Box& box, const std::array<Vertex, 3>& face) {
+bool is_near(const CurveCase& c, const PointBox& box, const std::array<Vertex, 3>& face) {
   const auto& place = c.curves.points[box.vertex];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::array<mpq_class, 3> p;
@@ -128,7 +83,7 @@ PointVertices compare_face_points(const CurveCase& c, Ledger& ledger) {
     std::vector<std::size_t> met(count, 0);
     bool is_open = false;
     for (std::size_t n = 3; n < claim.size() && wrong.empty(); ++n) {
-      const Box box(claim[n]);
+      const PointBox box(claim[n]);
       if (!is_of(c.vertices, box.vertex)) {
         wrong = "vertex " + std::to_string(box.vertex) + " of other curves";
       } else if (!taken.insert(box.vertex).second) {
@@ -139,7 +94,7 @@ PointVertices compare_face_points(const CurveCase& c, Ledger& ledger) {
       }
       std::size_t inside = 0;
       for (std::size_t i = 0; i < count; ++i) {
-        const Answer answer = holds(c, box, face, face.level.points[i]);
+        const Answer answer = holds(c, box, face.vertices, {0, 1, 2}, face.level.points[i]);
         is_open = is_open || answer == Answer::unsure;
         if (answer != Answer::yes) continue;
         ++inside, ++met[i];

@@ -216,25 +216,44 @@ Json read_document(const File& source) {
   return document;
 }
 
-Json read_parts_document(const File& source) {
-  const std::string& file = source.name;
-  static const Shape shape(Json::parse(R"({
+namespace {
+
+/// @param output  "surface" or "polylines"
+/// @param whole  numbers of the whole besides those of tetrahedra, vertices and components
+Json parts_shape(const char* output, const std::map<std::string, std::string>& whole) {
+  Json shape = Json::parse(R"({
     "format": "text", "version": "natural", "mode": "text",
     "parts": ["*0", {"input": {"file": "text", "sha256": "text"},
-                     "surface": {"file": "text", "sha256": "text"},
                      "certificate": {"file": "text", "sha256": "text"}}],
-    "whole": {"tetrahedra": "natural", "vertices": "natural", "triangles": "natural",
-              "components": "natural", "euler_characteristic": "integer",
-              "boundary_loops": "natural"}})"));
+    "whole": {"tetrahedra": "natural", "vertices": "natural", "components": "natural"}})");
+  shape["parts"][1][output] = shape["parts"][1]["input"];
+  for (const auto& [key, kind] : whole) shape["whole"][key] = kind;
+  return shape;
+}
+
+}  // namespace
+
+bool is_of_curves(const Json& document) {
+  const auto mode = document.find("mode");
+  return mode != document.end() && (*mode == "1" || *mode == "-1");
+}
+
+Json read_parts_document(const File& source) {
+  const std::string& file = source.name;
+  static const Shape surface_shape(parts_shape("surface", {{"triangles", "natural"},
+                                                           {"euler_characteristic", "integer"},
+                                                           {"boundary_loops", "natural"}})),
+      curve_shape(parts_shape("polylines", {{"lines", "natural"}, {"closed_components", "natural"}}));
   Json document;
   try {
     document = parse_json(source.bytes);
     if (has_format(document, kOfOne))
       throw Malformed(file, "is no certificate of parts; check it with the .vtu and .vtp that it is about");
-    require_shape(file, document, shape);
+    const bool of_curves = document.is_object() && is_of_curves(document);
+    require_shape(file, document, of_curves ? curve_shape : surface_shape);
     if (document["format"] != kOfParts || document["version"] != 1)
       throw Malformed(file, "no certificate of parts of version 1");
-    mode_of(document["mode"]);
+    if (!of_curves) mode_of(document["mode"]);
   } catch (const Malformed& error) {
     throw Malformed(file, error.problem());
   }

@@ -25,6 +25,8 @@ Json read_document(const File& file);
 
 /// Reads a certificate of parts (JSON) likewise.
 Json read_parts_document(const File& file);
+/// Is it of degenerate curves, by its mode?
+bool is_of_curves(const Json& parts_document);
 
 /// Texts and numbers of a document. These throw Malformed, without the file's name.
 /// A fraction or decimal that a user writes: "1/2", "0.5", "-9/10". Nothing if it is none.

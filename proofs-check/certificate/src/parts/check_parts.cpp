@@ -12,6 +12,7 @@
 #include "files/document.hpp"
 #include "files/files.hpp"
 #include "parts/check_part.hpp"
+#include "parts/join_curves.hpp"
 #include "parts/join_parts.hpp"
 #include "parts/part_files.hpp"
 #include "run/ledger.hpp"
@@ -68,6 +69,9 @@ class Parts {
 
   Report check(const Progress& progress) {
     const Json document = read_parts_document(read_file(certificate_));
+    of_curves_ = is_of_curves(document);
+    report_.subject.of_curves = of_curves_;
+    const char* const output = of_curves_ ? "polylines" : "surface";
     const Json& parts = document["parts"];
     const auto inputs = piece_names(input_, "UnstructuredGrid");
     const auto surfaces = piece_names(surface_, "PolyData");
@@ -75,7 +79,7 @@ class Parts {
     const std::string count = std::to_string(parts.size());
     ledger_.settle(inputs.size() == parts.size(), "pieces of the field", count,
                    std::to_string(inputs.size()));
-    ledger_.settle(surfaces.size() == parts.size(), "pieces of the surface", count,
+    ledger_.settle(surfaces.size() == parts.size(), std::string("pieces of the ") + output, count,
                    std::to_string(surfaces.size()));
     std::set<std::string> hashes;
     for (const Json& part : parts)
@@ -91,15 +95,23 @@ class Parts {
       const File certificate = read_file(beside(certificate_, named));
       const bool are_files =
           compare_file(name + "'s field", parts[p]["input"], inputs[p], input) &
-          compare_file(name + "'s surface", parts[p]["surface"], surfaces[p], surface) &
+          compare_file(name + "'s " + output, parts[p][output], surfaces[p], surface) &
           compare_file(name + "'s certificate", parts[p]["certificate"], named, certificate);
       if (!are_files) continue;  // of other files nothing need be derived
       const Progress own = !progress ? progress : [&, p](std::string_view what, double done) {
         progress(what, (static_cast<double>(p) + done) / static_cast<double>(parts.size()));
       };
-      CheckedPart part = check_part(input, surface, certificate, own);
-      add(name, part, document["mode"].get<std::string>());
-      borders_.push_back(std::move(part.border));
+      const std::string mode = document["mode"].get<std::string>();
+      if (of_curves_) {
+        CheckedCurves part = check_curve_part(input, surface, certificate, own);
+        add(name, part.report, part.curves.whole_is_elsewhere, mode);
+        curves_.push_back(std::move(part.curves));
+      } else {
+        CheckedPart part = check_part(input, surface, certificate, own);
+        add(name, part.report, part.border.whole_is_elsewhere, mode);
+        if (!part.border.is_complete && incomplete_.empty()) incomplete_ = name;
+        borders_.push_back(std::move(part.border));
+      }
     }
     join(document["whole"]);
     return report_;
@@ -116,26 +128,29 @@ class Parts {
     return claim["sha256"] == sha256;
   }
 
-  void add(const std::string& name, const CheckedPart& part, const std::string& mode) {
-    add_report(part.report, name, report_);
-    add_subject(part.report.subject, borders_.empty(), report_.subject);
-    if (borders_.empty()) tensor_ = part.report.subject.tensor, order_ = part.report.subject.order;
+  /// @param whole_is_elsewhere  the array `whole_component` is of another shape
+  void add(const std::string& name, const Report& part, bool whole_is_elsewhere,
+           const std::string& mode) {
+    const bool is_first = !std::exchange(has_part_, true);
+    add_report(part, name, report_);
+    add_subject(part.subject, is_first, report_.subject);
+    if (is_first) tensor_ = part.subject.tensor, order_ = part.subject.order;
     ledger_.begin("files");
-    ledger_.settle(part.report.subject.tensor == tensor_, name + "'s tensor", tensor_,
-                   part.report.subject.tensor);
-    ledger_.settle(part.report.subject.order == order_, name + "'s components", order_,
-                   part.report.subject.order);
+    ledger_.settle(part.subject.tensor == tensor_, name + "'s tensor", tensor_,
+                   part.subject.tensor);
+    ledger_.settle(part.subject.order == order_, name + "'s components", order_,
+                   part.subject.order);
     const std::string own =
-        part.report.levels.size() == 1 ? part.report.levels[0].name : "no level, or not only one";
-    if (!part.report.levels.empty() || part.report.refuted == 0)
+        part.levels.size() == 1 ? part.levels[0].name : "no level, or not only one";
+    if (!part.levels.empty() || part.refuted == 0)
       ledger_.settle(own == "mode " + mode, name + "'s level", "mode " + mode, own);
     if (level_.name.empty()) level_.name = "mode " + mode;
-    for (const LevelReport& l : part.report.levels) {
+    for (const LevelReport& l : part.levels) {
       for (const auto& [reason, tets] : l.left_out) {
         auto& list = level_.left_out[reason];
         list.insert(list.end(), tets.begin(), tets.end());
       }
-      if (l.residual && (borders_.empty() || level_.residual))
+      if (l.residual && (is_first || level_.residual))
         level_.residual = std::max(level_.residual.value_or(0), *l.residual);
       else
         level_.residual.reset();
@@ -143,45 +158,60 @@ class Parts {
       for (const auto& [array, shown] : l.vectors) level_.vectors[array] += shown;
     }
     ledger_.begin("arrays");
-    if (part.border.whole_is_elsewhere)
+    if (whole_is_elsewhere)
       ledger_.refute(name + "'s whole_component", "of points, or of several components",
-                     "one number of each triangle");
-    if (!part.border.is_complete) incomplete_ = incomplete_.empty() ? name : incomplete_;
+                     std::string("one number of each ") + (of_curves_ ? "line" : "triangle"));
   }
 
   void join(const Json& claims) {
-    const std::size_t open = report_.undecided;
-    std::optional<JoinedSurface> whole;
     if (!ledger_.has_refuted()) {
-      if (open == 0 && incomplete_.empty()) {
-        whole = join_parts(borders_, ledger_);
-      } else {
+      const bool is_open = report_.undecided > 0;
+      if (is_open || !incomplete_.empty()) {
         ledger_.begin("whole");
         ledger_.leave_open(
-            "whole", open > 0
+            "whole", is_open
                          ? "a claim of a part is undecided"
                          : incomplete_ + " ends at an edge between vertices with zero deviator");
+      } else if (of_curves_) {
+        if (const auto whole = join_curves(curves_, ledger_)) compare_whole(claims, *whole);
+      } else {
+        if (const auto whole = join_parts(borders_, ledger_)) compare_whole(claims, *whole);
       }
-    }
-    if (whole) {
-      ledger_.begin("whole");
-      const auto compare = [&](const char* key, const Json& derived) {
-        ledger_.settle(claims[key] == derived, std::string("whole, ") + key, claims[key].dump(),
-                       derived.dump());
-      };
-      compare("tetrahedra", report_.subject.tetrahedra);
-      compare("vertices", whole->vertices);
-      compare("triangles", whole->triangles);
-      compare("components", whole->components.size());
-      compare("euler_characteristic", whole->euler_characteristic);
-      compare("boundary_loops", whole->boundary_loops);
-      report_.subject.vertices = whole->vertices;
-      level_.components = whole->components;
-      if (whole->has_numbers) std::erase(report_.subject.bound_only, "whole_component");
     }
     level_.certified = report_.certified, level_.refuted = report_.refuted;
     level_.undecided = report_.undecided;
     report_.levels.push_back(level_);
+  }
+
+  void compare(const Json& claims, const char* key, const Json& derived) {
+    ledger_.settle(claims[key] == derived, std::string("whole, ") + key, claims[key].dump(),
+                   derived.dump());
+  }
+
+  void compare_whole(const Json& claims, const JoinedSurface& whole) {
+    begin_whole(claims, whole);
+    compare(claims, "triangles", whole.triangles);
+    compare(claims, "components", whole.components.size());
+    compare(claims, "euler_characteristic", whole.euler_characteristic);
+    compare(claims, "boundary_loops", whole.boundary_loops);
+  }
+
+  void compare_whole(const Json& claims, const JoinedCurves& whole) {
+    begin_whole(claims, whole);
+    compare(claims, "lines", whole.lines);
+    compare(claims, "components", whole.components.size());
+    compare(claims, "closed_components", whole.closed);
+  }
+
+  /// @param whole  a surface or curves
+  template <class Whole>
+  void begin_whole(const Json& claims, const Whole& whole) {
+    ledger_.begin("whole");
+    compare(claims, "tetrahedra", report_.subject.tetrahedra);
+    compare(claims, "vertices", whole.vertices);
+    report_.subject.vertices = whole.vertices;
+    level_.components = whole.components;
+    if (whole.has_numbers) std::erase(report_.subject.bound_only, "whole_component");
   }
 
   const std::string &input_, &surface_, &certificate_;
@@ -190,7 +220,9 @@ class Parts {
   LevelReport level_;
   std::string tensor_, order_;
   std::string incomplete_;  ///< a part with edges that are on no face of its border
-  std::vector<PartBorder> borders_;
+  bool of_curves_ = false, has_part_ = false;
+  std::vector<PartBorder> borders_;  ///< of surfaces
+  std::vector<PartCurves> curves_;
 };
 
 }  // namespace

@@ -3,34 +3,18 @@
 #include "parts/join_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "claims/half_edges.hpp"
+#include "parts/glued_faces.hpp"
 #include "parts/match_chains.hpp"
 #include "union_find.hpp"
 
 namespace certificate {
 namespace {
-
-std::string place_text(const BorderPlace& place) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.17g %.17g %.17g)", place[0], place[1], place[2]);
-  return text;
-}
-
-/// A face as one of the parts has it.
-struct FaceOfPart {
-  std::array<BorderPlace, 3> places{};
-  std::size_t part = 0;
-  std::uint32_t face = 0;
-
-  auto operator<=>(const FaceOfPart&) const = default;
-};
 
 constexpr const char* kWhich = "which closed curve is which";
 
@@ -55,59 +39,27 @@ class Seams {
   /// False if something is refuted or open.
   bool glue() {
     const std::size_t open = ledger_.open();
-    compare_points();
-    std::vector<FaceOfPart> faces;
-    for (std::size_t p = 0; p < borders_.size(); ++p)
-      for (std::uint32_t f = 0; f < borders_[p].faces.size(); ++f) {
-        const auto& points = borders_[p].faces[f].points;
-        const auto& all = borders_[p].points;
-        faces.push_back({{all[points[0]].place, all[points[1]].place, all[points[2]].place}, p, f});
-      }
-    std::sort(faces.begin(), faces.end());
-    for (std::size_t i = 0, end = 0; i < faces.size(); i = end) {
-      while (end < faces.size() && faces[end].places == faces[i].places) ++end;
-      if (faces[i].part == faces[end - 1].part) continue;  // of one part, which may be torn
-      compare(std::span(faces).subspan(i, end - i));
-    }
+    std::vector<const MeshBorder*> meshes;
+    for (const PartBorder& border : borders_) meshes.push_back(&border);
+    for (const GluedFace& face : glued_faces(meshes, ledger_)) compare(face);
     return !ledger_.has_refuted() && ledger_.open() == open;
   }
 
   JoinedSurface surface();
-  /// What the array `whole_component` says; after `surface`.
-  /// @return whether it was found right
-  bool compare_numbers(std::size_t count);
+  /// See `compare_whole_numbers`; after `surface`.
+  bool compare_numbers(std::size_t count) const {
+    std::vector<std::vector<SaidNumber>> said;
+    for (const PartBorder& border : borders_) {
+      auto& own = said.emplace_back();
+      for (const PartComponent& part : border.components) own.push_back(part.said);
+    }
+    return compare_whole_numbers(said, number_, count, ledger_);
+  }
 
  private:
   std::size_t vertex(std::size_t part, std::uint32_t v) { return part << 32 | v; }
   std::size_t component(std::size_t part, const BorderChain& chain) const {
     return first_component_[part] + chain.component;
-  }
-
-  /// Points of different parts at one place have one tensor.
-  void compare_points() {
-    struct PointOfPart {
-      BorderPlace place;
-      std::size_t part, point;
-      auto operator<=>(const PointOfPart&) const = default;
-    };
-    std::vector<PointOfPart> all;
-    for (std::size_t p = 0; p < borders_.size(); ++p)
-      for (std::size_t i = 0; i < borders_[p].points.size(); ++i)
-        all.push_back({borders_[p].points[i].place, p, i});
-    std::sort(all.begin(), all.end());
-    for (std::size_t i = 0, first = 0, end = 0; i < all.size(); ++i) {
-      if (i == end) {
-        first = i;
-        while (end < all.size() && all[end].place == all[first].place) ++end;
-      }
-      const auto &a = all[first], &b = all[i];
-      if (a.part == all[end - 1].part ||
-          borders_[a.part].points[a.point].tensor == borders_[b.part].points[b.point].tensor)
-        continue;
-      ledger_.refute("point " + place_text(a.place), "one tensor",
-                     "different tensors in parts " + std::to_string(a.part) + " and " +
-                         std::to_string(b.part));
-    }
   }
 
   /// A chain of a face, and its curve as the part on the first side of the face has that.
@@ -132,17 +84,9 @@ class Seams {
     return result;
   }
 
-  /// One face of several parts.
-  void compare(std::span<const FaceOfPart> same) {
-    std::string name = "face " + place_text(same[0].places[0]) + ' ' +
-                       place_text(same[0].places[1]) + ' ' + place_text(same[0].places[2]) +
-                       " of parts";
-    for (const FaceOfPart& f : same) name += ' ' + std::to_string(f.part);
-    if (same.size() > 2)
-      return ledger_.refute(name, "two tetrahedra", std::to_string(same.size()) + " tetrahedra");
-    const FaceOfPart &a = same[0], &b = same[1];
-    if (borders_[a.part].faces[a.face].side == borders_[b.part].faces[b.face].side)
-      return ledger_.refute(name, "a tetrahedron on each side", "both on the same side");
+  void compare(const GluedFace& face) {
+    const FaceOfPart &a = face.one, &b = face.other;
+    const std::string& name = face.name;
     const auto here = chains_on(a, false), there = chains_on(b, true);
     const auto of = [&](const FaceOfPart& f, const ChainOfFace& n) -> const BorderChain& {
       return borders_[f.part].chains[n.chain];
@@ -276,38 +220,6 @@ JoinedSurface Seams::surface() {
     whole.boundary_loops += own.boundary_loops;
   }
   return whole;
-}
-
-bool Seams::compare_numbers(std::size_t count) {
-  std::map<std::size_t, double> said;
-  std::set<double> all;
-  std::size_t i = 0, silent = 0;
-  const auto wrong = [&](std::size_t part, const std::string& what) {
-    ledger_.refute("whole_component",
-                   "the components of the whole, each with a number of its own from 0",
-                   what + " in part " + std::to_string(part));
-    return false;
-  };
-  for (std::size_t p = 0; p < borders_.size(); ++p)
-    for (const PartComponent& part : borders_[p].components) {
-      const std::size_t number = number_[i++];
-      if (!part.whole) {
-        ++silent;
-        continue;
-      }
-      if (!part.whole_is_one) return wrong(p, "several numbers on one component");
-      const auto [known, is_new] = said.try_emplace(number, *part.whole);
-      if (known->second != *part.whole) return wrong(p, "another number for the same component");
-      if (is_new && !all.insert(*part.whole).second)
-        return wrong(p, "the number of another component");
-      if (!(*part.whole >= 0 && *part.whole < static_cast<double>(count)) ||
-          *part.whole != std::floor(*part.whole))
-        return wrong(p, "what is no number of a component");
-    }
-  if (silent == i) return false;  // nothing is claimed
-  if (silent > 0) return wrong(0, "no array, though other parts have one, or none");
-  ledger_.certify();
-  return true;
 }
 
 }  // namespace

@@ -9,34 +9,13 @@
 
 #include "claims/curve_names.hpp"
 #include "claims/curve_numbers.hpp"
-#include "mesh/exact_signs.hpp"
 #include "places.hpp"
 #include "union_find.hpp"
 
 namespace certificate {
 namespace {
 
-using FaceCorners = std::array<std::uint32_t, 3>;
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Both zeros are one.
-BorderPlace place_of(const std::array<double, 3>& point) {
-  return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0};
-}
-
-/// Faces of one tetrahedron, ascending, with the vertex opposite.
-std::vector<std::pair<FaceCorners, std::uint32_t>> outer_faces(const Input& input) {
-  std::vector<std::pair<FaceCorners, std::uint32_t>> faces, outer;
-  faces.reserve(4 * input.tets.size());
-  for (const auto& tet : input.tets)
-    for (std::size_t i = 0; i < 4; ++i) faces.emplace_back(without(tet, i), tet[i]);
-  std::sort(faces.begin(), faces.end());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    if ((i == 0 || faces[i - 1].first != faces[i].first) &&
-        (i + 1 == faces.size() || faces[i + 1].first != faces[i].first))
-      outer.push_back(faces[i]);
-  return outer;
-}
 
 /// Directed edges of triangles.
 struct DirectedEdgeHash {
@@ -66,11 +45,11 @@ std::vector<std::uint32_t> count_components(const LevelCase& c,
     if (known == kNone) {
       known = static_cast<std::uint32_t>(result.components.size());
       result.components.emplace_back();
-      if (whole != nullptr) result.components.back().whole = whole->numbers[t];
+      if (whole != nullptr) result.components.back().said.whole = whole->numbers[t];
     }
     PartComponent& own = result.components[known];
     ++own.triangles;
-    if (whole != nullptr && own.whole != whole->numbers[t]) own.whole_is_one = false;
+    if (whole != nullptr) own.said.hear(whole->numbers[t]);
     for (const std::uint32_t v : triangles[t]) {
       if (component[v] == kNone) ++own.vertices;
       component[v] = known;
@@ -84,28 +63,6 @@ std::vector<std::uint32_t> count_components(const LevelCase& c,
 }
 
 }  // namespace
-
-PartBorder border_of(const Input& input) {
-  PartBorder border;
-  std::unordered_map<std::uint32_t, std::uint32_t> number;
-  for (auto& [corners, opposite] : outer_faces(input)) {
-    std::sort(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(place_of(input.points[a]), a) < std::pair(place_of(input.points[b]), b);
-    });
-    BorderFace face;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [known, is_new] =
-          number.try_emplace(corners[i], static_cast<std::uint32_t>(border.points.size()));
-      if (is_new)
-        border.points.push_back({place_of(input.points[corners[i]]), input.tensors[corners[i]]});
-      face.points[i] = known->second;
-    }
-    face.side = side_of(input.points[corners[0]], input.points[corners[1]],
-                        input.points[corners[2]], input.points[opposite]);
-    border.faces.push_back(face);
-  }
-  return border;
-}
 
 void add_surface(const LevelCase& c, const CrossingVertices& vertices, const PlacedSurface& placed,
                  PartBorder& border) {

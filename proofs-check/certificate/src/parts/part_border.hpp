@@ -9,23 +9,11 @@
 #include <vector>
 
 #include "claims/compare_level.hpp"
+#include "parts/mesh_border.hpp"
+#include "parts/whole_numbers.hpp"
 #include "surface/compare_surface.hpp"
 
 namespace certificate {
-
-using BorderPlace = std::array<double, 3>;  ///< without negative zeros
-
-/// A vertex of the part's mesh on its border.
-struct BorderPoint {
-  BorderPlace place{};
-  std::array<double, 6> tensor{};
-};
-
-/// A face of one tetrahedron of the part.
-struct BorderFace {
-  std::array<std::uint32_t, 3> points{};  ///< of the border's, ascending by place
-  int side = 0;                           ///< of these three, on which the tetrahedron is: 1 or -1
-};
 
 /// An end of a curve on a face of the border: a crossing of an edge of the face, or its vertex with
 /// zero deviator.
@@ -63,13 +51,10 @@ struct BorderChain {
 /// A component of the part's surface.
 struct PartComponent {
   std::size_t vertices = 0, edges = 0, triangles = 0;
-  std::optional<double> whole;  ///< what the array `whole_component` says; nothing if there is none
-  bool whole_is_one = true;     ///< whether it says one number on all triangles
+  SaidNumber said;
 };
 
-struct PartBorder {
-  std::vector<BorderPoint> points;
-  std::vector<BorderFace> faces;
+struct PartBorder : MeshBorder {
   std::vector<BorderChain> chains;
   std::vector<PartComponent> components;
   /// Whether all edges of one triangle are in these chains. Those beside tetrahedra that are
@@ -78,9 +63,6 @@ struct PartBorder {
   /// The array `whole_component` is there, but not one number of each triangle.
   bool whole_is_elsewhere = false;
 };
-
-/// The border of a part's mesh.
-PartBorder border_of(const Input& input);
 
 /// Adds what a level's triangles have there, after these were found to be as claimed.
 void add_surface(const LevelCase& c, const CrossingVertices& vertices, const PlacedSurface& placed,

@@ -52,6 +52,11 @@ struct CertifiedCurves {
   std::vector<Curve> curves;             ///< by first vertex
   std::optional<StabilityClaim> stability;  ///< of an uncertain field
 
+  /// Of curves put together from pieces: the ids of vertices and tetrahedra of the mesh, in the whole
+  /// mesh, ascending; the file then names these. Empty: it has the numbers of the vertices, and the
+  /// mesh's own `cell_ids`.
+  std::vector<std::int64_t> vertex_ids, cell_ids;
+
   /// The faces, as indices into `faces`, that `stability` claims to have their points in all fields;
   /// ascending.
   std::vector<std::size_t> claimed_crossings() const;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "tensortopo/extract/extract_degenerate_curves.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
 
 namespace tensortopo {
@@ -18,5 +19,11 @@ namespace tensortopo {
 /// @pre as `extract_mode_surface`
 Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
                              const ExtractOptions& options = {});
+
+/// The degenerate curves of a mesh, likewise: the same bits as `extract_degenerate_curves` gives.
+/// @return of `statistics` only `tets_crossed`
+/// @pre as `extract_degenerate_curves`
+CurveExtraction extract_in_pieces(const TetMesh& mesh, Degeneracy kind, std::int32_t pieces,
+                                  const ExtractOptions& options = {});
 
 }  // namespace tensortopo

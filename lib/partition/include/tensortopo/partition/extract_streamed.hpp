@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "tensortopo/partition/piece_curves.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 
 namespace tensortopo {
@@ -19,25 +21,47 @@ struct PieceSource {
   std::function<TetMesh(std::int32_t piece)> read;
 };
 
-/// The surface of a mesh that was never in memory as a whole.
-struct StreamedSurface {
-  MergedSurface merged;    ///< ids count points and tetrahedra as if all pieces were read in order
-  std::size_t points = 0;  ///< of the whole mesh
-  std::size_t tets = 0;    ///< of the whole mesh
-  std::string field_sha256;  ///< as of the whole mesh; with `keep_topology`, else empty
+struct PieceIndex;
+
+/// A mesh that is never in memory as a whole. Points of different pieces in one place are one.
+///
+/// Ids count points and tetrahedra as if all pieces were read in order.
+/// Memory    the points on the boundaries of all pieces.
+class StreamedMesh {
+ public:
+  /// Reads each piece once.
+  /// @throws std::invalid_argument if pieces have different tensors at one place, or two points of
+  ///         one piece lie where another piece has one; it names the place
+  explicit StreamedMesh(PieceSource source);
+
+  /// The pieces.
+  const PieceSource& source() const { return source_; }
+  /// The numbers of their points and tetrahedra.
+  const PieceIndex& index() const { return *index_; }
+  /// How many points the whole mesh has.
+  std::size_t points() const;
+  /// How many tetrahedra the whole mesh has.
+  std::size_t tets() const;
+  /// As `field_sha256` of the whole mesh. Reads each piece three times.
+  std::string field_sha256() const;
+
+ private:
+  PieceSource source_;
+  std::shared_ptr<const PieceIndex> index_;
 };
 
 /// The mode surface of a mesh, piece after piece: the same bits as `extract_mode_surface` gives for
-/// the whole. Points of different pieces in one place become one.
+/// the whole.
 ///
-/// Memory    A few pieces at a time, the points on the boundaries of all pieces, and the surface
-///           with the tetrahedra that it crosses.
-/// Reads     each piece once for the numbers of its points and once for itself and its neighbours
-///           (again where more than four are asked for in turn), and three times for the hash.
+/// Memory    A few pieces at a time, and the surface with the tetrahedra that it crosses.
+/// Reads     each piece once for itself and its neighbours; again where more than four are asked for
+///           in turn.
 /// @param options  `density` must be empty
-/// @throws std::invalid_argument if pieces have different tensors at one place, or two points of
-///         one piece lie where another piece has one; it names the place
-StreamedSurface extract_streamed(const PieceSource& source, const ModeValue& mode,
-                                 const ExtractOptions& options = {});
+MergedSurface extract_streamed(const StreamedMesh& mesh, const ModeValue& mode,
+                               const ExtractOptions& options = {});
+
+/// The degenerate curves of a mesh, likewise: the same bits as `extract_degenerate_curves` gives.
+MergedCurves extract_streamed(const StreamedMesh& mesh, Degeneracy kind,
+                              const ExtractOptions& options = {});
 
 }  // namespace tensortopo

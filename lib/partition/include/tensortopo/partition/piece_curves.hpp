@@ -34,7 +34,8 @@ struct PieceCurves {
   /// too; 0 inside of a line.
   std::vector<std::uint64_t> around;
   std::vector<char> is_shared;           ///< of each vertex: whether it lies in a ghost, too
-  TetMesh cells;                         ///< the owned tetrahedra that have lines, with `cell_ids`
+  /// The owned tetrahedra that have lines, are unresolved or special, with `cell_ids`.
+  TetMesh cells;
   std::vector<std::int64_t> vertex_ids;  ///< of the points of `cells`
   std::vector<OwnedCurveCell> unresolved;              ///< as in `CurveExtraction`, by id
   std::vector<OwnedCurveCell> special;                 ///< as in `CurveExtraction`, by id
@@ -68,6 +69,7 @@ PieceCurves owned_curves(const MeshPiece& piece, Degeneracy kind, KeyedCurves ma
 
 /// The degenerate curves of a whole mesh.
 struct MergedCurves {
+  Degeneracy kind = Degeneracy::linear;  ///< of the curves
   /// As `extract_degenerate_curves` gives them, in the same order. `tet` and `carrier_vertices` are
   /// ids in the whole mesh where all of these are below 2^31, else -1.
   CurveMesh curves;
@@ -75,7 +77,8 @@ struct MergedCurves {
   std::vector<std::array<std::int64_t, 4>> carrier_ids;  ///< of each vertex; ascending, -1 fills up
   std::vector<OwnedCurveCell> unresolved;                ///< by id
   std::vector<OwnedCurveCell> special;                   ///< by id
-  TetMesh cells;                         ///< those with lines, ascending by id, with `cell_ids`
+  /// Those with lines, unresolved or special, ascending by id, with `cell_ids`.
+  TetMesh cells;
   std::vector<std::int64_t> vertex_ids;  ///< of the points of `cells`, ascending
   std::int64_t whole_tets = 0;           ///< tetrahedra of the whole mesh
 };

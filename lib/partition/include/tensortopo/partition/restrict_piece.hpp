@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tensortopo/partition/piece_curves.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 
 namespace tensortopo {
@@ -33,5 +34,15 @@ struct PartNumbers {
 /// @throws std::invalid_argument if ids repeat, if the piece does not own one of the tetrahedra, or
 ///         if a vertex of one has no number
 PieceSurface restrict_piece(const PieceSurface& piece, const PartNumbers& numbers);
+
+/// The degenerate curves in some of the tetrahedra that a piece owns, as those of a mesh which has no
+/// others.
+///
+/// Law       `merge_curve_pieces` of the result alone, and `certify`, give the curves and the claims
+///           about them in the part's mesh. Lines and vertices are those of the piece, bit for bit.
+/// Vertices  `separation` and `residual` remain those of the piece: at the part's border they depend on
+///           lines that the part does not have.
+/// @throws std::invalid_argument as above
+PieceCurves restrict_piece(const PieceCurves& piece, const PartNumbers& numbers);
 
 }  // namespace tensortopo

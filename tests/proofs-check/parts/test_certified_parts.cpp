@@ -2,124 +2,36 @@
 // SPDX-License-Identifier: Apache-2.0
 // The library's surfaces in parts, and certificates of parts, against the checker.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
-#include "files/files.hpp"
 #include "partition/pieces_of_fields.hpp"
 #include "proofs-check/forgeries/forgery.hpp"
+#include "proofs-check/parts/parts_in_files.hpp"
 #include "support/compared.hpp"
 #include "support/trials.hpp"
 #include "tensortopo/certify/certificate.hpp"
 #include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 #include "tensortopo/partition/certify_pieces.hpp"
-#include "tensortopo/partition/restrict_piece.hpp"
 
 namespace tensortopo::test {
 namespace {
 
 using Json = nlohmann::json;
 
-/// Files of a surface in parts, in a folder of their own.
-class PartFiles {
- public:
-  explicit PartFiles(const std::string& name)
-      : folder_(std::filesystem::path(testing::TempDir()) / (name + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~PartFiles() { std::filesystem::remove_all(folder_); }
-  PartFiles(const PartFiles&) = delete;
-  PartFiles& operator=(const PartFiles&) = delete;
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
-
-  /// A part of the mesh with its surface and certificate, without further arrays.
-  void add(const Exhibit& part) {
-    const std::string k = std::to_string(parts_.size());
-    Json entry;
-    for (const auto& [role, name, text] :
-         {std::array<std::string, 3>{"input", "piece" + k + ".vtu", part.field_text()},
-          std::array<std::string, 3>{"surface", "surface" + k + ".vtp", part.surface_text()},
-          std::array<std::string, 3>{"certificate", "part" + k + ".json",
-                                     part.certificate_text()}}) {
-      put(name, text);
-      entry[role] = {{"file", name}, {"sha256", certificate::sha256_of(text)}};
-    }
-    parts_.push_back(entry);
-  }
-
-  certificate::Report check(const Json& whole) const {
-    for (const auto& [name, type, role] :
-         {std::array<std::string, 3>{"field.pvtu", "PUnstructuredGrid", "input"},
-          std::array<std::string, 3>{"surface.pvtp", "PPolyData", "surface"}}) {
-      std::string text = "<VTKFile type=\"" + type + "\"><" + type + ">";
-      for (const Json& part : parts_)
-        text += "<Piece Source=\"" + part[role]["file"].get<std::string>() + "\"/>";
-      put(name, text + "</" + type + "></VTKFile>");
-    }
-    put("parts.json", Json{{"format", "tensortopo certificate of parts"},
-                           {"version", 1},
-                           {"mode", mode_},
-                           {"parts", parts_},
-                           {"whole", whole}}
-                          .dump());
-    return certificate::check_certificate(path("field.pvtu"), path("surface.pvtp"),
-                                          path("parts.json"));
-  }
-  void of_mode(const ModeValue& mode) { mode_ = mode.text(); }
-
- private:
-  std::filesystem::path folder_;
-  Json parts_ = Json::array();
-  std::string mode_;
-};
-
-/// The tetrahedra of one owner as a mesh of their own, and their surface. Vertices are numbered in
-/// any order.
-Exhibit part_of(const TetMesh& mesh, const std::vector<std::int32_t>& owner, int which,
-                const PieceSurface& piece, const ModeValue& mode, Random& random) {
+/// The tetrahedra of one owner as a mesh of their own, and their surface.
+Exhibit part_of(const PartMesh& own, const PieceSurface& piece, const ModeValue& mode) {
   Exhibit part;
-  PartNumbers numbers;
-  std::map<TetMesh::Index, TetMesh::Index> number;
-  std::vector<TetMesh::Index> vertices;
-  for (std::size_t t = 0; t < owner.size(); ++t)
-    if (owner[t] == which)
-      vertices.insert(vertices.end(), mesh.tets[t].begin(), mesh.tets[t].end());
-  for (std::size_t i = vertices.size(); i > 1; --i)
-    std::swap(vertices[i - 1], vertices[as_size(random.integer(0, static_cast<int>(i) - 1))]);
-  for (const auto v : vertices) {
-    const auto own = static_cast<TetMesh::Index>(part.mesh.points.size());
-    if (!number.try_emplace(v, own).second) continue;
-    numbers.vertices.push_back({v, own});
-    part.mesh.points.push_back(mesh.points[as_size(v)]);
-    part.mesh.tensors.push_back(mesh.tensors[as_size(v)]);
-  }
-  for (std::size_t t = 0; t < owner.size(); ++t) {
-    if (owner[t] != which) continue;
-    const auto id = static_cast<std::int64_t>(part.mesh.tets.size());
-    numbers.tets.push_back({static_cast<std::int64_t>(t), id});
-    auto corners = mesh.tets[t];
-    for (auto& v : corners) v = number.at(v);
-    part.mesh.tets.push_back(corners);
-    part.mesh.cell_ids.push_back(id);
-  }
-  const MergedSurface merged = merge_pieces(std::array{restrict_piece(piece, numbers)});
+  part.mesh = own.mesh;
+  const MergedSurface merged = merge_pieces(std::array{restrict_piece(piece, own.numbers)});
   const CertifiedLevel level = certify(merged, mode);
   part.surface.points = merged.surface.points;
   part.surface.triangles = merged.surface.triangles;
@@ -148,10 +60,12 @@ certificate::Report check_parts(const TetMesh& mesh, const std::vector<std::int3
   options.keep_topology = true;
   const auto pieces = extract_pieces(mesh, owner, parts, mode, options);
   const MergedSurface whole = merge_pieces(pieces);
-  PartFiles files("parts");
-  files.of_mode(mode);
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-    files.add(part_of(mesh, owner, static_cast<int>(p), pieces[p], mode, random));
+  PartFiles files("parts", "surface", mode.text());
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const Exhibit part =
+        part_of(part_mesh(mesh, owner, static_cast<int>(p), random), pieces[p], mode);
+    files.add(part.field_text(), part.surface_text(), part.certificate_text());
+  }
   const SurfaceInvariants known = surface_invariants(whole.surface);
   Json claims{{"tetrahedra", mesh.tets.size()},
               {"vertices", whole.surface.points.size()},

@@ -52,7 +52,7 @@ PartBorder part(int side) {
   }
   if (side < 0)
     for (BorderChain& chain : border.chains) turn(chain);
-  border.components = {{3, 3, 1, std::nullopt, true}};
+  border.components = {{3, 3, 1, {}}};
   border.is_complete = true;
   return border;
 }
@@ -182,7 +182,7 @@ PartBorder part_with_closed(int side, const std::vector<std::size_t>& numbers) {
                       n};
     if (side < 0) turn(chain);
     border.chains.push_back(chain);
-    border.components.push_back({3, 3, 1, std::nullopt, true});
+    border.components.push_back({3, 3, 1, {}});
   }
   return border;
 }
@@ -247,7 +247,7 @@ TEST(JoinedParts, NumbersOfComponentsAreCompared) {
   PartBorder one = part(1), other = part(-1), apart = part(-1);
   for (BorderPoint& point : apart.points) point.place[0] += 8;
   const auto with = [](PartBorder border, std::optional<double> whole) {
-    border.components[0].whole = whole;
+    border.components[0].said.whole = whole;
     return border;
   };
   EXPECT_EQ(join({with(one, 1), with(other, 1), with(apart, 0)}).status, "certified");
@@ -258,7 +258,7 @@ TEST(JoinedParts, NumbersOfComponentsAreCompared) {
   expect_refuted({with(one, 0), with(other, 0), with(apart, 0.5)}, "no number");
   expect_refuted({with(one, 0), with(other, std::nullopt), with(apart, 1)}, "no array");
   PartBorder several = with(one, 0);
-  several.components[0].whole_is_one = false;
+  several.components[0].said.whole_is_one = false;
   expect_refuted({several, with(other, 0), with(apart, 1)}, "several numbers");
 }
 
