@@ -9,6 +9,7 @@
 
 #include "level.hpp"
 #include "mesh/exact_signs.hpp"
+#include "topology.hpp"
 
 namespace certificate {
 namespace {
@@ -294,6 +295,28 @@ TEST(CheckerArithmetic, MonotoneTrianglesAreCrossedUpwards) {
 }
 TEST(CheckerArithmetic, MonotoneTetrahedraAreCrossedUpwards) {
   monotone_simplices_are_crossed_upwards<4>(3);
+}
+
+/// A tetrahedron with an annulus. Cut faces of it have monotone triangles with an edge that no proof
+/// covers as a whole, which more cuts of the face only make narrower.
+TEST(CheckerTopology, EdgesOfMonotoneTrianglesAreCutByThemselves) {
+  Input input;
+  input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  input.tets = {{0, 1, 2, 3}};
+  input.tensors = {
+      {-1, 0, -3, 1, 4, -5}, {5, -1, 2, 5, -5, -3}, {-5, -1, -5, -1, 1, 1}, {3, -2, 5, -5, 1, 5}};
+  const Level level(101, 500);
+  const ForAll each = [](std::size_t count, const std::function<void(std::size_t)>& f,
+                         const char*) {
+    for (std::size_t i = 0; i < count; ++i) f(i);
+  };
+  const Field field(input, level.multiples(), each);
+  const Topology topology = derive_topology(input, field, level, {false}, each, each);
+  ASSERT_EQ(topology.tets.size(), 1u);
+  ASSERT_TRUE(topology.tets[0].decided);
+  ASSERT_EQ(topology.tets[0].sheets.size(), 1u);
+  EXPECT_EQ(topology.tets[0].sheets[0].euler_characteristic, 0);
+  EXPECT_EQ(topology.tets[0].sheets[0].loops.size(), 2u);
 }
 
 }  // namespace

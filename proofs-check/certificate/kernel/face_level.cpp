@@ -80,12 +80,11 @@ std::vector<Id> points_along(const Refinement& refinement, Id a, Id b) {
 }
 
 EdgeLevel level_in_edge(const Level& level, const std::array<Corner, 2>& corners) {
-  const auto proved = level.prove(corners);
-  if (proved.proof != Proof::open)
-    return {true, proved.proof, corners[0].above != corners[1].above ? 1U : 0U};
+  if (level.prove(corners).proof != Proof::open)
+    return {true, corners[0].above != corners[1].above ? 1U : 0U};
   Refinement refinement(level, corners);
   if (!refinement.run()) return {};
-  return {true, Proof::open, static_cast<unsigned>(crossed_along(refinement, 0, 1).size())};
+  return {true, static_cast<unsigned>(crossed_along(refinement, 0, 1).size())};
 }
 
 FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners,
@@ -109,7 +108,7 @@ FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners
   refinement->assume(proved);
   constexpr std::array<std::array<Id, 2>, 3> kEnds{{{0, 1}, {0, 2}, {1, 2}}};
   for (std::size_t e = 0; e < 3; ++e)
-    refinement->assume(kEnds[e][0], kEnds[e][1], edges[e]->proof);
+    refinement->assume(kEnds[e][0], kEnds[e][1], edges[e]->crossings < 2);
   if (!refinement->run()) return face;
   face.decided = true;
   std::map<CrossedEdge, Crossing> ends;

@@ -27,7 +27,6 @@ std::vector<Refinement::Id> points_along(const Refinement& refinement, Refinemen
 
 struct EdgeLevel {
   bool decided = false;
-  Proof proof = Proof::open;  ///< of the edge as a whole
   unsigned crossings = 0;
 };
 EdgeLevel level_in_edge(const Level& level, const std::array<Corner, 2>& corners);

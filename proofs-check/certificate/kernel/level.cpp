@@ -115,8 +115,8 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
     const bool within_chart = !is_crossed || std::is_same_v<Rule, InvariantRule>;
     auto d = direction(within_chart);
     if (!d && !within_chart) d = direction(true);
-    if (!d) return {Proof::open, {}, simplex.took_integers()};
-    return {simplex.increases(rise(*d), *d) ? Proof::monotone : Proof::open, *d,
+    const bool is_proved = d && simplex.increases(rise(*d), *d);
+    return {is_proved ? Proof::monotone : Proof::open, d.value_or(std::array<int, V>{}),
             simplex.took_integers()};
   };
   return std::visit(by, rule_);

@@ -34,7 +34,9 @@ struct Corner {
 enum class Proof : std::uint8_t {
   open,      ///< none found
   empty,     ///< the simplex does not hold the level
-  monotone,  ///< what the level is of increases strictly along one direction, and is defined
+  /// along one direction the level is only crossed upwards: a function with the sign of the mode (or
+  /// invariant) less the level increases strictly
+  monotone,
 };
 
 /// A proof, and the direction along which it holds if it is `monotone`: in weights of
@@ -49,7 +51,7 @@ struct Proved {
 /// The level, and how often each arithmetic decided.
 ///
 /// What it is a level of, is asked of a rule only: on which side of it a form says that all of a
-/// simplex lies, and a form with the sign of the derivative along a direction.
+/// simplex lies, and forms that are positive only if the level is crossed upwards along a direction.
 class Level {
  public:
   /// Of a mode. @pre |numerator| < denominator

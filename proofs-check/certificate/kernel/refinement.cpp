@@ -92,13 +92,18 @@ void Refinement::prove(Cell& cell) {
   with(level_.prove(corners_at(cell.points)));
 }
 
-Proof Refinement::known(Id a, Id b) {
-  const auto [place, is_new] = proofs_.try_emplace(key(a, b), Proof::open);
-  if (is_new) {
-    const auto proved = level_.prove(corners_at(std::array{a, b}));
-    if (proved.by_integers) work_ += kProofByIntegers * words_squared_;
-    place->second = proved.proof;
-  }
+bool Refinement::is_settled(Id a, Id b) {
+  const auto [place, is_new] = settled_.try_emplace(key(a, b), false);
+  if (!is_new) return place->second;
+  const auto corners = corners_at(std::array{a, b});
+  const auto proved = level_.prove(corners);
+  if (proved.by_integers) work_ += kProofByIntegers * words_squared_;
+  if (proved.proof != Proof::open) return place->second = true;
+  Refinement parts(level_, corners);
+  const auto is_part = [&](const Cell& c) { return !c.cut && parts.is_crossed(c); };
+  place->second =
+      parts.run() && std::count_if(parts.cells_.begin(), parts.cells_.end(), is_part) < 2;
+  work_ += parts.work_ + parts.cells_.size();
   return place->second;
 }
 
@@ -112,7 +117,7 @@ bool Refinement::is_crossed(const Cell& cell) const {
 bool Refinement::is_open(const Cell& cell) {
   if (cell.proof == Proof::open || corners() != 3) return cell.proof == Proof::open;
   const auto& [a, b, c, none] = cell.points;
-  return known(a, b) == Proof::open || known(b, c) == Proof::open || known(a, c) == Proof::open;
+  return !is_settled(a, b) || !is_settled(b, c) || !is_settled(a, c);
 }
 
 Tensor<double> Refinement::unit(Id a) const {
@@ -231,11 +236,10 @@ Refinement::Id Refinement::add_point(const Place& place) {
 void Refinement::cut(const Place& place, Waiting& waiting) {
   const Id m = add_point(place);
   const std::span part(place.points.begin(), place.size);
-  if (const auto known = place.size == 2 ? proofs_.find(key(part)) : proofs_.end();
-      known != proofs_.end() && known->second != Proof::open) {
-    const Proof proof = known->second;  // holds for the parts as well
-    for (const Id end : part) proofs_[key(end, m)] = proof;
-  }
+  // What is crossed once at most has such parts.
+  if (const auto known = place.size == 2 ? settled_.find(key(part)) : settled_.end();
+      known != settled_.end() && known->second)
+    for (const Id end : part) settled_[key(end, m)] = true;
   for (const std::size_t c : cells_around(part)) {
     const Cell cell = cells_[c];
     cells_[c].cut = true;

@@ -18,8 +18,8 @@
 namespace certificate {
 
 /// A conforming subdivision of a simplex (but for parts that are proved empty, which are left as
-/// they are) into parts with a proof: of each cell and, in a face, of each of their edges. See the
-/// README for what follows.
+/// they are) into parts with a proof: of each cell and, in a face, that each of their edges is crossed
+/// once at most. See the README for what follows.
 class Refinement : public ExactTensors {
  public:
   using Id = std::uint32_t;
@@ -45,10 +45,11 @@ class Refinement : public ExactTensors {
   /// @pre 2 to 4 roots
   Refinement(const Level& level, std::span<const Corner> roots);
 
-  /// What is already known: of the whole simplex, and of the edge between two roots of a face.
+  /// What is already known: of the whole simplex, and whether the edge between two roots of a face is
+  /// crossed once at most.
   template <std::size_t V>
   void assume(const Proved<V>& proved) { note(cells_[0], proved); }
-  void assume(Id a, Id b, Proof proof) { proofs_[key(a, b)] = proof; }
+  void assume(Id a, Id b, bool is_settled) { settled_[key(a, b)] = is_settled; }
   /// Cuts. False if that takes more cells, or longer integers, than the budget.
   bool run();
   /// Cuts until each part is proved to be on the side of the roots. False if one is not.
@@ -83,7 +84,7 @@ class Refinement : public ExactTensors {
   template <std::size_t V>
   void note(Cell& cell, const Proved<V>& proved);
   void prove(Cell& cell);
-  Proof known(Id a, Id b);
+  bool is_settled(Id a, Id b);
   bool is_open(const Cell& cell);
   std::optional<Longest> longest(Waiting& waiting) const;
   void wait(std::size_t cell, Waiting& waiting) const;
@@ -103,7 +104,7 @@ class Refinement : public ExactTensors {
   std::vector<Point> points_;
   std::vector<Cell> cells_;
   std::vector<std::vector<std::size_t>> cells_at_;  ///< for each point those with it
-  std::unordered_map<std::uint64_t, Proof> proofs_;
+  std::unordered_map<std::uint64_t, bool> settled_;  ///< edges of a face: crossed once at most
   std::size_t work_ = 0, words_squared_ = 1;  ///< so far; of the last point
 };
 

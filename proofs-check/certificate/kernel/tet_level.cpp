@@ -185,7 +185,7 @@ bool Regions::add_cell(const Refinement::Cell& cell) {
 }
 
 /// Along the direction of a monotone cell each point above can be moved to the upper part of the
-/// boundary, from where larger modes leave the cell, and stays above: so the points above fall into
+/// boundary, from where the direction leaves the cell, and stays above: so the points above fall into
 /// the components that are seen in the upper part, and a region that lies below that part belongs
 /// to where any of its points comes out. The same holds for points below and the lower part.
 template <class Action>
