@@ -30,7 +30,7 @@ struct ReadPiece {
 /// Keeps the pieces that were asked for last.
 class PieceCache {
  public:
-  PieceCache(const PieceSource& source, const PieceIndex& index) : source_(source), index_(index) {}
+  PieceCache(const PieceSource& source, const detail::PieceIndex& index) : source_(source), index_(index) {}
 
   std::shared_ptr<const ReadPiece> get(std::int32_t number) {
     const auto found = std::find_if(pieces_.begin(), pieces_.end(),
@@ -48,14 +48,14 @@ class PieceCache {
  private:
   static constexpr std::size_t kMost = 4;
   const PieceSource& source_;
-  const PieceIndex& index_;
+  const detail::PieceIndex& index_;
   std::list<std::shared_ptr<const ReadPiece>> pieces_;
 };
 
 /// Collects tetrahedra of several pieces as one `MeshPiece`.
 class PieceBuilder {
  public:
-  explicit PieceBuilder(const PieceIndex& index) : index_(index) { piece_.whole_tets = index.tets; }
+  explicit PieceBuilder(const detail::PieceIndex& index) : index_(index) { piece_.whole_tets = index.tets; }
 
   /// @param is_taken  is_taken(t): whether a tetrahedron is one of them
   template <class IsTaken>
@@ -113,7 +113,7 @@ class PieceBuilder {
     distinct_ = vertices_.size();
   }
 
-  const PieceIndex& index_;
+  const detail::PieceIndex& index_;
   MeshPiece piece_;
   std::vector<Vertex> vertices_;
   std::size_t distinct_ = 0;
@@ -121,7 +121,7 @@ class PieceBuilder {
 };
 
 /// The tetrahedra of one piece, with layers of others around.
-MeshPiece piece_with_ghosts(PieceCache& cache, const PieceIndex& index, std::int32_t number,
+MeshPiece piece_with_ghosts(PieceCache& cache, const detail::PieceIndex& index, std::int32_t number,
                             int layers) {
   // Of each piece that is near the tetrahedra that are held.
   std::vector<std::pair<std::int32_t, std::vector<char>>> held;
@@ -161,7 +161,7 @@ MeshPiece piece_with_ghosts(PieceCache& cache, const PieceIndex& index, std::int
   return builder.finish();
 }
 
-std::string hash_of(const PieceSource& source, const PieceIndex& index) {
+std::string hash_of(const PieceSource& source, const detail::PieceIndex& index) {
   FieldHash hash(as_size(index.points), as_size(index.tets));
   for (std::int32_t p = 0; p < source.pieces; ++p) {
     const TetMesh mesh = source.read(p);
@@ -199,7 +199,7 @@ auto merged_stream(const StreamedMesh& mesh, const ExtractOptions& options,
 }  // namespace
 
 StreamedMesh::StreamedMesh(PieceSource source)
-    : source_(std::move(source)), index_(std::make_shared<const PieceIndex>(source_)) {}
+    : source_(std::move(source)), index_(std::make_shared<const detail::PieceIndex>(source_)) {}
 
 std::size_t StreamedMesh::points() const { return as_size(index_->points); }
 

@@ -66,7 +66,7 @@ std::vector<std::int64_t> IndexedPiece::point_ids() const {
   return ids;
 }
 
-PieceIndex::PieceIndex(const PieceSource& source) {
+detail::PieceIndex::PieceIndex(const PieceSource& source) {
   std::unordered_map<Vector3<double>, OuterPoint, PointHash> boundary;
   for (std::int32_t p = 0; p < source.pieces; ++p) {
     const TetMesh mesh = source.read(p);

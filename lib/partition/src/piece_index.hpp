@@ -39,6 +39,8 @@ struct IndexedPiece {
   }
 };
 
+namespace detail {
+
 /// Numbers points and tetrahedra of all pieces, in the order in which they come first. Only points
 /// on faces of one tetrahedron, or in none, are looked for in other pieces.
 struct PieceIndex {
@@ -48,5 +50,7 @@ struct PieceIndex {
   /// Reads each piece once. Throws as `StreamedMesh`.
   explicit PieceIndex(const PieceSource& source);
 };
+
+}  // namespace detail
 
 }  // namespace tensortopo

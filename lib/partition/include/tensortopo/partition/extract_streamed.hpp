@@ -21,7 +21,9 @@ struct PieceSource {
   std::function<TetMesh(std::int32_t piece)> read;
 };
 
+namespace detail {
 struct PieceIndex;
+}
 
 /// A mesh that is never in memory as a whole. Points of different pieces in one place are one.
 ///
@@ -37,7 +39,7 @@ class StreamedMesh {
   /// The pieces.
   const PieceSource& source() const { return source_; }
   /// The numbers of their points and tetrahedra.
-  const PieceIndex& index() const { return *index_; }
+  const detail::PieceIndex& index() const { return *index_; }
   /// How many points the whole mesh has.
   std::size_t points() const;
   /// How many tetrahedra the whole mesh has.
@@ -47,7 +49,7 @@ class StreamedMesh {
 
  private:
   PieceSource source_;
-  std::shared_ptr<const PieceIndex> index_;
+  std::shared_ptr<const detail::PieceIndex> index_;
 };
 
 /// The mode surface of a mesh, piece after piece: the same bits as `extract_mode_surface` gives for
