@@ -22,10 +22,10 @@ std::vector<TetMesh::Index> numbers_of(const std::vector<std::int64_t>& ids) {
   return numbers;
 }
 
-/// What all slabs give together.
+/// The extraction that all slabs give together, in the numbers of the mesh.
 /// @param extract  extract(piece, options): of one of them
 template <class Extract>
-auto merged_slabs(const TetMesh& mesh, std::int32_t pieces, const ExtractOptions& options,
+auto extract_slabs(const TetMesh& mesh, std::int32_t pieces, const ExtractOptions& options,
                   const Extract& extract) {
   const auto owner = slabs(mesh, pieces);
   const auto all_pieces = [&](int layers) {
@@ -42,31 +42,28 @@ auto merged_slabs(const TetMesh& mesh, std::int32_t pieces, const ExtractOptions
     return all;
   };
   // With so many layers as tetrahedra each piece is the whole mesh.
-  return merge_agreeing_pieces(all_pieces, mesh.tets.size());
+  const auto merged = merge_agreeing_pieces(all_pieces, mesh.tets.size());
+  auto result = extraction_of(merged);
+  renumber_level(result, numbers_of(merged.vertex_ids), numbers_of(merged.cells.cell_ids));
+  return result;
 }
 
 }  // namespace
 
 Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
                              const ExtractOptions& options) {
-  const MergedSurface merged = merged_slabs(
-      mesh, pieces, options, [&](const MeshPiece& piece, const ExtractOptions& own) {
-        return extract_piece(piece, mode, own);
-      });
-  Extraction result = extraction_of(merged);
-  renumber_level(result, numbers_of(merged.vertex_ids), numbers_of(merged.cells.cell_ids));
-  return result;
+  return extract_slabs(mesh, pieces, options,
+                       [&](const MeshPiece& piece, const ExtractOptions& own) {
+                         return extract_piece(piece, mode, own);
+                       });
 }
 
 CurveExtraction extract_in_pieces(const TetMesh& mesh, Degeneracy kind, std::int32_t pieces,
                                   const ExtractOptions& options) {
-  const MergedCurves merged = merged_slabs(
-      mesh, pieces, options, [&](const MeshPiece& piece, const ExtractOptions& own) {
-        return extract_curve_piece(piece, kind, own);
-      });
-  CurveExtraction result = extraction_of(merged);
-  renumber_level(result, numbers_of(merged.vertex_ids), numbers_of(merged.cells.cell_ids));
-  return result;
+  return extract_slabs(mesh, pieces, options,
+                       [&](const MeshPiece& piece, const ExtractOptions& own) {
+                         return extract_curve_piece(piece, kind, own);
+                       });
 }
 
 }  // namespace tensortopo

@@ -49,7 +49,7 @@ constexpr std::array<ComponentOrder, 5> kOrders{ComponentOrder::vtk, ComponentOr
 double mean(double a, double b) { return a == b ? a : a / 2 + b / 2; }
 
 SymmetricTensor<double> of_matrix(const std::array<double, 9>& v, vtkIdType point) {
-  // Largest asymmetry, of the norm, that is taken for rounding by whoever wrote the tensors.
+  // Largest asymmetry, of the norm, that is taken for rounding in the data.
   constexpr double tolerance = 1e-9;
   double square = 0, gap = 0;
   for (const double x : v) square += x * x;
