@@ -18,27 +18,22 @@
 namespace tensortopo {
 namespace {
 
-// Bytes, fitted to peaks of `extract --pieces N` on two threads with the surface of one mode, in MB
-// of 10^6 bytes. Few crossed: Kelvin's field in a cube, 1,053,696 tetrahedra, 19,196 crossed: 189
-// (N = 1), 309 (2), 228 (4), 189 (16, the peak of reading). Many crossed: a smoothed random field,
-// 279,936 tetrahedra, 120,621 of them with vertices on both sides: 281 (1), 254 (2), 235 (4), 233
-// (8), 288 (32).
+// Bytes, fitted to peaks of `extract --pieces N` on two threads with the surface of one mode. Some are
+// of a field that the surface crosses in few tetrahedra, others of one that it crosses in many.
 constexpr double kProgram = 50e6;       // the program with its libraries
-constexpr double kReadTet = 132;        // reading, and the screening of the whole: few, N = 16
-constexpr double kSlabTet = 308;        // in the slab: few, N = 2 less N = 4
-constexpr double kTet = 92;             // mesh and owners: few, N = 4 less its slab
-constexpr double kCrossed = 1100;       // surfaces of slabs, merged and written: many, N = 2 and 4
-constexpr double kWholeCrossed = 1700;  // at once: many, N = 1, and 6 % more
-constexpr double kGhostCrossed = 380;   // where slabs meet: many, N = 32 less N = 8
+constexpr double kReadTet = 132;        // reading, and the screening of the whole
+constexpr double kSlabTet = 308;        // in the slab
+constexpr double kTet = 92;             // mesh and owners
+constexpr double kCrossed = 1100;       // surfaces of slabs, merged and written
+constexpr double kWholeCrossed = 1700;  // a surface extracted at once
+constexpr double kGhostCrossed = 380;   // where slabs meet
 
-// What a certificate adds: few crossed (the same field) 165 (N = 1), 168 (2), 158 (4 and 16); many
-// crossed, 279,936 tetrahedra, 119,310 of them with vertices on both sides: 186 (1), 203 (2), 199 (4),
-// 245 (8), 286 (32).
-constexpr double kCheckedTet = 124;            // the checker's own reading: few, N = 16
+// What a certificate adds to each.
+constexpr double kCheckedTet = 124;            // the checker's own reading
 constexpr double kClaimedTet = 130;            // that, and what is left of it later
-constexpr double kClaimedCrossed = 1500;       // proofs and claims: many, N = 2, 4 and 8
-constexpr double kClaimedWholeCrossed = 1300;  // at once: many, N = 1
-constexpr double kClaimedGhostCrossed = 340;   // where slabs meet: many, N = 32
+constexpr double kClaimedCrossed = 1500;       // proofs and claims of slabs
+constexpr double kClaimedWholeCrossed = 1300;  // proofs and claims made at once
+constexpr double kClaimedGhostCrossed = 340;   // where slabs meet
 
 constexpr std::int32_t kMostPieces = 1000;
 

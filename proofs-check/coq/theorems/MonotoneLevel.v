@@ -180,7 +180,13 @@ Proof.
   rewrite A, B, A', B', (field_multiple k m w v H).
   rewrite (real_sum_multiple k s w v) by (rewrite L; exact H).
   generalize (step m d) (field m v) (real_sum s v). intros u t x. clear.
-  unfold Dual.det_linear. coordinates. field.
+  assert (Q : Dual.det_linear (scale k t) u = k * k * Dual.det_linear t u).
+  { assert (S : square (scale k t) = scale (k * k) (square t))
+      by (coordinates; apply tensor_eq; cbn; ring).
+    assert (T : trace (scale k t) = k * trace t) by (coordinates; ring).
+    unfold Dual.det_linear, norm2. rewrite S, T, !(inner_sym u), !inner_add, !inner_scale.
+    rewrite (inner_sym t (scale k t)), inner_scale. field. }
+  rewrite Q, inner_scale. field.
 Qed.
 
 Lemma close_slopes V m d num den s : length m = V -> length s = V -> 0 < den ->
