@@ -90,6 +90,8 @@ void write_parts(const Ranks& ranks, const WholeMesh& mesh, const PartsFiles& fi
   std::unique_ptr<NewFolder> folder;  // on the first rank
   ranks.together([&] {
     if (has_part(own)) bytes = make();
+  });
+  ranks.together([&] {
     if (own != 0) return;
     files.require_place();
     folder = std::make_unique<NewFolder>(files.folder);
