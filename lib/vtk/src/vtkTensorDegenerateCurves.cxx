@@ -63,14 +63,19 @@ void vtkTensorDegenerateCurves::Extract(const Input& input, vtkInformationVector
       input.ranks.are_several()
           ? filters::number_components(made, grid, input.ranks, input.whole)
           : filters::counted(made);
+  const auto certify_part = [&] {
+    filters::PartBytes part;
+    Run([&](const Report& report) {
+      report("certificate", 0);
+      part = filters::part_bytes(
+          grid, proved,
+          filters::of_own_cells(grid.piece, made.curves.tet, made.curves.component));
+    });
+    return part;
+  };
   if (in_parts)
     filters::write_parts(input.ranks, input.whole, *files,
-                         filters::whole_output(mode, counts.front()), grid, [&] {
-                           return filters::part_bytes(
-                               grid, proved,
-                               filters::of_own_cells(grid.piece, made.curves.tet,
-                                                     made.curves.component));
-                         });
+                         filters::whole_output(mode, counts.front()), grid, certify_part);
   else if (IsCertifying())
     WriteCertificate(made.certificate);
 

@@ -113,13 +113,18 @@ void vtkTensorModeSurface::Extract(const Input& input, vtkInformationVector* out
   }
   if (in_parts) {
     const ModeValue& mode = surfaces.modes.front();
-    filters::write_parts(
-        input.ranks, input.whole, *files, filters::whole_output(mode, surface_counts.front()), grid,
-        [&] {
-          return filters::part_bytes(grid, proved, mode,
-                                     filters::of_own_cells(grid.piece, surface.surface.tet,
-                                                           surface.surface.component));
-        });
+    const auto certify_part = [&] {
+      filters::PartBytes part;
+      Run([&](const Report& report) {
+        report("certificate", 0);
+        part = filters::part_bytes(grid, proved, mode,
+                                   filters::of_own_cells(grid.piece, surface.surface.tet,
+                                                         surface.surface.component));
+      });
+      return part;
+    };
+    filters::write_parts(input.ranks, input.whole, *files,
+                         filters::whole_output(mode, surface_counts.front()), grid, certify_part);
   } else if (IsCertifying()) {
     WriteCertificate(surface.certificate);
   }
