@@ -133,6 +133,13 @@ TEST(HostileFiles, HaveOneReading) {
   EXPECT_EQ(court.verdict(field, replaced(surface, "<Polys>", "<!-- Polys> --><Polys>"), cert),
             "certified")
       << court.report();
+  // Nor does an array of ids, of the type that ids have, say anything else.
+  EXPECT_EQ(court.verdict(replaced(field, "<PointData>",
+                                   "<PointData><DataArray type=\"Int64\" IdType=\"1\" Name=\"ids\" "
+                                   "format=\"ascii\">1 2</DataArray>"),
+                          surface, cert),
+            "certified")
+      << court.report();
   for (const std::string& forged :
        {replaced(field, "</Piece>", "<Points/></Piece>"),
         std::string(field).replace(field.find("ascii\">") + 7, 1, "0x"),
@@ -140,6 +147,7 @@ TEST(HostileFiles, HaveOneReading) {
         replaced(field, "NumberOfComponents=\"6\"", "NumberOfComponents=\"+6\""),
         replaced(field, "Name=\"stress\"", "Name=\"stress\" Name=\"other\""),
         replaced(field, "Name=\"stress\"", "Name=\"stress\" TimeStep=\"1\""),
+        replaced(field, "Name=\"stress\"", "Name=\"stress\" IdType=\"1\""),
         replaced(field, "Name=\"stress\"", "Name=\"stress\" RangeMax=\"> 1 2\""),
         replaced(field, "<PointData>",
                  "<PointData><Array type=\"String\" Name=\"stress\" format=\"ascii\">1</Array>"),

@@ -47,7 +47,10 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
   std::vector<int> without_effect(mesh.tets.size(), 0);
   for (bool is_denser = true; is_denser;) {
     result.extraction = extract_mode_surface(field, mode, current);
+    LevelTopology kept;
+    if (options.keep_topology) kept = result.extraction.topology;
     result.level = certify(field, mode, result.extraction);
+    result.extraction.topology = std::move(kept);
     ++result.rounds;
     const auto bounds = distance_bounds(mesh, result.extraction.surface, result.level);
     std::vector<int> triangles(mesh.tets.size(), 0);

@@ -116,7 +116,7 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
     options.sampling.resolution = request.resolution;
     options.meshing = request.meshing;
     options.keep_samples = request.all_samples;
-    options.keep_topology = request.certify;
+    options.keep_topology = request.certify || request.show;
     options.progress = progress;
     std::shared_ptr<const Prepared> field;
     Extraction extraction;
@@ -136,6 +136,7 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
         extraction.not_embedded = tets_not_embedded(mesh, extraction.surface);
       }
     }
+    if (request.show) request.show(mode, extraction);
     part.not_embedded = std::move(extraction.not_embedded);
     part.vertices = extraction.surface.points.size();
     part.cells = extraction.surface.triangles.size();
@@ -191,7 +192,9 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
     ExtractOptions options;
     options.sampling.resolution = request.resolution;
     options.progress = progress;
-    auto [extraction, keys] = extract_keyed_curves(mesh, kind, options);
+    KeyedCurves made = extract_keyed_curves(mesh, kind, options);
+    if (request.show) request.show(mode, made);
+    auto& [extraction, keys] = made;
     ModePart part;
     part.mode = mode;
     part.vertices = extraction.curves.points.size();

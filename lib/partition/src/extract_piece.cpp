@@ -95,14 +95,37 @@ void keep_surface(const MeshPiece& piece, PieceSurface& result) {
   gather_cells(piece, result);
 }
 
-}  // namespace
-
-PieceSurface owned_surface(const MeshPiece& piece, SurfaceMesh surface) {
+void require_in_order(const MeshPiece& piece) {
   require_sound(piece);
   if (!std::is_sorted(piece.vertex_ids.begin(), piece.vertex_ids.end()))
     throw std::invalid_argument("piece: its vertices are not in the order of their ids; sort them");
+}
+
+}  // namespace
+
+PieceSurface owned_surface(const MeshPiece& piece, SurfaceMesh surface) {
+  require_in_order(piece);
   PieceSurface result;
   result.surface = std::move(surface);
+  keep_surface(piece, result);
+  return result;
+}
+
+PieceSurface owned_surface(const MeshPiece& piece, const ModeValue& mode, Extraction made,
+                           bool is_proof) {
+  require_in_order(piece);
+  PieceSurface result;
+  result.surface = std::move(made.surface);
+  for (const UnresolvedCell& cell : made.unresolved)
+    if (piece.is_owned[as_size(cell.tet)])
+      result.unresolved.push_back({piece.mesh.cell_ids[as_size(cell.tet)], cell.reason});
+  for (const TetMesh::Index tet : made.not_embedded)
+    if (piece.is_owned[as_size(tet)])
+      result.not_embedded.push_back(piece.mesh.cell_ids[as_size(tet)]);
+  std::sort(result.not_embedded.begin(), result.not_embedded.end());
+  if (made.statistics.vertices_on_level > 0) result.on_level = vertices_on_level(piece, mode);
+  if (is_proof) result.topology = topology_of_owned(std::move(made.topology), piece);
+  add_messages(piece, made.messages, result.told, result.heard);
   keep_surface(piece, result);
   return result;
 }
@@ -113,22 +136,8 @@ PieceSurface extract_piece(const MeshPiece& given, const ModeValue& mode,
   const MeshPiece piece = in_order_of_ids(given);
   ExtractOptions in_parts = options;
   in_parts.part = piece.is_owned;
-  Extraction extraction = extract_mode_surface<double>(piece.mesh, mode, in_parts);
-  PieceSurface result;
-  result.surface = std::move(extraction.surface);
-  for (const UnresolvedCell& cell : extraction.unresolved)
-    if (piece.is_owned[as_size(cell.tet)])
-      result.unresolved.push_back({piece.mesh.cell_ids[as_size(cell.tet)], cell.reason});
-  for (const TetMesh::Index tet : extraction.not_embedded)
-    if (piece.is_owned[as_size(tet)])
-      result.not_embedded.push_back(piece.mesh.cell_ids[as_size(tet)]);
-  std::sort(result.not_embedded.begin(), result.not_embedded.end());
-  if (extraction.statistics.vertices_on_level > 0) result.on_level = vertices_on_level(piece, mode);
-  if (options.keep_topology)
-    result.topology = topology_of_owned(std::move(extraction.topology), piece);
-  add_messages(piece, extraction.messages, result.told, result.heard);
-  keep_surface(piece, result);
-  return result;
+  return owned_surface(piece, mode, extract_mode_surface<double>(piece.mesh, mode, in_parts),
+                       options.keep_topology);
 }
 
 }  // namespace tensortopo

@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
+#include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,15 +16,14 @@
 #include "mesh.hpp"
 #include "piece_arrays.hpp"
 #include "surface_arrays.hpp"
-#include "tensortopo/certify/certificate.hpp"
-#include "tensortopo/hash/number_hash.hpp"
+#include "tensortopo/certify/parts_certificate.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
-#include "tensortopo/partition/certify_pieces.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 #include "tensortopo/partition/restrict_piece.hpp"
 #include "tensortopo/partition/seam_numbers.hpp"
 #include "tensortopo/partition/surface_seam.hpp"
 #include "tensortopo/partition/topology_numbers.hpp"
+#include "tensortopo/partition/whole_in_parts.hpp"
 #include "watched.hpp"
 
 namespace tensortopo::python {
@@ -142,33 +140,6 @@ PieceSurface piece_from(const py::dict& d) {
   return piece;
 }
 
-/// @param subject  what is known of the field
-/// @param whole_component  of each triangle of a part, its component in the whole; else empty
-std::string certificate_of(const MergedSurface& merged, const ModeValue& mode,
-                           CertificateSubject subject, const std::vector<Index>& whole_component) {
-  const CertifiedLevel level = certify(merged, mode);
-  SurfaceMesh surface = extraction_of(merged).surface;
-  subject.tetrahedra = static_cast<std::size_t>(merged.whole_tets);
-  subject.vertices = surface.points.size();
-  subject.cells = surface.triangles.size();
-  subject.output_sha256 = surface_sha256(surface, merged.cells);
-  std::vector<CellArray> more;
-  if (!whole_component.empty()) {
-    // Normals of the whole are no claims about a part.
-    const auto normal = std::exchange(surface.normal, {});
-    std::vector<double> numbers;
-    for (const auto& n : normal) numbers.insert(numbers.end(), {n.x, n.y, n.z});
-    subject.arrays.push_back({"points", "whole_normal", 3, numbers_sha256(numbers)});
-    more.push_back({"whole_component", whole_component, {}, false});
-  }
-  for (const ArrayHash& array : array_hashes(surface, more))
-    subject.arrays.push_back({array.of, array.name, array.components, array.sha256});
-  std::sort(subject.arrays.begin(), subject.arrays.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.of, a.name) < std::tie(b.of, b.name);
-  });
-  return certificate_bytes(subject, std::span(&level, 1), merged.cells, CertificateEncoding::json);
-}
-
 py::dict restrict(const py::dict& whole, const Input<std::int64_t>& tets,
                   const Input<std::int64_t>& vertices) {
   const PartNumbers numbers{rows_of<std::array<std::int64_t, 2>>(tets, "cells"),
@@ -176,63 +147,75 @@ py::dict restrict(const py::dict& whole, const Input<std::int64_t>& tets,
   return dict_of(restrict_piece(piece_from(whole), numbers));
 }
 
-/// Values of triangles, which come in the order of their tetrahedra's ids, in the surface's order.
-std::vector<Index> in_surface_order(const std::vector<std::int64_t>& cell_ids,
-                                    const std::vector<Index>& by_cell) {
-  if (by_cell.size() != cell_ids.size())
-    throw py::value_error("pieces: a part has " + std::to_string(cell_ids.size()) +
-                          " triangles, the whole surface has " + std::to_string(by_cell.size()) +
-                          " there");
-  std::vector<std::size_t> order(cell_ids.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return cell_ids[i] < cell_ids[j]; });
-  std::vector<Index> result(cell_ids.size());
-  for (std::size_t i = 0; i < order.size(); ++i) result[order[i]] = by_cell[i];
-  return result;
+/// A merged surface for Python.
+py::dict dict_of(MergedSurface&& made, const py::object& certificate) {
+  py::dict out;
+  auto component = std::move(made.surface.component);
+  put_surface(out, std::move(made.surface));
+  out["component"] = array_of<Index>(std::move(component));
+  out["cell_ids"] = array_of<std::int64_t>(std::move(made.cell_ids));
+  out["carrier_ids"] = array_of<std::int64_t>(std::move(made.carrier_ids));
+  out["unresolved"] = list_of(made.unresolved);
+  out["not_embedded"] = made.not_embedded;
+  out["certificate"] = certificate;
+  return out;
 }
 
-/// @param components  of a part: of each triangle, in the order of the tetrahedra's ids, its
-///                    component in the whole surface; else None
-py::dict merge(const std::vector<py::dict>& dicts, const py::object& certified,
-               const py::object& components) {
+/// What Python says of the field of a certificate, and the mode.
+/// @param certified  is not None
+std::pair<CertificateSubject, ModeValue> certified_mode(const py::object& certified) {
+  CertificateSubject subject;
+  subject.tensor = certified["tensor"].cast<std::string>();
+  subject.components = certified["components"].cast<std::string>();
+  subject.points = certified["points"].cast<std::size_t>();
+  subject.field_sha256 = certified["sha256"].cast<std::string>();
+  return {subject, parse_surface_mode(certified["mode"].cast<std::string>())};
+}
+
+py::dict merge(const std::vector<py::dict>& dicts, const py::object& certified) {
   std::vector<PieceSurface> pieces;
   for (const py::dict& d : dicts) pieces.push_back(piece_from(d));
-  std::string mode;
-  CertificateSubject subject;
-  const bool certifying = !certified.is_none(), is_part = !components.is_none();
-  if (certifying) {
-    mode = certified["mode"].cast<std::string>();
-    subject.tensor = certified["tensor"].cast<std::string>();
-    subject.components = certified["components"].cast<std::string>();
-    subject.points = certified["points"].cast<std::size_t>();
-    subject.field_sha256 = certified["sha256"].cast<std::string>();
-  }
-  std::vector<Index> by_cell, whole_component;
-  if (!components.is_none()) {
-    const auto array = components.cast<Input<Index>>();
-    by_cell.assign(array.data(), array.data() + array.size());
-  }
+  std::optional<std::pair<CertificateSubject, ModeValue>> about;
+  if (!certified.is_none()) about = certified_mode(certified);
   MergedSurface made;
   std::string certificate;
   {
     const py::gil_scoped_release unlocked;
     made = merge_pieces(pieces);
-    if (is_part) whole_component = in_surface_order(made.cell_ids, by_cell);
-    if (certifying)
-      certificate = certificate_of(made, parse_surface_mode(mode), subject, whole_component);
+    if (about) certificate = certificate_bytes(made, about->second, about->first);
   }
-  py::dict out;
-  auto component = std::move(made.surface.component);
-  put_surface(out, std::move(made.surface));
-  out["component"] = array_of<Index>(std::move(component));
-  if (is_part) out["whole_component"] = array_of<Index>(std::move(whole_component));
-  out["cell_ids"] = array_of<std::int64_t>(std::move(made.cell_ids));
-  out["carrier_ids"] = array_of<std::int64_t>(std::move(made.carrier_ids));
-  out["unresolved"] = list_of(made.unresolved);
-  out["not_embedded"] = made.not_embedded;
-  out["certificate"] = certifying ? py::object(py::bytes(certificate)) : py::none();
+  return dict_of(std::move(made),
+                 about ? py::object(py::bytes(certificate)) : py::object(py::none()));
+}
+
+/// The surface of a part, in the numbers of its file.
+/// @param components  of each triangle of the piece, its component in the whole
+py::dict surface_part(const py::dict& whole, const Input<std::int64_t>& tets,
+                      const Input<std::int64_t>& vertices, const Input<Index>& components,
+                      const py::object& certified) {
+  const PartNumbers numbers{rows_of<std::array<std::int64_t, 2>>(tets, "cells"),
+                            rows_of<std::array<std::int64_t, 2>>(vertices, "vertices")};
+  const PieceSurface piece = piece_from(whole);
+  SurfacePart part =
+      part_of(piece, numbers, {components.data(), static_cast<std::size_t>(components.size())});
+  py::object certificate = py::none();
+  if (!certified.is_none()) {
+    const auto [subject, mode] = certified_mode(certified);
+    certificate = py::bytes(certificate_bytes(part, mode, subject));
+  }
+  py::dict out = dict_of(std::move(part.surface), certificate);
+  out["whole_component"] = array_of<Index>(std::move(part.whole_component));
   return out;
+}
+
+/// @param parts  of each one the names and hashes of its input, output and certificate
+py::bytes parts_certificate(const std::string& mode, const std::string& role,
+                            const std::vector<std::array<std::array<std::string, 2>, 3>>& parts,
+                            const WholeNumbers& whole) {
+  std::vector<CertifiedPart> listed;
+  for (const auto& [input, output, certificate] : parts)
+    listed.push_back({{input[0], input[1]}, {output[0], output[1]}, {certificate[0], certificate[1]}});
+  return parts_certificate_bytes(mode, role, listed, whole);
 }
 
 /// Of each triangle of a piece, its component in the piece.
@@ -271,7 +254,11 @@ void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
   mesh.def("piece", &piece, py::arg("mode"), py::arg("vertex_ids"), py::arg("owned"),
            py::arg("whole_cells"), py::arg("resolution"), py::arg("all_samples"),
            py::arg("certify"), py::arg("progress"));
-  m.def("merge_pieces", &merge, py::arg("pieces"), py::arg("certified"), py::arg("components"));
+  m.def("merge_pieces", &merge, py::arg("pieces"), py::arg("certified"));
+  m.def("surface_part", &surface_part, py::arg("piece"), py::arg("cells"), py::arg("vertices"),
+        py::arg("components"), py::arg("certified"));
+  m.def("parts_certificate", &parts_certificate, py::arg("mode"), py::arg("role"),
+        py::arg("parts"), py::arg("whole"));
   m.def("restrict_piece", &restrict, py::arg("piece"), py::arg("cells"), py::arg("vertices"));
   m.def("components_of_piece", &components_of_piece, py::arg("piece"));
   m.def("seam_of", &seam, py::arg("piece"));

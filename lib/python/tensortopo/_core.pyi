@@ -85,10 +85,18 @@ class ThreadLimit:
 class PiecesDiffer(ValueError): ...
 
 def merge_pieces(
-    pieces: list[dict[str, Any]],
-    certified: Optional[dict[str, Any]],
-    components: Optional[npt.NDArray[np.int32]],
+    pieces: list[dict[str, Any]], certified: Optional[dict[str, Any]]
 ) -> dict[str, Any]: ...
+def surface_part(
+    piece: dict[str, Any],
+    cells: npt.NDArray[np.int64],
+    vertices: npt.NDArray[np.int64],
+    components: npt.NDArray[np.int32],
+    certified: Optional[dict[str, Any]],
+) -> dict[str, Any]: ...
+def parts_certificate(
+    mode: str, role: str, parts: list[list[tuple[str, str]]], whole: list[tuple[str, int]]
+) -> bytes: ...
 def restrict_piece(
     piece: dict[str, Any], cells: npt.NDArray[np.int64], vertices: npt.NDArray[np.int64]
 ) -> dict[str, Any]: ...

@@ -223,7 +223,7 @@ def merge_pieces(
         are needed. The message says where. It is a ValueError.
     """
     certified = certified_numbers(certify, "" if certify is None else mode_texts(mode)[0])
-    made = _core.merge_pieces([piece.arrays for piece in pieces], certified, None)
+    made = _core.merge_pieces([piece.arrays for piece in pieces], certified)
     return MergedSurface(**{name: made[name] for name in MergedSurface.__dataclass_fields__})
 
 

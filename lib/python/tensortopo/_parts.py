@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import os
 import re
 import shutil
@@ -69,14 +68,13 @@ def part_surface(
     cells, vertices : ndarray of int64 of shape (n, 2)
         Ids in the whole mesh, and numbers in the part's file.
     components : ndarray of int32
-        Of each triangle in these cells its component in the whole surface, in the order of the cells' ids.
+        Of each triangle of the piece its component in the whole surface.
     certified : CertifiedField or None
         What the certificate says of the part's file; None makes none.
     mode : any
     """
     (text,) = mode_texts(mode)
-    own = _core.restrict_piece(piece.arrays, cells, vertices)
-    made = _core.merge_pieces([own], certified_numbers(certified, text), components)
+    made = _core.surface_part(piece.arrays, cells, vertices, components, certified_numbers(certified, text))
     surface = MergedSurface(**{name: made[name] for name in MergedSurface.__dataclass_fields__})
     return PartSurface(surface, made["whole_component"])
 
@@ -176,21 +174,13 @@ def certificate_of_parts(
     mode : str
         Exactly.
     parts : sequence of mapping
-        Of each part name and SHA-256 of its ``input``, ``surface`` and ``certificate``.
+        Of each part name and SHA-256 of its ``input``, ``surface`` or ``polylines``, and ``certificate``.
     whole : mapping of str to int
         What is claimed of the whole.
     """
-    document = {
-        "format": "tensortopo certificate of parts",
-        "version": 1,
-        "mode": mode,
-        "parts": [
-            {role: {"file": name, "sha256": sha256} for role, (name, sha256) in part.items()}
-            for part in parts
-        ],
-        "whole": dict(whole),
-    }
-    return (json.dumps(document, indent=1, ensure_ascii=False) + "\n").encode("utf-8")
+    role = "polylines" if "polylines" in next(iter(parts), {}) else "surface"
+    listed = [[part["input"], part[role], part["certificate"]] for part in parts]
+    return _core.parts_certificate(mode, role, listed, list(whole.items()))
 
 
 def require_folder(folder: Path) -> None:

@@ -151,20 +151,6 @@ def number_components(comm: Any, own: Optional[PieceSurface]) -> tuple[Optional[
     return WholeNumbers(component, {} if joined is None else _counts_of(joined)), None
 
 
-def _components(pieces: RankPieces, whole: WholeNumbers) -> list[Array]:
-    """Of each of the rank's files: components in the whole of its triangles, by the ids of their cells."""
-    if not isinstance(pieces.surface, PieceSurface):
-        return []
-    of_triangles = pieces.surface.arrays["cell_ids"][pieces.surface.arrays["tet"]]
-    order = np.argsort(of_triangles, kind="stable")
-    cells, components = of_triangles[order], whole.component[order]
-    ends = [(pieces.cell_ids[f.tets[0]], pieces.cell_ids[f.tets[1] - 1]) for f in pieces.files]
-    return [
-        components[np.searchsorted(cells, first) : np.searchsorted(cells, last, side="right")]
-        for first, last in ends
-    ]
-
-
 def certified_part(pieces: RankPieces, file: PieceFile) -> CertifiedField:
     """What the certificate of a part says of its piece."""
     points, tets = slice(*file.points), slice(*file.tets)
@@ -386,10 +372,9 @@ def write_parts(
         On all ranks, if something is wrong on one.
     """
     (text,) = mode_texts(mode)
-    components = _components(pieces, whole)
 
     def write(filled: Path, number: int) -> WrittenPart:
-        return _write_part(filled, output.stem, pieces, pieces.files[number], components[number], text,
+        return _write_part(filled, output.stem, pieces, pieces.files[number], whole.component, text,
                            certificate is not None)  # fmt: skip
 
     write_output_parts(

@@ -65,7 +65,10 @@ class TENSORTOPOFILTERS_EXPORT vtkTensorTopology : public vtkPolyDataAlgorithm {
   ///@}
   ///@{
   /// A certificate is written there, for `tensortopo check`: .json or .cbor. Empty, the default,
-  /// for none. Not with several pieces.
+  /// for none. On several ranks it is NAME.json, a certificate of parts, each of which is what a rank
+  /// owns: `tensortopo check NAME_field.pvtu NAME.pvtp NAME.json`. These files are written too, and
+  /// the files of the parts in the folder NAME; all of them or none. It is about one mode, or one
+  /// kind of curves. The ranks must have the folder in common.
   vtkSetStdStringFromCharMacro(CertificateFile);
   vtkGetCharFromStdStringMacro(CertificateFile);
   ///@}

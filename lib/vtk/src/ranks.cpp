@@ -57,6 +57,15 @@ std::vector<std::vector<std::int64_t>> Ranks::gather(
   return result;
 }
 
+std::vector<std::string> Ranks::gather(const std::string& text) const {
+  std::vector<std::string> result;
+  for (const auto& letters : gather(std::vector<std::int64_t>(text.begin(), text.end()))) {
+    std::string& of_rank = result.emplace_back();
+    for (const std::int64_t letter : letters) of_rank += static_cast<char>(letter);
+  }
+  return result;
+}
+
 void Ranks::together(const std::function<void()>& work) const {
   if (!are_several()) return work();
   std::vector<std::int64_t> outcome{done};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -25,6 +26,7 @@ class Ranks {
 
   /// What each rank gives, on all of them.
   std::vector<std::vector<std::int64_t>> gather(const std::vector<std::int64_t>& numbers) const;
+  std::vector<std::string> gather(const std::string& text) const;  ///< the same of texts
 
   /// Does work on each rank. If it throws on one, all throw: the error of the first rank that has
   /// one as std::runtime_error, else Aborted.

@@ -64,8 +64,10 @@ int vtkTensorTopology::RequestData(vtkInformation*, vtkInformationVector** input
   try {
     tensortopo::filters::TensorGrid field;
     ranks.together([&] {
-      if (pieces > 1 && IsCertifying())
-        throw std::runtime_error("a certificate is of a field in one piece");
+      if (pieces > 1 && !on_ranks && IsCertifying())
+        throw std::runtime_error(
+            "a certificate is of a field in one piece, or of pieces on as many ranks; give the "
+            "filter the controller of these");
       if (!has_cells) return;
       vtkDataArray* tensors = GetInputArrayToProcess(0, inputs);
       if (tensors == nullptr) tensors = tensortopo::filters::only_tensors(grid);

@@ -65,7 +65,9 @@ std::vector<WholeCurves> counted(const DegenerateCurves& made) {
   for (const ModePart& part : made.parts)
     counts.push_back({part.mode.approx(),
                       static_cast<std::int64_t>(part.curve_invariants.components),
-                      static_cast<std::int64_t>(part.curve_invariants.closed_components)});
+                      static_cast<std::int64_t>(part.curve_invariants.closed_components),
+                      static_cast<std::int64_t>(part.vertices),
+                      static_cast<std::int64_t>(part.cells)});
   return counts;
 }
 
@@ -79,9 +81,11 @@ std::vector<WholeCurves> number_components(DegenerateCurves& made, const TensorG
   };
   std::vector<WholeCurves> counts;
   for (const auto& part : join_parts<CurveSeam>(ranks, whole, write, curve_seam_of_numbers, join,
-                                                made.curves.component))
+                                                made.curves.component)) {
+    const auto total = part.joined.total();
     counts.push_back({part.mode, static_cast<std::int64_t>(part.joined.components.size()),
-                      part.joined.closed_components()});
+                      part.joined.closed_components(), total.vertices, total.lines});
+  }
   return counts;
 }
 

@@ -17,6 +17,8 @@ struct WholeCurves {
   double mode = 0;                     ///< 1 or -1
   std::int64_t components = 0;         ///< connected ones
   std::int64_t closed_components = 0;  ///< those without an end
+  std::int64_t vertices = 0;           ///< of all
+  std::int64_t lines = 0;              ///< of all
 };
 
 /// Of curves that were extracted in one process.

@@ -64,7 +64,9 @@ std::vector<WholeSurface> counted(const ModeSurfaces& made) {
   std::vector<WholeSurface> counts;
   for (const ModePart& part : made.parts)
     counts.push_back({part.mode.approx(), static_cast<std::int64_t>(part.invariants.components),
-                      part.invariants.euler_characteristic, part.invariants.boundary_loops});
+                      part.invariants.euler_characteristic, part.invariants.boundary_loops,
+                      static_cast<std::int64_t>(part.vertices),
+                      static_cast<std::int64_t>(part.cells)});
   return counts;
 }
 
@@ -77,7 +79,8 @@ std::vector<WholeSurface> number_components(ModeSurfaces& made, const TensorGrid
                                                   made.surface.component)) {
     const auto total = part.joined.total();
     counts.push_back({part.mode, static_cast<std::int64_t>(part.joined.components.size()),
-                      total.euler_characteristic, total.boundary_loops});
+                      total.euler_characteristic, total.boundary_loops, total.vertices,
+                      total.triangles});
   }
   return counts;
 }

@@ -18,6 +18,8 @@ struct WholeSurface {
   std::int64_t components = 0;            ///< connected ones
   std::int64_t euler_characteristic = 0;  ///< of all
   std::int64_t boundary_loops = 0;        ///< of all
+  std::int64_t vertices = 0;              ///< of all
+  std::int64_t triangles = 0;             ///< of all
 };
 
 /// Of a surface that was extracted in one process.

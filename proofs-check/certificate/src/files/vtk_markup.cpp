@@ -59,6 +59,10 @@ bool is_known(const pugi::xml_node& element, std::string_view attribute) {
   if (found == known.end()) return false;
   if (found->second.contains(attribute)) return true;
   if (name != "DataArray") return false;
+  // Ids: other readers take the array for one of 64-bit integers, whatever its type says.
+  if (attribute == "IdType")
+    return element.attribute("type").value() == std::string_view("Int64") &&
+           element.attribute("IdType").value() == std::string_view("1");
   if (attribute == "NumberOfTuples") return element.parent().name() == std::string_view("FieldData");
   constexpr std::string_view kName = "ComponentName";
   return attribute.starts_with(kName) && attribute.size() > kName.size() &&

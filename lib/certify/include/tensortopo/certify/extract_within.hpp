@@ -20,7 +20,7 @@ struct ExtractionWithin {
 /// extracted again. Topology is that of the plain extraction.
 ///
 /// @param largest_distance  in the mesh's units, > 0
-/// @param options  `density` is where sampling begins; `keep_topology` is not looked at
+/// @param options  `density` is where sampling begins; `keep_topology` is about `extraction`
 /// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`: where
 /// the singular line of a neutral surface passes through, triangles beside it stay long. So is one
 /// that has more than 5,000 triangles: it would soon take longer than all others.

@@ -21,6 +21,8 @@
 
 namespace tensortopo {
 
+struct Extraction;
+
 /// Told now and then, by one thread at a time, what is going on and how much of it is done, in
 /// [0, 1]. What it throws ends the extraction, and reaches the caller.
 using ModeProgress = std::function<void(std::string_view stage, double fraction)>;
@@ -44,6 +46,9 @@ struct SurfaceRequest {
   std::optional<Uncertainty> uncertainty;  ///< say what is the same for all fields within it
   bool certify = false;                    ///< make a certificate
   CertificateNames names;                  ///< what it says of the field
+  /// Shown what is extracted of each mode, with what was proved (`ExtractOptions::keep_topology`),
+  /// before it goes into the output; may be empty.
+  std::function<void(const ModeValue& mode, const Extraction& made)> show;
   ModeProgress progress;                   ///< may be empty
 };
 
@@ -55,6 +60,8 @@ struct CurveRequest {
   std::optional<Uncertainty> uncertainty;  ///< say what is the same for all fields within it
   bool certify = false;  ///< make a certificate
   CertificateNames names;  ///< what it says of the field
+  /// Shown what is extracted of each kind, before it goes into the output; may be empty.
+  std::function<void(const ModeValue& mode, const KeyedCurves& made)> show;
   ModeProgress progress;  ///< may be empty
 };
 

@@ -89,6 +89,16 @@ PieceSurface extract_piece(const MeshPiece& piece, const ModeValue& mode,
 ///         order of their ids, in which those at one place have to be extracted
 PieceSurface owned_surface(const MeshPiece& piece, SurfaceMesh surface);
 
+/// The same of all that an extraction from the piece's mesh found.
+///
+/// @pre the contract of `MeshPiece`
+/// @param made      in numbers of the piece's mesh
+/// @param is_proof  it was extracted with `ExtractOptions::keep_topology`: so is the result
+/// @return `told` and `heard` are of `made.messages`
+/// @throws std::invalid_argument as above
+PieceSurface owned_surface(const MeshPiece& piece, const ModeValue& mode, Extraction made,
+                           bool is_proof);
+
 /// The surface of a whole mesh.
 struct MergedSurface {
   /// As `extract_mode_surface` gives it, in the same order; `carrier_id` is empty. `tet` and
