@@ -12,6 +12,7 @@
 #include "extract/patch/fill/polygon.hpp"
 #include "extract/patch/level_in_double.hpp"
 #include "extract/patch/linked_triangles.hpp"
+#include "extract/patch/patch_defects.hpp"
 #include "extract/patch/vertex_on_level.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "tensortopo/scalar/elementary.hpp"
@@ -25,6 +26,9 @@ constexpr std::size_t kLongestLoop = 64, kMostInside = 256;
 
 /// How often all edges are looked at.
 constexpr int kRounds = 12;
+
+/// Triangles against the gradient that a disc may have on the way: more are hardly ever turned back.
+constexpr int kMostAgainst = 3;
 
 /// In a unit in which products of lengths do not overflow.
 std::array<Vector3<double>, 4> in_unit(std::array<Vector3<double>, 4> points) {
@@ -45,6 +49,7 @@ class BisectedDisc {
         geometry_(places_, tet.simplex.exponents),
         tensors_(rounded(tet.simplex.tensors)),
         level_in_double_(level_in_double(level)),
+        upward_(places_, tet.simplex.exponents, tensors_),
         flatness_(sampling.largest_turn() / 8),
         turn_(elementary::cos(std::min(sampling.largest_turn(), 1.5))),
         wide_turn_(elementary::cos(std::min(2 * sampling.largest_turn(), 1.5))),
@@ -58,6 +63,7 @@ class BisectedDisc {
   bool mesh() {
     const std::size_t first = corners_.size();
     for (int round = 0; round < kRounds; ++round) {
+      if (is_folded()) return false;
       if (!bisect_edges()) break;
       if (corners_.size() > first + kMostInside) return false;
       flip_edges();
@@ -85,6 +91,16 @@ class BisectedDisc {
     const auto at = level_slope(geometry_.tensor(x, tensors_), level_in_double_);
     const auto g = geometry_.gradient(at.slope, tensors_);
     return !(std::abs(at.value) <= distance * std::sqrt(dot(g, g)));
+  }
+
+  /// Whether more triangles than `kMostAgainst` lie against the gradient.
+  bool is_folded() const {
+    int against = 0;
+    for (std::uint32_t t = 0; t < triangles_.size() && against <= kMostAgainst; ++t) {
+      const auto& [a, b, c] = triangles_[t];
+      against += !upward_.facing(at(a), at(b), at(c)).is_upward;
+    }
+    return against > kMostAgainst;
   }
 
   /// Bisects edges, at most one of each triangle.
@@ -190,6 +206,7 @@ class BisectedDisc {
   TetGeometry geometry_;
   std::array<Deviator<double>, 4> tensors_;
   Level<double> level_in_double_;
+  UpwardTest upward_;
   double flatness_;          ///< distance of the level from the middle of an edge, over its length
   double turn_, wide_turn_;  ///< cosines
   std::vector<BoundaryVertex> corners_;
