@@ -47,10 +47,9 @@ bool is_inside(const Place<3>& p) { return p[0] >= 0 && p[1] >= 0 && p[2] >= 0; 
 class Regions {
  public:
   /// @param is_fine  all faces with an edge that is crossed twice are cut
-  Regions(const Level& level, const Refinement& cells, bool is_fine)
-      : level_(level), cells_(cells), is_fine_(is_fine) {}
-  std::optional<std::vector<Sheet>> sheets(const TetBoundary& boundary,
-                                           const std::vector<RimCurve>& curves);
+  Regions(const Level& level, const Refinement& cells, const TetBoundary& boundary, bool is_fine)
+      : level_(level), cells_(cells), boundary_(boundary), is_fine_(is_fine) {}
+  std::optional<std::vector<Sheet>> sheets(const std::vector<RimCurve>& curves);
 
  private:
   struct Piece {
@@ -67,13 +66,14 @@ class Regions {
   bool add_cell(const Refinement::Cell& cell);
   bool join_along(const Refinement::Weights& direction, const Corners& corners,
                   SparseUnionFind& around, const auto& join);
-  bool number_crossings(const TetBoundary& boundary);
+  bool number_crossings();
   std::optional<std::size_t> find(const FacePart& part, const Place<3>& place, bool above) const;
   std::optional<std::size_t> find(std::size_t opposite, const Place<3>& place, bool above);
-  std::optional<Sides> sides_of(const RimCurve& curve, const TetBoundary& boundary);
+  std::optional<Sides> sides_of(const RimCurve& curve);
 
   const Level& level_;
   const Refinement& cells_;
+  const TetBoundary& boundary_;
   const bool is_fine_;
   std::unordered_map<std::uint64_t, EdgePart> edges_;
   std::unordered_map<std::uint64_t, FacePart> faces_;
@@ -87,11 +87,11 @@ class Regions {
 EdgePart& Regions::edge(Id a, Id b) {
   const auto [place, is_new] = edges_.try_emplace(Refinement::key(a, b));
   EdgePart& part = place->second;
-  if (is_new) {
-    part.level = level_in_edge(level_, cells_.corners_at(std::array{a, b}));
-    part.first = new_nodes(part.level.crossings + 1);
-    part.joins = {Join{a, part.first}, Join{b, part.first + part.level.crossings}};
-  }
+  if (!is_new) return part;
+  part.level = b < 4 ? *boundary_.edges[a + b * (b - 1) / 2]
+                     : level_in_edge(level_, cells_.corners_at(std::array{a, b}));
+  part.first = new_nodes(part.level.crossings + 1);
+  part.joins = {Join{a, part.first}, Join{b, part.first + part.level.crossings}};
   return part;
 }
 
@@ -102,8 +102,11 @@ FacePart& Regions::face(const std::array<Id, 3>& corners) {
   if (!is_new) return part;
   const auto& [a, b, c] = corners;
   part.corners = corners;
-  part.level = level_in_face(level_, cells_.corners_at(corners),
-                             {&edge(a, b).level, &edge(a, c).level, &edge(b, c).level}, is_fine_);
+  const std::array<const EdgeLevel*, 3> edges{&edge(a, b).level, &edge(a, c).level,
+                                              &edge(b, c).level};
+  part.level = c < 4 && !is_fine_
+                   ? *boundary_.faces[6 - a - b - c]
+                   : level_in_face(level_, cells_.corners_at(corners), edges, is_fine_);
   if (!part.level.refinement) {
     // Its regions are those of its edges' parts, joined along both sides of its arcs.
     for (const auto& [from, to] : part.level.arcs)
@@ -215,9 +218,7 @@ bool Regions::join_along(const Refinement::Weights& direction, const Corners& co
         if (i != f) m.place[i] = point.weights[n++];
     }
   }
-  const auto speed = [&](bool above, std::size_t i) {
-    return above ? mpz_class(-upwards[i]) : upwards[i];
-  };
+  const auto speed = [&](bool up, auto i) { return up ? mpz_class(-upwards[i]) : upwards[i]; };
   std::set<std::size_t> arrived, at_edges;
   for_subsets(4, 2, [&](const auto& members) {
     const EdgePart& part = edge(corners[members[0]], corners[members[1]]);
@@ -300,7 +301,7 @@ std::optional<std::size_t> Regions::find(std::size_t opposite, const Place<3>& p
 }
 
 /// The crossings along the edges between roots, part by part.
-bool Regions::number_crossings(const TetBoundary& boundary) {
+bool Regions::number_crossings() {
   std::size_t which = 0;
   bool same = true;
   for_subsets(4, 2, [&](const auto& m) {
@@ -313,15 +314,15 @@ bool Regions::number_crossings(const TetBoundary& boundary) {
       for (std::size_t n = part.level.crossings, k = 0; k < n; ++k)
         all.push_back(beside(part, a, a == along[i] ? k : n - 1 - k));
     }
-    same = same && all.size() == boundary.edges[which++]->crossings;
+    same = same && all.size() == boundary_.edges[which++]->crossings;
   });
   return same;
 }
 
-std::optional<Sides> Regions::sides_of(const RimCurve& curve, const TetBoundary& boundary) {
+std::optional<Sides> Regions::sides_of(const RimCurve& curve) {
   if (std::popcount(curve.simplex) == 2) return on_roots_.at(curve.simplex).at(curve.number);
   const auto opposite = static_cast<std::size_t>(std::countr_zero(15U & ~curve.simplex));
-  const FaceLevel& level = *boundary.faces[opposite];
+  const FaceLevel& level = *boundary_.faces[opposite];
   Sides result{};
   for (const Id id : level.loops.at(curve.number)[0]) {
     const auto& point = level.refinement->points()[id];
@@ -332,10 +333,9 @@ std::optional<Sides> Regions::sides_of(const RimCurve& curve, const TetBoundary&
   return result;
 }
 
-std::optional<std::vector<Sheet>> Regions::sheets(const TetBoundary& boundary,
-                                                  const std::vector<RimCurve>& curves) {
+std::optional<std::vector<Sheet>> Regions::sheets(const std::vector<RimCurve>& curves) {
   new_nodes(cells_.points().size());
-  if (!number_crossings(boundary)) return std::nullopt;
+  if (!number_crossings()) return std::nullopt;
   for (const Refinement::Cell& cell : cells_.cells()) {
     if (cell.cut) continue;
     if (cell.proof != Proof::empty) {
@@ -356,7 +356,7 @@ std::optional<std::vector<Sheet>> Regions::sheets(const TetBoundary& boundary,
   for (const Piece& piece : pieces_)
     at(piece.sides).euler_characteristic += piece.euler_characteristic;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const auto sides = sides_of(curves[i], boundary);
+    const auto sides = sides_of(curves[i]);
     if (!sides) return std::nullopt;
     at(*sides).loops.push_back(i);
   }
@@ -387,8 +387,8 @@ std::optional<std::vector<Sheet>> level_in_tet(const Level& level,
   Refinement cells(level, corners);
   cells.assume(proved);
   if (!cells.run()) return std::nullopt;
-  auto sheets = Regions(level, cells, false).sheets(boundary, curves);
-  return sheets ? sheets : Regions(level, cells, true).sheets(boundary, curves);
+  auto sheets = Regions(level, cells, boundary, false).sheets(curves);
+  return sheets ? sheets : Regions(level, cells, boundary, true).sheets(curves);
 }
 
 }  // namespace certificate
