@@ -161,6 +161,24 @@ TEST(CheckerArithmetic, SimplicesInReachAreOnTheSide) {
   EXPECT_GT(same, 3900);
 }
 
+/// The reach of a corner is believed, and exactly compared: on an edge between tensors of one side
+/// that passes the level twice, a number that is too small by little claims the other side away.
+TEST(CheckerArithmetic, ReachIsComparedWithEachCorner) {
+  const Level level(9, 10);
+  const Exact m{1, 0, -1}, t{3, -2, -1}, opposite{-3, 2, 1};
+  const double h = 4 / std::sqrt(14.0);  // tr(M T) / |T|
+  const auto is_empty = [&](const Exact& second, double reach) {
+    CornersOf<2> s(level, std::array<Exact, 2>{m, second}, false);
+    s.corners[0].reach = std::ldexp(reach, static_cast<int>(-s.corners[0].shift));
+    EXPECT_EQ(s.corners[0].above, s.corners[1].above);
+    return level.prove(s.corners).proof == Proof::empty;
+  };
+  EXPECT_FALSE(is_empty(t, HUGE_VAL));
+  EXPECT_FALSE(is_empty(t, h * (1 + 1e-9)));
+  EXPECT_TRUE(is_empty(t, h * (1 - 1e-9)));
+  EXPECT_FALSE(is_empty(opposite, h * (1 - 1e-9)));
+}
+
 /// Arcs that are paired by the order of crossings are those of the face cut to pieces.
 TEST(CheckerTopology, PairedArcsAreThoseOfCutFaces) {
   Numbers numbers(13);
