@@ -45,14 +45,12 @@ struct Ball {
 enum class Answer : unsigned char { no, yes, unsure };
 
 /// Both, or one of them; the second is asked only if need be.
-template <class Question>
-Answer both(Answer first, const Question& second) {
+inline Answer both(Answer first, const auto& second) {
   if (first == Answer::no) return first;
   const Answer other = second();
   return other == Answer::no || first == Answer::yes ? other : first;
 }
-template <class Question>
-Answer either(Answer first, const Question& second) {
+inline Answer either(Answer first, const auto& second) {
   if (first == Answer::yes) return first;
   const Answer other = second();
   return other == Answer::yes || first == Answer::no ? other : first;
@@ -80,6 +78,11 @@ inline Ball ball_of(const mpz_class& x, long shift) {
   if (e < -900) return {0, 0x1p-899};
   const double v = std::ldexp(mantissa, static_cast<int>(e));
   return {v, std::abs(v) * (2 * Ball::kUnit)};
+}
+
+/// x / y to about the size of y, enclosed: x / 2^(bits of y).
+inline Ball scaled(const mpz_class& x, const mpz_class& y) {
+  return ball_of(x, static_cast<long>(mpz_sizeinbase(y.get_mpz_t(), 2)));
 }
 
 }  // namespace certificate

@@ -12,8 +12,7 @@ using Id = Refinement::Id;
 
 /// The two edges at which the level crosses a triangle of corners i = 0, 1, 2, if it does, by the
 /// corners: larger modes are left of the way from the first to the second.
-template <class Above>
-std::optional<std::array<std::array<std::size_t, 2>, 2>> arc_in_triangle(const Above& above) {
+std::optional<std::array<std::array<std::size_t, 2>, 2>> arc_in_triangle(const auto& above) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     if (above(i) == above(j) || above(i) == above(k)) continue;
@@ -21,6 +20,42 @@ std::optional<std::array<std::array<std::size_t, 2>, 2>> arc_in_triangle(const A
     return above(i) ? std::array{next, before} : std::array{before, next};
   }
   return std::nullopt;
+}
+
+/// The arcs of a face in which the level is crossed upwards along d, if the crossings of its edges
+/// leave one way to join them; see the README. An entry 0 counts as a small negative one.
+std::optional<std::vector<std::array<Crossing, 2>>> arcs_across(
+    const std::array<int, 3>& d, const std::array<Corner, 3>& corners,
+    const std::array<const EdgeLevel*, 3>& edges) {
+  // Lines along d enter the face through one edge and leave it through the two at a corner, the
+  // top; or the other way round. Up is left of the way from the left corner to the right one.
+  std::size_t apex = 0;
+  const auto rises = [&](std::size_t i) { return d[i % 3] > 0; };
+  while (rises(apex) == rises(apex + 1) || rises(apex) == rises(apex + 2)) ++apex;
+  const bool top = rises(apex);
+  const std::size_t left = (apex + (top ? 1 : 2)) % 3, right = (apex + (top ? 2 : 1)) % 3;
+  // Crossings from right to left: of the edges where lines enter, and where they leave.
+  std::array<std::vector<Crossing>, 2> ahead;
+  const auto add = [&](bool leaving, std::size_t a, std::size_t b) {
+    for (unsigned n = edges[a + b - 1]->crossings, k = 0; k < n; ++k)
+      ahead[leaving].push_back({{std::min(a, b), std::max(a, b)}, a < b ? k : n - 1 - k});
+  };
+  add(!top, right, left), add(top, right, apex), add(top, apex, left);
+  std::vector<std::array<Crossing, 2>> arcs;
+  const bool last = !corners[right].above;  // which of the two has the last crossing of an arc
+  std::array above{corners[left].above, corners[left].above};
+  while (!ahead[0].empty() || !ahead[1].empty()) {
+    const bool starts = above[0] == above[1], others_first = ahead[last].size() == 1;
+    if (!starts && !others_first && !ahead[!last].empty()) return std::nullopt;
+    const bool next = starts ? !above[0] : ahead[!last].empty() ? last : !last;
+    if (ahead[next].empty()) return std::nullopt;
+    if (starts) arcs.emplace_back();
+    arcs.back()[starts ? 0 : 1] = ahead[next].back();
+    ahead[next].pop_back();
+    above[next] = !above[next];
+  }
+  if (above[0] != corners[right].above || above[1] != above[0]) return std::nullopt;
+  return arcs;
 }
 
 /// The crossed parts of an edge between roots, in order.
@@ -79,31 +114,18 @@ std::vector<Id> points_along(const Refinement& refinement, Id a, Id b) {
   return along;
 }
 
-EdgeLevel level_in_edge(const Level& level, const std::array<Corner, 2>& corners) {
-  if (level.prove(corners).proof != Proof::open)
-    return {true, corners[0].above != corners[1].above ? 1U : 0U};
-  Refinement refinement(level, corners);
-  if (!refinement.run()) return {};
-  return {true, static_cast<unsigned>(crossed_along(refinement, 0, 1).size())};
-}
-
 FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners,
-                        const std::array<const EdgeLevel*, 3>& edges) {
+                        const std::array<const EdgeLevel*, 3>& edges, bool is_fine) {
   FaceLevel face;
   const auto proved = level.prove(corners);
   face.decided = proved.proof == Proof::empty;
-  bool is_simple = proved.proof == Proof::monotone;
-  for (const EdgeLevel* edge : edges) {
+  for (const EdgeLevel* edge : edges)
     if (face.decided || !edge->decided) return face;
-    is_simple = is_simple && edge->crossings < 2;
-  }
-  if (is_simple) {
-    face.decided = true;
-    const auto arc = arc_in_triangle([&](std::size_t i) { return corners[i].above; });
-    const auto on = [](const auto& edge) { return Crossing{1U << edge[0] | 1U << edge[1], 0}; };
-    if (arc) face.arcs.push_back({on((*arc)[0]), on((*arc)[1])});
-    return face;
-  }
+  const bool is_simple = std::all_of(edges.begin(), edges.end(),
+                                     [](const EdgeLevel* edge) { return edge->crossings < 2; });
+  if (proved.proof == Proof::monotone && (is_simple || !is_fine))
+    if (auto arcs = arcs_across(proved.direction, corners, edges))
+      return {true, std::move(*arcs), {}, {}};
   const auto refinement = std::make_shared<Refinement>(level, corners);
   refinement->assume(proved);
   constexpr std::array<std::array<Id, 2>, 3> kEnds{{{0, 1}, {0, 2}, {1, 2}}};
@@ -115,7 +137,7 @@ FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners
   for (std::size_t e = 0; e < 3; ++e) {
     const auto [a, b] = kEnds[e];
     const std::vector<CrossedEdge> crossed = crossed_along(*refinement, a, b);
-    for (unsigned n = 0; n < crossed.size(); ++n) ends[crossed[n]] = {1U << a | 1U << b, n};
+    for (unsigned n = 0; n < crossed.size(); ++n) ends[crossed[n]] = {{a, b}, n};
     // Each proves the crossings for itself; a difference would be a mistake here.
     face.decided = face.decided && crossed.size() == edges[e]->crossings;
   }

@@ -12,7 +12,7 @@ namespace certificate {
 
 /// A point of the level on an edge between two roots: the how-manieth from the first.
 struct Crossing {
-  unsigned edge = 0;  ///< a bit for each of the two roots
+  std::array<std::size_t, 2> edge{};  ///< the two roots, ascending
   unsigned ordinal = 0;
 
   auto operator<=>(const Crossing&) const = default;
@@ -25,12 +25,6 @@ using CrossedEdge = std::array<Refinement::Id, 2>;
 std::vector<Refinement::Id> points_along(const Refinement& refinement, Refinement::Id a,
                                          Refinement::Id b);
 
-struct EdgeLevel {
-  bool decided = false;
-  unsigned crossings = 0;
-};
-EdgeLevel level_in_edge(const Level& level, const std::array<Corner, 2>& corners);
-
 /// The curves in a face. An arc runs such that, seen from where the roots are counter-clockwise,
 /// the larger modes are left of it.
 struct FaceLevel {
@@ -40,7 +34,8 @@ struct FaceLevel {
   std::shared_ptr<const Refinement> refinement;  ///< if it took one
 };
 /// @param edges  of the corners 0 and 1, 0 and 2, 1 and 2
+/// @param is_fine  cuts a face if an edge is crossed twice
 FaceLevel level_in_face(const Level& level, const std::array<Corner, 3>& corners,
-                        const std::array<const EdgeLevel*, 3>& edges);
+                        const std::array<const EdgeLevel*, 3>& edges, bool is_fine = false);
 
 }  // namespace certificate

@@ -47,7 +47,7 @@ N product(const Tensor<N>& m, const Tensor<N>& k) {
 /// The quadratic form of a bilinear one.
 template <class N, std::size_t V, class Bilinear>
 Polynomial<N, V, 2> quadratic(const std::array<const Tensor<N>*, V>& m, const Bilinear& product) {
-  static constexpr auto places = detail::product_table<V, 1, 1>();
+  static constexpr auto places = product_table<V, 1, 1>();
   Polynomial<N, V, 2> result;
   for (std::size_t i = 0; i < V; ++i)
     for (std::size_t j = 0; j <= i; ++j)
@@ -68,8 +68,8 @@ struct Forms {
     for (std::size_t k = 0; k < 6; ++k)
       for (std::size_t i = 0; i < V; ++i) x[k].coefficients[i] = (*m[i])[k];
     p = quadratic<N, V>(m, trace<N>);
-    q = x[0] * (x[1] * x[2] - x[3] * x[3]) + x[5] * (x[3] * x[4] - x[2] * x[5]) +
-        x[4] * (x[3] * x[5] - x[1] * x[4]);
+    q = x[0] * (x[1] * x[2] - x[3] * x[3]) - x[5] * (x[2] * x[5] - x[3] * x[4]) -
+        x[4] * (x[1] * x[4] - x[3] * x[5]);
   }
 };
 

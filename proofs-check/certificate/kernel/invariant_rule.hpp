@@ -5,7 +5,6 @@
 #pragma once
 
 #include "forms.hpp"
-#include "signs.hpp"
 
 namespace certificate {
 
@@ -66,6 +65,7 @@ class InvariantRule {
   Answer lies(bool above, const QuadraticForm<N, V>& f) const {
     return have_sign(f.q, above ? 1 : -1, above ? Zero::fails : Zero::will_do);
   }
+  static double reach(const QuadraticForm<Ball, 1>&) { return HUGE_VAL; }
   template <std::size_t V>
   static bool lies_by_norm(bool, const QuadraticForm<Ball, V>&) { return false; }
   template <std::size_t V>

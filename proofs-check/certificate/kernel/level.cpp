@@ -25,12 +25,8 @@ class Level::Simplex {
 
   const Form<Ball>& balls() const { return balls_; }
   bool took_integers() const { return exact_.has_value(); }
-  template <class Question>
-  bool is_true(const Question& question) {
-    return is_true(question(balls_), question);
-  }
-  template <class Question>
-  bool is_true(Answer by_balls, const Question& question) {
+  bool is_true(const auto& question) { return is_true(question(balls_), question); }
+  bool is_true(Answer by_balls, const auto& question) {
     if (by_balls != Answer::unsure) return ++level_.by_balls_, by_balls == Answer::yes;
     if (!exact_) exact_ = exact_form();
     return ++level_.by_integers_, question(*exact_) == Answer::yes;
@@ -80,29 +76,38 @@ Multiples Level::multiples() const {
   return rule == nullptr ? Multiples{} : rule->multiples();
 }
 
-template <std::size_t V, class Question>
-bool Level::ask(const std::array<Corner, V>& corners, const Question& question) const {
-  return std::visit([&](const auto& rule) { return question(Simplex(*this, rule, corners)); }, rule_);
+bool Level::ask(const Corner& corner, const auto& question) const {
+  const std::array corners{corner};
+  return visit([&](const auto& rule) { return question(Simplex(*this, rule, corners)); });
+}
+
+/// Are all corners, and what is between them, in the reach of one?
+template <std::size_t V>
+bool are_in_reach(const std::array<Corner, V>& corners) {
+  const Corner& middle = *std::min_element(corners.begin(), corners.end(),
+                                           [](auto& a, auto& b) { return a.reach < b.reach; });
+  const Ball square = Ball(middle.reach, 0) * Ball(middle.reach, 0);
+  const auto is_in_reach = [&](const Corner& corner) {
+    const Ball x = trace(*middle.ball, *corner.ball);
+    const Ball room = x * x - square * trace(*corner.ball, *corner.ball);
+    return both(has_sign(x, 1, Zero::fails),
+                [&] { return has_sign(room, 1, Zero::fails); }) == Answer::yes;
+  };
+  return middle.reach < HUGE_VAL && std::all_of(corners.begin(), corners.end(), is_in_reach);
 }
 
 template <std::size_t V>
-bool Level::is_one_sided(const std::array<Corner, V>& corners) const {
-  return ask(corners, [&](auto simplex) { return simplex.is_on_side(corners[0].above); });
-}
-
-template bool Level::is_one_sided<1>(const std::array<Corner, 1>&) const;
-template bool Level::is_one_sided<2>(const std::array<Corner, 2>&) const;
-template bool Level::is_one_sided<3>(const std::array<Corner, 3>&) const;
-
-template <std::size_t V>
-Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
-  const bool is_crossed = std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) {
-    return corner.above != corners[0].above;
-  });
+Proved<V> Level::prove(const std::array<Corner, V>& corners, bool asks_for_side) const {
+  const bool is_crossed =
+      !asks_for_side && std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+        return corner.above != corners[0].above;
+      });
+  if (!is_crossed && are_in_reach(corners)) return {Proof::empty, {}, false};
   const auto by = [&]<class Rule>(const Rule& rule) -> Proved<V> {
     Simplex<Rule, V> simplex(*this, rule, corners);
     if (!is_crossed && simplex.is_on_side(corners[0].above))
-      return {Proof::empty, {}, simplex.took_integers()};
+      return {Proof::empty, {}, !asks_for_side && simplex.took_integers()};
+    if (asks_for_side) return {};
     const auto rise = rule.rise(simplex.balls());
     const auto direction = [&](bool within_chart) {
       const auto d = likely_direction<V>(rise, within_chart);
@@ -119,28 +124,25 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners) const {
     return {is_proved ? Proof::monotone : Proof::open, d.value_or(std::array<int, V>{}),
             simplex.took_integers()};
   };
-  return std::visit(by, rule_);
+  return visit(by);
 }
 
-template Proved<2> Level::prove<2>(const std::array<Corner, 2>&) const;
-template Proved<3> Level::prove<3>(const std::array<Corner, 3>&) const;
-template Proved<4> Level::prove<4>(const std::array<Corner, 4>&) const;
+template Proved<1> Level::prove<1>(const std::array<Corner, 1>&, bool) const;
+template Proved<2> Level::prove<2>(const std::array<Corner, 2>&, bool) const;
+template Proved<3> Level::prove<3>(const std::array<Corner, 3>&, bool) const;
+template Proved<4> Level::prove<4>(const std::array<Corner, 4>&, bool) const;
 
 bool Level::above(const Corner& corner) const {
-  return ask(std::array{corner}, [](auto simplex) { return simplex.lies(true); });
+  return ask(corner, [](auto simplex) { return simplex.lies(true); });
+}
+
+double Level::reach(const Corner& corner) const {
+  return visit(
+      [&](const auto& rule) { return rule.reach(rule.template forms<Ball, 1>({corner.ball})); });
 }
 
 bool Level::on_level(const Corner& corner) const {
-  return ask(std::array{corner}, [](auto simplex) { return simplex.is_on(); });
-}
-
-double Level::slope(const Tensor<double>& m, const Tensor<double>& change) const {
-  return std::visit(
-      [&](const auto& rule) {
-        const auto f = rule.template forms<double, 2>({&m, &change});
-        return increase(f, {0, 1}).coefficients[0];
-      },
-      rule_);
+  return ask(corner, [](auto simplex) { return simplex.is_on(); });
 }
 
 }  // namespace certificate

@@ -27,6 +27,7 @@ struct Corner {
   const ExactTensors* source = nullptr;
   std::uint32_t id = 0;
   bool above = false;
+  double reach = HUGE_VAL;  ///< if it is known
 
   Tensor<mpz_class> exact() const { return source->exact(id); }
 };
@@ -67,16 +68,22 @@ class Level {
   /// Is it exactly on the level? @pre it is not zero
   bool on_level(const Corner& corner) const;
 
-  /// @pre V is 2, 3 or 4
+  /// A number h: tensors T with tr(M T) > h |T| for the corner M are on its side.
+  double reach(const Corner& corner) const;
+
+  /// @pre V is 1 to 4
+  /// @param asks_for_side  not for directions, and whether corners are on one side is not asked
   template <std::size_t V>
-  Proved<V> prove(const std::array<Corner, V>& corners) const;
+  Proved<V> prove(const std::array<Corner, V>& corners, bool asks_for_side = false) const;
 
   /// Is all of the simplex on the side of its corners (which is that of the first)?
   template <std::size_t V>
-  bool is_one_sided(const std::array<Corner, V>& corners) const;
+  bool is_one_sided(const std::array<Corner, V>& corners) const {
+    return prove(corners, true).proof == Proof::empty;
+  }
 
-  /// About the derivative at m along a change, up to a positive factor.
-  double slope(const Tensor<double>& m, const Tensor<double>& change) const;
+  /// Calls f with the rule of what it is a level of.
+  auto visit(const auto& f) const { return std::visit(f, rule_); }
 
   std::uint64_t decided_by_balls() const { return by_balls_; }
   std::uint64_t decided_exactly() const { return by_integers_; }
@@ -84,8 +91,7 @@ class Level {
  private:
   template <class Rule, std::size_t V>
   class Simplex;
-  template <std::size_t V, class Question>
-  bool ask(const std::array<Corner, V>& corners, const Question& question) const;
+  bool ask(const Corner& corner, const auto& question) const;
 
   std::variant<ModeRule, InvariantRule> rule_;
   mutable std::atomic<std::uint64_t> by_balls_{0}, by_integers_{0};

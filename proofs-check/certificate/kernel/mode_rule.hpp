@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "forms.hpp"
-#include "signs.hpp"
 
 namespace certificate {
 
@@ -48,6 +47,20 @@ class ModeRule {
       return std::array{combination(root_.q, dq, p, lower * dp),
                         combination(root_.q, dq, p, upper * dp)};
     };
+  }
+  /// A number h with tr(M T) < h |T| for all T of mode mu, if it is found: of the size |M| cos x, where
+  /// 3 x is the difference of the modes' arc cosines. See the README.
+  double reach(const Forms<Ball, 1>& f) const {
+    const Ball &p = f.p.coefficients[0], &q = f.q.coefficients[0], root(std::sqrt(54.0), 0x1p-48);
+    const double norm = std::sqrt(p.value), mode = root.value * q.value / (norm * norm * norm);
+    const double level = -root_.p.value / root_.q.value;
+    const double angle = std::acos(std::clamp(mode, -1.0, 1.0)) - std::acos(level);
+    const Ball h(norm * (std::cos(angle / 3) + 0x1p-30), 0);
+    const Ball z = root_.q * (Ball(4) * h * h * h - Ball(3) * p * h) + root_.p * root * q;
+    const Ball sines = (p * p * p - Ball(54) * q * q) * (root_.q * root_.q - root_.p * root_.p);
+    for (const Ball& x : {z, z * z - sines, Ball(4) * h * h - p})
+      if (has_sign(x, 1, Zero::fails) != Answer::yes) return HUGE_VAL;
+    return h.value;
   }
   /// Is the mode exactly mu, there being one? Neither this sign of the form nor the other.
   template <class N>
@@ -103,7 +116,7 @@ Answer ModeRule::lies(bool above, const Forms<N, V>& f) const {
 /// below by Cauchy's inequality, tr(M E) for any E with 54 tr(E^2) < 1, here the corners' mean.
 template <std::size_t V>
 Polynomial<Ball, V, 1> ModeRule::root_bound(bool from_above, const Polynomial<Ball, V, 2>& p) {
-  static constexpr auto places = detail::product_table<V, 1, 1>();
+  static constexpr auto places = product_table<V, 1, 1>();
   Polynomial<Ball, V, 1> s;
   Ball square, room(1);  // tr(E^2) up to a factor; what is to be positive
   std::array<double, V> roots{};

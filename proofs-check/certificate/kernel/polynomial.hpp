@@ -6,20 +6,21 @@
 #include <array>
 #include <cstddef>
 
+#include "ball.hpp"
+
 namespace certificate {
 
 /// The exponents of all monomials of degree D in V variables.
 template <std::size_t V, std::size_t D>
 struct Monomials {
-  static constexpr std::size_t count() {
+  using Exponents = std::array<std::size_t, V>;
+  static constexpr std::size_t kCount = [] {
     std::size_t n = 1;
     for (std::size_t i = 1; i < V; ++i) n = n * (D + i) / i;
     return n;
-  }
-  using Exponents = std::array<std::size_t, V>;
-  static constexpr std::size_t kCount = count();
+  }();
 
-  static constexpr std::array<Exponents, kCount> table() {
+  static constexpr std::array<Exponents, kCount> kTable = [] {
     std::array<Exponents, kCount> result{};
     std::size_t n = 0;
     std::size_t codes = 1;
@@ -34,8 +35,7 @@ struct Monomials {
       if (sum == D) result[n++] = e;
     }
     return result;
-  }
-  static constexpr std::array<Exponents, kCount> kTable = table();
+  }();
 
   static constexpr std::size_t index(const Exponents& e) {
     std::size_t n = 0;
@@ -44,14 +44,28 @@ struct Monomials {
   }
 };
 
-/// Its signs on the simplex: where all coefficients share a sign, so do all values.
 template <class N, std::size_t V, std::size_t D>
 struct Polynomial {
   static constexpr std::size_t kCount = Monomials<V, D>::kCount;
   std::array<N, kCount> coefficients{};
 };
 
-namespace detail {
+/// Have all coefficients this sign, and so all values?
+template <class N, std::size_t V, std::size_t D>
+Answer have_sign(const Polynomial<N, V, D>& p, int sign, Zero zero) {
+  Answer result = Answer::yes;
+  for (const N& x : p.coefficients) {
+    const Answer one = has_sign(x, sign, zero);
+    if (one == Answer::no) return one;
+    if (one == Answer::unsure) result = one;
+  }
+  return result;
+}
+
+template <class N, std::size_t V, std::size_t D>
+Answer is_zero(const Polynomial<N, V, D>& p) {
+  return both(have_sign(p, 1, Zero::will_do), [&] { return have_sign(p, -1, Zero::will_do); });
+}
 
 template <std::size_t V, std::size_t D, std::size_t E>
 constexpr auto product_table() {
@@ -68,11 +82,9 @@ constexpr auto product_table() {
   return result;
 }
 
-}  // namespace detail
-
 template <class N, std::size_t V, std::size_t D, std::size_t E>
 Polynomial<N, V, D + E> operator*(const Polynomial<N, V, D>& a, const Polynomial<N, V, E>& b) {
-  static constexpr auto table = detail::product_table<V, D, E>();
+  static constexpr auto table = product_table<V, D, E>();
   Polynomial<N, V, D + E> result;
   for (std::size_t i = 0; i < a.kCount; ++i)
     for (std::size_t j = 0; j < b.kCount; ++j)
@@ -90,11 +102,6 @@ Polynomial<N, V, D> combination(const N& a, const Polynomial<N, V, D>& p, const 
   return result;
 }
 template <class N, std::size_t V, std::size_t D>
-Polynomial<N, V, D> operator+(Polynomial<N, V, D> p, const Polynomial<N, V, D>& q) {
-  for (std::size_t i = 0; i < p.kCount; ++i) p.coefficients[i] += q.coefficients[i];
-  return p;
-}
-template <class N, std::size_t V, std::size_t D>
 Polynomial<N, V, D> operator-(Polynomial<N, V, D> p, const Polynomial<N, V, D>& q) {
   for (std::size_t i = 0; i < p.kCount; ++i) p.coefficients[i] -= q.coefficients[i];
   return p;
@@ -104,7 +111,7 @@ Polynomial<N, V, D> operator-(Polynomial<N, V, D> p, const Polynomial<N, V, D>& 
 template <class N, std::size_t V, std::size_t D>
 Polynomial<N, V, D - 1> derivative(const Polynomial<N, V, D>& p, const std::array<int, V>& d) {
   static constexpr auto exponents = Monomials<V, D>::kTable;
-  static constexpr auto places = detail::product_table<V, D - 1, 1>();
+  static constexpr auto places = product_table<V, D - 1, 1>();
   Polynomial<N, V, D - 1> result;
   for (std::size_t i = 0; i < result.kCount; ++i)
     for (std::size_t j = 0; j < V; ++j) {

@@ -44,30 +44,24 @@ void Refinement::add_cell(const Cell& cell) {
 
 std::uint64_t Refinement::key(std::span<const Id> ids) {
   std::array<std::uint64_t, 3> sorted{};
-  std::copy(ids.begin(), ids.end(), sorted.begin());
-  for (std::size_t i = 0; i < ids.size(); ++i) ++sorted[i];  // zero: no third
+  for (std::size_t i = 0; i < ids.size(); ++i) sorted[i] = ids[i] + std::uint64_t{1};  // 0: no third
   std::sort(sorted.begin(), sorted.end());
   return sorted[0] << 42 | sorted[1] << 21 | sorted[2];
 }
 
-template <std::size_t V>
-void Refinement::note(Cell& cell, const Proved<V>& proved) {
-  cell.proof = proved.proof;
-  if (proved.proof != Proof::monotone) return;
+void Refinement::note(Cell& cell, Proof proof, std::span<const int> along) {
+  cell.proof = proof;
+  if (proof != Proof::monotone) return;
   long shift = 0;
-  for (std::size_t i = 0; i < V; ++i) shift = std::max(shift, points_[cell.points[i]].shift);
+  for (std::size_t i = 0; i < corners(); ++i) shift = std::max(shift, points_[cell.points[i]].shift);
   std::array<mpz_class, 4> direction;
-  for (std::size_t i = 0; i < V; ++i) {
+  for (std::size_t i = 0; i < corners(); ++i) {
     const Point& p = points_[cell.points[i]];
-    const mpz_class factor = mpz_class(proved.direction[i])
-                             << static_cast<unsigned long>(shift - p.shift);
+    const mpz_class factor = mpz_class(along[i]) << static_cast<unsigned long>(shift - p.shift);
     for (std::size_t k = 0; k < 4; ++k) direction[k] += factor * p.weights[k];
   }
   cell.direction = std::make_shared<const std::array<mpz_class, 4>>(std::move(direction));
 }
-
-template void Refinement::note(Cell&, const Proved<3>&);
-template void Refinement::note(Cell&, const Proved<4>&);
 
 Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
   Tensor<mpz_class> sum{};
@@ -84,27 +78,34 @@ Tensor<mpz_class> Refinement::exact(std::uint32_t point) const {
 void Refinement::prove(Cell& cell) {
   const auto with = [&](const auto& proved) {
     if (proved.by_integers) work_ += kProofByIntegers * words_squared_;
-    if (cell.proof == Proof::open || proved.proof == Proof::empty) note(cell, proved);
+    if (cell.proof == Proof::open || proved.proof == Proof::empty)
+      note(cell, proved.proof, proved.direction);
   };
   const auto& [a, b, c, d] = cell.points;
-  if (corners() == 2) return with(level_.prove(corners_at(std::array{a, b})));
-  if (corners() == 3) return with(level_.prove(corners_at(std::array{a, b, c})));
-  with(level_.prove(corners_at(cell.points)));
+  if (corners() == 2) return with(level_.prove(corners_at(std::array{a, b}), asks_for_side_));
+  if (corners() == 3) return with(level_.prove(corners_at(std::array{a, b, c}), asks_for_side_));
+  with(level_.prove(corners_at(cell.points), asks_for_side_));
+}
+
+EdgeLevel level_in_edge(const Level& level, const std::array<Corner, 2>& corners,
+                        std::size_t words_squared) {
+  const auto proved = level.prove(corners);
+  EdgeLevel result{proved.proof != Proof::open, corners[0].above != corners[1].above,
+                   proved.by_integers ? kProofByIntegers * words_squared : 0};
+  if (result.decided) return result;
+  Refinement parts(level, corners);
+  result = {parts.run(), 0, result.work + parts.work()};
+  for (const auto& part : parts.cells())
+    if (!part.cut && parts.is_crossed(part)) ++result.crossings;
+  return result;
 }
 
 bool Refinement::is_settled(Id a, Id b) {
   const auto [place, is_new] = settled_.try_emplace(key(a, b), false);
   if (!is_new) return place->second;
-  const auto corners = corners_at(std::array{a, b});
-  const auto proved = level_.prove(corners);
-  if (proved.by_integers) work_ += kProofByIntegers * words_squared_;
-  if (proved.proof != Proof::open) return place->second = true;
-  Refinement parts(level_, corners);
-  const auto is_part = [&](const Cell& c) { return !c.cut && parts.is_crossed(c); };
-  place->second =
-      parts.run() && std::count_if(parts.cells_.begin(), parts.cells_.end(), is_part) < 2;
-  work_ += parts.work_ + parts.cells_.size();
-  return place->second;
+  const EdgeLevel edge = level_in_edge(level_, corners_at(std::array{a, b}), words_squared_);
+  work_ += edge.work;
+  return place->second = edge.decided && edge.crossings < 2;
 }
 
 bool Refinement::is_crossed(const Cell& cell) const {
@@ -286,45 +287,21 @@ void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
 
 /// The cell with the longest edge of all comes first: so each open cell is cut through its own
 /// longest edge only, which keeps parts from getting long and thin, in angles.
-std::optional<Refinement::Longest> Refinement::longest(Waiting& waiting) const {
-  while (!waiting.empty()) {
-    const Longest next = waiting.top();
-    waiting.pop();
-    if (is_left(cells_[std::get<1>(next)])) return next;
-  }
-  return std::nullopt;
-}
-
 bool Refinement::run() {
   Waiting waiting;
   wait(0, waiting);
-  while (const auto next = longest(waiting)) {
-    const auto& [length, c, edge] = *next;
+  while (!waiting.empty()) {
+    const auto [length, c, edge] = waiting.top();
+    waiting.pop();
+    if (!is_left(cells_[c])) continue;
     // A part of a monotone cell may be empty all the same.
     if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) prove(cells_[c]);
     if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
-    if (cells_.size() > kMaxCells || work_ > kMaxWork) return false;
+    if (cells_.size() > kMaxCells / (asks_for_side_ ? 12 : 1)) return false;
+    if (work_ > kMaxWork / (asks_for_side_ ? 100 : 1)) return false;
     bisect(edge, waiting);
     if (is_left(cells_[c])) wait(c, waiting);  // another cell was cut
-  }
-  return true;
-}
-
-bool Refinement::is_one_sided() {
-  Waiting waiting;
-  wait(0, waiting);
-  while (const auto next = longest(waiting)) {
-    const auto& [length, c, edge] = *next;
-    const auto& [i, j, k, none] = cells_[c].points;
-    if (corners() == 2 ? level_.is_one_sided(corners_at(std::array{i, j}))
-                       : level_.is_one_sided(corners_at(std::array{i, j, k}))) {
-      cells_[c].proof = Proof::empty;
-      continue;
-    }
-    if (cells_.size() > kMaxCells / 12 || work_ > kMaxWork / 100) return false;
-    bisect(edge, waiting);
-    if (is_left(cells_[c])) wait(c, waiting);
-    if (points_.back().above != points_.front().above) return false;
+    if (asks_for_side_ && points_.back().above != points_.front().above) return false;
   }
   return true;
 }

@@ -17,6 +17,16 @@
 
 namespace certificate {
 
+/// How often an edge is crossed, and how much work it took to find out.
+struct EdgeLevel {
+  bool decided = false;
+  unsigned crossings = 0;
+  std::size_t work = 0;
+};
+/// @param words_squared  of the integers at its ends
+EdgeLevel level_in_edge(const Level& level, const std::array<Corner, 2>& corners,
+                        std::size_t words_squared = 1);
+
 /// A conforming subdivision of a simplex (but for parts that are proved empty, which are left as
 /// they are) into parts with a proof: of each cell and, in a face, that each of their edges is crossed
 /// once at most. See the README for what follows.
@@ -47,17 +57,17 @@ class Refinement : public ExactTensors {
 
   /// What is already known: of the whole simplex, and whether the edge between two roots of a face is
   /// crossed once at most.
-  template <std::size_t V>
-  void assume(const Proved<V>& proved) { note(cells_[0], proved); }
+  void assume(const auto& proved) { note(cells_[0], proved.proof, proved.direction); }
   void assume(Id a, Id b, bool is_settled) { settled_[key(a, b)] = is_settled; }
   /// Cuts. False if that takes more cells, or longer integers, than the budget.
   bool run();
   /// Cuts until each part is proved to be on the side of the roots. False if one is not.
   /// @pre 2 or 3 roots of one side; nothing else was called
-  bool is_one_sided();
+  bool is_one_sided() { return asks_for_side_ = true, run(); }
 
   /// Are points of the cell on both sides?
   bool is_crossed(const Cell& cell) const;
+  std::size_t work() const { return work_ + cells_.size(); }
   std::size_t corners() const { return roots_.size(); }
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Cell>& cells() const { return cells_; }
@@ -81,12 +91,10 @@ class Refinement : public ExactTensors {
     double smallness = 1;  ///< of the tensor there, compared with its terms
   };
 
-  template <std::size_t V>
-  void note(Cell& cell, const Proved<V>& proved);
+  void note(Cell& cell, Proof proof, std::span<const int> along);
   void prove(Cell& cell);
   bool is_settled(Id a, Id b);
   bool is_open(const Cell& cell);
-  std::optional<Longest> longest(Waiting& waiting) const;
   void wait(std::size_t cell, Waiting& waiting) const;
   Tensor<double> unit(Id a) const;
   void round(Place& place) const;
@@ -105,6 +113,7 @@ class Refinement : public ExactTensors {
   std::vector<Cell> cells_;
   std::vector<std::vector<std::size_t>> cells_at_;  ///< for each point those with it
   std::unordered_map<std::uint64_t, bool> settled_;  ///< edges of a face: crossed once at most
+  bool asks_for_side_ = false;  ///< not where the level is
   std::size_t work_ = 0, words_squared_ = 1;  ///< so far; of the last point
 };
 
@@ -119,8 +128,7 @@ std::array<Corner, V> Refinement::corners_at(const std::array<Id, V>& ids) const
 }
 
 /// All subsets of `size` of the first `count` members.
-template <class F>
-void for_subsets(std::size_t count, std::size_t size, const F& f) {
+void for_subsets(std::size_t count, std::size_t size, const auto& f) {
   for (unsigned mask = 1; mask < 1U << count; ++mask) {
     std::array<std::size_t, 4> members{};
     std::size_t n = 0;

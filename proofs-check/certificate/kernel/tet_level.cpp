@@ -46,12 +46,10 @@ bool is_inside(const Place<3>& p) { return p[0] >= 0 && p[1] >= 0 && p[2] >= 0; 
 
 class Regions {
  public:
-  Regions(const Level& level, const std::array<Corner, 4>& corners, const Proved<4>& proved)
-      : level_(level), cells_(level, corners) {
-    cells_.assume(proved);
-  }
-  std::optional<std::vector<Sheet>> sheets(const TetBoundary& boundary,
-                                           const std::vector<RimCurve>& curves);
+  /// @param is_fine  all faces with an edge that is crossed twice are cut
+  Regions(const Level& level, const Refinement& cells, const TetBoundary& boundary, bool is_fine)
+      : level_(level), cells_(cells), boundary_(boundary), is_fine_(is_fine) {}
+  std::optional<std::vector<Sheet>> sheets(const std::vector<RimCurve>& curves);
 
  private:
   struct Piece {
@@ -64,17 +62,19 @@ class Regions {
   std::size_t new_nodes(std::size_t count) { return (nodes_ += count) - count; }
   bool is_above(Id point) const { return cells_.points()[point].above; }
   Sides beside(const EdgePart& part, Id start, std::size_t crossing) const;
+  Sides beside(const FacePart& part, const Crossing& crossing);
   bool add_cell(const Refinement::Cell& cell);
-  template <class Action>
   bool join_along(const Refinement::Weights& direction, const Corners& corners,
-                  SparseUnionFind& around, const Action& join);
-  bool number_crossings(const TetBoundary& boundary);
+                  SparseUnionFind& around, const auto& join);
+  bool number_crossings();
   std::optional<std::size_t> find(const FacePart& part, const Place<3>& place, bool above) const;
   std::optional<std::size_t> find(std::size_t opposite, const Place<3>& place, bool above);
-  std::optional<Sides> sides_of(const RimCurve& curve, const TetBoundary& boundary);
+  std::optional<Sides> sides_of(const RimCurve& curve);
 
   const Level& level_;
-  Refinement cells_;
+  const Refinement& cells_;
+  const TetBoundary& boundary_;
+  const bool is_fine_;
   std::unordered_map<std::uint64_t, EdgePart> edges_;
   std::unordered_map<std::uint64_t, FacePart> faces_;
   std::size_t nodes_ = 0;  ///< the first are the points of the cells
@@ -87,11 +87,11 @@ class Regions {
 EdgePart& Regions::edge(Id a, Id b) {
   const auto [place, is_new] = edges_.try_emplace(Refinement::key(a, b));
   EdgePart& part = place->second;
-  if (is_new) {
-    part.level = level_in_edge(level_, cells_.corners_at(std::array{a, b}));
-    part.first = new_nodes(part.level.crossings + 1);
-    part.joins = {Join{a, part.first}, Join{b, part.first + part.level.crossings}};
-  }
+  if (!is_new) return part;
+  part.level = b < 4 ? *boundary_.edges[a + b * (b - 1) / 2]
+                     : level_in_edge(level_, cells_.corners_at(std::array{a, b}));
+  part.first = new_nodes(part.level.crossings + 1);
+  part.joins = {Join{a, part.first}, Join{b, part.first + part.level.crossings}};
   return part;
 }
 
@@ -102,13 +102,16 @@ FacePart& Regions::face(const std::array<Id, 3>& corners) {
   if (!is_new) return part;
   const auto& [a, b, c] = corners;
   part.corners = corners;
-  part.level = level_in_face(level_, cells_.corners_at(corners),
-                             {&edge(a, b).level, &edge(a, c).level, &edge(b, c).level});
+  const std::array<const EdgeLevel*, 3> edges{&edge(a, b).level, &edge(a, c).level,
+                                              &edge(b, c).level};
+  part.level = c < 4 && !is_fine_
+                   ? *boundary_.faces[6 - a - b - c]
+                   : level_in_face(level_, cells_.corners_at(corners), edges, is_fine_);
   if (!part.level.refinement) {
-    for_subsets(3, 2, [&](const auto& m) {
-      if (is_above(corners[m[0]]) == is_above(corners[m[1]]))
-        part.joins.push_back({corners[m[0]], corners[m[1]]});
-    });
+    // Its regions are those of its edges' parts, joined along both sides of its arcs.
+    for (const auto& [from, to] : part.level.arcs)
+      for (const std::size_t k : {0U, 1U})
+        part.joins.push_back({beside(part, from)[k], beside(part, to)[k]});
     return part;
   }
   // In a part of it, an edge between points of one side does not meet the level.
@@ -138,6 +141,11 @@ Sides Regions::beside(const EdgePart& part, Id start, std::size_t crossing) cons
   const std::size_t before = part.first + crossing;
   return is_above(start) == (crossing % 2 == 0) ? Sides{before + 1, before}
                                                 : Sides{before, before + 1};
+}
+
+Sides Regions::beside(const FacePart& part, const Crossing& crossing) {
+  const Id a = part.corners[crossing.edge[0]], b = part.corners[crossing.edge[1]];
+  return beside(edge(a, b), a, crossing.ordinal);
 }
 
 /// Joins the regions on the boundary of a cell, and notes the pieces of the level in it.
@@ -188,9 +196,8 @@ bool Regions::add_cell(const Refinement::Cell& cell) {
 /// boundary, from where the direction leaves the cell, and stays above: so the points above fall into
 /// the components that are seen in the upper part, and a region that lies below that part belongs
 /// to where any of its points comes out. The same holds for points below and the lower part.
-template <class Action>
 bool Regions::join_along(const Refinement::Weights& direction, const Corners& corners,
-                         SparseUnionFind& around, const Action& join) {
+                         SparseUnionFind& around, const auto& join) {
   std::array<Place<4>, 4> rows;
   for (std::size_t i = 0; i < 4; ++i) rows[i] = cells_.points()[corners[i]].weights;
   const Place<4> upwards = weights_at(rows, direction);
@@ -199,48 +206,51 @@ bool Regions::join_along(const Refinement::Weights& direction, const Corners& co
     bool above = false;
     std::size_t node = 0;
   };
-  std::vector<Moving> all;
+  std::vector<Moving> all(4);
+  for (std::size_t i = 0; i < 4; ++i)
+    all[i].place[i] = 1, all[i].above = is_above(corners[i]), all[i].node = corners[i];
   for (std::size_t f = 0; f < 4; ++f) {
     const FacePart& part = face(without(corners, f));
-    const auto add = [&](const auto& weights, bool above, std::size_t node) {
-      Moving& m = all.emplace_back();
-      m.above = above, m.node = node;
-      for (std::size_t i = 0, n = 0; i < 4; ++i)
-        if (i != f) m.place[i] = weights[n++];
-    };
-    for (std::size_t i = 0; i < 3 && !part.level.refinement; ++i) {
-      Place<3> unit;
-      unit[i] = 1;
-      add(unit, is_above(part.corners[i]), part.corners[i]);
-    }
     for (Id p = 0; part.level.refinement && p < part.level.refinement->points().size(); ++p) {
       const auto& point = part.level.refinement->points()[p];
-      add(point.weights, point.above, part.first + p);
+      Moving& m = all.emplace_back(Moving{{}, point.above, part.first + p});
+      for (std::size_t i = 0, n = 0; i < 4; ++i)
+        if (i != f) m.place[i] = point.weights[n++];
     }
   }
-  const auto speed = [&](const Moving& m, std::size_t i) {
-    return m.above ? mpz_class(-upwards[i]) : upwards[i];
-  };
-  std::set<std::size_t> arrived;
+  const auto speed = [&](bool up, auto i) { return up ? mpz_class(-upwards[i]) : upwards[i]; };
+  std::set<std::size_t> arrived, at_edges;
+  for_subsets(4, 2, [&](const auto& members) {
+    const EdgePart& part = edge(corners[members[0]], corners[members[1]]);
+    for (std::size_t k = 0; k <= part.level.crossings; ++k) {
+      const bool above = is_above(corners[members[0]]) == (k % 2 == 0);
+      at_edges.insert(around.find(part.first + k));
+      for (std::size_t i = 0; i < 4; ++i)
+        if (i != members[0] && i != members[1] && speed(above, i) >= 0)
+          arrived.insert(around.find(part.first + k));
+    }
+  });
   for (const Moving& m : all)
     for (std::size_t i = 0; i < 4; ++i)
-      if (m.place[i] == 0 && speed(m, i) >= 0) arrived.insert(around.find(m.node));
+      if (m.place[i] == 0 && speed(m.above, i) >= 0) arrived.insert(around.find(m.node));
   std::vector<Join> joins;
   for (const Moving& m : all) {
     if (!arrived.insert(around.find(m.node)).second) continue;
     std::size_t out = 4;
     for (std::size_t i = 0; i < 4; ++i)
-      if (speed(m, i) > 0 &&
-          (out == 4 || m.place[i] * speed(m, out) < m.place[out] * speed(m, i)))
+      if (speed(m.above, i) > 0 &&
+          (out == 4 || m.place[i] * speed(m.above, out) < m.place[out] * speed(m.above, i)))
         out = i;
     if (out == 4) return false;
     Place<4> exit;
     for (std::size_t i = 0; i < 4; ++i)
-      exit[i] = m.place[i] * speed(m, out) - m.place[out] * speed(m, i);
+      exit[i] = m.place[i] * speed(m.above, out) - m.place[out] * speed(m.above, i);
     const auto node = find(face(without(corners, out)), without(exit, out), m.above);
     if (!node) return false;
     joins.push_back({m.node, *node});
   }
+  // In faces that are not cut only their corners are known places.
+  if (!std::includes(arrived.begin(), arrived.end(), at_edges.begin(), at_edges.end())) return false;
   for (const Join& nodes : joins) join(nodes);
   return true;
 }
@@ -250,7 +260,7 @@ std::optional<std::size_t> Regions::find(const FacePart& part, const Place<3>& p
                                          bool above) const {
   if (!part.level.refinement) {
     for (const Id corner : part.corners)
-      if (is_above(corner) == above) return corner;
+      if (is_above(corner) == above && part.level.arcs.size() < 2) return corner;
     return std::nullopt;
   }
   const auto& points = part.level.refinement->points();
@@ -291,7 +301,7 @@ std::optional<std::size_t> Regions::find(std::size_t opposite, const Place<3>& p
 }
 
 /// The crossings along the edges between roots, part by part.
-bool Regions::number_crossings(const TetBoundary& boundary) {
+bool Regions::number_crossings() {
   std::size_t which = 0;
   bool same = true;
   for_subsets(4, 2, [&](const auto& m) {
@@ -304,15 +314,15 @@ bool Regions::number_crossings(const TetBoundary& boundary) {
       for (std::size_t n = part.level.crossings, k = 0; k < n; ++k)
         all.push_back(beside(part, a, a == along[i] ? k : n - 1 - k));
     }
-    same = same && all.size() == boundary.edges[which++]->crossings;
+    same = same && all.size() == boundary_.edges[which++]->crossings;
   });
   return same;
 }
 
-std::optional<Sides> Regions::sides_of(const RimCurve& curve, const TetBoundary& boundary) {
+std::optional<Sides> Regions::sides_of(const RimCurve& curve) {
   if (std::popcount(curve.simplex) == 2) return on_roots_.at(curve.simplex).at(curve.number);
   const auto opposite = static_cast<std::size_t>(std::countr_zero(15U & ~curve.simplex));
-  const FaceLevel& level = *boundary.faces[opposite];
+  const FaceLevel& level = *boundary_.faces[opposite];
   Sides result{};
   for (const Id id : level.loops.at(curve.number)[0]) {
     const auto& point = level.refinement->points()[id];
@@ -323,11 +333,9 @@ std::optional<Sides> Regions::sides_of(const RimCurve& curve, const TetBoundary&
   return result;
 }
 
-std::optional<std::vector<Sheet>> Regions::sheets(const TetBoundary& boundary,
-                                                  const std::vector<RimCurve>& curves) {
-  if (!cells_.run()) return std::nullopt;
+std::optional<std::vector<Sheet>> Regions::sheets(const std::vector<RimCurve>& curves) {
   new_nodes(cells_.points().size());
-  if (!number_crossings(boundary)) return std::nullopt;
+  if (!number_crossings()) return std::nullopt;
   for (const Refinement::Cell& cell : cells_.cells()) {
     if (cell.cut) continue;
     if (cell.proof != Proof::empty) {
@@ -344,16 +352,11 @@ std::optional<std::vector<Sheet>> Regions::sheets(const TetBoundary& boundary,
       ++at(beside(part, start, k)).euler_characteristic;
   }
   for (auto& [key, part] : faces_)
-    for (const auto& arc : part.level.arcs) {
-      const Crossing& c = arc[0];
-      const Id a = part.corners.at(static_cast<std::size_t>(std::countr_zero(c.edge))),
-               b = part.corners.at(static_cast<std::size_t>(std::bit_width(c.edge) - 1));
-      --at(beside(edge(a, b), a, c.ordinal)).euler_characteristic;
-    }
+    for (const auto& arc : part.level.arcs) --at(beside(part, arc[0])).euler_characteristic;
   for (const Piece& piece : pieces_)
     at(piece.sides).euler_characteristic += piece.euler_characteristic;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const auto sides = sides_of(curves[i], boundary);
+    const auto sides = sides_of(curves[i]);
     if (!sides) return std::nullopt;
     at(*sides).loops.push_back(i);
   }
@@ -381,7 +384,11 @@ std::optional<std::vector<Sheet>> level_in_tet(const Level& level,
   // Each piece of a monotone tetrahedron has a boundary curve, and one curve bounds a disc.
   if (proved.proof == Proof::monotone && curves.size() < 2)
     return std::vector<Sheet>(curves.size(), Sheet{1, {0}, false});
-  return Regions(level, corners, proved).sheets(boundary, curves);
+  Refinement cells(level, corners);
+  cells.assume(proved);
+  if (!cells.run()) return std::nullopt;
+  auto sheets = Regions(level, cells, boundary, false).sheets(curves);
+  return sheets ? sheets : Regions(level, cells, boundary, true).sheets(curves);
 }
 
 }  // namespace certificate

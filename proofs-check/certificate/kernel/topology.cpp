@@ -11,10 +11,9 @@ namespace certificate {
 namespace {
 
 /// The item of an ascending list of which a member has this value; or null.
-template <class Items, class Value, class Member>
-auto* find_in(Items& items, const Value& value, Member member) {
+auto* find_in(auto& items, const auto& value, auto member) {
   const auto place = std::lower_bound(items.begin(), items.end(), value,
-                                      [&](const auto& x, const Value& v) { return x.*member < v; });
+                                      [&](const auto& x, const auto& v) { return x.*member < v; });
   return place != items.end() && (*place).*member == value ? &*place : nullptr;
 }
 
@@ -31,15 +30,18 @@ std::vector<Simplex> listed(std::vector<Vertices> all) {
 class Derivation {
  public:
   Derivation(const Input& input, const Field& field, const Level& level, Topology& out)
-      : input_(input), field_(field), level_(level), out_(out) {}
+      : reaches(input.points.size()), input_(input), field_(field), level_(level), out_(out) {}
 
   template <std::size_t Count>
   std::array<Corner, Count> corners(const std::array<Vertex, Count>& vertices) const {
     std::array<Corner, Count> result;
-    for (std::size_t i = 0; i < Count; ++i)
+    for (std::size_t i = 0; i < Count; ++i) {
       result[i] = field_.corner(vertices[i], out_.above[vertices[i]] != 0);
+      result[i].reach = reaches[vertices[i]];
+    }
     return result;
   }
+  std::vector<double> reaches;  ///< of the vertices
   void settle(EdgeTopology& edge) const;
   void settle(FaceTopology& face) const;
   void settle(TetTopology& tet) const;
@@ -55,12 +57,6 @@ class Derivation {
   Topology& out_;
 };
 
-MeshCrossing in_mesh(const Crossing& c, std::span<const Vertex> vertices) {
-  return {{vertices[static_cast<std::size_t>(std::countr_zero(c.edge))],
-           vertices[static_cast<std::size_t>(std::bit_width(c.edge) - 1)]},
-          c.ordinal};
-}
-
 void Derivation::settle(EdgeTopology& edge) const {
   edge.level = level_in_edge(level_, corners(edge.vertices));
 }
@@ -71,8 +67,10 @@ void Derivation::settle(FaceTopology& face) const {
       level_, corners(face.vertices),
       {&out_.edge({a, b})->level, &out_.edge({a, c})->level, &out_.edge({b, c})->level});
   if (face.level.loops.empty()) face.level.refinement.reset();
-  for (const auto& [from, to] : face.level.arcs)
-    face.arcs.push_back({in_mesh(from, face.vertices), in_mesh(to, face.vertices)});
+  const auto in_mesh = [&](const Crossing& x) {
+    return MeshCrossing{{face.vertices[x.edge[0]], face.vertices[x.edge[1]]}, x.ordinal};
+  };
+  for (const auto& [from, to] : face.level.arcs) face.arcs.push_back({in_mesh(from), in_mesh(to)});
 }
 
 /// The closed curves on the boundary of a tetrahedron: from outside larger modes are to the left.
@@ -198,15 +196,16 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
                          const ForAll& for_some) {
   Topology out;
   out.above.resize(input.points.size());
+  Derivation derivation(input, field, level, out);
   std::atomic<std::size_t> on_level{0};
   for_all(out.above.size(), [&](std::size_t v) {
     const Corner corner = field.corner(static_cast<Vertex>(v), false);
     out.above[v] = level.above(corner) ? 1 : 0;
+    derivation.reaches[v] = level.reach(corner);
     if (!field.is_zero(static_cast<Vertex>(v)) && level.on_level(corner)) ++on_level;
   }, "sides of vertices");
   out.on_level = on_level;
 
-  const Derivation derivation(input, field, level, out);
   std::vector<Proved<4>> proofs(input.tets.size(), Proved<4>{Proof::empty, {}});
   const auto is_tip = [&](Vertex i) { return field.is_zero(i); };
   for_all(proofs.size(), [&](std::size_t t) {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "curves/conics.hpp"
-#include "signs.hpp"
+#include "polynomial.hpp"
 
 namespace certificate {
 

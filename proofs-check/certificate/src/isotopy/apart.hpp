@@ -15,9 +15,9 @@ namespace certificate {
 using BallPoint = std::array<Ball, 3>;
 
 /// Is there a direction with a positive product with all of these vectors, wherever they are within
-/// their errors? True only if one is found and proved. Doubles only: the candidates are the
-/// directions normal to the vertices, edges and triangles of the hull of the unit vectors, among
-/// which is that of the largest least product.
+/// their errors? True only if one is found and proved. Doubles only: the candidates are those of a
+/// perceptron's first steps, and then the directions normal to the vertices, edges and triangles of
+/// the hull of the unit vectors, among which is that of the largest least product.
 bool have_common_side(std::span<const BallPoint> vectors);
 
 /// Has a triangle an area, wherever its corners are within their errors?

@@ -80,7 +80,9 @@ void MovedVertices::move(std::size_t vertex, double reach) {
     Tensor<double> change;
     for (std::size_t k = 0; k < m.size(); ++k)
       change[k] = t[static_cast<std::size_t>(i) + 1][k] - t[0][k];
-    slope(i) = c_.level.slope(m, change);
+    slope(i) = c_.level.visit([&](const auto& rule) {
+      return increase(rule.template forms<double, 2>({&m, &change}), {0, 1}).coefficients[0];
+    });
   }
   const Small gradient = solver.solve(slope);
   const double by = reach / std::sqrt(slope.dot(gradient));

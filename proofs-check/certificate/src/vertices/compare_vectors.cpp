@@ -160,18 +160,35 @@ Shown Vectors::show_eigenvector(const Array& array, std::size_t v, Eigenvalue wh
   return is_eigenvector(m, vector, which);
 }
 
-/// Of the mode or another invariant, at a positive multiple of the tensor m, as long as the change
-/// goes from one place to another: up to a positive factor and what is the same for all changes.
-Ball increase_along(const std::optional<Invariant>& invariant, const Tensor<Ball>& m,
-                    const Tensor<Ball>& change) {
-  if (!invariant)
-    return increase(Forms<Ball, 2>({&m, &change}), std::array<int, 2>{0, 1}).coefficients[0];
-  // With P = tr(M^2) and the trace t: 9 |D|^2 = P, 9 |T|^2 = P + 3 t^2, and the anisotropy increases
-  // with P / t^2.
-  const Ball of_p = trace(m, change), of_trace = m[6] * change[6];
-  if (*invariant == Invariant::deviator_magnitude) return of_p;
-  if (*invariant == Invariant::magnitude) return of_p + Ball(3) * of_trace;
-  return m[6] * (m[6] * of_p - trace(m, m) * change[6]);
+/// The gradient of P dQ - 3/2 Q dP for P = tr(M^2) and Q = det(M): P adj(M) - 3 Q M.
+Tensor<Ball> gradient_of_mode(const Tensor<Ball>& m) {
+  const Tensor<Ball> adjugate{m[1] * m[2] - m[3] * m[3], m[0] * m[2] - m[4] * m[4],
+                              m[0] * m[1] - m[5] * m[5], m[4] * m[5] - m[0] * m[3],
+                              m[3] * m[5] - m[1] * m[4], m[3] * m[4] - m[2] * m[5]};
+  const Ball p = trace(m, m);
+  const Ball q = m[0] * adjugate[0] + m[5] * adjugate[5] + m[4] * adjugate[4];
+  Tensor<Ball> result;
+  for (std::size_t k = 0; k < 6; ++k) result[k] = p * adjugate[k] - Ball(3) * q * m[k];
+  return result;
+}
+
+/// Of the mode or another invariant, at a positive multiple of the tensor m, as long as the changes
+/// go from one place to others: up to a positive factor and what is the same for all changes.
+std::array<Ball, 4> increases_along(const std::optional<Invariant>& invariant,
+                                    const Tensor<Ball>& m, const LinearField& field) {
+  std::array<Ball, 4> result;
+  const Tensor<Ball> gradient = invariant ? m : gradient_of_mode(m);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Tensor<Ball>& change = field.corner(i);
+    const Ball along = trace(gradient, change);
+    // With P = tr(M^2) and the trace t: 9 |D|^2 = P, 9 |T|^2 = P + 3 t^2, and the anisotropy
+    // increases with P / t^2.
+    const Ball of_trace = m[6] * change[6];
+    if (!invariant || *invariant == Invariant::deviator_magnitude) result[i] = along;
+    else if (*invariant == Invariant::magnitude) result[i] = along + Ball(3) * of_trace;
+    else result[i] = m[6] * (m[6] * along - trace(m, m) * change[6]);
+  }
+  return result;
 }
 
 /// As long as one, if that is shown.
@@ -183,9 +200,7 @@ std::optional<Vector> Vectors::gradient_at(std::size_t field, const Point3& x) c
   if (is_turned)
     for (Ball& entry : m) entry = Ball(-1) * entry;
   scale_to_one(m);
-  std::array<Ball, 4> values;
-  for (std::size_t i = 0; i < 4; ++i) values[i] = increase_along(invariant_, m, inside.corner(i));
-  Vector g = inside.gradient(values);
+  Vector g = inside.gradient(increases_along(invariant_, m, inside));
   const Ball length = square_root(dot(g, g));
   if (!(length.error < length.value)) return std::nullopt;
   for (Ball& entry : g) entry = quotient(is_turned ? Ball(-1) * entry : entry, length);
