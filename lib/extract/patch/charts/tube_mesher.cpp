@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "extract/level/position.hpp"
 #include "extract/patch/charts/inner_vertices.hpp"
 #include "extract/patch/patch_check.hpp"
 #include "extract/run/extractor_scalars.hpp"
@@ -17,6 +19,11 @@
 namespace tensortopo {
 
 namespace {
+
+/// A straight strip between two rings leaves the curve by at most so many radii of the tube: else it
+/// is halved, if about so many halvings are enough, each of which leaves a quarter of the distance.
+constexpr double kLargestSag = 0.5;
+constexpr int kMostStripHalvings = 8;
 
 /// Two vectors that span the plane across a dominant eigenvector.
 struct Frame {
@@ -29,11 +36,26 @@ Frame frame_next_to(const Vector3<double>& e, const Vector3<double>& near) {
   return {first, cross(e, first)};
 }
 
+/// A dominant eigenvector of the degenerate curve.
+struct Station {
+  Vector3<double> dominant;
+  Frame frame;
+};
+
 /// Vertices around a tube. Angles are twice those of the medium eigenvector: one turn around the
 /// tube is 2 pi.
 struct Ring {
+  Station at;
   std::vector<std::int32_t> corners;
   std::vector<double> angles;  ///< ascending, within one turn
+  Vector3<double> centre{};
+  double radius = 0;  ///< the smallest distance of a vertex from the centre
+
+  void measure(const std::vector<Vector3<double>>& places) {
+    for (const auto& p : places) centre = centre + (1.0 / static_cast<double>(places.size())) * p;
+    radius = std::numeric_limits<double>::infinity();
+    for (const auto& p : places) radius = std::min(radius, length(p - centre));
+  }
 };
 
 /// The difference of two angles in [-pi, pi].
@@ -77,6 +99,7 @@ class TubeMesher {
              const CellTopology<Scalar>& proved, const FaceArcVertices& vertices,
              const Level<Scalar>& level, const Sampling& sampling, Patch<Scalar>& out)
       : on_(manifold),
+        tet_(tet),
         proved_(proved),
         turn_(sampling.largest_turn()),
         out_(out),
@@ -99,16 +122,16 @@ class TubeMesher {
     // Boundary loops have the sheet on their left: seen along the tube they run opposite ways.
     std::reverse(last_boundary.begin(), last_boundary.end());
     // Frames carried along the curve.
-    std::vector<Frame> frames;
+    std::vector<Station> stations;
     const auto& e = arc.dominant;
     const Vector3<double> axis =
         std::abs(e[0].x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0};
     for (std::size_t k = 0; k < e.size(); ++k)
-      frames.push_back(frame_next_to(e[k], k == 0 ? axis : frames[k - 1].first));
+      stations.push_back({e[k], frame_next_to(e[k], k == 0 ? axis : stations[k - 1].frame.first)});
     bool clockwise = false;
-    auto first = loop_ring(first_boundary, frames.front(), clockwise);
+    auto first = loop_ring(first_boundary, stations.front(), clockwise);
     bool last_clockwise = false;
-    const auto last = loop_ring(last_boundary, frames.back(), last_clockwise);
+    const auto last = loop_ring(last_boundary, stations.back(), last_clockwise);
     if (!first || !last || clockwise != last_clockwise) return false;
 
     double length = 0;
@@ -119,70 +142,109 @@ class TubeMesher {
         std::min(static_cast<std::size_t>(std::ceil(length / turn_)), e.size() - 1));
     bool any = false;
     for (std::size_t k = 1; k < strips; ++k) {
-      const std::size_t at = k * (e.size() - 1) / strips;
-      const auto ring = inner_ring(e[at], frames[at], clockwise);
+      auto ring = inner_ring(stations[k * (e.size() - 1) / strips], clockwise);
       if (!ring) continue;  // next to a face: the strip is longer there
-      join(*first, *ring, out_.triangles);
+      add(*ring);
+      join_along_curve(*first, *ring, clockwise, kMostStripHalvings);
       first = ring;
       any = true;
     }
     if (!any && arc.ends[0].face == arc.ends[1].face) return false;
-    join(*first, *last, out_.triangles);
+    join_along_curve(*first, *last, clockwise, kMostStripHalvings);
     return true;
   }
 
  private:
   /// A boundary loop with its angles, which are mirrored if it runs clockwise.
-  std::optional<Ring> loop_ring(const std::vector<BoundaryVertex>& boundary, const Frame& frame,
+  std::optional<Ring> loop_ring(const std::vector<BoundaryVertex>& boundary, const Station& at,
                                 bool& clockwise) const {
     std::vector<double> angles;
     for (const auto& v : boundary)
       angles.push_back(2 *
-                       elementary::atan2(dot(v.medium, frame.second), dot(v.medium, frame.first)));
+                       elementary::atan2(dot(v.medium, at.frame.second), dot(v.medium, at.frame.first)));
     const std::size_t n = boundary.size();
     double turned = 0;
     for (std::size_t i = 0; i < n; ++i) turned += step(angles[i], angles[(i + 1) % n]);
     if (std::abs(std::abs(turned) - 2 * std::numbers::pi) > 1) return std::nullopt;
     clockwise = turned < 0;
     Ring ring;
-    double at = clockwise ? -angles[0] : angles[0];
+    ring.at = at;
+    std::vector<Vector3<double>> places;
+    double angle = clockwise ? -angles[0] : angles[0];
     for (std::size_t i = 0; i < n; ++i) {
       ring.corners.push_back(boundary[i].id);
-      ring.angles.push_back(at);
+      ring.angles.push_back(angle);
+      places.push_back(boundary[i].position);
       const double forward = step(angles[i], angles[(i + 1) % n]);
       if (clockwise ? !(forward < 0) : !(forward > 0)) return std::nullopt;
-      at += std::abs(forward);
+      angle += std::abs(forward);
     }
+    ring.measure(places);
     return ring;
   }
 
-  std::optional<Ring> inner_ring(const Vector3<double>& e, const Frame& frame, bool clockwise) {
+  /// The point of the curve about in the middle between two.
+  Station between(const Station& a, const Station& b) const {
+    const auto& n = on_.characteristic.tensor;
+    auto e = unit(a.dominant + b.dominant);
+    for (int newton = 0; newton < 2; ++newton) {
+      const auto slope = n * e;
+      e = unit(e - (0.5 * dot(e, slope) / dot(slope, slope)) * slope);
+    }
+    return {e, frame_next_to(e, a.frame.first + b.frame.first)};
+  }
+
+  /// Strips between two rings, as many as the curve between them bends.
+  void join_along_curve(const Ring& lower, const Ring& upper, bool clockwise, int halvings) {
+    auto middle = inner_ring(between(lower.at, upper.at), clockwise);
+    const double sag =
+        middle ? length(middle->centre - 0.5 * (lower.centre + upper.centre)) / middle->radius : 0;
+    if (!(sag > kLargestSag) || sag > std::ldexp(kLargestSag, 2 * halvings))
+      return join(lower, upper, out_.triangles);
+    add(*middle);
+    join_along_curve(lower, *middle, clockwise, halvings - 1);
+    join_along_curve(*middle, upper, clockwise, halvings - 1);
+  }
+
+  /// A ring inside, whose vertices are not there yet.
+  std::optional<Ring> inner_ring(const Station& at, bool clockwise) {
     const int count = std::max(4, static_cast<int>(std::ceil(std::numbers::pi / turn_)));
-    std::vector<InnerVertex<Scalar>> vertices;
+    vertices_.clear();
+    const auto& e = at.dominant;
     Ring ring;
+    ring.at = at;
+    std::vector<Vector3<double>> places;
     for (int k = 0; k < count; ++k) {
       const double angle = std::numbers::pi * k / count, side = clockwise ? -1 : 1;
-      const auto v =
-          elementary::cos(angle) * frame.first + (side * elementary::sin(angle)) * frame.second;
+      const auto v = elementary::cos(angle) * at.frame.first +
+                     (side * elementary::sin(angle)) * at.frame.second;
       // One of the two tensors with this medium eigenvector is next to e.
       auto tensor = on_.manifold.tensor_at(v);
       const auto other = on_.manifold.tensor_at(-v);
       if (dot(e, other * e) > dot(e, tensor * e)) tensor = other;
       const auto vertex = inner_.at(tensor);
       if (!vertex) return std::nullopt;
-      vertices.push_back(*vertex);
+      vertices_.push_back(*vertex);
+      places.push_back(position_at(vertex->weights, tet_.simplex.exponents, tet_.points));
       ring.angles.push_back(2 * angle);
     }
-    for (const auto& vertex : vertices) ring.corners.push_back(inner_.add(vertex));
+    ring.measure(places);
     return ring;
   }
 
+  /// Adds the vertices of the inner ring that was made last.
+  void add(Ring& ring) {
+    for (const auto& vertex : vertices_) ring.corners.push_back(inner_.add(vertex));
+  }
+
   const TetManifold& on_;
+  const TetWithCurves<Scalar>& tet_;
   const CellTopology<Scalar>& proved_;
   double turn_;
   Patch<Scalar>& out_;
   InnerVertices<Scalar> inner_;
   std::vector<std::vector<BoundaryVertex>> boundaries_;
+  std::vector<InnerVertex<Scalar>> vertices_;  ///< of the inner ring that was made last
 };
 
 }  // namespace
