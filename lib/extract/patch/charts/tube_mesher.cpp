@@ -142,10 +142,10 @@ class TubeMesher {
         std::min(static_cast<std::size_t>(std::ceil(length / turn_)), e.size() - 1));
     bool any = false;
     for (std::size_t k = 1; k < strips; ++k) {
-      auto ring = inner_ring(stations[k * (e.size() - 1) / strips], clockwise);
-      if (!ring) continue;  // next to a face: the strip is longer there
-      add(*ring);
-      join_along_curve(*first, *ring, clockwise, kMostStripHalvings);
+      const auto inner = inner_ring(stations[k * (e.size() - 1) / strips], clockwise);
+      if (!inner) continue;  // next to a face: the strip is longer there
+      const Ring ring = add(*inner);
+      join_along_curve(*first, ring, clockwise, kMostStripHalvings);
       first = ring;
       any = true;
     }
@@ -183,6 +183,12 @@ class TubeMesher {
     return ring;
   }
 
+  /// A ring whose vertices are not in the patch yet.
+  struct InnerRing {
+    Ring ring;
+    std::vector<InnerVertex<Scalar>> vertices;
+  };
+
   /// The point of the curve about in the middle between two.
   Station between(const Station& a, const Station& b) const {
     const auto& n = on_.characteristic.tensor;
@@ -196,22 +202,22 @@ class TubeMesher {
 
   /// Strips between two rings, as many as the curve between them bends.
   void join_along_curve(const Ring& lower, const Ring& upper, bool clockwise, int halvings) {
-    auto middle = inner_ring(between(lower.at, upper.at), clockwise);
+    const auto inner = inner_ring(between(lower.at, upper.at), clockwise);
     const double sag =
-        middle ? length(middle->centre - 0.5 * (lower.centre + upper.centre)) / middle->radius : 0;
+        inner ? length(inner->ring.centre - 0.5 * (lower.centre + upper.centre)) / inner->ring.radius
+              : 0;
     if (!(sag > kLargestSag) || sag > std::ldexp(kLargestSag, 2 * halvings))
       return join(lower, upper, out_.triangles);
-    add(*middle);
-    join_along_curve(lower, *middle, clockwise, halvings - 1);
-    join_along_curve(*middle, upper, clockwise, halvings - 1);
+    const Ring middle = add(*inner);
+    join_along_curve(lower, middle, clockwise, halvings - 1);
+    join_along_curve(middle, upper, clockwise, halvings - 1);
   }
 
-  /// A ring inside, whose vertices are not there yet.
-  std::optional<Ring> inner_ring(const Station& at, bool clockwise) {
+  std::optional<InnerRing> inner_ring(const Station& at, bool clockwise) {
     const int count = std::max(4, static_cast<int>(std::ceil(std::numbers::pi / turn_)));
-    vertices_.clear();
     const auto& e = at.dominant;
-    Ring ring;
+    InnerRing result;
+    Ring& ring = result.ring;
     ring.at = at;
     std::vector<Vector3<double>> places;
     for (int k = 0; k < count; ++k) {
@@ -224,17 +230,19 @@ class TubeMesher {
       if (dot(e, other * e) > dot(e, tensor * e)) tensor = other;
       const auto vertex = inner_.at(tensor);
       if (!vertex) return std::nullopt;
-      vertices_.push_back(*vertex);
+      result.vertices.push_back(*vertex);
       places.push_back(position_at(vertex->weights, tet_.simplex.exponents, tet_.points));
       ring.angles.push_back(2 * angle);
     }
     ring.measure(places);
-    return ring;
+    return result;
   }
 
-  /// Adds the vertices of the inner ring that was made last.
-  void add(Ring& ring) {
-    for (const auto& vertex : vertices_) ring.corners.push_back(inner_.add(vertex));
+  /// The ring, with its vertices in the patch.
+  Ring add(const InnerRing& inner) {
+    Ring ring = inner.ring;
+    for (const auto& vertex : inner.vertices) ring.corners.push_back(inner_.add(vertex));
+    return ring;
   }
 
   const TetManifold& on_;
@@ -244,7 +252,6 @@ class TubeMesher {
   Patch<Scalar>& out_;
   InnerVertices<Scalar> inner_;
   std::vector<std::vector<BoundaryVertex>> boundaries_;
-  std::vector<InnerVertex<Scalar>> vertices_;  ///< of the inner ring that was made last
 };
 
 }  // namespace

@@ -108,7 +108,7 @@ struct DegenerateCurves {
 };
 
 /// Mode surfaces and degenerate curves of one mesh, as one output with its certificate. What the
-/// modes have in common is computed once, by whoever asks first.
+/// modes have in common is computed once, at the first request.
 ///
 /// Laws      (1) outputs depend on the mesh and the request only, not on threads or on what was
 ///           asked for before; (2) they are those that `tensortopo extract` writes, bit for bit.
