@@ -12,17 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "extract/patch/patch_intersections.hpp"
+#include "extract/patch/triangle_pair.hpp"
 
 namespace tensortopo {
-
-/// Whether two boxes, `low` to `high`, have a point in common.
-template <class Box, class OtherBox>
-bool boxes_meet(const Box& s, const OtherBox& t) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (s.high[k] < t.low[k] || t.high[k] < s.low[k]) return false;
-  return true;
-}
 
 /// Boxes in a binary tree, halved along the longest axis again and again. It is built in parallel,
 /// and the same whatever the number of threads.

@@ -5,16 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "extract/patch/triangle_pair.hpp"
 #include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo {
-
-/// Triangles between places in a list of points.
-using PatchTriangle = std::array<std::uint32_t, 3>;
 
 /// Pairs of triangles, ascending.
 struct IntersectingPairs {
@@ -31,26 +28,10 @@ IntersectingPairs intersecting_pairs(std::span<const Vector3<double>> points,
                                      std::span<const PatchTriangle> triangles,
                                      std::size_t most_tested = SIZE_MAX);
 
-/// Whether some of the first triangles and one of the others are such a pair, or two of the first.
-/// @return nothing if none are; else the place in its list of such another, or the length of that
-///         list if two of the first are
-std::optional<std::size_t> find_intersection(std::span<const Vector3<double>> points,
-                                             std::span<const PatchTriangle> first,
-                                             std::span<const PatchTriangle> others);
-
-/// Whether `find_intersection` finds one.
-bool intersects_any(std::span<const Vector3<double>> points, std::span<const PatchTriangle> first,
-                    std::span<const PatchTriangle> others);
-
 /// Whether all triangles have an area, and any two meet in the vertices and the edge that they share
 /// only, exactly. Here points at one place are different vertices.
 bool are_embedded(std::span<const Vector3<double>> points,
                   std::span<const PatchTriangle> triangles);
-
-/// A box along the axes.
-struct AxisBox {
-  std::array<double, 3> low{}, high{};
-};
 
 /// The pairs of boxes that have a point in common, by their places in the list, in no order.
 std::vector<std::array<std::uint32_t, 2>> meeting_boxes(std::span<const AxisBox> boxes);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/subdivision/degenerate_offset.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tensortopo::detail {
@@ -32,6 +33,15 @@ Deviator<double> degenerate_offset(const Deviator<double>& t, int sign) {
   const double k = 1.5 * dot(e, m * e);
   return deviator(m - SymmetricTensor<double>{k * e.x * e.x, k * e.y * e.y, k * e.z * e.z,
                                               k * e.x * e.y, k * e.y * e.z, k * e.x * e.z});
+}
+
+double sag_of_chord(const std::array<Deviator<double>, 3>& tensors, int sign) {
+  std::array<Deviator<double>, 3> offsets;
+  for (std::size_t i = 0; i < 3; ++i) offsets[i] = degenerate_offset(tensors[i], sign);
+  const double first = std::sqrt(norm_form(tensors[0])), second = std::sqrt(norm_form(tensors[1]));
+  const auto sag =
+      offsets[2] - (1 / (first + second)) * (first * offsets[0] + second * offsets[1]);
+  return std::sqrt(norm_form(sag) / std::max(norm_form(offsets[0]), norm_form(offsets[1])));
 }
 
 }  // namespace tensortopo::detail

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "tensortopo/tensor/deviator.hpp"
 #include "tensortopo/tensor/vector3.hpp"
 
@@ -15,5 +17,11 @@ Vector3<double> simple_eigenvector(const Deviator<double>& t, int sign);
 /// plane of the two eigenvectors whose eigenvalues are nearly the same, and its norm is half their
 /// difference times the root of two.
 Deviator<double> degenerate_offset(const Deviator<double>& t, int sign);
+
+/// How far a chord of a level next to the degenerate curve leaves it, over the distance of the level
+/// from the curve: what the offset at a place on the chord has more than the mean of those at its
+/// ends, which it is beside a straight curve.
+/// @param tensors at the ends of the chord, and their sum
+double sag_of_chord(const std::array<Deviator<double>, 3>& tensors, int sign);
 
 }  // namespace tensortopo::detail

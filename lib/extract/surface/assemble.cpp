@@ -30,7 +30,7 @@ void count_sheets(std::span<const CellProof<Scalar>> proofs, const CellMeshes<Sc
     switch (mesher) {
       case Mesher::tubes:
         return statistics.sheets_tubes;
-      case Mesher::bisected_disc:
+      case Mesher::bisected:
         return statistics.sheets_bisected;
       case Mesher::small_disc:
         return statistics.sheets_small;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <random>
-#include <span>
 #include <vector>
 
+#include "extract/patch/patch_extents.hpp"
 #include "extract/patch/patch_intersections.hpp"
 #include "support/trials.hpp"
 
@@ -39,28 +39,30 @@ TEST(PatchIntersections, AWitnessIsFoundIfAndOnlyIfThereIsAPair) {
   for (int trial = 0; trial < trials(2000); ++trial) {
     const auto [points, triangles] = random_triangles(6, 9, random);
     const auto all = intersecting_pairs(points, triangles).pairs;
-    const std::span<const PatchTriangle> list(triangles), first = list.first(2),
-                                                          others = list.subspan(2);
+    const std::vector<PatchTriangle> fresh(triangles.begin(), triangles.begin() + 2),
+        rest(triangles.begin() + 2, triangles.end());
+    // The patch begins as the fresh triangles, and becomes the rest one by one; the first of them is
+    // replaced.
+    const std::vector<std::uint32_t> replaced{0};
+    std::vector<PatchTriangle> patch = fresh;
+    PatchExtents extents(points, patch);
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      patch.resize(std::max(patch.size(), i + 1));
+      patch[i] = rest[i];
+      extents.set(i, points, rest[i]);
+    }
     const auto is_pair = [&](std::uint32_t a, std::uint32_t b) {
       return std::find(all.begin(), all.end(), std::array{a, b}) != all.end();
     };
-    const auto meets_first = [&](std::size_t other) {
-      const auto b = static_cast<std::uint32_t>(other + 2);
-      return is_pair(0, b) || is_pair(1, b);
-    };
-    const auto found = find_intersection(points, first, others);
-    EXPECT_EQ(found.has_value(), intersects_any(points, first, others));
-    if (!found) {
-      EXPECT_FALSE(is_pair(0, 1));
-      for (std::size_t other = 0; other < others.size(); ++other) EXPECT_FALSE(meets_first(other));
-      ++without;
-    } else if (*found == others.size()) {
-      EXPECT_TRUE(is_pair(0, 1));
-      ++with_itself;
-    } else {
-      EXPECT_TRUE(meets_first(*found));
-      ++with_other;
-    }
+    std::size_t expected = rest.size() + 1;
+    for (std::uint32_t other = 1; other < rest.size() && expected > rest.size(); ++other)
+      if (is_pair(0, other + 2) || is_pair(1, other + 2)) expected = other;
+    if (is_pair(0, 1)) expected = rest.size();
+    const auto found = extents.find_intersection(points, patch, replaced, fresh);
+    EXPECT_EQ(found.value_or(rest.size() + 1), expected);
+    without += expected > rest.size();
+    with_itself += expected == rest.size();
+    with_other += expected < rest.size();
   }
   EXPECT_GT(std::min({with_other, with_itself, without}), 20u);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "tensortopo/scalar/elementary.hpp"
 
@@ -17,8 +18,8 @@ double positive_remainder(double angle, double period) {
   return r < 0 ? r + period : r;
 }
 
-/// The least logarithm of the ratio of the radii of a polar layout.
-constexpr double kLeastGrowth = 2.5;
+/// Bounds of the logarithm of the ratio of the radii of a polar layout.
+constexpr double kLeastGrowth = 2.5, kMostGrowth = 600;
 
 }  // namespace
 
@@ -112,22 +113,40 @@ std::optional<SymmetricTensor<double>> DominantChart::tensor(const Place& place)
       p * e.y * e.z + q * m.y * m.z,      p * e.x * e.z + q * m.x * m.z};
 }
 
-void DominantChart::lay_out(double least, double most, const std::optional<double>& turn_cut) {
-  least_ = least;
-  growth_ = std::max(2.0, kLeastGrowth / (most - least));
+void DominantChart::lay_out(std::vector<double> rows, double height,
+                            const std::optional<double>& turn_cut) {
+  rows_ = std::move(rows);
   turn_cut_ = turn_cut;
+  const auto count = static_cast<double>(rows_.size() - 1);
+  height_ = turn_cut ? height : std::clamp(height, kLeastGrowth / count, kMostGrowth / count);
+}
+
+/// The coordinate along the rows.
+double DominantChart::along(double around) const {
+  const auto next = std::clamp(std::upper_bound(rows_.begin(), rows_.end(), around),
+                               rows_.begin() + 1, rows_.end() - 1);
+  const double from = *(next - 1);
+  return height_ * (static_cast<double>(next - 1 - rows_.begin()) + (around - from) / (*next - from));
+}
+
+double DominantChart::around_at(double along) const {
+  const double row = along / height_;
+  const auto last = static_cast<double>(rows_.size() - 2);
+  const double whole = std::clamp(std::floor(row), 0.0, last);
+  const auto i = static_cast<std::size_t>(whole);
+  return rows_[i] + (row - whole) * (rows_[i + 1] - rows_[i]);
 }
 
 DominantChart::Point DominantChart::point(const Place& place) const {
-  if (turn_cut_)
-    return {2 * place.around, positive_remainder(place.turn - *turn_cut_, 2 * std::numbers::pi)};
-  const double radius = elementary::exp(growth_ * (place.around - least_));
+  const double x = along(place.around);
+  if (turn_cut_) return {x, positive_remainder(place.turn - *turn_cut_, 2 * std::numbers::pi)};
+  const double radius = elementary::exp(x);
   return {radius * elementary::cos(place.turn), radius * elementary::sin(place.turn)};
 }
 
 DominantChart::Place DominantChart::place_at(const Point& point) const {
-  if (turn_cut_) return {point[0] / 2, point[1] + *turn_cut_};
-  return {least_ + elementary::log(elementary::hypot(point[0], point[1])) / growth_,
+  if (turn_cut_) return {around_at(point[0]), point[1] + *turn_cut_};
+  return {around_at(elementary::log(elementary::hypot(point[0], point[1]))),
           elementary::atan2(point[1], point[0])};
 }
 

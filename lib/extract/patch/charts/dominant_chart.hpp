@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "extract/patch/charts/manifold_mesher.hpp"
 
@@ -49,10 +50,13 @@ class DominantChart {
   /// Where the chart is cut open: no sheet is there.
   void cut_at(double around) { cut_ = around; }
 
-  /// Places from least to most around the axis will be shown. If there is a turn that no sheet has,
-  /// it is cut there as well, and the angles are coordinates; else they are polar, the radius
-  /// growing so much that chords of one ring do not meet those of another.
-  void lay_out(double least, double most, const std::optional<double>& turn_cut);
+  /// Places around the axis will be shown, in rows from each of these to the next one. If there is a
+  /// turn that no sheet has, it is cut there as well, and how many rows and how much turn it is are
+  /// coordinates; else they are polar, the radius growing so much that chords of one ring do not
+  /// meet those of another.
+  /// @param rows   ascending
+  /// @param height of a row in the chart
+  void lay_out(std::vector<double> rows, double height, const std::optional<double>& turn_cut);
 
   Point point(const Place& place) const;
   /// Its inverse.
@@ -67,13 +71,16 @@ class DominantChart {
     Vector3<double> e, up, along;
   };
   Frame frame_at(double around, double elevation) const;
+  double along(double around) const;
+  double around_at(double along) const;
 
   CharacteristicTensor<double> characteristic_;
   ModeParameter<double> mode_;
   About about_;
   std::array<Vector3<double>, 3> axes_;  ///< the last is turned about; along the eigenvectors
   double period_, cut_ = 0;
-  double least_ = 0, growth_ = 2;
+  std::vector<double> rows_;
+  double height_ = 0;
   std::optional<double> turn_cut_;
 };
 

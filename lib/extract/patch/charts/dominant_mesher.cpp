@@ -7,9 +7,12 @@
 #include <numbers>
 #include <utility>
 
+#include "extract/level/near_degenerate_level.hpp"
 #include "extract/patch/charts/chart_mesher.hpp"
 #include "extract/patch/charts/dominant_chart.hpp"
 #include "extract/run/extractor_scalars.hpp"
+#include "extract/subdivision/degenerate_offset.hpp"
+#include "extract/topology/boundary/arc_samples.hpp"
 
 namespace tensortopo {
 
@@ -27,7 +30,7 @@ class DominantMesher : ChartMesher<Scalar> {
   using Base = ChartMesher<Scalar>;
   using Base::add_image, Base::emit, Base::raise_flat_triangles, Base::split_diagonals,
       Base::triangulate;
-  using Base::images_, Base::inner_, Base::boundaries_, Base::segments_;
+  using Base::images_, Base::inner_, Base::boundaries_, Base::level_, Base::segments_;
   using Place = DominantChart::Place;
 
  public:
@@ -95,13 +98,53 @@ class DominantMesher : ChartMesher<Scalar> {
         places_.back().push_back(place);
       }
     }
-    chart_.lay_out(least_, most_, widest_gap(turns, 2 * std::numbers::pi, [&](double turn) {
+    if (!(most_ > least_)) return false;
+    const auto cut = widest_gap(turns, 2 * std::numbers::pi, [&](double turn) {
                      for (int k = 0; k < kProbes; ++k)
                        if (is_reached({least_ + (most_ - least_) * (k + 0.5) / kProbes, turn}))
                          return false;
                      return true;
-                   }));
-    return most_ > least_;
+                   });
+    make_rows();
+    // Rows that are as far apart as turns by the same angle are.
+    const double height = 2 * (most_ - least_) / static_cast<double>(count_of_rows());
+    chart_.lay_out(rows_, height, cut);
+    return true;
+  }
+
+  std::size_t count_of_rows() const {
+    return static_cast<std::size_t>(std::ceil((most_ - least_) / turn_));
+  }
+
+  /// Rows along which eigenvectors turn no more than they should, and chords do not sag.
+  void make_rows() {
+    const std::size_t count = count_of_rows();
+    rows_.push_back(least_);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double from = rows_.back(),
+                   to = least_ + (most_ - least_) * static_cast<double>(i + 1) /
+                                     static_cast<double>(count);
+      const int halvings = is_near_degenerate(level_) ? halvings_between(from, to) : 0;
+      const int parts = 1 << halvings;
+      for (int k = 1; k <= parts; ++k) rows_.push_back(from + (to - from) * k / parts);
+    }
+  }
+
+  /// How often a row is to be halved so that chords along it do not sag; each halving leaves a
+  /// quarter. None if it would be too often.
+  int halvings_between(double from, double to) const {
+    for (int k = 0; k < kProbes; ++k) {
+      const double turn = 2 * std::numbers::pi * (k + 0.3) / kProbes;
+      const auto first = chart_.tensor({from, turn}), last = chart_.tensor({to, turn});
+      if (!first || !last) continue;
+      const auto s = deviator(*first), t = deviator(*last);
+      const double sag = detail::sag_of_chord({s, t, s + t}, 1);
+      int halvings = 0;
+      while (std::ldexp(sag, -2 * halvings) > kLargestSag && halvings <= kMostSagHalvings)
+        ++halvings;
+      return halvings <= kMostSagHalvings ? halvings : 0;
+    }
+    return 0;
   }
 
   std::size_t add_place(std::int32_t corner, std::uint8_t faces, const Place& place) {
@@ -128,12 +171,11 @@ class DominantMesher : ChartMesher<Scalar> {
 
   std::vector<ChartTriangulation::Point> grid_samples(
       const ChartTriangulation::Clearance& clearance) override {
-    const int rings = static_cast<int>(std::ceil((most_ - least_) / turn_));
     const int turns = std::max(4, static_cast<int>(std::ceil(std::numbers::pi / turn_)));
     std::vector<ChartTriangulation::Point> samples;
-    for (int i = 0; i < rings; ++i)
+    for (std::size_t i = 0; i + 1 < rows_.size(); ++i)
       for (int k = 0; k < turns; ++k) {
-        const Place place{least_ + (most_ - least_) * (i + 0.5) / rings,
+        const Place place{(rows_[i] + rows_[i + 1]) / 2,
                           2 * std::numbers::pi * (k + (i % 2 == 0 ? 0.25 : 0.75)) / turns};
         const auto point = chart_.point(place);
         if (!(clearance(point) > 0.5 * chart_.length_of(turn_, point))) continue;
@@ -159,6 +201,7 @@ class DominantMesher : ChartMesher<Scalar> {
   double turn_;
   std::vector<std::vector<Place>> places_;  ///< of the boundary loops
   double least_ = 0, most_ = 0;             ///< of these, around the axis
+  std::vector<double> rows_;                ///< between these
 };
 
 }  // namespace

@@ -11,8 +11,10 @@
 
 #include "extract/level/position.hpp"
 #include "extract/patch/charts/inner_vertices.hpp"
+#include "extract/patch/fill/turned_loop.hpp"
 #include "extract/patch/patch_check.hpp"
 #include "extract/run/extractor_scalars.hpp"
+#include "extract/topology/boundary/arc_samples.hpp"
 #include "extract/topology/regions/arc_loops.hpp"
 #include "tensortopo/scalar/elementary.hpp"
 
@@ -20,34 +22,16 @@ namespace tensortopo {
 
 namespace {
 
-/// A straight strip between two rings leaves the curve by at most so many radii of the tube: else it
-/// is halved, if about so many halvings are enough, each of which leaves a quarter of the distance.
-constexpr double kLargestSag = 0.5;
-constexpr int kMostStripHalvings = 8;
-
-/// Two vectors that span the plane across a dominant eigenvector.
-struct Frame {
-  Vector3<double> first, second;
-};
-
-Frame frame_next_to(const Vector3<double>& e, const Vector3<double>& near) {
-  const auto across = near - dot(near, e) * e;
-  const auto first = unit(across);
-  return {first, cross(e, first)};
-}
-
 /// A dominant eigenvector of the degenerate curve.
 struct Station {
   Vector3<double> dominant;
-  Frame frame;
+  EigenvectorFrame frame;
 };
 
-/// Vertices around a tube. Angles are twice those of the medium eigenvector: one turn around the
-/// tube is 2 pi.
+/// Vertices around a tube.
 struct Ring {
   Station at;
-  std::vector<std::int32_t> corners;
-  std::vector<double> angles;  ///< ascending, within one turn
+  TurnedLoop loop;
   Vector3<double> centre{};
   double radius = 0;  ///< the smallest distance of a vertex from the centre
 
@@ -57,40 +41,6 @@ struct Ring {
     for (const auto& p : places) radius = std::min(radius, length(p - centre));
   }
 };
-
-/// The difference of two angles in [-pi, pi].
-double step(double from, double to) { return std::remainder(to - from, 2 * std::numbers::pi); }
-
-/// Triangles between two rings that run the same way.
-void join(const Ring& lower, const Ring& upper,
-          std::vector<std::array<std::int32_t, 3>>& triangles) {
-  const std::size_t n = lower.corners.size(), m = upper.corners.size();
-  std::size_t start = 0;
-  for (std::size_t j = 1; j < m; ++j)
-    if (std::abs(step(lower.angles[0], upper.angles[j])) <
-        std::abs(step(lower.angles[0], upper.angles[start])))
-      start = j;
-  const double offset = step(lower.angles[0], upper.angles[start]);
-  const auto low = [&](std::size_t i) {
-    return lower.angles[i % n] - lower.angles[0] + (i >= n ? 2 * std::numbers::pi : 0);
-  };
-  const auto high = [&](std::size_t j) {
-    const std::size_t k = start + j;
-    return offset + upper.angles[k % m] - upper.angles[start] +
-           2 * std::numbers::pi * static_cast<double>(k / m);
-  };
-  std::size_t i = 0, j = 0;
-  while (i < n || j < m) {
-    const auto a = lower.corners[i % n], b = upper.corners[(start + j) % m];
-    if (j == m || (i < n && low(i + 1) + low(i) < high(j + 1) + high(j))) {
-      triangles.push_back({a, lower.corners[(i + 1) % n], b});
-      ++i;
-    } else {
-      triangles.push_back({upper.corners[(start + j + 1) % m], b, a});
-      ++j;
-    }
-  }
-}
 
 template <class Scalar>
 class TubeMesher {
@@ -127,7 +77,7 @@ class TubeMesher {
     const Vector3<double> axis =
         std::abs(e[0].x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0};
     for (std::size_t k = 0; k < e.size(); ++k)
-      stations.push_back({e[k], frame_next_to(e[k], k == 0 ? axis : stations[k - 1].frame.first)});
+      stations.push_back({e[k], frame_across(e[k], k == 0 ? axis : stations[k - 1].frame.first)});
     bool clockwise = false;
     auto first = loop_ring(first_boundary, stations.front(), clockwise);
     bool last_clockwise = false;
@@ -145,40 +95,24 @@ class TubeMesher {
       const auto inner = inner_ring(stations[k * (e.size() - 1) / strips], clockwise);
       if (!inner) continue;  // next to a face: the strip is longer there
       const Ring ring = add(*inner);
-      join_along_curve(*first, ring, clockwise, kMostStripHalvings);
+      join_along_curve(*first, ring, clockwise, kMostSagHalvings);
       first = ring;
       any = true;
     }
     if (!any && arc.ends[0].face == arc.ends[1].face) return false;
-    join_along_curve(*first, *last, clockwise, kMostStripHalvings);
+    join_along_curve(*first, *last, clockwise, kMostSagHalvings);
     return true;
   }
 
  private:
-  /// A boundary loop with its angles, which are mirrored if it runs clockwise.
   std::optional<Ring> loop_ring(const std::vector<BoundaryVertex>& boundary, const Station& at,
                                 bool& clockwise) const {
-    std::vector<double> angles;
-    for (const auto& v : boundary)
-      angles.push_back(2 *
-                       elementary::atan2(dot(v.medium, at.frame.second), dot(v.medium, at.frame.first)));
-    const std::size_t n = boundary.size();
-    double turned = 0;
-    for (std::size_t i = 0; i < n; ++i) turned += step(angles[i], angles[(i + 1) % n]);
-    if (std::abs(std::abs(turned) - 2 * std::numbers::pi) > 1) return std::nullopt;
-    clockwise = turned < 0;
-    Ring ring;
-    ring.at = at;
+    auto turned = turned_loop(boundary, at.frame);
+    if (!turned) return std::nullopt;
+    clockwise = turned->is_clockwise;
+    Ring ring{at, std::move(turned->loop)};
     std::vector<Vector3<double>> places;
-    double angle = clockwise ? -angles[0] : angles[0];
-    for (std::size_t i = 0; i < n; ++i) {
-      ring.corners.push_back(boundary[i].id);
-      ring.angles.push_back(angle);
-      places.push_back(boundary[i].position);
-      const double forward = step(angles[i], angles[(i + 1) % n]);
-      if (clockwise ? !(forward < 0) : !(forward > 0)) return std::nullopt;
-      angle += std::abs(forward);
-    }
+    for (const auto& v : boundary) places.push_back(v.position);
     ring.measure(places);
     return ring;
   }
@@ -197,7 +131,7 @@ class TubeMesher {
       const auto slope = n * e;
       e = unit(e - (0.5 * dot(e, slope) / dot(slope, slope)) * slope);
     }
-    return {e, frame_next_to(e, a.frame.first + b.frame.first)};
+    return {e, frame_across(e, a.frame.first + b.frame.first)};
   }
 
   /// Strips between two rings, as many as the curve between them bends.
@@ -207,7 +141,7 @@ class TubeMesher {
         inner ? length(inner->ring.centre - 0.5 * (lower.centre + upper.centre)) / inner->ring.radius
               : 0;
     if (!(sag > kLargestSag) || sag > std::ldexp(kLargestSag, 2 * halvings))
-      return join(lower, upper, out_.triangles);
+      return join_loops(lower.loop, upper.loop, out_.triangles);
     const Ring middle = add(*inner);
     join_along_curve(lower, middle, clockwise, halvings - 1);
     join_along_curve(middle, upper, clockwise, halvings - 1);
@@ -232,7 +166,7 @@ class TubeMesher {
       if (!vertex) return std::nullopt;
       result.vertices.push_back(*vertex);
       places.push_back(position_at(vertex->weights, tet_.simplex.exponents, tet_.points));
-      ring.angles.push_back(2 * angle);
+      ring.loop.angles.push_back(2 * angle);
     }
     ring.measure(places);
     return result;
@@ -241,7 +175,7 @@ class TubeMesher {
   /// The ring, with its vertices in the patch.
   Ring add(const InnerRing& inner) {
     Ring ring = inner.ring;
-    for (const auto& vertex : inner.vertices) ring.corners.push_back(inner_.add(vertex));
+    for (const auto& vertex : inner.vertices) ring.loop.corners.push_back(inner_.add(vertex));
     return ring;
   }
 

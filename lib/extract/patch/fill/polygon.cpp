@@ -15,8 +15,8 @@ constexpr double kForbidden = std::numeric_limits<double>::infinity();
 
 double diagonal_cost(const PolygonCorner& p, const PolygonCorner& q) {
   if ((p.faces & q.faces) != 0) return kForbidden;
-  const auto d = q.position - p.position;
-  return length(d);
+  const auto d = q.position - p.position, turn = cross(p.turned, q.turned);
+  return std::sqrt(dot(d, d) + dot(turn, turn));
 }
 
 /// Cuts off one corner after the other, always by the shortest diagonal.

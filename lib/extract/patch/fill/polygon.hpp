@@ -16,6 +16,9 @@ struct PolygonCorner {
   Vector3<double> position;
   /// Bit f is set if the corner lies on face f of the tetrahedron.
   std::uint8_t faces = 0;
+  /// The medium eigenvector, times the root of the length for which a right angle between two of
+  /// these counts; zero if they do not count.
+  Vector3<double> turned{};
 };
 
 /// Cuts a polygon in space into triangles by diagonals of least total length; one of more than

@@ -225,28 +225,24 @@ void CellPatch::refuse(Place v, Place u, std::uint32_t intersected) {
 bool CellPatch::is_embedded_after(Id vertex, Id neighbour) {
   const Place v = place_of(vertex), u = place_of(neighbour);
   if (is_still_refused(v, u)) return false;
-  thread_local std::vector<PatchTriangle> changed, others;
-  thread_local std::vector<std::uint32_t> numbers;  // of the others
-  changed.clear(), others.clear(), numbers.clear();
-  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-    const auto& triangle = triangles_[i];
-    if (triangle[0] == triangle[1]) continue;
-    if (!has(triangle, v)) {
-      others.push_back(triangle);
-      numbers.push_back(i);
-    } else if (!has(triangle, u)) {
-      auto t = triangle;
-      *std::find(t.begin(), t.end(), v) = u;
-      if (!upward_.facing(places_[t[0]], places_[t[1]], places_[t[2]]).is_upward) {
-        refuse(v, u, Refusal::kNone);
-        return false;
-      }
-      changed.push_back(t);
+  thread_local std::vector<PatchTriangle> changed;
+  changed.clear();
+  const auto& star = around_[v];
+  for (const auto i : star) {
+    Triangle t = triangles_[i];
+    if (has(t, u)) continue;
+    *std::find(t.begin(), t.end(), v) = u;
+    if (!upward_.facing(places_[t[0]], places_[t[1]], places_[t[2]]).is_upward) {
+      refuse(v, u, Refusal::kNone);
+      return false;
     }
+    changed.push_back(t);
   }
-  const auto found = find_intersection(places_, changed, others);
+  if (!extents_) extents_.emplace(places_, triangles_);
+  const auto found = extents_->find_intersection(places_, triangles_,
+                                                  {star.data(), star.size()}, changed);
   if (!found) return true;
-  refuse(v, u, *found < numbers.size() ? numbers[*found] : Refusal::kNone);
+  refuse(v, u, *found < triangles_.size() ? static_cast<std::uint32_t>(*found) : Refusal::kNone);
   return false;
 }
 
@@ -275,6 +271,7 @@ void CellPatch::move(Id vertex, Id neighbour) {
     changed_[i] = turn_;
     if (!has(t, u)) {
       *std::find(t.begin(), t.end(), v) = u;
+      if (extents_) extents_->set(i, places_, t);
       around_[u].push_back(i);
       continue;
     }

@@ -6,11 +6,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "extract/level/tet_geometry.hpp"
 #include "extract/patch/patch.hpp"
 #include "extract/patch/patch_defects.hpp"
+#include "extract/patch/patch_extents.hpp"
 
 namespace tensortopo {
 
@@ -90,6 +92,7 @@ class CellPatch {
   std::vector<Corner> corners_;
   std::vector<Vector3<double>> places_;  ///< of the corners, as they are written
   UpwardTest upward_;
+  std::optional<PatchExtents> extents_;  ///< once they are asked for
   std::vector<Triangle> triangles_;  ///< with three times the same corner: taken out
   using Star = boost::container::small_vector<std::uint32_t, 6>;
   std::vector<Star> around_;  ///< the triangles of each corner, ascending

@@ -11,6 +11,7 @@
 #include "extract/level/position.hpp"
 #include "extract/level/power_of_two.hpp"
 #include "extract/patch/patch_check.hpp"
+#include "extract/patch/patch_extents.hpp"
 #include "extract/patch/vertex_on_level.hpp"
 #include "extract/run/extractor_scalars.hpp"
 
@@ -46,6 +47,7 @@ class Untangling {
         test_(tet),
         geometry_(tet.points, tet.simplex.exponents),
         placed_(std::move(placed)),
+        extents_(placed_.points, placed_.triangles),
         patch_(patch),
         around_(placed_.ids.size()),
         faces_(placed_.ids.size(), 0),
@@ -82,6 +84,7 @@ class Untangling {
   bool is_inner(Place v) const { return placed_.ids[v] < 0; }
   void enter(std::uint32_t t) {
     for (const Place v : placed_.triangles[t]) around_[v].push_back(t);
+    extents_.set(t, placed_.points, placed_.triangles[t]);
     cosine_[t] = facing(placed_.triangles[t]).cosine;
   }
   void take_out(std::uint32_t t) {
@@ -120,27 +123,7 @@ class Untangling {
     }
     if (after == before && worst_after < worst_before + kLessAgainst) return false;
     tried_ += placed_.triangles.size() / kBoxesAsOne;
-    Vector low = placed_.points[fresh[0][0]], high = low;
-    for (const PatchTriangle& t : fresh) add_to_box(t, low, high);
-    std::vector<PatchTriangle> others;
-    for (std::uint32_t t = 0; t < placed_.triangles.size(); ++t)
-      if (!is_gone(t) && is_beside_box(placed_.triangles[t], low, high) &&
-          std::find(old.begin(), old.end(), t) == old.end())
-        others.push_back(placed_.triangles[t]);
-    return !intersects_any(placed_.points, fresh, others);
-  }
-  void add_to_box(const PatchTriangle& triangle, Vector& low, Vector& high) const {
-    for (const Place v : triangle) {
-      const Vector& p = placed_.points[v];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-  }
-  bool is_beside_box(const PatchTriangle& triangle, const Vector& low, const Vector& high) const {
-    Vector from = placed_.points[triangle[0]], to = from;
-    add_to_box(triangle, from, to);
-    return from.x <= high.x && to.x >= low.x && from.y <= high.y && to.y >= low.y &&
-           from.z <= high.z && to.z >= low.z;
+    return !extents_.find_intersection(placed_.points, placed_.triangles, old, fresh);
   }
   UpwardTest::Facing facing(const PatchTriangle& t) const {
     const auto& p = placed_.points;
@@ -341,6 +324,7 @@ class Untangling {
   UpwardTest test_;
   TetGeometry geometry_;
   PlacedPatch placed_;  ///< a triangle with one corner three times is gone
+  PatchExtents extents_;
   Patch<Scalar>& patch_;
   std::vector<std::vector<std::uint32_t>> around_;  ///< the triangles of each vertex
   std::vector<std::uint8_t> faces_;                 ///< of the tetrahedron, that hold each vertex

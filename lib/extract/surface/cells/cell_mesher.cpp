@@ -13,7 +13,7 @@
 #include "extract/patch/charts/graph_mesher.hpp"
 #include "extract/patch/charts/manifold_mesher.hpp"
 #include "extract/patch/charts/tube_mesher.hpp"
-#include "extract/patch/fill/bisected_disc.hpp"
+#include "extract/patch/fill/bisected_patch.hpp"
 #include "extract/patch/fill/fan.hpp"
 #include "extract/patch/fill/fill_loop.hpp"
 #include "extract/patch/fill/fill_loops.hpp"
@@ -77,7 +77,7 @@ auto CellMesher<Scalar>::ways() -> std::span<const Way> {
       {Mesher::cone, &Cell::is_cone},
       {Mesher::tubes, &Cell::is_all_tubes},
       {Mesher::small_disc, &Cell::is_not_all_tubes},
-      {Mesher::bisected_disc, &Cell::wants_bisected_discs},
+      {Mesher::bisected, &Cell::wants_bisection},
       {Mesher::graph, &Cell::wants_graph_before_many_samples},
       {Mesher::manifold, &Cell::wants_chart},
       {Mesher::graph, &Cell::wants_graph_before_many_samples},
@@ -139,11 +139,12 @@ bool CellMesher<Scalar>::is_not_all_tubes() {
 }
 
 template <class Scalar>
-bool CellMesher<Scalar>::wants_bisected_discs() {
+bool CellMesher<Scalar>::wants_bisection() {
   const auto& sheets = proof_.topology->sheets;
   return mesh_.mesher == Mesher::small_disc && input_.options.meshing == MeshingMethod::bisection &&
          std::all_of(sheets.begin(), sheets.end(), [](const SheetTopology& sheet) {
-           return sheet.euler_characteristic == 1 && sheet.loops.size() == 1;
+           return sheet.euler_characteristic == 2 - static_cast<int>(sheet.loops.size()) &&
+                  (sheet.loops.size() == 1 || sheet.loops.size() == 2);
          });
 }
 
@@ -255,17 +256,20 @@ bool CellMesher<Scalar>::mesh_small_discs() {
 }
 
 template <class Scalar>
-bool CellMesher<Scalar>::mesh_bisected_discs() {
+bool CellMesher<Scalar>::mesh_by_bisection() {
   const auto vertices = around_.arc_vertices(tet_);
   const auto sampling = input_.sampling_in(around_.cells, around_.t);
   std::vector<std::vector<BoundaryVertex>> loops;
+  for (const auto& loop : proof_.topology->loops) loops.push_back(loop_vertices(loop, vertices));
   for (const auto& sheet : proof_.topology->sheets) {
-    const auto& loop = proof_.topology->loops[as_size(sheet.loops[0])];
-    loops.push_back(loop_vertices(loop, vertices));
+    const auto& first = loops[as_size(sheet.loops[0])];
     const bool is_done =
-        is_small_disc(sheet, loops.back(), sampling)
-            ? fill_loop(std::span<const BoundaryVertex>(loops.back()), mesh_.patch)
-            : mesh_bisected_disc<Scalar>(tet_, loops.back(), level(), sampling, mesh_.patch);
+        sheet.loops.size() == 2
+            ? mesh_bisected_tube<Scalar>(tet_, first, loops[as_size(sheet.loops[1])], level(),
+                                         sampling, mesh_.patch)
+        : is_small_disc(sheet, first, sampling)
+            ? fill_loop(std::span<const BoundaryVertex>(first), mesh_.patch)
+            : mesh_bisected_disc<Scalar>(tet_, first, level(), sampling, mesh_.patch);
     if (!is_done) return false;
   }
   flip_edges<Scalar>(tet_, level(), loops, mesh_.patch);
@@ -323,7 +327,7 @@ bool CellMesher<Scalar>::mesh_topology(int defect_rounds) {
   }
   if (mesher == Mesher::graph) return mesh_graph(defect_rounds);
   if (mesher == Mesher::small_disc) return mesh_small_discs();
-  if (mesher == Mesher::bisected_disc) return mesh_bisected_discs();
+  if (mesher == Mesher::bisected) return mesh_by_bisection();
   const auto vertices = around_.arc_vertices(tet_);
   Sampling sampling = input_.sampling_in(around_.cells, around_.t);
   switch (mesher) {

@@ -73,7 +73,7 @@ class CellMesher {
   bool make_finer();
   bool mesh_topology(int defect_rounds);
   bool mesh_small_discs();
-  bool mesh_bisected_discs();
+  bool mesh_by_bisection();
   bool mesh_graph(int defect_rounds);
   void mesh_cone();
   bool mesh_sheet(const SheetTopology& sheet, const FaceArcVertices& vertices);
@@ -84,7 +84,7 @@ class CellMesher {
   bool is_cone();
   bool is_all_tubes();
   bool is_not_all_tubes();
-  bool wants_bisected_discs();
+  bool wants_bisection();
   bool wants_graph_before_many_samples();
   bool wants_graph_after_chart();
   bool wants_chart();

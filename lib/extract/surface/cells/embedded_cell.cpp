@@ -173,7 +173,7 @@ bool CellMesher<Scalar>::try_mesher() {
   // Surfaces of more digits are there for their topology: their triangles are not mended.
   if (!std::is_same_v<Scalar, double> || state_.tried > kMostTried) state_.must_be_embedded = false;
   if (!find_defects()) return true;
-  if (mesh_.mesher == Mesher::bisected_disc) return unfold();
+  if (mesh_.mesher == Mesher::bisected) return unfold();
   if (mesh_.has_doubled_boundary) state_.must_be_embedded = false;
   if (!state_.must_be_embedded) {
     if (!mesh_.has_doubled_boundary && std::is_same_v<Scalar, double> && !unfold()) untangle_few();

@@ -15,7 +15,7 @@ namespace tensortopo {
 enum class Mesher {
   tubes,
   small_disc,
-  bisected_disc,
+  bisected,
   graph,
   manifold,
   dominant,

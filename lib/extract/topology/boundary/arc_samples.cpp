@@ -6,8 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "extract/level/near_degenerate_level.hpp"
 #include "extract/level/segment_root.hpp"
 #include "extract/run/extractor_scalars.hpp"
+#include "extract/subdivision/degenerate_offset.hpp"
 
 namespace tensortopo {
 
@@ -93,7 +95,11 @@ class Sampler {
  public:
   Sampler(const std::array<Deviator<Scalar>, 3>& face, const Level<Scalar>& level,
           const SampleTurns& turns)
-      : face_(face), level_(level), turn_(turns.medium), wide_turn_(turns.tensor) {}
+      : face_(face),
+        level_(level),
+        turn_(turns.medium),
+        wide_turn_(turns.tensor),
+        is_near_degenerate_(is_near_degenerate(level)) {}
 
   void sample(FaceArc<Scalar>& arc) {
     if (needs_none(arc)) return;
@@ -132,7 +138,17 @@ class Sampler {
     if (!(line_cosine(a.medium, b.medium) > turn_)) return false;
     const Scalar product = norm_form(a.tensor, b.tensor);
     return product > Scalar(0) &&
-           product * product > wide_turn_ * wide_turn_ * norm_form(a.tensor) * norm_form(b.tensor);
+           product * product >
+               wide_turn_ * wide_turn_ * norm_form(a.tensor) * norm_form(b.tensor) &&
+           (!is_near_degenerate_ || !sags(a, b));
+  }
+
+  /// Whether the chord leaves the level by too much; not if it would take too many samples to mend
+  /// that.
+  bool sags(const CurvePoint<Scalar>& a, const CurvePoint<Scalar>& b) const {
+    const double sag = detail::sag_of_chord(
+        rounded(std::array{a.tensor, b.tensor, a.tensor + b.tensor}), level_.sign);
+    return sag > kLargestSag && sag < std::ldexp(kLargestSag, 2 * kMostSagHalvings);
   }
 
   void between(const ArcPiece<Scalar>& piece, std::size_t index, const CurvePoint<Scalar>& a,
@@ -181,6 +197,7 @@ class Sampler {
   const std::array<Deviator<Scalar>, 3>& face_;
   const Level<Scalar>& level_;
   Scalar turn_, wide_turn_;  ///< cosines: of the medium eigenvector, of the whole tensor
+  bool is_near_degenerate_;
 };
 
 }  // namespace

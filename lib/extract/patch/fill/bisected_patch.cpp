@@ -1,34 +1,64 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "extract/patch/fill/bisected_disc.hpp"
+#include "extract/patch/fill/bisected_patch.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "extract/level/near_degenerate_level.hpp"
 #include "extract/level/position.hpp"
 #include "extract/level/tet_geometry.hpp"
 #include "extract/patch/fill/polygon.hpp"
+#include "extract/patch/fill/turned_loop.hpp"
 #include "extract/patch/level_in_double.hpp"
 #include "extract/patch/linked_triangles.hpp"
 #include "extract/patch/patch_defects.hpp"
 #include "extract/patch/vertex_on_level.hpp"
 #include "extract/run/extractor_scalars.hpp"
+#include "extract/subdivision/degenerate_offset.hpp"
+#include "extract/topology/boundary/arc_samples.hpp"
 #include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
 
 namespace {
 
-/// Longer boundary loops, and discs that need more vertices inside, are left to other meshers.
+/// Longer boundary loops, and sheets that need more vertices inside, are left to other meshers.
 constexpr std::size_t kLongestLoop = 64, kMostInside = 256;
 
 /// How often all edges are looked at.
 constexpr int kRounds = 12;
 
-/// Triangles against the gradient that a disc may have on the way: more are hardly ever turned back.
+/// Triangles against the gradient that a sheet may have on the way: more are hardly ever turned
+/// back.
 constexpr int kMostAgainst = 3;
+
+/// What a right angle between medium eigenvectors counts as in cutting a polygon, in its size: two
+/// places that are far apart on a bent sheet may be close in space, but not if this is large.
+constexpr double kRightAngle = 10;
+
+/// The least cosine of a tube's dominant eigenvectors and their mean: the frame across this tells how
+/// far the medium eigenvectors are turned.
+constexpr double kLeastCosineOfTube = 0.5;
+
+/// A frame across the mean of the dominant eigenvectors of a tube, if these turn little.
+std::optional<EigenvectorFrame> frame_of_tube(std::span<const BoundaryVertex> boundary) {
+  const Vector3<double>& one = boundary[0].dominant;
+  Vector3<double> sum{};
+  for (const auto& v : boundary) sum += (dot(v.dominant, one) < 0 ? -1.0 : 1.0) * v.dominant;
+  if (!(dot(sum, sum) > 0)) return std::nullopt;
+  const auto mean = unit(sum);
+  if (!std::all_of(boundary.begin(), boundary.end(), [&](const BoundaryVertex& v) {
+        return std::abs(dot(v.dominant, mean)) > kLeastCosineOfTube;
+      }))
+    return std::nullopt;
+  return frame_across(mean, std::abs(mean.x) < 0.6 ? Vector3<double>{1, 0, 0}
+                                                   : Vector3<double>{0, 1, 0});
+}
 
 /// In a unit in which products of lengths do not overflow.
 std::array<Vector3<double>, 4> in_unit(std::array<Vector3<double>, 4> points) {
@@ -38,9 +68,9 @@ std::array<Vector3<double>, 4> in_unit(std::array<Vector3<double>, 4> points) {
 }
 
 template <class Scalar>
-class BisectedDisc {
+class BisectedPatch {
  public:
-  BisectedDisc(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+  BisectedPatch(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
                const Sampling& sampling, std::span<const BoundaryVertex> boundary,
                std::vector<LinkedTriangles::Triangle> triangles, Patch<Scalar>& out)
       : tet_(tet),
@@ -53,6 +83,7 @@ class BisectedDisc {
         flatness_(sampling.largest_turn() / 8),
         turn_(elementary::cos(std::min(sampling.largest_turn(), 1.5))),
         wide_turn_(elementary::cos(std::min(2 * sampling.largest_turn(), 1.5))),
+        is_near_degenerate_(is_near_degenerate(level)),
         corners_(boundary.begin(), boundary.end()),
         triangles_(std::move(triangles)),
         out_(out) {
@@ -86,6 +117,12 @@ class BisectedDisc {
            !(line_cosine(a.dominant, b.dominant) > wide_turn_);
   }
 
+  bool sags(const Vector3<double>& a, const Vector3<double>& b) const {
+    const auto s = geometry_.tensor(a, tensors_), t = geometry_.tensor(b, tensors_);
+    const double sag = detail::sag_of_chord({s, t, s + t}, level_.sign);
+    return sag > kLargestSag && sag < std::ldexp(kLargestSag, 2 * kMostSagHalvings);
+  }
+
   /// Whether the level is farther than a distance, to first order.
   bool is_off_level(const Vector3<double>& x, double distance) const {
     const auto at = level_slope(geometry_.tensor(x, tensors_), level_in_double_);
@@ -112,9 +149,10 @@ class BisectedDisc {
         const std::uint32_t u = triangles_.across(t, k);
         if (u == LinkedTriangles::kNone || u < t) continue;
         const auto &a = corners_[triangles_[t][k]], &b = corners_[triangles_[t][(k + 1) % 3]];
-        if (!turns_far(a, b)) continue;
         const double size = length(b.position - a.position);
-        if (is_off_level(0.5 * (a.position + b.position), flatness_ * size))
+        if ((turns_far(a, b) &&
+             is_off_level(0.5 * (a.position + b.position), flatness_ * size)) ||
+            (is_near_degenerate_ && sags(a.position, b.position)))
           far.push_back({size, t, k});
       }
     std::stable_sort(far.begin(), far.end(),
@@ -209,6 +247,7 @@ class BisectedDisc {
   UpwardTest upward_;
   double flatness_;          ///< distance of the level from the middle of an edge, over its length
   double turn_, wide_turn_;  ///< cosines
+  bool is_near_degenerate_;
   std::vector<BoundaryVertex> corners_;
   LinkedTriangles triangles_;
   Patch<Scalar>& out_;
@@ -222,19 +261,58 @@ bool mesh_bisected_disc(const TetWithCurves<Scalar>& tet, std::span<const Bounda
   if (boundary.size() > kLongestLoop) return false;
   std::vector<PolygonCorner> polygon;
   polygon.reserve(boundary.size());
-  for (const auto& v : boundary) polygon.push_back({v.position, v.faces});
+  double size = 0;
+  for (const auto& v : boundary) size = std::max(size, length(v.position - boundary[0].position));
+  const double weight = std::sqrt(kRightAngle * size);
+  for (const auto& v : boundary) polygon.push_back({v.position, v.faces, weight * v.medium});
   std::vector<LinkedTriangles::Triangle> triangles;
   for (const auto& [a, b, c] : cut_polygon(polygon))
     triangles.push_back({static_cast<LinkedTriangles::Vertex>(a),
                          static_cast<LinkedTriangles::Vertex>(b),
                          static_cast<LinkedTriangles::Vertex>(c)});
   if (triangles.empty()) return false;
-  return BisectedDisc<Scalar>(tet, level, sampling, boundary, std::move(triangles), out).mesh();
+  return BisectedPatch<Scalar>(tet, level, sampling, boundary, std::move(triangles), out).mesh();
+}
+
+template <class Scalar>
+bool mesh_bisected_tube(const TetWithCurves<Scalar>& tet, std::span<const BoundaryVertex> first,
+                        std::span<const BoundaryVertex> last, const Level<Scalar>& level,
+                        const Sampling& sampling, Patch<Scalar>& out) {
+  if (first.size() > kLongestLoop || last.size() > kLongestLoop) return false;
+  std::vector<BoundaryVertex> corners(first.begin(), first.end());
+  // Boundary loops have the sheet on their left: seen along the tube they run opposite ways.
+  corners.insert(corners.end(), last.rbegin(), last.rend());
+  const auto frame = frame_of_tube(corners);
+  if (!frame) return false;
+  const std::span<const BoundaryVertex> all(corners);
+  auto lower = turned_loop(all.first(first.size()), *frame),
+       upper = turned_loop(all.subspan(first.size()), *frame);
+  if (!lower || !upper || lower->is_clockwise != upper->is_clockwise) return false;
+  std::iota(lower->loop.corners.begin(), lower->loop.corners.end(), 0);
+  std::iota(upper->loop.corners.begin(), upper->loop.corners.end(),
+            static_cast<std::int32_t>(first.size()));
+  std::vector<std::array<std::int32_t, 3>> strip;
+  join_loops(lower->loop, upper->loop, strip);
+  std::vector<LinkedTriangles::Triangle> triangles;
+  for (const auto& t : strip) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto a = static_cast<std::size_t>(t[i]), b = static_cast<std::size_t>(t[(i + 1) % 3]);
+      const bool is_across = (a < first.size()) != (b < first.size());
+      if (is_across && (corners[a].faces & corners[b].faces) != 0) return false;
+    }
+    triangles.push_back({static_cast<LinkedTriangles::Vertex>(t[0]),
+                         static_cast<LinkedTriangles::Vertex>(t[1]),
+                         static_cast<LinkedTriangles::Vertex>(t[2])});
+  }
+  return BisectedPatch<Scalar>(tet, level, sampling, corners, std::move(triangles), out).mesh();
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                            \
   template bool mesh_bisected_disc(const TetWithCurves<Scalar>&, std::span<const BoundaryVertex>, \
-                                   const Level<Scalar>&, const Sampling&, Patch<Scalar>&);
+                                   const Level<Scalar>&, const Sampling&, Patch<Scalar>&);        \
+  template bool mesh_bisected_tube(const TetWithCurves<Scalar>&, std::span<const BoundaryVertex>, \
+                                   std::span<const BoundaryVertex>, const Level<Scalar>&,         \
+                                   const Sampling&, Patch<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 
