@@ -86,8 +86,10 @@ TEST(DominantChart, PlacesComeBackFromThePlaneAndFromTheOppositeVector) {
       const DominantChart::Place place{least + (most - least) * random.uniform(),
                                        2 * std::numbers::pi * random.uniform()};
       const double turn_cut = 2 * std::numbers::pi * random.uniform();
+      const double share = 0.1 + 0.8 * random.uniform();
       for (const bool is_cut : {true, false}) {
-        chart.lay_out(least, most, is_cut ? std::optional(turn_cut) : std::nullopt);
+        chart.lay_out({least, least + (most - least) * share, most}, 0.1 + random.uniform(),
+                      is_cut ? std::optional(turn_cut) : std::nullopt);
         const auto again = chart.place_at(chart.point(place));
         EXPECT_NEAR(again.around, place.around, 1e-12);
         EXPECT_LT(angle_between(again.turn, place.turn), 1e-12);

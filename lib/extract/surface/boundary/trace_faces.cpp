@@ -174,6 +174,8 @@ LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const Verte
   const FaceTracer<Scalar> tracer{input, sides, cells, crossings};
   const SampleTurns turns(input.options.sampling);
   const bool is_uniform = input.options.density.empty();
+  // Next to the degenerate curve arcs along which little turns may need samples as well.
+  const bool may_be_straight = !is_near_degenerate(input.level);
   const auto trace = [&](std::size_t begin, std::size_t end) {
     ProofBlock<Scalar, 3> proofs;
     EmptyBlock<Scalar, 3> empty;
@@ -187,7 +189,8 @@ LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const Verte
     proofs.make(input.level);
     empty.make(input.level);
     for (std::size_t f = begin; is_uniform && f < end; ++f)
-      if (auto& arcs = plain[f - begin]; tracer.trace_plain(f, proofs.of(f - begin), arcs))
+      if (auto& arcs = plain[f - begin]; tracer.trace_plain(f, proofs.of(f - begin), arcs) &&
+                                       may_be_straight)
         straight.want(f - begin, tracer.graph_arc(f, arcs[0]));
     straight.make(input.level, {turns.medium, turns.tensor});
     for (std::size_t f = begin; f < end; ++f) {
