@@ -103,14 +103,6 @@ class Walk {
     return dot(e, dual_[i] * f);
   }
 
-  /// Weight i over a part of a side, by the mean value theorem, and its derivative there.
-  std::pair<Range, Range> weight_over(std::size_t i, int side, const Range& s) const {
-    const Range m(middle(s));
-    const Vector at_middle = cone_.at(side, m).first;
-    const auto [e, step] = cone_.at(side, s);
-    const Range slope = Range(2) * weight(i, e, step);
-    return {weight(i, at_middle, at_middle) + slope * (s - m), slope};
-  }
 
   Range weight_at(std::size_t i, int side, double s) const {
     const Vector e = cone_.at(side, Range(s)).first;
@@ -121,8 +113,13 @@ class Walk {
     if (++parts_ > kMostParts || depth > kLastDepth) return false;
     int open = -1;
     bool rises = false, divide = false;
+    const Range m(middle(s));
+    const Vector at_middle = cone_.at(side, m).first;
+    const auto [e, step] = cone_.at(side, s);
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto [w, slope] = weight_over(i, side, s);
+      // By the mean value theorem.
+      const Range slope = Range(2) * weight(i, e, step);
+      const Range w = weight(i, at_middle, at_middle) + slope * (s - m);
       if (w.sup() < 0) return stay(false);
       if (w.inf() > 0) continue;
       if (open >= 0 || !is_not_zero(slope)) divide = true;
