@@ -41,6 +41,12 @@ Point circumcentre(const Point& a, const Point& b, const Point& c) {
   return {(r[1] * q2 - r2 * q[1]) / twice + a[0], -(r[0] * q2 - r2 * q[0]) / twice + a[1]};
 }
 
+/// Whichever corner a triangle has first.
+std::size_t least_corner(const ConstrainedDelaunay::Triangle& t) {
+  return static_cast<std::size_t>(std::min_element(t.corners.begin(), t.corners.end()) -
+                                  t.corners.begin());
+}
+
 /// A triangulation and the corners of its triangles inside the regions.
 class Regions {
  public:
@@ -68,10 +74,8 @@ class Regions {
     triangles.reserve(triangulation_.triangles().size());
     for (const auto& t : triangulation_.triangles()) {
       if (!is_inside(t)) continue;
-      const auto& c = t.corners;
-      const auto [a, b, d] = std::min({std::array{c[0], c[1], c[2]}, std::array{c[1], c[2], c[0]},
-                                       std::array{c[2], c[0], c[1]}});
-      triangles.push_back({a, b, d});
+      const std::size_t i = least_corner(t);
+      triangles.push_back({t.corners[i], t.corners[(i + 1) % 3], t.corners[(i + 2) % 3]});
     }
     std::sort(triangles.begin(), triangles.end());
     return triangles;
@@ -108,18 +112,20 @@ class Regions {
     if (!std::isfinite(centre[0]) || !std::isfinite(centre[1])) return centroid;
     const auto* t = holder(centre);
     if (t == nullptr) return centroid;
-    std::array<double, 3> weights{};
+    ChartTriangulation::Place place{centre, {}, {}};
     double total = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (least_corner(*t) + k) % 3;
       const Point a = minus(point(t->corners[(i + 1) % 3]), centre),
                   b = minus(point(t->corners[(i + 2) % 3]), centre);
       if (t->constrained[i] && product(a, b) < 0) return centroid;
-      weights[i] = std::abs(determinant(a, b));
-      total += weights[i];
+      place.corners[k] = t->corners[i];
+      place.weights[k] = std::abs(determinant(a, b));
+      total += place.weights[k];
     }
     if (!(total > 0)) return centroid;
-    for (auto& w : weights) w /= total;
-    return {centre, {t->corners[0], t->corners[1], t->corners[2]}, weights};
+    for (auto& w : place.weights) w /= total;
+    return place;
   }
 
  private:
