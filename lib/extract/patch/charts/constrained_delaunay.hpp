@@ -19,8 +19,8 @@ namespace tensortopo {
 /// diagonal avoids the one with the largest number. (As if each point were lifted a little more
 /// than all points before it: the lifted triangulation is unique.)
 ///
-/// The triangles cover a sphere: those outside the hull have the corner `kInfinite`. While all points are on one
-/// line there are no others.
+/// The triangles cover a sphere: those outside the hull have the corner `kInfinite`. While all
+/// points are on one line there are no others.
 class ConstrainedDelaunay {
  public:
   using Point = std::array<double, 2>;
@@ -29,10 +29,24 @@ class ConstrainedDelaunay {
   static constexpr Index kInfinite = UINT32_MAX;  ///< the corner that has no place
   static constexpr Index kNone = UINT32_MAX;      ///< no triangle
 
+  /// The edge of a triangle opposite a corner.
+  class Side {
+   public:
+    constexpr Side() = default;
+    constexpr Side(Index triangle, std::uint32_t corner) : code_(triangle << 2 | corner) {}
+    constexpr Index triangle() const { return code_ >> 2; }
+    constexpr std::uint32_t corner() const { return code_ & 3; }
+    constexpr bool is_none() const { return code_ == UINT32_MAX; }
+    constexpr bool operator==(const Side&) const = default;
+
+   private:
+    std::uint32_t code_ = UINT32_MAX;
+  };
+
   struct Triangle {
     std::array<Index, 3> corners;     ///< counter-clockwise
-    std::array<Index, 3> neighbours;  ///< across the edge opposite each corner
-    std::array<bool, 3> constrained;  ///< whether that edge is part of a segment
+    std::array<Side, 3> beyond;       ///< the edges opposite the corners, from the other side
+    std::array<bool, 3> constrained;  ///< whether these edges are parts of segments
     std::int32_t depth;               ///< see `number_regions`
   };
 
@@ -64,13 +78,6 @@ class ConstrainedDelaunay {
   }
 
  private:
-  /// The edge of a triangle opposite a corner.
-  struct Side {
-    Index triangle;
-    std::uint32_t corner;
-    bool operator==(const Side&) const = default;
-  };
-
   enum class Where : char { face, edge, vertex, outside, beyond_line };
   struct Location {
     Where where;
@@ -80,11 +87,11 @@ class ConstrainedDelaunay {
   /// An edge on the border of the triangles that a segment crosses, and its end vertex.
   struct BorderEdge {
     Index vertex;
-    Side inner;           ///< from inside
-    Side outer;           ///< from outside
+    Side inner;  ///< from inside
+    Side outer;  ///< from outside
     bool constrained;
-    bool is_inside;       ///< crossed triangles are on both sides
-    Side attached;        ///< of the new triangle at it, if `is_inside`
+    bool is_inside;  ///< crossed triangles are on both sides
+    Side attached;   ///< of the new triangle at it, if `is_inside`
   };
   /// What a new triangle is to be attached to: a side, or an edge of the border.
   struct Attachment {
@@ -100,7 +107,7 @@ class ConstrainedDelaunay {
   void prolong_line(Index v, Side end);
   void split_face(Index t, Index v);
   void split_edge(Side side, Index v);
-  void join_to_hull(Index v, Index visible);
+  void join_to_hull(Index v, Side visible);
 
   int turn(Index a, Index b, const Point& c) const;
   int turn(Index a, Index b, Index c) const { return turn(a, b, points_[c]); }
@@ -117,10 +124,17 @@ class ConstrainedDelaunay {
 
   void set(Index t, Index a, Index b, Index c);
   Index add(Index a, Index b, Index c);
-  void link(Side s, Side t);
   void link(Side s, Side t, bool constrained);
-  Side mirror(Side side) const;
-  bool& constrained(Side side) { return triangles_[side.triangle].constrained[side.corner]; }
+  Side mirror(Side side) const { return triangles_[side.triangle()].beyond[side.corner()]; }
+  bool& constrained(Side side) { return triangles_[side.triangle()].constrained[side.corner()]; }
+  /// The ends of the edge and the corner opposite it.
+  Index start_of(Side side) const {
+    return triangles_[side.triangle()].corners[next(side.corner())];
+  }
+  Index end_of(Side side) const {
+    return triangles_[side.triangle()].corners[previous(side.corner())];
+  }
+  Index tip_of(Side side) const { return triangles_[side.triangle()].corners[side.corner()]; }
   std::uint32_t corner_of(Index t, Index v) const;
   static constexpr std::uint32_t next(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
   static constexpr std::uint32_t previous(std::uint32_t i) { return i == 0 ? 2 : i - 1; }
@@ -128,9 +142,9 @@ class ConstrainedDelaunay {
   std::vector<Point> points_;
   std::vector<Index> triangle_at_;  ///< one of each point; `kNone` if it is not inserted
   std::vector<Triangle> triangles_;
-  Index lone_ = kNone;     ///< the only point
-  Index infinite_ = kNone; ///< a triangle outside
-  Index near_ = kNone;     ///< where to start looking
+  Index lone_ = kNone;      ///< the only point
+  Index infinite_ = kNone;  ///< a triangle outside
+  Index near_ = kNone;      ///< where to start looking
   bool on_line_ = true;
 
   // Memory that is used again.

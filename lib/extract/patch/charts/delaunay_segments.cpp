@@ -16,9 +16,8 @@ bool ConstrainedDelaunay::constrain(Index from, Index to) {
     bool is_edge = false;
     const Side side = towards(from, to, is_edge);
     if (is_edge) {
-      const Side other = mirror(side);
-      constrained(side) = constrained(other) = true;
-      from = triangles_[side.triangle].corners[previous(side.corner)];
+      from = end_of(side);
+      link(side, mirror(side), true);
       continue;
     }
     const Index end = collect_crossed(from, to, side);
@@ -54,8 +53,8 @@ void ConstrainedDelaunay::number_regions() {
       if (t.depth != unknown) continue;
       t.depth = depth;
       for (std::size_t i = 0; i < 3; ++i)
-        if (triangles_[t.neighbours[i]].depth == unknown)
-          (t.constrained[i] ? beyond_ : stack_).push_back(t.neighbours[i]);
+        if (const Index u = t.beyond[i].triangle(); triangles_[u].depth == unknown)
+          (t.constrained[i] ? beyond_ : stack_).push_back(u);
     }
     stack_.swap(beyond_);
   }
@@ -65,13 +64,12 @@ void ConstrainedDelaunay::number_regions() {
 /// across which one leaves the triangles around the point.
 ConstrainedDelaunay::Side ConstrainedDelaunay::towards(Index from, Index to, bool& is_edge) const {
   const Index start = triangle_at_[from];
-  const auto following = [&](Index t, std::uint32_t i) { return triangles_[t].neighbours[next(i)]; };
   is_edge = true;
   Index t = start;
   do {
     const std::uint32_t i = corner_of(t, from);
     if (triangles_[t].corners[next(i)] == to) return {t, previous(i)};
-    t = following(t, i);
+    t = mirror({t, next(i)}).triangle();
   } while (t != start);
 
   const bool is_up = points_[from] < points_[to];
@@ -86,7 +84,7 @@ ConstrainedDelaunay::Side ConstrainedDelaunay::towards(Index from, Index to, boo
         return {t, i};
       }
     }
-    t = following(t, i);
+    t = mirror({t, next(i)}).triangle();
   } while (t != start);
   TENSORTOPO_ASSERT(false, "triangles surround each point");
   return {};
@@ -96,36 +94,33 @@ ConstrainedDelaunay::Side ConstrainedDelaunay::towards(Index from, Index to, boo
 /// on the left and the right of them.
 /// @return that point; `kNone` if it would cross a constrained edge
 ConstrainedDelaunay::Index ConstrainedDelaunay::collect_crossed(Index from, Index to, Side side) {
-  crossed_.assign(1, side.triangle);
-  const auto [first, corner] = side;
-  const auto edge = [](Index end, Side inner) {
-    return BorderEdge{end, inner, {kNone, 0}, false, false, {kNone, 0}};
+  crossed_.assign(1, side.triangle());
+  const auto edge = [&](Index end, Index t, std::uint32_t corner) {
+    return BorderEdge{end, {t, corner}, mirror({t, corner}), constrained({t, corner}), false, {}};
   };
-  left_.assign(1, edge(triangles_[first].corners[previous(corner)], {first, next(corner)}));
-  right_.assign(1, edge(triangles_[first].corners[next(corner)], {first, previous(corner)}));
+  left_.assign(1, edge(end_of(side), side.triangle(), next(side.corner())));
+  right_.assign(1, edge(start_of(side), side.triangle(), previous(side.corner())));
   for (;;) {
     if (constrained(side)) return kNone;
-    const auto [u, j] = mirror(side);
-    crossed_.push_back(u);
-    const Index d = triangles_[u].corners[j];
+    const Side other = mirror(side);
+    const Index t = other.triangle(), d = tip_of(other);
+    const std::uint32_t i = other.corner();
+    crossed_.push_back(t);
     const int at = d == to ? 0 : turn(from, to, d);
-    if (at >= 0) left_.push_back(edge(d, {u, previous(j)}));
-    if (at <= 0) right_.push_back(edge(d, {u, next(j)}));
+    if (at >= 0) left_.push_back(edge(d, t, previous(i)));
+    if (at <= 0) right_.push_back(edge(d, t, next(i)));
     if (at == 0) return d;
-    side = {u, at > 0 ? next(j) : previous(j)};
+    side = {t, at > 0 ? next(i) : previous(i)};
   }
 }
 
-/// Finds what is beyond the border of the triangles that are crossed.
+/// Finds the edges that have crossed triangles on both sides.
 void ConstrainedDelaunay::open_channel() {
   constexpr std::int32_t crossed = -1;
   for (const Index t : crossed_) triangles_[t].depth = crossed;
   for (auto* border : {&left_, &right_})
-    for (auto& edge : *border) {
-      edge.outer = mirror(edge.inner);
-      edge.constrained = constrained(edge.inner);
-      edge.is_inside = triangles_[edge.outer.triangle].depth == crossed;
-    }
+    for (auto& edge : *border) edge.is_inside = triangles_[edge.outer.triangle()].depth == crossed;
+  for (const Index t : crossed_) triangles_[t].depth = 0;
 }
 
 /// Triangulates what is between a border and the line that joins its ends, on the right of the
@@ -134,7 +129,7 @@ void ConstrainedDelaunay::open_channel() {
 /// @return the side at the line
 ConstrainedDelaunay::Side ConstrainedDelaunay::fill(Index first, std::span<BorderEdge> border,
                                                     std::span<const Index> free) {
-  chain_.assign(1, {first, {{kNone, 0}, nullptr}});
+  chain_.assign(1, {first, {{}, nullptr}});
   std::size_t used = 0;
   for (auto& edge : border) {
     Attachment behind{edge.outer, &edge};
@@ -156,15 +151,14 @@ ConstrainedDelaunay::Side ConstrainedDelaunay::fill(Index first, std::span<Borde
 }
 
 void ConstrainedDelaunay::attach(Side side, const Attachment& to, std::span<BorderEdge> border) {
-  if (to.border == nullptr) return link(side, to.side);
+  if (to.border == nullptr) return link(side, to.side, false);
   if (!to.border->is_inside) return link(side, to.side, to.border->constrained);
   to.border->attached = side;
   const auto partner = std::find_if(border.begin(), border.end(), [&](const BorderEdge& edge) {
     return edge.inner == to.border->outer;
   });
   TENSORTOPO_ASSERT(partner != border.end(), "an edge inside has two sides");
-  if (partner->attached.triangle != kNone)
-    link(side, partner->attached, to.border->constrained);
+  if (!partner->attached.is_none()) link(side, partner->attached, to.border->constrained);
 }
 
 }  // namespace tensortopo
