@@ -100,7 +100,7 @@ void add_outline(PlaneCase& c, int corners, double least, double most, std::mt19
 
 bool is_allowed(const PlaneCase& c, const PlaneCase::Segment& s) {
   return s[0] != s[1] && std::none_of(c.segments.begin(), c.segments.end(),
-                                      [&](const auto& t) { return cross(c, s, t); });
+                                      [&](const auto& t) { return are_in_conflict(c, s, t); });
 }
 
 PlaneCase outlines(std::mt19937& random) {
@@ -114,11 +114,11 @@ PlaneCase outlines(std::mt19937& random) {
   c.segments.clear();
   c.has_regions = true;
   for (const auto& s : segments) {
-    c.has_regions &= is_allowed(c, s) && s[0] != s[1];
-    if (is_allowed(c, s)) c.segments.push_back(s);
+    if (is_allowed(c, s))
+      c.segments.push_back(s);
+    else
+      c.has_regions = false;
   }
-  // A point on a segment, and a segment that is covered twice, are counted otherwise.
-  c.has_regions &= pieces_of(c).size() == c.segments.size();
   return c;
 }
 
@@ -163,12 +163,17 @@ std::int64_t exact_in_circle(const PlaneCase& c, std::size_t p, std::size_t q, s
          squared[2] * (x[0] * y[1] - x[1] * y[0]);
 }
 
-bool cross(const PlaneCase& c, const PlaneCase::Segment& s, const PlaneCase::Segment& t) {
+bool are_in_conflict(const PlaneCase& c, const PlaneCase::Segment& s, const PlaneCase::Segment& t) {
   const auto sign = [](std::int64_t n) { return n > 0 ? 1 : n < 0 ? -1 : 0; };
   const auto sides = [&](const PlaneCase::Segment& line, const PlaneCase::Segment& ends) {
     return sign(exact_turn(c, line[0], line[1], ends[0])) *
            sign(exact_turn(c, line[0], line[1], ends[1]));
   };
+  if (exact_turn(c, s[0], s[1], t[0]) == 0 && exact_turn(c, s[0], s[1], t[1]) == 0) {
+    const auto low = [&](const auto& e) { return std::min(c.points[e[0]], c.points[e[1]]); };
+    const auto high = [&](const auto& e) { return std::max(c.points[e[0]], c.points[e[1]]); };
+    return std::max(low(s), low(t)) < std::min(high(s), high(t));
+  }
   if (sides(s, t) >= 0 || sides(t, s) >= 0) return false;
   for (std::size_t p = 0; p < c.points.size(); ++p)
     if (is_on(c, p, s) && is_on(c, p, t)) return false;

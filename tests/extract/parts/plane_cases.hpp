@@ -28,8 +28,8 @@ std::int64_t exact_turn(const PlaneCase& c, std::size_t p, std::size_t q, std::s
 std::int64_t exact_in_circle(const PlaneCase& c, std::size_t p, std::size_t q, std::size_t r,
                              std::size_t s);
 
-/// Whether two segments meet in a place that is no point of the case.
-bool cross(const PlaneCase& c, const PlaneCase::Segment& s, const PlaneCase::Segment& t);
+/// Whether two segments meet in a place that is no point of the case, or cover each other in part.
+bool are_in_conflict(const PlaneCase& c, const PlaneCase::Segment& s, const PlaneCase::Segment& t);
 
 /// An outline around holes and points, or a lattice with many points on lines and circles, or such
 /// a lattice that starts with points on one line.

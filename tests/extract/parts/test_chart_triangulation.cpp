@@ -59,7 +59,7 @@ TEST(ChartTriangulation, CoversTheRegionsOnly) {
 
 TEST(ChartTriangulation, HasNoTrianglesOfPointsOnALine) {
   EXPECT_EQ(triangles({}, {})->size(), 0u);
-  EXPECT_EQ(triangles({{0, 0}, {1, 2}, {2, 4}}, closed(0, 3))->size(), 0u);
+  EXPECT_EQ(triangles({{0, 0}, {1, 2}, {2, 4}}, {{0, 1}, {1, 2}})->size(), 0u);
 }
 
 TEST(ChartTriangulation, RefusesCrossingsAndCopies) {
@@ -68,6 +68,8 @@ TEST(ChartTriangulation, RefusesCrossingsAndCopies) {
   EXPECT_FALSE(triangles({square[0], square[2], square[1], square[3]}, closed(0, 4)));
   EXPECT_FALSE(triangles({{0, 0}, {1, 0}, {1, 1}, {1, 0}}, closed(0, 4)));
   EXPECT_FALSE(triangles(square, closed(0, 4), {{0.5, 0.5}, {0.5, 0.5}}));
+  EXPECT_FALSE(triangles(square, closed(0, 4), {{0.5, 0}})) << "a sample on the outline";
+  EXPECT_FALSE(triangles({{0, 0}, {2, 0}, {1, 0}, {1, 1}}, closed(0, 4))) << "covered twice";
   EXPECT_FALSE(triangles({{0, 0}, {1, 0}, {NAN, 1}}, closed(0, 3)));
 }
 

@@ -53,7 +53,7 @@ TEST(ConstrainedDelaunay, IsSoForManyCasesOfEachKind) {
 }
 
 TEST(ConstrainedDelaunay, DoesNotDependOnTheOrderOfInsertion) {
-  Compared compared("cases", 100);
+  Compared compared("cases", 100), splits("cases with points on segments", 50);
   std::mt19937 random(7);
   for (int trial = trials(800); trial > 0; --trial) {
     auto c = random_plane_case(random);
@@ -61,24 +61,30 @@ TEST(ConstrainedDelaunay, DoesNotDependOnTheOrderOfInsertion) {
     ASSERT_TRUE(insert(c, at_once));
     // Each segment as soon as its ends are there: points on it split it.
     std::shuffle(c.segments.begin(), c.segments.end(), random);
-    for (std::size_t i = 0; i < c.points.size(); ++i) {
-      ASSERT_TRUE(one_by_one.insert(std::span(c.points).subspan(i, 1)));
+    std::vector<PlaneCase::Segment> late;
+    PlaneCase so_far;
+    for (const auto& p : c.points) {
+      const std::size_t i = so_far.points.size();
+      so_far.points.push_back(p);
+      ASSERT_TRUE(one_by_one.insert(std::span(&p, 1)));
       for (auto [a, b] : c.segments) {
-        if (random() % 2 == 0) std::swap(a, b);
         if (std::max(a, b) != i) continue;
+        if (random() % 2 == 0) std::swap(a, b);
         // Segments that meet in a point which is not there yet would cross.
-        const bool meets = std::any_of(c.segments.begin(), c.segments.end(), [&](const auto& t) {
-          PlaneCase until{
-              {c.points.begin(), c.points.begin() + static_cast<std::ptrdiff_t>(i) + 1}, {}, false};
-          return std::max(t[0], t[1]) <= i && cross(until, {a, b}, t);
-        });
-        if (!meets) {
-          ASSERT_TRUE(one_by_one.constrain(static_cast<Index>(a), static_cast<Index>(b)));
+        if (std::any_of(so_far.segments.begin(), so_far.segments.end(), [&](const auto& t) {
+              return are_in_conflict(so_far, {a, b}, t);
+            })) {
+          late.push_back({a, b});
+          continue;
         }
+        so_far.segments.push_back({a, b});
+        ASSERT_TRUE(one_by_one.constrain(static_cast<Index>(a), static_cast<Index>(b)));
       }
     }
-    for (const auto& [a, b] : c.segments)
+    for (const auto& [a, b] : late)
       ASSERT_TRUE(one_by_one.constrain(static_cast<Index>(a), static_cast<Index>(b)));
+    splits.count(one_by_one.has_split_segments());
+    EXPECT_FALSE(at_once.has_split_segments());
     EXPECT_EQ(finite_triangles(at_once), finite_triangles(one_by_one));
     one_by_one.number_regions();
     EXPECT_EQ(flaws_of(c, one_by_one), "");
@@ -87,7 +93,8 @@ TEST(ConstrainedDelaunay, DoesNotDependOnTheOrderOfInsertion) {
 }
 
 TEST(ConstrainedDelaunay, RefusesSegmentsThatCrossAndPointsThatCoincide) {
-  Compared crossings("segments that cross", 100), copies("points that coincide", 100);
+  Compared crossings("segments that cross others or cover them", 100),
+      copies("points that coincide", 100);
   std::mt19937 random(11);
   for (int trial = trials(1500); trial > 0; --trial) {
     const auto c = random_plane_case(random);
@@ -96,8 +103,9 @@ TEST(ConstrainedDelaunay, RefusesSegmentsThatCrossAndPointsThatCoincide) {
     const auto last = c.points.size() - 1;
     std::uniform_int_distribution<std::size_t> any(0, last);
     const PlaneCase::Segment s{any(random), any(random)};
-    const bool crosses = std::any_of(c.segments.begin(), c.segments.end(),
-                                     [&](const auto& t) { return cross(c, s, t); });
+    const bool crosses = std::any_of(c.segments.begin(), c.segments.end(), [&](const auto& t) {
+      return s[0] != s[1] && are_in_conflict(c, s, t);
+    });
     EXPECT_NE(triangulation.constrain(static_cast<Index>(s[0]), static_cast<Index>(s[1])), crosses);
     crossings.count(crosses);
     const Point copy = c.points[any(random)];

@@ -41,7 +41,7 @@ Point circumcentre(const Point& a, const Point& b, const Point& c) {
   return {(r[1] * q2 - r2 * q[1]) / twice + a[0], -(r[0] * q2 - r2 * q[0]) / twice + a[1]};
 }
 
-/// Whichever corner a triangle has first.
+/// The place of the corner with the smallest number.
 std::size_t least_corner(const ConstrainedDelaunay::Triangle& t) {
   return static_cast<std::size_t>(std::min_element(t.corners.begin(), t.corners.end()) -
                                   t.corners.begin());
@@ -50,7 +50,7 @@ std::size_t least_corner(const ConstrainedDelaunay::Triangle& t) {
 /// A triangulation and the corners of its triangles inside the regions.
 class Regions {
  public:
-  /// False if segments cross or points coincide.
+  /// False if segments cross or cover each other, or points coincide.
   bool insert(const std::vector<Point>& points,
               const std::vector<std::array<std::size_t, 2>>& segments) {
     if (!triangulation_.insert(points)) return false;
@@ -60,8 +60,9 @@ class Regions {
     return true;
   }
 
+  /// False if points coincide or are on a segment.
   bool insert(const std::vector<Point>& points) {
-    if (!triangulation_.insert(points)) return false;
+    if (!triangulation_.insert(points) || triangulation_.has_split_segments()) return false;
     triangulation_.number_regions();
     return true;
   }

@@ -209,6 +209,7 @@ void ConstrainedDelaunay::split_edge(Side side, Index v) {
   const Index s = side.triangle(), t = other.triangle();
   const Index c = tip_of(side), a = start_of(side), b = end_of(side), d = tip_of(other);
   const bool is_constrained = constrained(side);
+  has_split_segments_ |= is_constrained;
   const std::array<Side, 4> inner{Side{s, next(side.corner())}, Side{s, previous(side.corner())},
                                   Side{t, next(other.corner())}, Side{t, previous(other.corner())}};
   std::array<Side, 4> outer;

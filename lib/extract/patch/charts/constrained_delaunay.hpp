@@ -57,7 +57,8 @@ class ConstrainedDelaunay {
 
   /// Makes the segment between two points a chain of constrained edges, through all points that are
   /// on it.
-  /// @return false if it crosses a constrained edge; what is before the crossing may be constrained
+  /// @return false if it has more than points in common with a segment that is there; then it may
+  ///         be constrained up to there
   bool constrain(Index from, Index to);
 
   /// Gives each triangle as its `depth` the least number of segments that separate it from the
@@ -68,6 +69,9 @@ class ConstrainedDelaunay {
   /// corner `kInfinite`; `kNone` if there are less than two points. Places near the last are found
   /// fast.
   Index locate(const Point& at);
+
+  /// Whether a point was inserted on a constrained edge.
+  bool has_split_segments() const { return has_split_segments_; }
 
   std::span<const Point> points() const { return points_; }
   /// In no order.
@@ -145,7 +149,7 @@ class ConstrainedDelaunay {
   Index lone_ = kNone;      ///< the only point
   Index infinite_ = kNone;  ///< a triangle outside
   Index near_ = kNone;      ///< where to start looking
-  bool on_line_ = true;
+  bool on_line_ = true, has_split_segments_ = false;
 
   // Memory that is used again.
   std::vector<Side> to_check_;

@@ -16,6 +16,7 @@ bool ConstrainedDelaunay::constrain(Index from, Index to) {
     bool is_edge = false;
     const Side side = towards(from, to, is_edge);
     if (is_edge) {
+      if (constrained(side)) return false;
       from = end_of(side);
       link(side, mirror(side), true);
       continue;
