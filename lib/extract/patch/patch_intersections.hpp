@@ -47,12 +47,4 @@ bool intersects_any(std::span<const Vector3<double>> points, std::span<const Pat
 bool are_embedded(std::span<const Vector3<double>> points,
                   std::span<const PatchTriangle> triangles);
 
-/// A box along the axes.
-struct AxisBox {
-  std::array<double, 3> low{}, high{};
-};
-
-/// The pairs of boxes that have a point in common, by their places in the list, in no order.
-std::vector<std::array<std::uint32_t, 2>> meeting_boxes(std::span<const AxisBox> boxes);
-
 }  // namespace tensortopo
