@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "extract/patch/charts/constrained_delaunay.hpp"
+#include "extract/patch/delaunay/constrained_delaunay.hpp"
 
 namespace tensortopo::test {
 

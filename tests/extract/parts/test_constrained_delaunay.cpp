@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "extract/patch/charts/constrained_delaunay.hpp"
+#include "extract/patch/delaunay/constrained_delaunay.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "extract/patch/charts/constrained_delaunay.hpp"
+#include "extract/patch/delaunay/constrained_delaunay.hpp"
 
 namespace tensortopo {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "extract/patch/charts/constrained_delaunay.hpp"
+#include "extract/patch/delaunay/constrained_delaunay.hpp"
 #include "extract/run/assert.hpp"
 
 namespace tensortopo {

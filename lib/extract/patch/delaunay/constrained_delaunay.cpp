@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "extract/patch/charts/constrained_delaunay.hpp"
+#include "extract/patch/delaunay/constrained_delaunay.hpp"
 
 // CGAL's kernel and its sorting are LGPL, its triangulations GPL. Debian 12 has no constrained
 // triangulation with exact predicates under another licence: VTK's decides by a tolerance.
