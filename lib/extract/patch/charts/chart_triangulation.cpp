@@ -11,23 +11,23 @@ namespace tensortopo {
 
 namespace {
 
-using Point = ChartTriangulation::Point;
+using ChartPoint = ChartTriangulation::Point;
 using Index = ConstrainedDelaunay::Index;
 
 bool is_inside(const ConstrainedDelaunay::Triangle& t) { return t.depth % 2 == 1; }
 
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double product(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
-double determinant(const Point& a, const Point& b) { return a[0] * b[1] - b[0] * a[1]; }
+ChartPoint minus(const ChartPoint& a, const ChartPoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
+double product(const ChartPoint& a, const ChartPoint& b) { return a[0] * b[0] + a[1] * b[1]; }
+double determinant(const ChartPoint& a, const ChartPoint& b) { return a[0] * b[1] - b[0] * a[1]; }
 
-double squared_distance(const Point& a, const Point& b) {
-  const Point d = minus(b, a);
+double squared_distance(const ChartPoint& a, const ChartPoint& b) {
+  const ChartPoint d = minus(b, a);
   return product(d, d);
 }
 
 /// The squared distance of a point from the segment between two others.
-double squared_distance(const Point& at, const Point& a, const Point& b) {
-  const Point along = minus(b, a), to = minus(at, a);
+double squared_distance(const ChartPoint& at, const ChartPoint& a, const ChartPoint& b) {
+  const ChartPoint along = minus(b, a), to = minus(at, a);
   const double projected = product(to, along), length = product(along, along);
   if (projected <= 0) return product(to, to);
   if (projected > length) return squared_distance(at, b);
@@ -35,8 +35,8 @@ double squared_distance(const Point& at, const Point& a, const Point& b) {
   return area * area / length;
 }
 
-Point circumcentre(const Point& a, const Point& b, const Point& c) {
-  const Point q = minus(b, a), r = minus(c, a);
+ChartPoint circumcentre(const ChartPoint& a, const ChartPoint& b, const ChartPoint& c) {
+  const ChartPoint q = minus(b, a), r = minus(c, a);
   const double r2 = product(r, r), q2 = product(q, q), twice = 2 * determinant(q, r);
   return {(r[1] * q2 - r2 * q[1]) / twice + a[0], -(r[0] * q2 - r2 * q[0]) / twice + a[1]};
 }
@@ -51,7 +51,7 @@ std::size_t least_corner(const ConstrainedDelaunay::Triangle& t) {
 class Regions {
  public:
   /// False if segments cross or cover each other, or points coincide.
-  bool insert(const std::vector<Point>& points,
+  bool insert(const std::vector<ChartPoint>& points,
               const std::vector<std::array<std::size_t, 2>>& segments) {
     if (!triangulation_.insert(points)) return false;
     for (const auto& [a, b] : segments)
@@ -61,13 +61,13 @@ class Regions {
   }
 
   /// False if points coincide or are on a segment.
-  bool insert(const std::vector<Point>& points) {
+  bool insert(const std::vector<ChartPoint>& points) {
     if (!triangulation_.insert(points) || triangulation_.has_split_segments()) return false;
     triangulation_.number_regions();
     return true;
   }
 
-  const Point& point(std::size_t i) const { return triangulation_.points()[i]; }
+  const ChartPoint& point(std::size_t i) const { return triangulation_.points()[i]; }
 
   /// Ascending, each from its first corner.
   std::vector<ChartTriangulation::Triangle> triangles() const {
@@ -82,7 +82,7 @@ class Regions {
     return triangles;
   }
 
-  double clearance(const Point& at) {
+  double clearance(const ChartPoint& at) {
     const auto* t = holder(at);
     if (t == nullptr) return -1;
     double squared = 1e300;
@@ -109,7 +109,7 @@ class Regions {
     if (cut == Cut::edge1) return middle({0.5, 0, 0.5});
     if (cut == Cut::edge2) return middle({0.5, 0.5, 0});
     const auto centroid = middle({1.0 / 3, 1.0 / 3, 1.0 / 3});
-    const Point centre = circumcentre(point(corners[0]), point(corners[1]), point(corners[2]));
+    const ChartPoint centre = circumcentre(point(corners[0]), point(corners[1]), point(corners[2]));
     if (!std::isfinite(centre[0]) || !std::isfinite(centre[1])) return centroid;
     const auto* t = holder(centre);
     if (t == nullptr) return centroid;
@@ -117,8 +117,8 @@ class Regions {
     double total = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = (least_corner(*t) + k) % 3;
-      const Point a = minus(point(t->corners[(i + 1) % 3]), centre),
-                  b = minus(point(t->corners[(i + 2) % 3]), centre);
+      const ChartPoint a = minus(point(t->corners[(i + 1) % 3]), centre),
+                       b = minus(point(t->corners[(i + 2) % 3]), centre);
       if (t->constrained[i] && product(a, b) < 0) return centroid;
       place.corners[k] = t->corners[i];
       place.weights[k] = std::abs(determinant(a, b));
@@ -131,7 +131,7 @@ class Regions {
 
  private:
   /// The triangle of a region that contains the place; null outside.
-  const ConstrainedDelaunay::Triangle* holder(const Point& at) {
+  const ConstrainedDelaunay::Triangle* holder(const ChartPoint& at) {
     const Index t = triangulation_.locate(at);
     if (t == ConstrainedDelaunay::kNone) return nullptr;
     const auto& triangle = triangulation_.triangles()[t];
@@ -142,10 +142,10 @@ class Regions {
 };
 
 /// The points that judging asks for.
-std::vector<Point> finer_points(Regions& regions,
-                                const std::vector<ChartTriangulation::Triangle>& triangles,
-                                const std::vector<ChartTriangulation::Cut>& cuts,
-                                const ChartTriangulation::Adding& add) {
+std::vector<ChartPoint> finer_points(Regions& regions,
+                                     const std::vector<ChartTriangulation::Triangle>& triangles,
+                                     const std::vector<ChartTriangulation::Cut>& cuts,
+                                     const ChartTriangulation::Adding& add) {
   std::vector<ChartTriangulation::Place> places;
   std::vector<double> room;  // squared
   for (std::size_t k = 0; k < triangles.size(); ++k) {
@@ -160,7 +160,7 @@ std::vector<Point> finer_points(Regions& regions,
       is_free = squared_distance(places[i].at, place.at) > std::min(squared, room[i]);
     if (is_free) places.push_back(place), room.push_back(squared);
   }
-  std::vector<Point> points;
+  std::vector<ChartPoint> points;
   for (const auto& place : places)
     if (const auto point = add(place)) points.push_back(*point);
   return points;
@@ -168,13 +168,13 @@ std::vector<Point> finer_points(Regions& regions,
 
 }  // namespace
 
-bool ChartTriangulation::build(const std::vector<Point>& points,
+bool ChartTriangulation::build(const std::vector<ChartPoint>& points,
                                const std::vector<std::array<std::size_t, 2>>& segments,
                                const Sampling& samples, const Judging& judge, const Adding& add,
                                int rounds) {
   Regions regions;
   if (!regions.insert(points, segments)) return false;
-  const auto inner = samples([&](const Point& at) { return regions.clearance(at); });
+  const auto inner = samples([&](const ChartPoint& at) { return regions.clearance(at); });
   if (!regions.insert(inner)) return false;
   triangles = regions.triangles();
   for (; rounds > 0; --rounds) {
