@@ -67,18 +67,19 @@ TEST(ConstrainedDelaunay, DoesNotDependOnTheOrderOfInsertion) {
       const std::size_t i = so_far.points.size();
       so_far.points.push_back(p);
       ASSERT_TRUE(one_by_one.insert(std::span(&p, 1)));
-      for (auto [a, b] : c.segments) {
-        if (std::max(a, b) != i) continue;
-        if (random() % 2 == 0) std::swap(a, b);
+      for (auto segment : c.segments) {
+        if (std::max(segment[0], segment[1]) != i) continue;
+        if (random() % 2 == 0) std::swap(segment[0], segment[1]);
         // Segments that meet in a point which is not there yet would cross.
-        if (std::any_of(so_far.segments.begin(), so_far.segments.end(), [&](const auto& t) {
-              return are_in_conflict(so_far, {a, b}, t);
+        if (std::any_of(so_far.segments.begin(), so_far.segments.end(), [&](const auto& other) {
+              return are_in_conflict(so_far, segment, other);
             })) {
-          late.push_back({a, b});
+          late.push_back(segment);
           continue;
         }
-        so_far.segments.push_back({a, b});
-        ASSERT_TRUE(one_by_one.constrain(static_cast<Index>(a), static_cast<Index>(b)));
+        so_far.segments.push_back(segment);
+        ASSERT_TRUE(
+            one_by_one.constrain(static_cast<Index>(segment[0]), static_cast<Index>(segment[1])));
       }
     }
     for (const auto& [a, b] : late)
