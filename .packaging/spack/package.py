@@ -17,6 +17,7 @@ class Tensortopo(CMakePackage):
     version("0.1.0", sha256="<its hash>")
 
     variant("program", default=True, description="The program, and readers and writers of files")
+    variant("jets", default=True, description="The program's jets, which are under the GPL")
     variant("python", default=False, description="The Python package")
 
     depends_on("cxx", type="build")
@@ -47,4 +48,5 @@ class Tensortopo(CMakePackage):
             self.define("TENSORTOPO_BUILD_TESTS", False),
             self.define_from_variant("TENSORTOPO_BUILD_ANALYSIS", "program"),
             self.define_from_variant("TENSORTOPO_BUILD_PYTHON", "python"),
+            self.define_from_variant("TENSORTOPO_WITH_CGAL_GPL", "jets"),
         ]

@@ -4,6 +4,8 @@
 
 option(TENSORTOPO_BUILD_ANALYSIS "Build the program tensortopo (needs VTK)" ${PROJECT_IS_TOP_LEVEL})
 option(TENSORTOPO_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(TENSORTOPO_WITH_CGAL_GPL
+  "Build what needs packages of CGAL under the GPL: the program's jets, and oracles of tests" ON)
 option(TENSORTOPO_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
 option(TENSORTOPO_WERROR "Treat warnings in our own code as errors" ${PROJECT_IS_TOP_LEVEL})
 # The distribution's Python comes with the headers and numpy that `.ci/install-packages` installs;

@@ -11,8 +11,8 @@
 #include <numeric>
 #include <utility>
 
-#include "extract/patch/box_tree.hpp"
 #include "extract/patch/patch_extents.hpp"
+#include "tensortopo/mesh/box_tree.hpp"
 #include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
@@ -102,21 +102,6 @@ bool are_embedded(std::span<const Vector3<double>> points,
         is_embedded = false;
   });
   return is_embedded;
-}
-
-std::vector<std::array<std::uint32_t, 2>> meeting_boxes(std::span<const AxisBox> boxes) {
-  const BoxTree tree(boxes);
-  std::vector<std::vector<std::array<std::uint32_t, 2>>> found(tree.size() / kPart + 1);
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t part) {
-    for (std::size_t rank = part * kPart; rank < std::min(tree.size(), (part + 1) * kPart); ++rank)
-      tree.any_meeting(rank, [&](std::uint32_t i, std::uint32_t j) {
-        found[part].push_back({i, j});
-        return false;
-      });
-  });
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
-  return pairs;
 }
 
 }  // namespace tensortopo

@@ -33,7 +33,4 @@ IntersectingPairs intersecting_pairs(std::span<const Vector3<double>> points,
 bool are_embedded(std::span<const Vector3<double>> points,
                   std::span<const PatchTriangle> triangles);
 
-/// The pairs of boxes that have a point in common, by their places in the list, in no order.
-std::vector<std::array<std::uint32_t, 2>> meeting_boxes(std::span<const AxisBox> boxes);
-
 }  // namespace tensortopo

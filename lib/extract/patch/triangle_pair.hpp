@@ -8,25 +8,13 @@
 #include <cstdint>
 #include <span>
 
+#include "tensortopo/mesh/box_tree.hpp"
 #include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo {
 
 /// Triangles between places in a list of points.
 using PatchTriangle = std::array<std::uint32_t, 3>;
-
-/// A box along the axes.
-struct AxisBox {
-  std::array<double, 3> low{}, high{};
-};
-
-/// Whether two boxes, `low` to `high`, have a point in common.
-template <class Box, class OtherBox>
-bool boxes_meet(const Box& s, const OtherBox& t) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (s.high[k] < t.low[k] || t.high[k] < s.low[k]) return false;
-  return true;
-}
 
 namespace detail {
 

@@ -104,6 +104,24 @@ class Walk {
   }
 
 
+  /// The vectors over a part of a side with their derivative, and that in its middle.
+  struct Part {
+    Range offset;  ///< from the middle
+    Vector at_middle, e, step;
+  };
+
+  Part part_of(int side, const Range& s) const {
+    const Range m(middle(s));
+    auto [e, step] = cone_.at(side, s);
+    return {s - m, cone_.at(side, m).first, e, step};
+  }
+
+  /// Weight i over a part, by the mean value theorem, and its derivative there.
+  std::pair<Range, Range> weight_over(std::size_t i, const Part& part) const {
+    const Range slope = Range(2) * weight(i, part.e, part.step);
+    return {weight(i, part.at_middle, part.at_middle) + slope * part.offset, slope};
+  }
+
   Range weight_at(std::size_t i, int side, double s) const {
     const Vector e = cone_.at(side, Range(s)).first;
     return weight(i, e, e);
@@ -113,13 +131,9 @@ class Walk {
     if (++parts_ > kMostParts || depth > kLastDepth) return false;
     int open = -1;
     bool rises = false, divide = false;
-    const Range m(middle(s));
-    const Vector at_middle = cone_.at(side, m).first;
-    const auto [e, step] = cone_.at(side, s);
+    const Part part = part_of(side, s);
     for (std::size_t i = 0; i < 4; ++i) {
-      // By the mean value theorem.
-      const Range slope = Range(2) * weight(i, e, step);
-      const Range w = weight(i, at_middle, at_middle) + slope * (s - m);
+      const auto [w, slope] = weight_over(i, part);
       if (w.sup() < 0) return stay(false);
       if (w.inf() > 0) continue;
       if (open >= 0 || !is_not_zero(slope)) divide = true;
@@ -206,9 +220,10 @@ class Walk {
     DegenerateEnd end;
     end.face = c.face;
     IntervalTensor t = Range(0) * corners_[0];
+    const Part part = part_of(c.side, c.part);
     for (std::size_t i = 0; i < 4; ++i) {
       if (static_cast<int>(i) == c.face) continue;
-      const Range w = weight_over(i, c.side, c.part).first;
+      const Range w = weight_over(i, part).first;
       end.weights[i] = middle(weight_at(i, c.side, middle(c.part)));
       if (!(end.weights[i] > 0)) return std::nullopt;
       t = t + CGAL::hull(w, Range(end.weights[i])) * corners_[i];

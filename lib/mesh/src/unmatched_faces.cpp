@@ -3,13 +3,17 @@
 #include "tensortopo/mesh/unmatched_faces.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "orientation.hpp"
 #include "tensortopo/mesh/as_size.hpp"
+#include "tensortopo/mesh/box_tree.hpp"
+#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 namespace {
@@ -30,6 +34,17 @@ FaceInSpace face_of(const TetMesh& mesh, const OuterFace& outer) {
   face.normal = cross(u, v);
   face.size = max_norm(u) * max_norm(v);
   return face;
+}
+
+AxisBox box_of(const Corners& corners) {
+  AxisBox box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (const auto& p : corners)
+    for (std::size_t k = 0; const double x : {p.x, p.y, p.z}) {
+      box.low[k] = std::min(box.low[k], x);
+      box.high[k] = std::max(box.high[k], x);
+      ++k;
+    }
+  return box;
 }
 
 /// Whether normals are surely not opposite to each other: their product would be negative. A normal
@@ -75,21 +90,30 @@ bool lie_on_each_other(const Corners& f, const Corners& g) {
 
 std::vector<std::array<std::size_t, 2>> unmatched_faces(const TetMesh& mesh,
                                                         std::span<const OuterFace> outer) {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
   std::vector<FaceInSpace> faces;
-  std::vector<Box> boxes;
+  std::vector<AxisBox> boxes;
+  faces.reserve(outer.size());
+  boxes.reserve(outer.size());
   for (const OuterFace& o : outer) {
     faces.push_back(face_of(mesh, o));
-    CGAL::Bbox_3 box;
-    for (const auto& p : faces.back().corners) box += CGAL::Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
-    boxes.emplace_back(box, boxes.size());
+    boxes.push_back(box_of(faces.back().corners));
   }
+  const BoxTree tree(boxes);
+  std::mutex mutex;
   std::vector<std::array<std::size_t, 2>> pairs;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    const FaceInSpace &f = faces[a.info()], &g = faces[b.info()];
-    if (cannot_be_opposite(f, g) || !are_in_one_plane(f.corners, g.corners)) return;
-    if (lie_on_each_other(f.corners, g.corners))
-      pairs.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+  const auto look = [&](std::size_t a, std::size_t b) {
+    const FaceInSpace &f = faces[a], &g = faces[b];
+    if (cannot_be_opposite(f, g) || !are_in_one_plane(f.corners, g.corners)) return false;
+    if (lie_on_each_other(f.corners, g.corners)) {
+      const std::lock_guard lock(mutex);
+      pairs.push_back({std::min(a, b), std::max(a, b)});
+    }
+    return false;
+  };
+  constexpr std::size_t kPart = 1024;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size(), kPart), [&](const auto& range) {
+    const FloatingPointEnvironment environment;
+    for (std::size_t rank = range.begin(); rank < range.end(); ++rank) tree.any_meeting(rank, look);
   });
   std::sort(pairs.begin(), pairs.end());
   return pairs;

@@ -73,8 +73,8 @@ class SurfaceProgram : public testing::Test {
 
 TEST_F(SurfaceProgram, ReportsComponentsQualityCurvatureAndDistances) {
   const std::string output = folder_ / "curved.vtp";
-  const Outcome run = run_program({"analyze", surface_, "--mesh", field("s4_slab"), "--smooth",
-                                   "--against", surface_, "-o", output, "--json"});
+  const Outcome run = run_program({"analyze", surface_, "--mesh", field("s4_slab"), "--against",
+                                   surface_, "-o", output, "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const Json json = Json::parse(run.out);
   const std::size_t triangles = json.at("surface").at("triangles");
@@ -94,17 +94,35 @@ TEST_F(SurfaceProgram, ReportsComponentsQualityCurvatureAndDistances) {
     EXPECT_EQ(in_histogram, triangles);
   }
   EXPECT_EQ(json.at("curvature").at("vertices"), json.at("surface").at("vertices"));
-  EXPECT_GT(json.at("smooth_curvature").at("vertices"), 0);
   EXPECT_LT(json.at("distance").at("hausdorff").get<double>(), 1e-9);
   const std::string written = contents(output);
-  for (const std::string name : {"\"principal_curvatures\"", "\"principal_direction_2\"",
-                                 "\"smooth_mean_curvature\"", "\"normal_jump\""})
+  for (const std::string name :
+       {"\"principal_curvatures\"", "\"principal_direction_2\"", "\"normal_jump\""})
     EXPECT_NE(written.find(name), std::string::npos) << name;
   // What was written can be read again, and is the same surface.
   const Outcome again = run_program({"analyze", output, "--against", surface_, "--json"});
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(Json::parse(again.out).at("components"), json.at("components"));
 }
+
+#if TENSORTOPO_HAS_JETS
+TEST_F(SurfaceProgram, FitsJetsToTheTriangles) {
+  const std::string output = folder_ / "curved.vtp";
+  const Outcome run = run_program({"analyze", surface_, "--mesh", field("s4_slab"), "--smooth",
+                                   "-o", output, "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_GT(json.at("smooth_curvature").at("vertices"), 0);
+  EXPECT_GT(json.at("curvature").at("vertices"), 0);
+  EXPECT_NE(contents(output).find("\"smooth_mean_curvature\""), std::string::npos);
+}
+#else
+TEST_F(SurfaceProgram, SaysThatItHasNoJets) {
+  const Outcome run = run_program({"analyze", surface_, "--smooth"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("TENSORTOPO_WITH_CGAL_GPL"), std::string::npos) << run.err;
+}
+#endif
 
 TEST_F(SurfaceProgram, WritesRidgesWhoseEndsAddUp) {
   for (const bool recover : {false, true}) {
@@ -196,8 +214,11 @@ TEST(EmptySurface, IsAnalysed) {
   ASSERT_EQ(run_program({"generate", "linear", "-o", mesh, "--field-only"}).status, 0);
   ASSERT_EQ(run_program({"extract", mesh, "-o", none, "--mode", "0.999"}).status, 0);
   ASSERT_EQ(run_program({"extract", mesh, "-o", some, "--mode", "0.1"}).status, 0);
-  std::vector<std::string> words{"analyze",  none,   "--mesh",    mesh, "--smooth", "--recover",
-                                 "--ridges", ridges, "--against", some, "-o",       output};
+  std::vector<std::string> words{"analyze", none,        "--mesh", mesh, "--recover", "--ridges",
+                                 ridges,    "--against", some,     "-o", output};
+#if TENSORTOPO_HAS_JETS
+  words.push_back("--smooth");
+#endif
   const Outcome text = run_program(words);
   EXPECT_EQ(text.status, 0) << text.err;
   EXPECT_NE(text.out.find("0 triangles"), std::string::npos) << text.out;

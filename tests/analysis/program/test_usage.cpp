@@ -80,7 +80,7 @@ TEST(Usage, ExtensionsMayBeInCapitals) {
     EXPECT_EQ(check.status, 0) << check.err;
   }
   const std::vector<std::vector<std::string>> commands{
-      {"analyze", surface, "--smooth", "-o", folder / "curved.VTP"},
+      {"analyze", surface, "--mesh", in, "-o", folder / "curved.VTP"},
       {"analyze", in, "--sweep", "0.1:0.2:2", "-o", folder / "sweep.PNG"},
       {"render", surface, "--size", "40x30", "-o", folder / "picture.PNG"},
       {"conformance", "--surface", folder / "b.STL", "--input", in, "--mode", "0.5"}};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -91,6 +92,22 @@ TEST(PatchIntersections, FewerTestsFindAPairIfThereIsOne) {
   }
   EXPECT_GT(cut_short, 100u);
   EXPECT_GT(without, 0u);
+}
+
+TEST(PatchIntersections, AStripOfTrianglesIsEmbeddedUntilOneOfThemCrossesAnother) {
+  constexpr std::uint32_t kLength = 5000;
+  std::vector<Vector3<double>> points;
+  std::vector<PatchTriangle> triangles;
+  for (std::uint32_t i = 0; i < kLength; ++i)
+    points.push_back({0.5 * i, i % 2 == 0 ? 0.0 : 1.0, 0.125 * (i % 3)});
+  for (std::uint32_t i = 0; i + 2 < kLength; ++i) triangles.push_back({i, i + 1, i + 2});
+  EXPECT_TRUE(are_embedded(points, triangles));
+  const auto n = static_cast<std::uint32_t>(points.size());
+  points.push_back({1200.25, 0.5, -1});
+  points.push_back({1200.25, 0.5, 1});
+  points.push_back({1200.5, 5, 0});
+  triangles.push_back({n, n + 1, n + 2});
+  EXPECT_FALSE(are_embedded(points, triangles));
 }
 
 }  // namespace

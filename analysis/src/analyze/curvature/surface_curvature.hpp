@@ -67,4 +67,7 @@ std::vector<Umbilic> umbilics_of(const SurfaceMesh& surface,
 std::vector<std::optional<LevelCurvature<double>>> jet_curvature(const SurfaceMesh& surface,
                                                                  std::size_t degree = 3);
 
+/// Throws UsageError if the program was built without jets.
+void require_jets();
+
 }  // namespace tensortopo

@@ -96,6 +96,7 @@ void add_curvature(vtkPolyData& data, const std::string& prefix, const Curvature
 }
 
 void require_sense(const SurfaceCommand& command) {
+  if (command.smooth) require_jets();
   for (const auto& file : {command.output, command.ridges})
     if (!file.empty() && lower_extension(file) != ".vtp")
       throw UsageError(file.string() + ": the name must end in .vtp");

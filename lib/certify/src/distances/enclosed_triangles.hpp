@@ -7,6 +7,7 @@
 #include <span>
 
 #include "extract/patch/patch_intersections.hpp"
+#include "tensortopo/mesh/box_tree.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 
 namespace tensortopo::detail {

@@ -43,7 +43,8 @@ struct ChartTriangulation {
   /// @param judge    what each of the triangles needs
   /// @param add      called for a place where to insert a point: the point, numbered after all
   ///                 others, or nothing if there can be none
-  /// @return false if segments cross or points coincide
+  /// @return false if segments cross or cover each other, points coincide, or a point that is
+  ///         inserted later lies on a segment
   bool build(const std::vector<Point>& points,
              const std::vector<std::array<std::size_t, 2>>& segments, const Sampling& samples,
              const Judging& judge, const Adding& add, int rounds);

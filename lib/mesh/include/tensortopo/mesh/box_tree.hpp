@@ -2,19 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "extract/patch/triangle_pair.hpp"
-
 namespace tensortopo {
+
+/// A box along the axes.
+struct AxisBox {
+  std::array<double, 3> low{}, high{};
+};
+
+/// Whether two boxes, `low` to `high`, have a point in common.
+template <class Box, class OtherBox>
+bool boxes_meet(const Box& s, const OtherBox& t) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (s.high[k] < t.low[k] || t.high[k] < s.low[k]) return false;
+  return true;
+}
 
 /// Boxes in a binary tree, halved along the longest axis again and again. It is built in parallel,
 /// and the same whatever the number of threads.
@@ -57,41 +65,8 @@ class BoxTree {
   std::vector<AxisBox> nodes_;        ///< around both parts 2 n and 2 n + 1 of node n; the root is 1
 };
 
-inline BoxTree::BoxTree(std::span<const AxisBox> boxes) : order_(boxes.size()), boxes_(boxes.size()) {
-  std::iota(order_.begin(), order_.end(), 0u);
-  std::size_t nodes = 2;
-  for (std::size_t part = boxes.size(); part > kLeaf; part -= part / 2) nodes *= 2;
-  nodes_.resize(nodes);
-  if (!boxes.empty()) build(1, 0, boxes.size(), boxes);
-}
-
-inline void BoxTree::build(std::size_t node, std::size_t begin, std::size_t end,
-                    std::span<const AxisBox> boxes) {
-  constexpr std::size_t kInParallel = 4096;
-  AxisBox around = boxes[order_[begin]];
-  for (std::size_t i = begin + 1; i < end; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      around.low[k] = std::min(around.low[k], boxes[order_[i]].low[k]);
-      around.high[k] = std::max(around.high[k], boxes[order_[i]].high[k]);
-    }
-  nodes_[node] = around;
-  if (end - begin <= kLeaf) {
-    for (std::size_t i = begin; i < end; ++i) boxes_[i] = boxes[order_[i]];
-    return;
-  }
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (around.high[k] - around.low[k] > around.high[axis] - around.low[axis]) axis = k;
-  const std::size_t middle = begin + (end - begin) / 2;
-  const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t i, std::uint32_t j) {
-    return std::pair(boxes[i].low[axis], i) < std::pair(boxes[j].low[axis], j);
-  });
-  const auto first = [&] { build(2 * node, begin, middle, boxes); };
-  const auto second = [&] { build(2 * node + 1, middle, end, boxes); };
-  if (end - begin > kInParallel) return tbb::parallel_invoke(first, second);
-  first();
-  second();
-}
+/// The pairs of boxes that have a point in common, by their places in the list, in no order.
+/// @pre no coordinate is NaN
+std::vector<std::array<std::uint32_t, 2>> meeting_boxes(std::span<const AxisBox> boxes);
 
 }  // namespace tensortopo

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tensortopo/mesh/box_tree.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,8 +9,6 @@
 #include <cstdint>
 #include <random>
 #include <vector>
-
-#include "extract/patch/patch_intersections.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -56,22 +56,6 @@ TEST(MeetingBoxes, AreThePairsWithACommonPointEachOnce) {
       compared += expected.size();
     }
   EXPECT_GT(compared, 10000u);
-}
-
-TEST(MeetingBoxes, AStripOfTrianglesIsEmbeddedUntilOneOfThemCrossesAnother) {
-  constexpr std::uint32_t kLength = 5000;
-  std::vector<Vector3<double>> points;
-  std::vector<PatchTriangle> triangles;
-  for (std::uint32_t i = 0; i < kLength; ++i)
-    points.push_back({0.5 * i, i % 2 == 0 ? 0.0 : 1.0, 0.125 * (i % 3)});
-  for (std::uint32_t i = 0; i + 2 < kLength; ++i) triangles.push_back({i, i + 1, i + 2});
-  EXPECT_TRUE(are_embedded(points, triangles));
-  const auto n = static_cast<std::uint32_t>(points.size());
-  points.push_back({1200.25, 0.5, -1});
-  points.push_back({1200.25, 0.5, 1});
-  points.push_back({1200.5, 5, 0});
-  triangles.push_back({n, n + 1, n + 2});
-  EXPECT_FALSE(are_embedded(points, triangles));
 }
 
 }  // namespace
