@@ -28,10 +28,11 @@ class CheckableInput {
  public:
   /// Begins to read the file, in a thread if there can be one.
   CheckableInput(const std::filesystem::path& input, const ReadResult& read)
-      : subject_(subject_of(read)),
-        done_(std::async(std::launch::async | std::launch::deferred, [input, subject = subject_] {
-          require_checkable(input, subject);
-        })) {}
+      : subject_(subject_of(read)) {
+    const auto require = [input, subject = subject_] { require_checkable(input, subject); };
+    // Copied from where it is, not moved: it is needed again if no thread can be started.
+    done_ = std::async(std::launch::async | std::launch::deferred, require);
+  }
 
   const CertificateSubject& subject() const { return subject_; }
 

@@ -67,6 +67,7 @@ CellPatch::CellPatch(const TetWithCurves<Scalar>& tet, const Level<double>& leve
   }
   changed_.resize(triangles_.size(), 0);
   refusals_.resize(around_.size());
+  lost_.resize(around_.size(), 0);
 }
 
 /// Of a vertex that no triangle here has: a place without triangles.
@@ -246,6 +247,23 @@ bool CellPatch::is_embedded_after(Id vertex, Id neighbour) {
   return false;
 }
 
+bool CellPatch::is_unchanged_around(Place v, std::uint32_t turn) const {
+  return lost_[v] <= turn && std::all_of(around_[v].begin(), around_[v].end(),
+                                         [&](std::uint32_t t) { return changed_[t] <= turn; });
+}
+
+bool CellPatch::is_unchanged_since(std::uint32_t turn, Id vertex,
+                                   const std::array<Id, 2>& neighbours) const {
+  const Place v = place_of(vertex);
+  const auto& refusals = refusals_[v];
+  return is_unchanged_around(v, turn) &&
+         std::all_of(neighbours.begin(), neighbours.end(),
+                     [&](Id u) { return is_unchanged_around(place_of(u), turn); }) &&
+         std::all_of(refusals.begin(), refusals.end(), [&](const Refusal& r) {
+           return r.intersected == Refusal::kNone || changed_[r.intersected] <= turn;
+         });
+}
+
 bool CellPatch::turns_alike_without(const std::vector<Id>& polygon, Id vertex) const {
   const auto area_without = [&](Id left_out) {
     Vector3<double> area{}, last{};
@@ -279,6 +297,7 @@ void CellPatch::move(Id vertex, Id neighbour) {
       if (corner != v) {
         auto& star = around_[corner];
         star.erase(std::remove(star.begin(), star.end(), i), star.end());
+        lost_[corner] = turn_;
       }
     t = {};
   }

@@ -52,6 +52,14 @@ class CellPatch {
 
   void move(Id vertex, Id neighbour);
 
+  /// How many moves were made.
+  std::uint32_t turn() const { return turn_; }
+
+  /// Whether all that the questions about a vertex and its neighbours look at is as it was after so
+  /// many moves: the triangles around these, and those that refused a move.
+  bool is_unchanged_since(std::uint32_t turn, Id vertex,
+                          const std::array<Id, 2>& neighbours) const;
+
   std::vector<std::array<Id, 3>> triangles() const;
 
  private:
@@ -76,6 +84,7 @@ class CellPatch {
   Place place_of(Id id) const;
   /// Of a vertex and a neighbour; null if there is none.
   Refusal* refusal_of(Place v, Place u);
+  bool is_unchanged_around(Place v, std::uint32_t turn) const;
   bool is_still_refused(Place v, Place u);
   void refuse(Place v, Place u, std::uint32_t intersected);
   bool keeps_sheets(Place v, Place u) const;
@@ -98,6 +107,7 @@ class CellPatch {
   std::vector<Star> around_;  ///< the triangles of each corner, ascending
   std::uint32_t turn_ = 0;    ///< moves made
   std::vector<std::uint32_t> changed_;  ///< the last move that changed each triangle
+  std::vector<std::uint32_t> lost_;     ///< the last move that took a triangle from each corner
   std::vector<boost::container::small_vector<Refusal, 2>> refusals_;  ///< of each corner
 };
 

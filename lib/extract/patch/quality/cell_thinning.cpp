@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace tensortopo {
@@ -21,13 +22,15 @@ constexpr double kLargerSine = 1.05;
 /// Goes along the curves again and again until no sample is taken out any more.
 /// @param remove  takes out a vertex, given the chain and its two neighbours there, if it may
 template <class Remove>
-void until_none_is_removed(std::vector<CurveChain>& chains, const Remove& remove) {
-  // What keeps a sample does so until another one is removed: only then is it asked for again.
-  std::size_t turn = 1;
-  using Turns = boost::container::small_vector<std::size_t, 16>;
+void until_none_is_removed(const CellPatch& patch, std::vector<CurveChain>& chains,
+                           const Remove& remove) {
+  // What keeps a sample does so until triangles change that it looked at: only then is it asked for
+  // again.
+  constexpr std::uint32_t kNever = 0xffffffff;
+  using Turns = boost::container::small_vector<std::uint32_t, 16>;
   std::vector<Turns> asked;  // of each sample, the turn in which it was kept
   asked.reserve(chains.size());
-  for (const CurveChain& chain : chains) asked.emplace_back(chain.vertices.size(), 0);
+  for (const CurveChain& chain : chains) asked.emplace_back(chain.vertices.size(), kNever);
   for (bool any = true; any;) {
     any = false;
     for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -36,14 +39,18 @@ void until_none_is_removed(std::vector<CurveChain>& chains, const Remove& remove
       const std::size_t ends = chain.is_closed ? 0 : 1;
       for (std::size_t i = ends; i + ends < v.size() && v.size() > chain.least + 2 * ends;) {
         const std::size_t n = v.size();
-        if (std::exchange(asked[c][i], turn) == turn ||
-            !remove(chain, v[i], std::array{v[(i + n - 1) % n], v[(i + 1) % n]})) {
+        const std::array neighbours{v[(i + n - 1) % n], v[(i + 1) % n]};
+        const auto before = std::exchange(asked[c][i], patch.turn());
+        // A closed polygon looks at all its vertices.
+        const bool is_as_before =
+            before == patch.turn() || (before != kNever && !chain.is_closed &&
+                                       patch.is_unchanged_since(before, v[i], neighbours));
+        if (is_as_before || !remove(chain, v[i], neighbours)) {
           ++i;
           continue;
         }
         v.erase(v.begin() + static_cast<std::ptrdiff_t>(i));
         asked[c].erase(asked[c].begin() + static_cast<std::ptrdiff_t>(i));
-        ++turn;
         any = true;
       }
     }
@@ -96,8 +103,8 @@ std::vector<Id> samples_at_needles(const CellPatch& patch, const std::vector<Cur
 ThinningProposal propose_thinning(CellPatch& patch, std::vector<CurveChain> chains,
                                   const std::vector<Id>& candidates) {
   ThinningProposal proposal;
-  until_none_is_removed(chains, [&](const CurveChain& chain, Id v,
-                                    const std::array<Id, 2>& neighbours) {
+  until_none_is_removed(patch, chains, [&](const CurveChain& chain, Id v,
+                                           const std::array<Id, 2>& neighbours) {
     if (!holds(candidates, v)) return false;
     const double sine = patch.least_sine_around(v);
     const bool is_wanted = sine <= kSineOfNeedle;
@@ -120,7 +127,7 @@ std::vector<Id> take_out(CellPatch& patch, std::vector<CurveChain> chains,
                          const std::vector<Id>& samples) {
   std::vector<Id> left = samples;
   until_none_is_removed(
-      chains, [&](const CurveChain& chain, Id v, const std::array<Id, 2>& neighbours) {
+      patch, chains, [&](const CurveChain& chain, Id v, const std::array<Id, 2>& neighbours) {
         if (!holds(samples, v)) return false;
         auto ways = ways_out(patch, chain, v, neighbours, 0);
         if (!may_go(patch, chain, v, ways[0])) {
