@@ -11,8 +11,8 @@ namespace {
 
 using detail::largest, detail::Side;
 
-/// The longest of some differences between points and a place, as `part` sees them, with its largest
-/// coordinate made 1; zero if all are.
+/// The longest of some differences between points and a place, as `part` sees them, with its
+/// largest coordinate made 1; zero if all are.
 template <class Part>
 Vector3<double> longest(std::span<const Vector3<double>> points, const Vector3<double>& from,
                         const Part& part) {
@@ -33,9 +33,8 @@ PatchDirections::PatchDirections(std::span<const Vector3<double>> points) {
     if (largest(p - from_) > largest(end - from_)) end = p;
   const auto along = longest(points, end, [](const auto& d) { return d; });
   if (largest(along) == 0) return;
-  const auto beside = longest(points, end, [&](const auto& d) {
-    return d - (dot(along, d) / dot(along, along)) * along;
-  });
+  const auto beside = longest(
+      points, end, [&](const auto& d) { return d - (dot(along, d) / dot(along, along)) * along; });
   directions_ = {along, beside, cross(along, beside)};
 }
 

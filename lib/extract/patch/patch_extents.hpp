@@ -39,8 +39,8 @@ class PatchExtents {
   void set(std::size_t triangle, std::span<const Vector3<double>> points,
            const PatchTriangle& corners);
 
-  /// Whether new triangles would be a pair, as those of `intersecting_pairs`, with a triangle of the
-  /// patch, or two of them with each other.
+  /// Whether new triangles would be a pair, as those of `intersecting_pairs`, with a triangle of
+  /// the patch, or two of them with each other.
   ///
   /// @param triangles of the patch, as many as extents; one with equal corners is not there
   /// @param replaced  of the patch, which the new ones replace

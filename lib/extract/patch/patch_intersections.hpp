@@ -28,8 +28,8 @@ IntersectingPairs intersecting_pairs(std::span<const Vector3<double>> points,
                                      std::span<const PatchTriangle> triangles,
                                      std::size_t most_tested = SIZE_MAX);
 
-/// Whether all triangles have an area, and any two meet in the vertices and the edge that they share
-/// only, exactly. Here points at one place are different vertices.
+/// Whether all triangles have an area, and any two meet in the vertices and the edge that they
+/// share only, exactly. Here points at one place are different vertices.
 bool are_embedded(std::span<const Vector3<double>> points,
                   std::span<const PatchTriangle> triangles);
 

@@ -75,9 +75,8 @@ bool intersect(const Side& first, const Side& second) {
   std::size_t shared = 0;  // moved to the front
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t l = shared; l < 3; ++l) {
-      const bool are_same = same == Same::number
-                                ? first.places[i[l]] == second.places[j[k]]
-                                : first.corners[i[l]] == second.corners[j[k]];
+      const bool are_same = same == Same::number ? first.places[i[l]] == second.places[j[k]]
+                                                 : first.corners[i[l]] == second.corners[j[k]];
       if (!are_same) continue;
       std::swap(i[shared], i[l]), std::swap(j[shared], j[k]);
       ++shared;

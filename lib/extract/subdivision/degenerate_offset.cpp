@@ -39,8 +39,7 @@ double sag_of_chord(const std::array<Deviator<double>, 3>& tensors, int sign) {
   std::array<Deviator<double>, 3> offsets;
   for (std::size_t i = 0; i < 3; ++i) offsets[i] = degenerate_offset(tensors[i], sign);
   const double first = std::sqrt(norm_form(tensors[0])), second = std::sqrt(norm_form(tensors[1]));
-  const auto sag =
-      offsets[2] - (1 / (first + second)) * (first * offsets[0] + second * offsets[1]);
+  const auto sag = offsets[2] - (1 / (first + second)) * (first * offsets[0] + second * offsets[1]);
   return std::sqrt(norm_form(sag) / std::max(norm_form(offsets[0]), norm_form(offsets[1])));
 }
 

@@ -18,9 +18,9 @@ Vector3<double> simple_eigenvector(const Deviator<double>& t, int sign);
 /// difference times the root of two.
 Deviator<double> degenerate_offset(const Deviator<double>& t, int sign);
 
-/// How far a chord of a level next to the degenerate curve leaves it, over the distance of the level
-/// from the curve: what the offset at a place on the chord has more than the mean of those at its
-/// ends, which it is beside a straight curve.
+/// How far a chord of a level next to the degenerate curve leaves it, over the distance of the
+/// level from the curve: what the offset at a place on the chord has more than the mean of those at
+/// its ends, which it is beside a straight curve.
 /// @param tensors at the ends of the chord, and their sum
 double sag_of_chord(const std::array<Deviator<double>, 3>& tensors, int sign);
 

@@ -103,7 +103,6 @@ class Walk {
     return dot(e, dual_[i] * f);
   }
 
-
   /// The vectors over a part of a side with their derivative, and that in its middle.
   struct Part {
     Range offset;  ///< from the middle

@@ -6,8 +6,8 @@
 #include <iostream>
 #include <numbers>
 
-#include "extract/patch/charts/dominant_chart.hpp"
 #include "extract/cases/extract_case.hpp"
+#include "extract/patch/charts/dominant_chart.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 #include "tensortopo/tensor/mode.hpp"
 

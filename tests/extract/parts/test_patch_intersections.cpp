@@ -42,8 +42,8 @@ TEST(PatchIntersections, AWitnessIsFoundIfAndOnlyIfThereIsAPair) {
     const auto all = intersecting_pairs(points, triangles).pairs;
     const std::vector<PatchTriangle> fresh(triangles.begin(), triangles.begin() + 2),
         rest(triangles.begin() + 2, triangles.end());
-    // The patch begins as the fresh triangles, and becomes the rest one by one; the first of them is
-    // replaced.
+    // The patch begins as the fresh triangles, and becomes the rest one by one; the first of them
+    // is replaced.
     const std::vector<std::uint32_t> replaced{0};
     std::vector<PatchTriangle> patch = fresh;
     PatchExtents extents(points, patch);

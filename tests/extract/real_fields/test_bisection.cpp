@@ -38,8 +38,8 @@ TEST_P(Bisection, GivesSheetsOfRealFieldsWithoutFlawsAndOfTheSameTopology) {
     bisected += ours.statistics.sheets_bisected;
     on_manifold += ours.statistics.sheets_manifold;
   }
-  // Most sheets that are not small; others are neither discs nor tubes, or would have triangles that
-  // intersect.
+  // Most sheets that are not small; others are neither discs nor tubes, or would have triangles
+  // that intersect.
   EXPECT_GT(bisected, 4 * on_manifold);
 }
 

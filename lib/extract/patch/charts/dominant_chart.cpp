@@ -126,7 +126,8 @@ double DominantChart::along(double around) const {
   const auto next = std::clamp(std::upper_bound(rows_.begin(), rows_.end(), around),
                                rows_.begin() + 1, rows_.end() - 1);
   const double from = *(next - 1);
-  return height_ * (static_cast<double>(next - 1 - rows_.begin()) + (around - from) / (*next - from));
+  return height_ *
+         (static_cast<double>(next - 1 - rows_.begin()) + (around - from) / (*next - from));
 }
 
 double DominantChart::around_at(double along) const {

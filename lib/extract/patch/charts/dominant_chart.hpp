@@ -50,10 +50,10 @@ class DominantChart {
   /// Where the chart is cut open: no sheet is there.
   void cut_at(double around) { cut_ = around; }
 
-  /// Places around the axis will be shown, in rows from each of these to the next one. If there is a
-  /// turn that no sheet has, it is cut there as well, and how many rows and how much turn it is are
-  /// coordinates; else they are polar, the radius growing so much that chords of one ring do not
-  /// meet those of another.
+  /// Places around the axis will be shown, in rows from each of these to the next one. If there is
+  /// a turn that no sheet has, it is cut there as well, and how many rows and how much turn it is
+  /// are coordinates; else they are polar, the radius growing so much that chords of one ring do
+  /// not meet those of another.
   /// @param rows   ascending
   /// @param height of a row in the chart
   void lay_out(std::vector<double> rows, double height, const std::optional<double>& turn_cut);

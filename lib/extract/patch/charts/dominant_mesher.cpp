@@ -100,11 +100,10 @@ class DominantMesher : ChartMesher<Scalar> {
     }
     if (!(most_ > least_)) return false;
     const auto cut = widest_gap(turns, 2 * std::numbers::pi, [&](double turn) {
-                     for (int k = 0; k < kProbes; ++k)
-                       if (is_reached({least_ + (most_ - least_) * (k + 0.5) / kProbes, turn}))
-                         return false;
-                     return true;
-                   });
+      for (int k = 0; k < kProbes; ++k)
+        if (is_reached({least_ + (most_ - least_) * (k + 0.5) / kProbes, turn})) return false;
+      return true;
+    });
     make_rows();
     // Rows that are as far apart as turns by the same angle are.
     const double height = 2 * (most_ - least_) / static_cast<double>(count_of_rows());
@@ -121,9 +120,9 @@ class DominantMesher : ChartMesher<Scalar> {
     const std::size_t count = count_of_rows();
     rows_.push_back(least_);
     for (std::size_t i = 0; i < count; ++i) {
-      const double from = rows_.back(),
-                   to = least_ + (most_ - least_) * static_cast<double>(i + 1) /
-                                     static_cast<double>(count);
+      const double from = rows_.back(), to = least_ + (most_ - least_) *
+                                                          static_cast<double>(i + 1) /
+                                                          static_cast<double>(count);
       const int halvings = is_near_degenerate(level_) ? halvings_between(from, to) : 0;
       const int parts = 1 << halvings;
       for (int k = 1; k <= parts; ++k) rows_.push_back(from + (to - from) * k / parts);

@@ -137,9 +137,9 @@ class TubeMesher {
   /// Strips between two rings, as many as the curve between them bends.
   void join_along_curve(const Ring& lower, const Ring& upper, bool clockwise, int halvings) {
     const auto inner = inner_ring(between(lower.at, upper.at), clockwise);
-    const double sag =
-        inner ? length(inner->ring.centre - 0.5 * (lower.centre + upper.centre)) / inner->ring.radius
-              : 0;
+    const double sag = inner ? length(inner->ring.centre - 0.5 * (lower.centre + upper.centre)) /
+                                   inner->ring.radius
+                             : 0;
     if (!(sag > kLargestSag) || sag > std::ldexp(kLargestSag, 2 * halvings))
       return join_loops(lower.loop, upper.loop, out_.triangles);
     const Ring middle = add(*inner);

@@ -41,8 +41,8 @@ constexpr int kMostAgainst = 3;
 /// places that are far apart on a bent sheet may be close in space, but not if this is large.
 constexpr double kRightAngle = 10;
 
-/// The least cosine of a tube's dominant eigenvectors and their mean: the frame across this tells how
-/// far the medium eigenvectors are turned.
+/// The least cosine of a tube's dominant eigenvectors and their mean: the frame across this tells
+/// how far the medium eigenvectors are turned.
 constexpr double kLeastCosineOfTube = 0.5;
 
 /// A frame across the mean of the dominant eigenvectors of a tube, if these turn little.
@@ -56,8 +56,8 @@ std::optional<EigenvectorFrame> frame_of_tube(std::span<const BoundaryVertex> bo
         return std::abs(dot(v.dominant, mean)) > kLeastCosineOfTube;
       }))
     return std::nullopt;
-  return frame_across(mean, std::abs(mean.x) < 0.6 ? Vector3<double>{1, 0, 0}
-                                                   : Vector3<double>{0, 1, 0});
+  return frame_across(mean,
+                      std::abs(mean.x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0});
 }
 
 /// In a unit in which products of lengths do not overflow.
@@ -71,8 +71,8 @@ template <class Scalar>
 class BisectedPatch {
  public:
   BisectedPatch(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-               const Sampling& sampling, std::span<const BoundaryVertex> boundary,
-               std::vector<LinkedTriangles::Triangle> triangles, Patch<Scalar>& out)
+                const Sampling& sampling, std::span<const BoundaryVertex> boundary,
+                std::vector<LinkedTriangles::Triangle> triangles, Patch<Scalar>& out)
       : tet_(tet),
         level_(level),
         places_(in_unit(tet.points)),
@@ -150,8 +150,7 @@ class BisectedPatch {
         if (u == LinkedTriangles::kNone || u < t) continue;
         const auto &a = corners_[triangles_[t][k]], &b = corners_[triangles_[t][(k + 1) % 3]];
         const double size = length(b.position - a.position);
-        if ((turns_far(a, b) &&
-             is_off_level(0.5 * (a.position + b.position), flatness_ * size)) ||
+        if ((turns_far(a, b) && is_off_level(0.5 * (a.position + b.position), flatness_ * size)) ||
             (is_near_degenerate_ && sags(a.position, b.position)))
           far.push_back({size, t, k});
       }

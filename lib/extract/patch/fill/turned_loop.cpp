@@ -26,7 +26,8 @@ std::optional<DirectedLoop> turned_loop(std::span<const BoundaryVertex> boundary
                                         const EigenvectorFrame& frame) {
   std::vector<double> angles;
   for (const auto& v : boundary)
-    angles.push_back(2 * elementary::atan2(dot(v.medium, frame.second), dot(v.medium, frame.first)));
+    angles.push_back(2 *
+                     elementary::atan2(dot(v.medium, frame.second), dot(v.medium, frame.first)));
   const std::size_t n = boundary.size();
   double turned = 0;
   for (std::size_t i = 0; i < n; ++i) turned += step(angles[i], angles[(i + 1) % n]);

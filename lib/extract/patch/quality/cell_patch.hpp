@@ -47,7 +47,8 @@ class CellPatch {
   /// The same with the vertex moved to a neighbour.
   double offset_after(Id vertex, Id neighbour) const;
 
-  /// Whether a closed polygon of a face, with an area, turns the same way without one of its vertices.
+  /// Whether a closed polygon of a face, with an area, turns the same way without one of its
+  /// vertices.
   bool turns_alike_without(const std::vector<Id>& polygon, Id vertex) const;
 
   void move(Id vertex, Id neighbour);
@@ -57,8 +58,7 @@ class CellPatch {
 
   /// Whether all that the questions about a vertex and its neighbours look at is as it was after so
   /// many moves: the triangles around these, and those that refused a move.
-  bool is_unchanged_since(std::uint32_t turn, Id vertex,
-                          const std::array<Id, 2>& neighbours) const;
+  bool is_unchanged_since(std::uint32_t turn, Id vertex, const std::array<Id, 2>& neighbours) const;
 
   std::vector<std::array<Id, 3>> triangles() const;
 
@@ -77,7 +77,7 @@ class CellPatch {
     static constexpr std::uint32_t kNone = 0xffffffff;
     Place neighbour = 0;
     std::uint32_t intersected = kNone;
-    std::size_t star = 0;   ///< how many triangles the vertex had
+    std::size_t star = 0;    ///< how many triangles the vertex had
     std::uint32_t turn = 0;  ///< of `changed_`
   };
 
@@ -102,10 +102,10 @@ class CellPatch {
   std::vector<Vector3<double>> places_;  ///< of the corners, as they are written
   UpwardTest upward_;
   std::optional<PatchExtents> extents_;  ///< once they are asked for
-  std::vector<Triangle> triangles_;  ///< with three times the same corner: taken out
+  std::vector<Triangle> triangles_;      ///< with three times the same corner: taken out
   using Star = boost::container::small_vector<std::uint32_t, 6>;
-  std::vector<Star> around_;  ///< the triangles of each corner, ascending
-  std::uint32_t turn_ = 0;    ///< moves made
+  std::vector<Star> around_;            ///< the triangles of each corner, ascending
+  std::uint32_t turn_ = 0;              ///< moves made
   std::vector<std::uint32_t> changed_;  ///< the last move that changed each triangle
   std::vector<std::uint32_t> lost_;     ///< the last move that took a triangle from each corner
   std::vector<boost::container::small_vector<Refusal, 2>> refusals_;  ///< of each corner

@@ -103,21 +103,22 @@ std::vector<Id> samples_at_needles(const CellPatch& patch, const std::vector<Cur
 ThinningProposal propose_thinning(CellPatch& patch, std::vector<CurveChain> chains,
                                   const std::vector<Id>& candidates) {
   ThinningProposal proposal;
-  until_none_is_removed(patch, chains, [&](const CurveChain& chain, Id v,
-                                           const std::array<Id, 2>& neighbours) {
-    if (!holds(candidates, v)) return false;
-    const double sine = patch.least_sine_around(v);
-    const bool is_wanted = sine <= kSineOfNeedle;
-    const auto ways = ways_out(patch, chain, v, neighbours, is_wanted ? kLargerSine * sine : kSineOfNeedle);
-    const auto way = std::find_if(ways.begin(), ways.end(), [&](const Way& w) {
-      return w.sine > 0 && stays_close(patch, chain, v, w.to) && may_go(patch, chain, v, w);
-    });
-    if (way == ways.end()) return false;
-    patch.move(v, way->to);
-    proposal.accepted.push_back(v);
-    if (is_wanted) proposal.wanted.push_back(v);
-    return true;
-  });
+  until_none_is_removed(
+      patch, chains, [&](const CurveChain& chain, Id v, const std::array<Id, 2>& neighbours) {
+        if (!holds(candidates, v)) return false;
+        const double sine = patch.least_sine_around(v);
+        const bool is_wanted = sine <= kSineOfNeedle;
+        const auto ways =
+            ways_out(patch, chain, v, neighbours, is_wanted ? kLargerSine * sine : kSineOfNeedle);
+        const auto way = std::find_if(ways.begin(), ways.end(), [&](const Way& w) {
+          return w.sine > 0 && stays_close(patch, chain, v, w.to) && may_go(patch, chain, v, w);
+        });
+        if (way == ways.end()) return false;
+        patch.move(v, way->to);
+        proposal.accepted.push_back(v);
+        if (is_wanted) proposal.wanted.push_back(v);
+        return true;
+      });
   std::sort(proposal.accepted.begin(), proposal.accepted.end());
   std::sort(proposal.wanted.begin(), proposal.wanted.end());
   return proposal;
@@ -126,21 +127,21 @@ ThinningProposal propose_thinning(CellPatch& patch, std::vector<CurveChain> chai
 std::vector<Id> take_out(CellPatch& patch, std::vector<CurveChain> chains,
                          const std::vector<Id>& samples) {
   std::vector<Id> left = samples;
-  until_none_is_removed(
-      patch, chains, [&](const CurveChain& chain, Id v, const std::array<Id, 2>& neighbours) {
-        if (!holds(samples, v)) return false;
-        auto ways = ways_out(patch, chain, v, neighbours, 0);
-        if (!may_go(patch, chain, v, ways[0])) {
-          if (!may_go(patch, chain, v, ways[1])) return false;
-          std::swap(ways[0], ways[1]);
-        }
-        const bool second = !stays_close(patch, chain, v, ways[0].to) &&
-                            may_go(patch, chain, v, ways[1]) &&
-                            stays_close(patch, chain, v, ways[1].to);
-        patch.move(v, ways[second ? 1 : 0].to);
-        std::erase(left, v);
-        return true;
-      });
+  until_none_is_removed(patch, chains,
+                        [&](const CurveChain& chain, Id v, const std::array<Id, 2>& neighbours) {
+                          if (!holds(samples, v)) return false;
+                          auto ways = ways_out(patch, chain, v, neighbours, 0);
+                          if (!may_go(patch, chain, v, ways[0])) {
+                            if (!may_go(patch, chain, v, ways[1])) return false;
+                            std::swap(ways[0], ways[1]);
+                          }
+                          const bool second = !stays_close(patch, chain, v, ways[0].to) &&
+                                              may_go(patch, chain, v, ways[1]) &&
+                                              stays_close(patch, chain, v, ways[1].to);
+                          patch.move(v, ways[second ? 1 : 0].to);
+                          std::erase(left, v);
+                          return true;
+                        });
   return left;
 }
 

@@ -189,8 +189,8 @@ LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const Verte
     proofs.make(input.level);
     empty.make(input.level);
     for (std::size_t f = begin; is_uniform && f < end; ++f)
-      if (auto& arcs = plain[f - begin]; tracer.trace_plain(f, proofs.of(f - begin), arcs) &&
-                                       may_be_straight)
+      if (auto& arcs = plain[f - begin];
+          tracer.trace_plain(f, proofs.of(f - begin), arcs) && may_be_straight)
         straight.want(f - begin, tracer.graph_arc(f, arcs[0]));
     straight.make(input.level, {turns.medium, turns.tensor});
     for (std::size_t f = begin; f < end; ++f) {

@@ -86,8 +86,8 @@ bool CellMesher<Scalar>::find_defects() {
   state_.defects =
       defects.are_all ? defects.against.size() + defects.intersecting.size() : SIZE_MAX;
   if (mesh_.has_defects)
-    state_.tried += mesh_.patch.triangles.size() + defects.intersecting.size() +
-                    defects.tested / kTestsAsOne;
+    state_.tried +=
+        mesh_.patch.triangles.size() + defects.intersecting.size() + defects.tested / kTestsAsOne;
   mesh_.has_doubled_boundary = mesh_.has_defects && tensortopo::has_doubled_boundary(patch);
   state_.beside_defects.clear();
   if (mesh_.has_defects && state_.must_be_embedded && defects.are_all)

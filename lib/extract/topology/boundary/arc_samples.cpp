@@ -176,9 +176,10 @@ class Sampler {
       else
         last = i;
     }
-    // The polygon of all points turns as the loop does: it goes through the same triangles. Few points
-    // of a thin loop that bends may turn the other way.
-    if (const std::vector<char> all(n, 1); arc.closed && turn_of(points, keep) != turn_of(points, all))
+    // The polygon of all points turns as the loop does: it goes through the same triangles. Few
+    // points of a thin loop that bends may turn the other way.
+    if (const std::vector<char> all(n, 1);
+        arc.closed && turn_of(points, keep) != turn_of(points, all))
       keep = all;
     if (!arc.closed && kept == 2 && least == 3) {  // one piece, both ends on one edge
       arc.samples.push_back(at(arc.pieces[0], 0, Scalar(1) / Scalar(2)));

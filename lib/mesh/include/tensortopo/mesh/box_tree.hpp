@@ -33,8 +33,8 @@ class BoxTree {
 
   std::size_t size() const { return order_.size(); }
 
-  /// Calls `f` for the box of a rank and each box of a higher rank that meets it, by their places in
-  /// the list given, until a call returns true. All ranks together give each pair once.
+  /// Calls `f` for the box of a rank and each box of a higher rank that meets it, by their places
+  /// in the list given, until a call returns true. All ranks together give each pair once.
   /// @return whether a call returned true
   template <class F>
   bool any_meeting(std::size_t rank, const F& f) const {
@@ -62,7 +62,7 @@ class BoxTree {
 
   std::vector<std::uint32_t> order_;  ///< places of the boxes, by rank
   std::vector<AxisBox> boxes_;        ///< by rank
-  std::vector<AxisBox> nodes_;        ///< around both parts 2 n and 2 n + 1 of node n; the root is 1
+  std::vector<AxisBox> nodes_;  ///< around both parts 2 n and 2 n + 1 of node n; the root is 1
 };
 
 /// The pairs of boxes that have a point in common, by their places in the list, in no order.

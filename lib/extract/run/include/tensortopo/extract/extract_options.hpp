@@ -18,9 +18,9 @@ struct Sampling {
 
 /// How sheets that turn too far for a disc without inner samples are meshed.
 enum class MeshingMethod {
-  /// Discs by bisection: their boundary loops are filled with triangles, whose edges are bisected at
-  /// points of the level. Other sheets, and discs of which triangles would intersect so, on the
-  /// manifold.
+  /// Discs and tubes by bisection: their boundary loops are filled with triangles, whose edges are
+  /// bisected at points of the level. Other sheets, and those of which triangles would intersect so,
+  /// on the manifold.
   bisection,
   manifold,  ///< on the medium eigenvector manifold, as in the paper
 };
