@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/mesh/validate.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "orientation.hpp"
+#include "tensortopo/scalar/floating_point_environment.hpp"
 
 namespace tensortopo {
 namespace {
@@ -71,6 +76,19 @@ std::int8_t sort_three(std::array<Index, 3>& v) {
   return sign;
 }
 
+/// What is found in a part of the mesh.
+struct Findings {
+  std::vector<MeshDefect> defects;  ///< at most `most_defects`
+  std::vector<OuterFace> outer;
+
+  void add(Kind kind, std::int64_t where, std::string text) {
+    if (defects.size() < most_defects) defects.push_back({kind, where, std::move(text)});
+  }
+};
+
+/// How many parts of a size there are in a count.
+std::size_t parts_in(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
+
 class Validator {
  public:
   Validator(const TetMesh& mesh, std::vector<OuterFace>* outer) : mesh_(mesh), outer_(outer) {}
@@ -81,12 +99,29 @@ class Validator {
       check_cells();
       check_faces();
     }
-    return std::move(defects_);
+    return std::move(found_.defects);
   }
 
  private:
-  void add(Kind kind, std::int64_t where, std::string text) {
-    if (defects_.size() < most_defects) defects_.push_back({kind, where, std::move(text)});
+  /// Calls the body for each of 0 to count - 1, parts of these in parallel; what is found is in the
+  /// order of one thread.
+  template <class Body>
+  void in_parts(std::size_t count, const Body& body) {
+    constexpr std::size_t kPart = 4096;
+    std::vector<Findings> parts(parts_in(count, kPart));
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+      const FloatingPointEnvironment environment;
+      const std::size_t end = std::min(count, (part + 1) * kPart);
+      for (std::size_t i = part * kPart; i < end; ++i) body(i, parts[part]);
+    });
+    for (Findings& part : parts) {
+      const std::size_t room = most_defects - found_.defects.size();
+      std::move(
+          part.defects.begin(),
+          part.defects.begin() + static_cast<std::ptrdiff_t>(std::min(room, part.defects.size())),
+          std::back_inserter(found_.defects));
+      if (outer_ != nullptr) outer_->insert(outer_->end(), part.outer.begin(), part.outer.end());
+    }
   }
 
   std::int64_t id(std::size_t tet) const { return mesh_.cell_ids[tet]; }
@@ -95,94 +130,108 @@ class Validator {
   bool check_lengths() {
     const auto differ = [&](const char* what, std::size_t is, std::size_t should) {
       if (is != should)
-        add(Kind::wrong_length, static_cast<std::int64_t>(is),
+        found_.add(
+            Kind::wrong_length, static_cast<std::int64_t>(is),
             std::to_string(is) + " " + what + " where " + std::to_string(should) + " belong");
     };
     differ("tensors", mesh_.tensors.size(), mesh_.points.size());
     differ("cell ids", mesh_.cell_ids.size(), mesh_.tets.size());
-    return defects_.empty();
+    return found_.defects.empty();
   }
 
   void check_points() {
-    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+    in_parts(mesh_.points.size(), [&](std::size_t i, Findings& found) {
       const auto where = static_cast<std::int64_t>(i);
       if (!is_finite(mesh_.points[i]))
-        add(Kind::non_finite_point, where,
-            "point " + std::to_string(i) + " has a coordinate that is not finite");
+        found.add(Kind::non_finite_point, where,
+                  "point " + std::to_string(i) + " has a coordinate that is not finite");
       else if (max_norm(mesh_.points[i]) > kLargest)
-        add(Kind::out_of_range, where,
-            "point " + std::to_string(i) +
-                " has a coordinate beyond 1e100, too large for products");
+        found.add(Kind::out_of_range, where,
+                  "point " + std::to_string(i) +
+                      " has a coordinate beyond 1e100, too large for products");
       if (!is_finite(mesh_.tensors[i]))
-        add(Kind::non_finite_tensor, where,
+        found.add(
+            Kind::non_finite_tensor, where,
             "the tensor at point " + std::to_string(i) + " has a component that is not finite");
-    }
+    });
   }
 
   void check_cells() {
     sound_.assign(mesh_.tets.size(), 0);
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+    in_parts(mesh_.tets.size(), [&](std::size_t t, Findings& found) {
       const auto& tet = mesh_.tets[t];
       if (!is_in_range(tet, mesh_.points.size())) {
-        add(Kind::index_out_of_range, id(t), name(t) + " names a vertex that does not exist");
+        found.add(Kind::index_out_of_range, id(t), name(t) + " names a vertex that does not exist");
       } else if (repeats_vertex(tet)) {
-        add(Kind::repeated_vertex, id(t), name(t) + " names a vertex twice");
+        found.add(Kind::repeated_vertex, id(t), name(t) + " names a vertex twice");
       } else if (std::all_of(tet.begin(), tet.end(), [&](Index v) {
                    return is_finite(mesh_.points[static_cast<std::size_t>(v)]);
                  })) {
         const int sign = orientation(mesh_, tet);
-        if (sign == 0) add(Kind::degenerate_cell, id(t), name(t) + " is flat: its volume is zero");
-        if (sign < 0) add(Kind::inverted_cell, id(t), name(t) + " has negative volume");
-        if (sign != 0) check_edges(t);
+        if (sign == 0)
+          found.add(Kind::degenerate_cell, id(t), name(t) + " is flat: its volume is zero");
+        if (sign < 0) found.add(Kind::inverted_cell, id(t), name(t) + " has negative volume");
+        if (sign != 0) check_edges(t, found);
         sound_[t] = static_cast<std::int8_t>(sign);
       }
-    }
+    });
   }
 
-  void check_edges(std::size_t t) {
+  void check_edges(std::size_t t, Findings& found) const {
     const auto& tet = mesh_.tets[t];
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (max_norm(mesh_.points[static_cast<std::size_t>(tet[i])] -
                      mesh_.points[static_cast<std::size_t>(tet[j])]) < kSmallest)
-          return add(Kind::out_of_range, id(t),
-                     name(t) + " has points " + std::to_string(tet[j]) + " and " +
-                         std::to_string(tet[i]) +
-                         " at a distance below 1e-100, too small for products");
+          return found.add(Kind::out_of_range, id(t),
+                           name(t) + " has points " + std::to_string(tet[j]) + " and " +
+                               std::to_string(tet[i]) +
+                               " at a distance below 1e-100, too small for products");
   }
 
   void check_faces() {
     // Faces filed by smallest vertex: a counting sort, then each short drawer is sorted.
     std::vector<std::size_t> begin(mesh_.points.size() + 1, 0);
-    for_each_face(
-        [&](Index smallest, const Face&) { ++begin[static_cast<std::size_t>(smallest) + 1]; });
+    for_each_face([&](Index smallest, const Face&) {
+      std::atomic_ref(begin[static_cast<std::size_t>(smallest) + 1])
+          .fetch_add(1, std::memory_order_relaxed);
+    });
     for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
     std::vector<Face> files(begin.back());
     std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
     for_each_face([&](Index smallest, const Face& face) {
-      files[next[static_cast<std::size_t>(smallest)]++] = face;
+      files[std::atomic_ref(next[static_cast<std::size_t>(smallest)])
+                .fetch_add(1, std::memory_order_relaxed)] = face;
     });
-    for (std::size_t v = 0; v + 1 < begin.size(); ++v)
-      check_drawer(static_cast<Index>(v), files.data() + begin[v], files.data() + begin[v + 1]);
+    in_parts(mesh_.points.size(), [&](std::size_t v, Findings& found) {
+      check_drawer(static_cast<Index>(v), files.data() + begin[v], files.data() + begin[v + 1],
+                   found);
+    });
   }
 
-  /// Faces of the tetrahedra that have a volume, turned to be positive.
+  /// Faces of the tetrahedra that have a volume, turned to be positive; in parallel.
   template <class Visit>
   void for_each_face(const Visit& visit) const {
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-      if (sound_[t] == 0) continue;
-      const auto& tet = mesh_.tets[t];
-      for (std::size_t corner = 0; corner < 4; ++corner) {
-        const auto& f = faces[corner];
-        std::array<Index, 3> v{tet[f[0]], tet[f[1]], tet[f[2]]};
-        const auto side = static_cast<std::int8_t>(sort_three(v) * sound_[t]);
-        visit(v[0],
-              Face{v[1], v[2], static_cast<Index>(t), static_cast<std::int8_t>(corner), side});
-      }
+    constexpr std::size_t kPart = 4096;
+    const std::size_t tets = mesh_.tets.size();
+    tbb::parallel_for(std::size_t{0}, parts_in(tets, kPart), [&](std::size_t part) {
+      for (std::size_t t = part * kPart; t < std::min(tets, (part + 1) * kPart); ++t)
+        if (sound_[t] != 0) visit_faces(t, visit);
+    });
+  }
+
+  template <class Visit>
+  void visit_faces(std::size_t t, const Visit& visit) const {
+    const auto& tet = mesh_.tets[t];
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const auto& f = faces[corner];
+      std::array<Index, 3> v{tet[f[0]], tet[f[1]], tet[f[2]]};
+      const auto side = static_cast<std::int8_t>(sort_three(v) * sound_[t]);
+      visit(v[0], Face{v[1], v[2], static_cast<Index>(t), static_cast<std::int8_t>(corner), side});
     }
   }
 
-  void check_drawer(Index smallest, Face* first, Face* last) {
+  void check_drawer(Index smallest, Face* first, Face* last, Findings& found) const {
     std::sort(first, last, [](const Face& f, const Face& g) {
       if (f.middle != g.middle) return f.middle < g.middle;
       if (f.largest != g.largest) return f.largest < g.largest;
@@ -192,8 +241,8 @@ class Validator {
       Face* end = first + 1;
       while (end != last && end->middle == first->middle && end->largest == first->largest) ++end;
       const bool regular = end - first == 2 && first[0].side != first[1].side;
-      if (end - first > 1 && !regular) check_shared_face(smallest, first, end);
-      if (end - first == 1 && outer_ != nullptr) outer_->push_back(outer_face(*first));
+      if (end - first > 1 && !regular) check_shared_face(smallest, first, end, found);
+      if (end - first == 1 && outer_ != nullptr) found.outer.push_back(outer_face(*first));
       first = end;
     }
   }
@@ -210,7 +259,8 @@ class Validator {
     return mesh_.tets[static_cast<std::size_t>(f.tet)][static_cast<std::size_t>(f.corner)];
   }
 
-  void check_shared_face(Index smallest, const Face* first, const Face* last) {
+  void check_shared_face(Index smallest, const Face* first, const Face* last,
+                         Findings& found) const {
     const auto face = [&] {
       return " (face " + std::to_string(smallest) + " " + std::to_string(first->middle) + " " +
              std::to_string(first->largest) + ")";
@@ -229,23 +279,24 @@ class Validator {
       if (opposite(f) != opposite(g)) continue;
       copies = true;
       if (opposite(f) > f.largest)
-        add(Kind::duplicated_cell, where(f), cell(f) + " has the same vertices as " + cell(g));
+        found.add(Kind::duplicated_cell, where(f),
+                  cell(f) + " has the same vertices as " + cell(g));
     }
     if (copies) return;
     if (last - first > 2) {
-      add(Kind::crowded_face, where(first[2]),
-          cell(first[2]) + " shares a face with two others, " + cell(first[0]) + " and " +
-              cell(first[1]) + face());
+      found.add(Kind::crowded_face, where(first[2]),
+                cell(first[2]) + " shares a face with two others, " + cell(first[0]) + " and " +
+                    cell(first[1]) + face());
     } else if (first[0].side == first[1].side) {
-      add(Kind::overlapping_cells, where(first[1]),
-          cell(first[1]) + " and " + cell(first[0]) +
-              " overlap: they lie on the same side of a face" + face());
+      found.add(Kind::overlapping_cells, where(first[1]),
+                cell(first[1]) + " and " + cell(first[0]) +
+                    " overlap: they lie on the same side of a face" + face());
     }
   }
 
   const TetMesh& mesh_;
   std::vector<OuterFace>* outer_;
-  std::vector<MeshDefect> defects_;
+  Findings found_;
   std::vector<std::int8_t> sound_;  // sign of the volume; 0 if flat or not to be judged
 };
 
@@ -257,16 +308,25 @@ std::vector<MeshDefect> validate(const TetMesh& mesh, std::vector<OuterFace>* ou
 }
 
 std::size_t repair_orientation(TetMesh& mesh) {
-  std::size_t turned = 0;
-  for (auto& tet : mesh.tets) {
-    if (!is_in_range(tet, mesh.points.size())) continue;
-    if (!std::all_of(tet.begin(), tet.end(),
-                     [&](Index v) { return is_finite(mesh.points[static_cast<std::size_t>(v)]); }))
-      continue;
-    if (orientation(mesh, tet) >= 0) continue;
-    std::swap(tet[2], tet[3]);
-    ++turned;
-  }
+  constexpr std::size_t kPart = 4096;
+  std::atomic<std::size_t> turned{0};
+  const std::size_t tets = mesh.tets.size();
+  tbb::parallel_for(std::size_t{0}, parts_in(tets, kPart), [&](std::size_t part) {
+    const FloatingPointEnvironment environment;
+    std::size_t here = 0;
+    for (std::size_t t = part * kPart; t < std::min(tets, (part + 1) * kPart); ++t) {
+      auto& tet = mesh.tets[t];
+      if (!is_in_range(tet, mesh.points.size())) continue;
+      if (!std::all_of(tet.begin(), tet.end(), [&](Index v) {
+            return is_finite(mesh.points[static_cast<std::size_t>(v)]);
+          }))
+        continue;
+      if (orientation(mesh, tet) >= 0) continue;
+      std::swap(tet[2], tet[3]);
+      ++here;
+    }
+    turned += here;
+  });
   return turned;
 }
 

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 #include "run/for_each.hpp"
@@ -118,21 +119,28 @@ class Interpolation {
 /// @param bound  of an interpolation and a place
 template <class Bound>
 double largest_bound(const TetMesh& mesh, const SurfaceMesh& surface, const Bound& bound) {
-  std::vector<std::pair<Index, Index>> uses;  // tetrahedra and vertices of the surface
-  uses.reserve(3 * surface.triangles.size());
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const auto v : surface.triangles[t]) uses.emplace_back(surface.tet[t], v);
-  std::sort(uses.begin(), uses.end());
-  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  std::vector<std::uint32_t> order(surface.triangles.size());  // by tetrahedron
+  std::iota(order.begin(), order.end(), 0u);
+  if (!std::is_sorted(surface.tet.begin(), surface.tet.end()))
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return surface.tet[a] < surface.tet[b];
+    });
   std::vector<std::size_t> starts;
-  for (std::size_t i = 0; i < uses.size(); ++i)
-    if (i == 0 || uses[i].first != uses[i - 1].first) starts.push_back(i);
-  starts.push_back(uses.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (i == 0 || surface.tet[order[i]] != surface.tet[order[i - 1]]) starts.push_back(i);
+  starts.push_back(order.size());
   std::vector<double> bounds(starts.size(), 0);
   detail::for_each(starts.size() - 1, [&](std::size_t n) {
-    const Interpolation inside(mesh, uses[starts[n]].first);
-    for (std::size_t i = starts[n]; i < starts[n + 1]; ++i)
-      bounds[n] = std::max(bounds[n], bound(inside, as_size(uses[i].second)));
+    thread_local std::vector<Index> vertices;
+    vertices.clear();
+    for (std::size_t i = starts[n]; i < starts[n + 1]; ++i) {
+      const auto& triangle = surface.triangles[order[i]];
+      vertices.insert(vertices.end(), triangle.begin(), triangle.end());
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const Interpolation inside(mesh, surface.tet[order[starts[n]]]);
+    for (const auto v : vertices) bounds[n] = std::max(bounds[n], bound(inside, as_size(v)));
   });
   return *std::max_element(bounds.begin(), bounds.end());
 }

@@ -78,13 +78,13 @@ class Assembly {
       } else if (!taken.empty() && taken[c] == 0) {
         ++report_.cells_left_out;
       } else if (quadratic_kind(grid.types[c]).nodes > 0) {
-        corners = vertices_of(grid, c, vertices);
+        vertices_of(grid, c, vertices, corners);
         take_quadratic(grid, c, corners, static_cast<std::int64_t>(first_cell_ + c));
       } else if (kind.use != Use::tetrahedron &&
                  (kind.use != Use::split || !(options_.tetrahedralize || grid.is_regular))) {
         refusals.add(grid.types[c], c);
       } else {
-        corners = vertices_of(grid, c, vertices);
+        vertices_of(grid, c, vertices, corners);
         if (corners.size() != kind.corners)
           throw IoError(IoError::Kind::invalid, grid.file,
                         "a cell has " + std::to_string(corners.size()) + " corners where " +

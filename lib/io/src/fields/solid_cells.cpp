@@ -45,9 +45,15 @@ std::size_t corners_of(const RawGrid& grid, std::size_t cell) {
 std::vector<Index> vertices_of(const RawGrid& grid, std::size_t cell,
                                const std::vector<Index>& map) {
   std::vector<Index> vertices;
+  vertices_of(grid, cell, map, vertices);
+  return vertices;
+}
+
+void vertices_of(const RawGrid& grid, std::size_t cell, const std::vector<Index>& map,
+                 std::vector<Index>& vertices) {
+  vertices.clear();
   for (std::int64_t i = grid.offsets[cell]; i < grid.offsets[cell + 1]; ++i)
     vertices.push_back(map[as_size(grid.connectivity[as_size(i)])]);
-  return vertices;
 }
 
 double cell_volume(const TetMesh& mesh, std::uint8_t vtk_type, std::span<const Index> corners) {

@@ -24,6 +24,9 @@ std::size_t corners_of(const RawGrid& grid, std::size_t cell);
 /// The vertices of a cell's nodes.
 std::vector<TetMesh::Index> vertices_of(const RawGrid& grid, std::size_t cell,
                                         const std::vector<TetMesh::Index>& map);
+/// The same in a list that is used again.
+void vertices_of(const RawGrid& grid, std::size_t cell, const std::vector<TetMesh::Index>& map,
+                 std::vector<TetMesh::Index>& vertices);
 
 /// The volume of the cell of these corners; 0 for a type without one.
 double cell_volume(const TetMesh& mesh, std::uint8_t vtk_type,
