@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/reports_of.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,12 +19,17 @@ SurfaceReport surface_report(const TetMesh& mesh, const ModeValue& mode,
   report.mode = mode;
   report.vertices = extraction.surface.points.size();
   report.triangles = extraction.surface.triangles.size();
-  report.invariants = surface_invariants(extraction.surface);
-  report.invariants.component.clear();
-  // Another method does not know.
-  report.max_abs_residual = extraction.surface.residual.empty() && report.vertices > 0
-                                ? std::numeric_limits<double>::quiet_NaN()
-                                : residual_bound(mesh, mode, extraction.surface);
+  tbb::parallel_invoke(
+      [&] {
+        report.invariants = surface_invariants(extraction.surface);
+        report.invariants.component.clear();
+      },
+      [&] {
+        // Another method does not know.
+        report.max_abs_residual = extraction.surface.residual.empty() && report.vertices > 0
+                                      ? std::numeric_limits<double>::quiet_NaN()
+                                      : residual_bound(mesh, mode, extraction.surface);
+      });
   for (const UnresolvedCell& cell : extraction.unresolved) {
     ++report.unresolved[std::string(name_of(cell.reason))];
   }
