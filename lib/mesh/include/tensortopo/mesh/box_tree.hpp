@@ -13,7 +13,8 @@ namespace tensortopo {
 
 /// A box along the axes.
 struct AxisBox {
-  std::array<double, 3> low{}, high{};
+  std::array<double, 3> low{};   ///< the least coordinates
+  std::array<double, 3> high{};  ///< the largest coordinates
 };
 
 /// Whether two boxes, `low` to `high`, have a point in common.
@@ -31,6 +32,7 @@ class BoxTree {
   /// @pre no coordinate is NaN
   explicit BoxTree(std::span<const AxisBox> boxes);
 
+  /// How many boxes there are.
   std::size_t size() const { return order_.size(); }
 
   /// Calls `f` for the box of a rank and each box of a higher rank that meets it, by their places
