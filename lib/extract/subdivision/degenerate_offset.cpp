@@ -35,12 +35,19 @@ Deviator<double> degenerate_offset(const Deviator<double>& t, int sign) {
                                               k * e.x * e.y, k * e.y * e.z, k * e.x * e.z});
 }
 
-double sag_of_chord(const std::array<Deviator<double>, 3>& tensors, int sign) {
-  std::array<Deviator<double>, 3> offsets;
-  for (std::size_t i = 0; i < 3; ++i) offsets[i] = degenerate_offset(tensors[i], sign);
-  const double first = std::sqrt(norm_form(tensors[0])), second = std::sqrt(norm_form(tensors[1]));
-  const auto sag = offsets[2] - (1 / (first + second)) * (first * offsets[0] + second * offsets[1]);
-  return std::sqrt(norm_form(sag) / std::max(norm_form(offsets[0]), norm_form(offsets[1])));
+double sag_of_chord(const Deviator<double>& first, const Deviator<double>& last, int sign) {
+  const auto at_first = degenerate_offset(first, sign), at_last = degenerate_offset(last, sign);
+  const double m = std::sqrt(norm_form(first)), n = std::sqrt(norm_form(last));
+  const auto sag =
+      degenerate_offset(first + last, sign) - (1 / (m + n)) * (m * at_first + n * at_last);
+  return std::sqrt(norm_form(sag) / std::max(norm_form(at_first), norm_form(at_last)));
+}
+
+int sag_halvings(double sag, int most) {
+  int halvings = 0;
+  while (std::ldexp(sag, -2 * halvings) > kLargestSag)
+    if (++halvings > most) return 0;
+  return halvings;
 }
 
 }  // namespace tensortopo::detail

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
 #include "tensortopo/tensor/deviator.hpp"
 #include "tensortopo/tensor/vector3.hpp"
 
@@ -21,7 +19,15 @@ Deviator<double> degenerate_offset(const Deviator<double>& t, int sign);
 /// How far a chord of a level next to the degenerate curve leaves it, over the distance of the
 /// level from the curve: what the offset at a place on the chord has more than the mean of those at
 /// its ends, which it is beside a straight curve.
-/// @param tensors at the ends of the chord, and their sum
-double sag_of_chord(const std::array<Deviator<double>, 3>& tensors, int sign);
+/// @param first, last  tensors at the ends of the chord
+double sag_of_chord(const Deviator<double>& first, const Deviator<double>& last, int sign);
+
+/// Chords are to sag by at most so much, if so many halvings are enough.
+inline constexpr double kLargestSag = 0.5;
+inline constexpr int kMostSagHalvings = 8;
+
+/// How often a chord is to be halved so that it does not sag by more; each halving leaves a
+/// quarter. None if it would be too often.
+int sag_halvings(double sag, int most = kMostSagHalvings);
 
 }  // namespace tensortopo::detail

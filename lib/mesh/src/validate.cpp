@@ -86,8 +86,19 @@ struct Findings {
   }
 };
 
-/// How many parts of a size there are in a count.
-std::size_t parts_in(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
+constexpr std::size_t kPart = 4096;  ///< that one thread takes at a time
+
+std::size_t parts_in(std::size_t count) { return (count + kPart - 1) / kPart; }
+
+/// Calls the body for each of 0 to count - 1 with the number of its part; parts in parallel, with
+/// the rounding that predicates need.
+template <class Body>
+void for_each_in_parts(std::size_t count, const Body& body) {
+  tbb::parallel_for(std::size_t{0}, parts_in(count), [&](std::size_t part) {
+    const FloatingPointEnvironment environment;
+    for (std::size_t i = part * kPart; i < std::min(count, (part + 1) * kPart); ++i) body(i, part);
+  });
+}
 
 class Validator {
  public:
@@ -107,13 +118,8 @@ class Validator {
   /// order of one thread.
   template <class Body>
   void in_parts(std::size_t count, const Body& body) {
-    constexpr std::size_t kPart = 4096;
-    std::vector<Findings> parts(parts_in(count, kPart));
-    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
-      const FloatingPointEnvironment environment;
-      const std::size_t end = std::min(count, (part + 1) * kPart);
-      for (std::size_t i = part * kPart; i < end; ++i) body(i, parts[part]);
-    });
+    std::vector<Findings> parts(parts_in(count));
+    for_each_in_parts(count, [&](std::size_t i, std::size_t part) { body(i, parts[part]); });
     for (Findings& part : parts) {
       const std::size_t room = most_defects - found_.defects.size();
       std::move(
@@ -212,11 +218,8 @@ class Validator {
   /// Faces of the tetrahedra that have a volume, turned to be positive; in parallel.
   template <class Visit>
   void for_each_face(const Visit& visit) const {
-    constexpr std::size_t kPart = 4096;
-    const std::size_t tets = mesh_.tets.size();
-    tbb::parallel_for(std::size_t{0}, parts_in(tets, kPart), [&](std::size_t part) {
-      for (std::size_t t = part * kPart; t < std::min(tets, (part + 1) * kPart); ++t)
-        if (sound_[t] != 0) visit_faces(t, visit);
+    for_each_in_parts(mesh_.tets.size(), [&](std::size_t t, std::size_t) {
+      if (sound_[t] != 0) visit_faces(t, visit);
     });
   }
 
@@ -308,24 +311,16 @@ std::vector<MeshDefect> validate(const TetMesh& mesh, std::vector<OuterFace>* ou
 }
 
 std::size_t repair_orientation(TetMesh& mesh) {
-  constexpr std::size_t kPart = 4096;
   std::atomic<std::size_t> turned{0};
-  const std::size_t tets = mesh.tets.size();
-  tbb::parallel_for(std::size_t{0}, parts_in(tets, kPart), [&](std::size_t part) {
-    const FloatingPointEnvironment environment;
-    std::size_t here = 0;
-    for (std::size_t t = part * kPart; t < std::min(tets, (part + 1) * kPart); ++t) {
-      auto& tet = mesh.tets[t];
-      if (!is_in_range(tet, mesh.points.size())) continue;
-      if (!std::all_of(tet.begin(), tet.end(), [&](Index v) {
-            return is_finite(mesh.points[static_cast<std::size_t>(v)]);
-          }))
-        continue;
-      if (orientation(mesh, tet) >= 0) continue;
-      std::swap(tet[2], tet[3]);
-      ++here;
-    }
-    turned += here;
+  for_each_in_parts(mesh.tets.size(), [&](std::size_t t, std::size_t) {
+    auto& tet = mesh.tets[t];
+    if (!is_in_range(tet, mesh.points.size())) return;
+    if (!std::all_of(tet.begin(), tet.end(),
+                     [&](Index v) { return is_finite(mesh.points[static_cast<std::size_t>(v)]); }))
+      return;
+    if (orientation(mesh, tet) >= 0) return;
+    std::swap(tet[2], tet[3]);
+    turned.fetch_add(1, std::memory_order_relaxed);
   });
   return turned;
 }

@@ -12,7 +12,6 @@
 #include "extract/patch/charts/dominant_chart.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/subdivision/degenerate_offset.hpp"
-#include "extract/topology/boundary/arc_samples.hpp"
 
 namespace tensortopo {
 
@@ -136,12 +135,7 @@ class DominantMesher : ChartMesher<Scalar> {
       const double turn = 2 * std::numbers::pi * (k + 0.3) / kProbes;
       const auto first = chart_.tensor({from, turn}), last = chart_.tensor({to, turn});
       if (!first || !last) continue;
-      const auto s = deviator(*first), t = deviator(*last);
-      const double sag = detail::sag_of_chord({s, t, s + t}, 1);
-      int halvings = 0;
-      while (std::ldexp(sag, -2 * halvings) > kLargestSag && halvings <= kMostSagHalvings)
-        ++halvings;
-      return halvings <= kMostSagHalvings ? halvings : 0;
+      return detail::sag_halvings(detail::sag_of_chord(deviator(*first), deviator(*last), 1));
     }
     return 0;
   }

@@ -14,7 +14,7 @@
 #include "extract/patch/fill/turned_loop.hpp"
 #include "extract/patch/patch_check.hpp"
 #include "extract/run/extractor_scalars.hpp"
-#include "extract/topology/boundary/arc_samples.hpp"
+#include "extract/subdivision/degenerate_offset.hpp"
 #include "extract/topology/regions/arc_loops.hpp"
 #include "tensortopo/scalar/elementary.hpp"
 
@@ -74,10 +74,9 @@ class TubeMesher {
     // Frames carried along the curve.
     std::vector<Station> stations;
     const auto& e = arc.dominant;
-    const Vector3<double> axis =
-        std::abs(e[0].x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0};
     for (std::size_t k = 0; k < e.size(); ++k)
-      stations.push_back({e[k], frame_across(e[k], k == 0 ? axis : stations[k - 1].frame.first)});
+      stations.push_back(
+          {e[k], k == 0 ? frame_across(e[k]) : frame_across(e[k], stations[k - 1].frame.first)});
     bool clockwise = false;
     auto first = loop_ring(first_boundary, stations.front(), clockwise);
     bool last_clockwise = false;
@@ -95,12 +94,12 @@ class TubeMesher {
       const auto inner = inner_ring(stations[k * (e.size() - 1) / strips], clockwise);
       if (!inner) continue;  // next to a face: the strip is longer there
       const Ring ring = add(*inner);
-      join_along_curve(*first, ring, clockwise, kMostSagHalvings);
+      join_along_curve(*first, ring, clockwise, detail::kMostSagHalvings);
       first = ring;
       any = true;
     }
     if (!any && arc.ends[0].face == arc.ends[1].face) return false;
-    join_along_curve(*first, *last, clockwise, kMostSagHalvings);
+    join_along_curve(*first, *last, clockwise, detail::kMostSagHalvings);
     return true;
   }
 
@@ -140,7 +139,7 @@ class TubeMesher {
     const double sag = inner ? length(inner->ring.centre - 0.5 * (lower.centre + upper.centre)) /
                                    inner->ring.radius
                              : 0;
-    if (!(sag > kLargestSag) || sag > std::ldexp(kLargestSag, 2 * halvings))
+    if (detail::sag_halvings(sag, halvings) == 0)
       return join_loops(lower.loop, upper.loop, out_.triangles);
     const Ring middle = add(*inner);
     join_along_curve(lower, middle, clockwise, halvings - 1);

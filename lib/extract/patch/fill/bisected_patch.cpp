@@ -20,7 +20,6 @@
 #include "extract/patch/vertex_on_level.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/subdivision/degenerate_offset.hpp"
-#include "extract/topology/boundary/arc_samples.hpp"
 #include "tensortopo/scalar/elementary.hpp"
 
 namespace tensortopo {
@@ -56,8 +55,7 @@ std::optional<EigenvectorFrame> frame_of_tube(std::span<const BoundaryVertex> bo
         return std::abs(dot(v.dominant, mean)) > kLeastCosineOfTube;
       }))
     return std::nullopt;
-  return frame_across(mean,
-                      std::abs(mean.x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0});
+  return frame_across(mean);
 }
 
 /// In a unit in which products of lengths do not overflow.
@@ -118,9 +116,9 @@ class BisectedPatch {
   }
 
   bool sags(const Vector3<double>& a, const Vector3<double>& b) const {
-    const auto s = geometry_.tensor(a, tensors_), t = geometry_.tensor(b, tensors_);
-    const double sag = detail::sag_of_chord({s, t, s + t}, level_.sign);
-    return sag > kLargestSag && sag < std::ldexp(kLargestSag, 2 * kMostSagHalvings);
+    const double sag = detail::sag_of_chord(geometry_.tensor(a, tensors_),
+                                            geometry_.tensor(b, tensors_), level_.sign);
+    return detail::sag_halvings(sag) > 0;
   }
 
   /// Whether the level is farther than a distance, to first order.

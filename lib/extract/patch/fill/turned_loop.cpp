@@ -22,6 +22,11 @@ EigenvectorFrame frame_across(const Vector3<double>& dominant, const Vector3<dou
   return {first, cross(dominant, first)};
 }
 
+EigenvectorFrame frame_across(const Vector3<double>& dominant) {
+  return frame_across(
+      dominant, std::abs(dominant.x) < 0.6 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0});
+}
+
 std::optional<DirectedLoop> turned_loop(std::span<const BoundaryVertex> boundary,
                                         const EigenvectorFrame& frame) {
   std::vector<double> angles;

@@ -19,6 +19,8 @@ struct EigenvectorFrame {
 
 /// The frame across a unit vector whose first vector is nearest to a given one.
 EigenvectorFrame frame_across(const Vector3<double>& dominant, const Vector3<double>& near);
+/// The same for an axis of space that is not close to the vector.
+EigenvectorFrame frame_across(const Vector3<double>& dominant);
 
 /// Vertices around a tube. Angles are twice those of the medium eigenvector in a frame across the
 /// dominant one: once around the tube is 2 pi.

@@ -211,16 +211,14 @@ CellPatch::Refusal* CellPatch::refusal_of(Place v, Place u) {
 bool CellPatch::is_still_refused(Place v, Place u) {
   const Refusal* refusal = refusal_of(v, u);
   if (refusal == nullptr) return false;
-  const auto is_unchanged = [&](std::uint32_t t) { return changed_[t] <= refusal->turn; };
-  const auto& star = around_[v];
-  return star.size() == refusal->star && std::all_of(star.begin(), star.end(), is_unchanged) &&
-         (refusal->intersected == Refusal::kNone || is_unchanged(refusal->intersected));
+  return is_unchanged_around(v, refusal->turn) && (refusal->intersected == Refusal::kNone ||
+                                                   changed_[refusal->intersected] <= refusal->turn);
 }
 
 void CellPatch::refuse(Place v, Place u, std::uint32_t intersected) {
   Refusal* old = refusal_of(v, u);
   Refusal& refusal = old != nullptr ? *old : refusals_[v].emplace_back();
-  refusal = {u, intersected, around_[v].size(), turn_};
+  refusal = {u, intersected, turn_};
 }
 
 bool CellPatch::is_embedded_after(Id vertex, Id neighbour) {

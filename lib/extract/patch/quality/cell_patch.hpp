@@ -77,7 +77,6 @@ class CellPatch {
     static constexpr std::uint32_t kNone = 0xffffffff;
     Place neighbour = 0;
     std::uint32_t intersected = kNone;
-    std::size_t star = 0;    ///< how many triangles the vertex had
     std::uint32_t turn = 0;  ///< of `changed_`
   };
 

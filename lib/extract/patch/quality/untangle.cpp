@@ -84,7 +84,6 @@ class Untangling {
   bool is_inner(Place v) const { return placed_.ids[v] < 0; }
   void enter(std::uint32_t t) {
     for (const Place v : placed_.triangles[t]) around_[v].push_back(t);
-    extents_.set(t, placed_.points, placed_.triangles[t]);
     cosine_[t] = facing(placed_.triangles[t]).cosine;
   }
   void take_out(std::uint32_t t) {
@@ -141,6 +140,7 @@ class Untangling {
       }
       placed_.triangles[t] = triangle;
       bad_[t] = !facing(triangle).is_upward;
+      extents_.set(t, placed_.points, triangle);
       enter(t);
     }
   }

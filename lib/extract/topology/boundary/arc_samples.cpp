@@ -146,9 +146,8 @@ class Sampler {
   /// Whether the chord leaves the level by too much; not if it would take too many samples to mend
   /// that.
   bool sags(const CurvePoint<Scalar>& a, const CurvePoint<Scalar>& b) const {
-    const double sag = detail::sag_of_chord(
-        rounded(std::array{a.tensor, b.tensor, a.tensor + b.tensor}), level_.sign);
-    return sag > kLargestSag && sag < std::ldexp(kLargestSag, 2 * kMostSagHalvings);
+    const auto ends = rounded(std::array{a.tensor, b.tensor});
+    return detail::sag_halvings(detail::sag_of_chord(ends[0], ends[1], level_.sign)) > 0;
   }
 
   void between(const ArcPiece<Scalar>& piece, std::size_t index, const CurvePoint<Scalar>& a,

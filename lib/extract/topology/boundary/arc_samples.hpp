@@ -10,11 +10,6 @@
 
 namespace tensortopo {
 
-/// Chords of a level next to mode 1 or -1 leave it by at most so many of its distances from the
-/// degenerate curve, if so many halvings are enough, each of which leaves a quarter.
-inline constexpr double kLargestSag = 0.5;
-inline constexpr int kMostSagHalvings = 8;
-
 /// Cosines of the largest angles between medium eigenvectors, and between tensors, of neighbouring
 /// samples.
 struct SampleTurns {
@@ -26,7 +21,7 @@ struct SampleTurns {
 };
 
 /// Samples the arc so that neither the medium eigenvector nor the tensor turns too far from one
-/// sample to the next, and no chord sags by more than `kLargestSag`.
+/// sample to the next, and no chord sags by more than `detail::kLargestSag`.
 template <class Scalar>
 void sample_arc(FaceArc<Scalar>& arc, const std::array<Deviator<Scalar>, 3>& face,
                 const Level<Scalar>& level, const SampleTurns& turns);
