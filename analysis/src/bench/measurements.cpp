@@ -10,13 +10,16 @@
 #include <string_view>
 #include <utility>
 
+#include "bench/arithmetic.hpp"
 #include "bench/bench_command.hpp"
 #include "bench/machine.hpp"
+#include "bench/methods.hpp"
 #include "bench/program_runs.hpp"
 #include "bench/scaling.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/io/file_group.hpp"
+#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/io/temporary_folder.hpp"
 
 namespace tensortopo {
@@ -46,6 +49,7 @@ class Page {
     text_ += programs_table(command_, budget_, progress_);
     times();
     costs();
+    costs_of_tetrahedra();
     serial_shares();
     several_modes();
     curves();
@@ -159,6 +163,38 @@ class Page {
           name(r.input), both_signs(r.modes.front()), each * r.stages.at("edges"),
           each * r.stages.at("faces"), each * r.stages.at("tets"), each * r.stages.at("stitch"),
           all, of_vtk, all / of_vtk);
+    }
+  }
+
+  /// Of the fields and modes of `times`.
+  void costs_of_tetrahedra() {
+    add("\n## Cost of a tetrahedron, and of its arithmetic\n\nMicroseconds of processors for each "
+        "tetrahedron that holds the surface: seconds of a stage times threads, over tetrahedra; "
+        "and "
+        "what its arithmetic takes on one thread: a proved crossing of each edge, a proof for each "
+        "face and each tetrahedron with vertices on both sides, in lanes, on arrays that are there "
+        "already. Stages do more: edges screens the whole mesh, faces samples arcs, tetrahedra "
+        "makes "
+        "triangles and improves them.\n\n"
+        "| field | modes | tetrahedra | edges | arithmetic | faces | arithmetic | tetrahedra | "
+        "arithmetic | all | all over arithmetic |\n|{}\n",
+        dashes(11));
+    for (const BenchReport& r : reports_) {
+      tell("arithmetic of " + name(r.input));
+      const TetMesh mesh = read_mesh(r.input, command_.read).mesh;
+      const Arithmetic arithmetic = measure_arithmetic(mesh, with_opposites(r.modes));
+      const BenchSeries* ours = series_of(r, "extract");
+      if (ours == nullptr || arithmetic.crossed == 0) continue;
+      const double one = 1e6 / static_cast<double>(arithmetic.crossed);
+      const double each = one * static_cast<double>(r.threads);
+      const double sum = one * (arithmetic.edges + arithmetic.faces + arithmetic.tets);
+      const double all = each * ours->median();
+      add("| {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.1f} "
+          "|\n",
+          name(r.input), both_signs(r.modes.front()), arithmetic.crossed,
+          each * r.stages.at("edges"), one * arithmetic.edges, each * r.stages.at("faces"),
+          one * arithmetic.faces, each * r.stages.at("tets"), one * arithmetic.tets, all,
+          all / sum);
     }
   }
 
