@@ -133,6 +133,7 @@ bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
   const auto pairs = joined(triangle, crossings, proof.direction, count);
   if (pairs.size() != count / 2) return false;
 
+  const auto before = static_cast<std::ptrdiff_t>(arcs.size());
   ArcPiece<Scalar> piece;
   piece.direction = proof.direction;
   for (const auto& ends : pairs) {
@@ -153,7 +154,7 @@ bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
       (falls ? piece.begin : piece.end) = place;
     }
     if (begins != 1) {
-      arcs.clear();
+      arcs.erase(arcs.begin() + before, arcs.end());
       return false;
     }
     arc.pieces.push_back(piece);
