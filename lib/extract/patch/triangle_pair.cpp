@@ -62,7 +62,7 @@ Side side_of(std::span<const Vector3<double>> points, const PatchTriangle& t) {
   for (std::size_t i = 0; i < 3; ++i) side.corners[i] = points[t[i]];
   const auto u = side.corners[1] - side.corners[0], v = side.corners[2] - side.corners[0];
   side.normal = cross(u, v);
-  side.error = kRoundings * largest(u) * largest(v);
+  side.error = kRoundings * largest(u) * largest(v) + kNormalUnderflow;
   side.has_area = largest(side.normal) > side.error + kUnderflow || !are_collinear(side.corners);
   return side;
 }
