@@ -40,8 +40,6 @@ inline double largest(const Vector3<double>& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-AxisBox box_of(std::span<const Vector3<double>> points, const PatchTriangle& t);
-
 Side side_of(std::span<const Vector3<double>> points, const PatchTriangle& t);
 
 /// Corners that are the same vertex.
