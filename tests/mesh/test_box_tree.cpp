@@ -40,6 +40,30 @@ std::vector<AxisBox> random_boxes(std::size_t count, int largest, std::mt19937& 
   return boxes;
 }
 
+TEST(AxisBox, OfPointsIsTheHullOfTheirBoxesAndTheSmallestThatHoldsThem) {
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> place(-5, 5);
+  EXPECT_FALSE(boxes_meet(box_of({}), AxisBox{{-1, -1, -1}, {1, 1, 1}}));
+  for (std::size_t count = 1; count < 8; ++count) {
+    std::vector<Vector3<double>> points;
+    AxisBox around = box_of({});
+    for (std::size_t i = 0; i < count; ++i) {
+      points.push_back({1.0 * place(random), 1.0 * place(random), 1.0 * place(random)});
+      around = hull(box_of(std::span(points).last(1)), around);
+    }
+    const AxisBox box = box_of(points);
+    EXPECT_EQ(box.low, around.low);
+    EXPECT_EQ(box.high, around.high);
+    const auto by = [](double Vector3<double>::*axis) {
+      return [axis](const auto& p, const auto& q) { return p.*axis < q.*axis; };
+    };
+    const auto [left, right] =
+        std::minmax_element(points.begin(), points.end(), by(&Vector3<double>::y));
+    EXPECT_EQ(box.low[1], left->y);
+    EXPECT_EQ(box.high[1], right->y);
+  }
+}
+
 TEST(MeetingBoxes, AreThePairsWithACommonPointEachOnce) {
   std::mt19937 random(20241124);
   std::size_t compared = 0;

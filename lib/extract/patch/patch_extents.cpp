@@ -83,11 +83,7 @@ std::optional<std::size_t> PatchExtents::find_intersection(
     for (std::size_t j = i + 1; j < sides.size(); ++j)
       if (are_in_conflict(sides[i], sides[j])) return triangles.size();
   AxisBox all = extents[0];
-  for (const auto& e : extents)
-    for (std::size_t k = 0; k < 3; ++k) {
-      all.low[k] = std::min(all.low[k], e.low[k]);
-      all.high[k] = std::max(all.high[k], e.high[k]);
-    }
+  for (const auto& e : extents) all = hull(all, e);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (!boxes_meet(extents_[t], all) || triangles[t][0] == triangles[t][1] ||
         std::find(replaced.begin(), replaced.end(), t) != replaced.end())

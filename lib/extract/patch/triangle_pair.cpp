@@ -41,28 +41,15 @@ bool is_apart(const Side& plane, const std::array<Vector3<double>, 3>& corners, 
 
 }  // namespace
 
-AxisBox box_of(std::span<const Vector3<double>> points, const PatchTriangle& t) {
-  AxisBox box;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& p = points[t[i]];
-    const std::array<double, 3> x{p.x, p.y, p.z};
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = i == 0 ? x[k] : std::min(box.low[k], x[k]);
-      box.high[k] = i == 0 ? x[k] : std::max(box.high[k], x[k]);
-    }
-  }
-  return box;
-}
-
 Side side_of(std::span<const Vector3<double>> points, const PatchTriangle& t) {
   Side side{};
   side.places = t;
-  const AxisBox box = box_of(points, t);
-  side.low = box.low, side.high = box.high;
   for (std::size_t i = 0; i < 3; ++i) side.corners[i] = points[t[i]];
+  const AxisBox box = box_of(side.corners);
+  side.low = box.low, side.high = box.high;
   const auto u = side.corners[1] - side.corners[0], v = side.corners[2] - side.corners[0];
   side.normal = cross(u, v);
-  side.error = kRoundings * largest(u) * largest(v);
+  side.error = kRoundings * largest(u) * largest(v) + kNormalUnderflow;
   side.has_area = largest(side.normal) > side.error + kUnderflow || !are_collinear(side.corners);
   return side;
 }

@@ -31,14 +31,14 @@ struct Side {
 
 /// Six products of three differences: each of these has one rounding, a product two, sums five at
 /// most, which is less than 64 roundings of the product of the largest coordinates. Products below
-/// the smallest doubles lose less than the last term.
-inline constexpr double kRoundings = 64 * 0x1p-53, kUnderflow = 0x1p-1000;
+/// the smallest doubles lose less than the last term, those of a normal less than
+/// `kNormalUnderflow` in each coordinate, which the vector then multiplies.
+inline constexpr double kRoundings = 64 * 0x1p-53, kUnderflow = 0x1p-1000,
+                        kNormalUnderflow = 0x1p-1070;
 
 inline double largest(const Vector3<double>& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
-
-AxisBox box_of(std::span<const Vector3<double>> points, const PatchTriangle& t);
 
 Side side_of(std::span<const Vector3<double>> points, const PatchTriangle& t);
 

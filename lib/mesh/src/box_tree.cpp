@@ -22,11 +22,7 @@ void BoxTree::build(std::size_t node, std::size_t begin, std::size_t end,
                     std::span<const AxisBox> boxes) {
   constexpr std::size_t kInParallel = 4096;
   AxisBox around = boxes[order_[begin]];
-  for (std::size_t i = begin + 1; i < end; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      around.low[k] = std::min(around.low[k], boxes[order_[i]].low[k]);
-      around.high[k] = std::max(around.high[k], boxes[order_[i]].high[k]);
-    }
+  for (std::size_t i = begin + 1; i < end; ++i) around = hull(around, boxes[order_[i]]);
   nodes_[node] = around;
   if (end - begin <= kLeaf) {
     for (std::size_t i = begin; i < end; ++i) boxes_[i] = boxes[order_[i]];

@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 
 #include "orientation.hpp"
@@ -34,17 +33,6 @@ FaceInSpace face_of(const TetMesh& mesh, const OuterFace& outer) {
   face.normal = cross(u, v);
   face.size = max_norm(u) * max_norm(v);
   return face;
-}
-
-AxisBox box_of(const Corners& corners) {
-  AxisBox box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-  for (const auto& p : corners)
-    for (std::size_t k = 0; const double x : {p.x, p.y, p.z}) {
-      box.low[k] = std::min(box.low[k], x);
-      box.high[k] = std::max(box.high[k], x);
-      ++k;
-    }
-  return box;
 }
 
 /// Whether normals are surely not opposite to each other: their product would be negative. A normal

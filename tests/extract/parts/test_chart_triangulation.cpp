@@ -74,18 +74,26 @@ TEST(ChartTriangulation, RefusesCrossingsAndCopies) {
 }
 
 TEST(ChartTriangulation, TellsHowFarPlacesAreFromTheOutline) {
-  ChartTriangulation triangulation;
-  std::vector<double> found;
-  triangulation.build(
-      {{0, 0}, {8, 0}, {8, 8}, {0, 8}}, closed(0, 4),
-      [&](const auto& clearance) {
-        for (const Point& at : {Point{4, 1}, Point{4, 4}, Point{-1, 4}, Point{9, 9}})
-          found.push_back(clearance(at));
-        return std::vector<Point>();
-      },
-      [](const auto& all) { return std::vector<Cut>(all.size(), Cut::none); },
-      [](const auto&) { return std::nullopt; }, 0);
-  EXPECT_EQ(found, (std::vector<double>{std::sqrt(2.5), std::sqrt(32), -1, -1}));
+  // Outer radii of a polar layout are about 2^860.
+  for (const int exponent : {0, -700, -300, 300, 600, 860}) {
+    const auto times = [exponent](const Point& p) {
+      return Point{std::ldexp(p[0], exponent), std::ldexp(p[1], exponent)};
+    };
+    ChartTriangulation triangulation;
+    std::vector<double> found;
+    triangulation.build(
+        {times({0, 0}), times({8, 0}), times({8, 8}), times({0, 8})}, closed(0, 4),
+        [&](const auto& clearance) {
+          for (const Point& at : {Point{4, 1}, Point{4, 4}, Point{-1, 4}, Point{9, 9}}) {
+            const double far = clearance(times(at));
+            found.push_back(far < 0 ? far : std::ldexp(far, -exponent));
+          }
+          return std::vector<Point>();
+        },
+        [](const auto& all) { return std::vector<Cut>(all.size(), Cut::none); },
+        [](const auto&) { return std::nullopt; }, 0);
+    EXPECT_EQ(found, (std::vector<double>{std::sqrt(2.5), std::sqrt(32), -1, -1})) << exponent;
+  }
 }
 
 TEST(ChartTriangulation, InsertsWhatIsAskedForAsOftenAsThereAreRounds) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -92,6 +93,35 @@ TEST(PatchIntersections, FewerTestsFindAPairIfThereIsOne) {
   }
   EXPECT_GT(cut_short, 100u);
   EXPECT_GT(without, 0u);
+}
+
+// Triangles that share one corner meet elsewhere if and only if their angles there have a ray in
+// common, whatever the sizes. Of the small ones the normal has no accurate double.
+TEST(PatchIntersections, AreDecidedExactlyNextToTrianglesWithTinyNormals) {
+  std::mt19937 random(20261128);
+  std::uniform_int_distribution<int> whole(-9, 9), far_exponent(60, 330), tiny_exponent(-545, -530);
+  const auto times = [](int exponent, const Vector3<double>& v) {
+    return Vector3<double>{std::ldexp(v.x, exponent), std::ldexp(v.y, exponent),
+                           std::ldexp(v.z, exponent)};
+  };
+  const auto vector = [&] {
+    return Vector3<double>{1.0 * whole(random), 1.0 * whole(random), 1.0 * whole(random)};
+  };
+  std::size_t with = 0, without = 0;
+  for (int trial = 0; trial < trials(20000); ++trial) {
+    std::vector<Vector3<double>> points{{}, vector(), vector(), vector(), vector()};
+    const std::vector<PatchTriangle> triangles{{0, 1, 2}, {0, 3, 4}};
+    // Far enough that no two corners are at one place.
+    const int far = far_exponent(random), tiny = tiny_exponent(random);
+    for (std::size_t i = 3; i < 5; ++i) points[i] = times(40, points[i]);
+    const bool expected = !intersecting_pairs(points, triangles).pairs.empty();
+    for (std::size_t i = 1; i < 3; ++i) points[i] = times(tiny, points[i]);
+    for (std::size_t i = 3; i < 5; ++i) points[i] = times(far - 40, points[i]);
+    EXPECT_EQ(!intersecting_pairs(points, triangles).pairs.empty(), expected)
+        << tiny << ' ' << far << ' ' << trial;
+    (expected ? with : without)++;
+  }
+  EXPECT_GT(std::min(with, without), 50u);
 }
 
 TEST(PatchIntersections, AStripOfTrianglesIsEmbeddedUntilOneOfThemCrossesAnother) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "extract/level/power_of_two.hpp"
 #include "extract/patch/delaunay/constrained_delaunay.hpp"
 
 namespace tensortopo {
@@ -20,19 +21,36 @@ ChartPoint minus(const ChartPoint& a, const ChartPoint& b) { return {a[0] - b[0]
 double product(const ChartPoint& a, const ChartPoint& b) { return a[0] * b[0] + a[1] * b[1]; }
 double determinant(const ChartPoint& a, const ChartPoint& b) { return a[0] * b[1] - b[0] * a[1]; }
 
-double squared_distance(const ChartPoint& a, const ChartPoint& b) {
-  const ChartPoint d = minus(b, a);
-  return product(d, d);
+/// A vector times a power of two, with its largest coordinate near 1: radii of a chart reach from 1
+/// to 1e260, and no square of theirs overflows or is lost.
+struct ScaledVector {
+  ChartPoint vector;
+  int exponent = 0;  ///< of the power of two that takes it back
+
+  explicit ScaledVector(const ChartPoint& d) : vector(d) {
+    const double size = std::max(std::abs(d[0]), std::abs(d[1]));
+    if (!(size > 0) || !std::isfinite(size)) return;
+    exponent = floor_log2(size);
+    for (double& x : vector) x = times_power(x, -exponent);
+  }
+};
+
+/// The distance of two points, times the root of a factor.
+double distance(const ChartPoint& a, const ChartPoint& b, double factor = 1) {
+  const ScaledVector d(minus(b, a));
+  return times_power(std::sqrt(factor * product(d.vector, d.vector)), d.exponent);
 }
 
-/// The squared distance of a point from the segment between two others.
-double squared_distance(const ChartPoint& at, const ChartPoint& a, const ChartPoint& b) {
-  const ChartPoint along = minus(b, a), to = minus(at, a);
-  const double projected = product(to, along), length = product(along, along);
-  if (projected <= 0) return product(to, to);
-  if (projected > length) return squared_distance(at, b);
-  const double area = determinant(along, to);
-  return area * area / length;
+/// The distance of a point from the segment between two others, times the root of a factor.
+double distance(const ChartPoint& at, const ChartPoint& a, const ChartPoint& b, double factor) {
+  const ScaledVector along(minus(b, a)), to(minus(at, a));
+  const double projected =
+      times_power(product(to.vector, along.vector), to.exponent - along.exponent);
+  const double length = product(along.vector, along.vector);
+  if (projected <= 0) return distance(at, a, factor);
+  if (projected > length) return distance(at, b, factor);
+  const double area = determinant(along.vector, to.vector);
+  return times_power(std::sqrt(factor * (area * area / length)), to.exponent);
 }
 
 ChartPoint circumcentre(const ChartPoint& a, const ChartPoint& b, const ChartPoint& c) {
@@ -85,14 +103,14 @@ class Regions {
   double clearance(const ChartPoint& at) {
     const auto* t = holder(at);
     if (t == nullptr) return -1;
-    double squared = 1e300;
+    double least = HUGE_VAL;
     for (std::size_t i = 0; i < 3; ++i) {
-      squared = std::min(squared, squared_distance(at, point(t->corners[i])));
+      least = std::min(least, distance(at, point(t->corners[i])));
       if (t->constrained[i])
-        squared = std::min(squared, 2.5 * squared_distance(at, point(t->corners[(i + 1) % 3]),
-                                                           point(t->corners[(i + 2) % 3])));
+        least = std::min(least, distance(at, point(t->corners[(i + 1) % 3]),
+                                         point(t->corners[(i + 2) % 3]), 2.5));
     }
-    return std::sqrt(squared);
+    return least;
   }
 
   /// Where to cut a triangle, with the triangle that holds the place.
@@ -147,18 +165,18 @@ std::vector<ChartPoint> finer_points(Regions& regions,
                                      const std::vector<ChartTriangulation::Cut>& cuts,
                                      const ChartTriangulation::Adding& add) {
   std::vector<ChartTriangulation::Place> places;
-  std::vector<double> room;  // squared
+  std::vector<double> room;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     if (cuts[k] == ChartTriangulation::Cut::none) continue;
     const auto place = regions.place_of(triangles[k], cuts[k]);
     // Neighbours ask for nearly the same place.
-    double squared = 1e300;
+    double least = HUGE_VAL;
     for (const std::size_t corner : triangles[k])
-      squared = std::min(squared, 0.5 * squared_distance(place.at, regions.point(corner)));
+      least = std::min(least, distance(place.at, regions.point(corner), 0.5));
     bool is_free = true;
     for (std::size_t i = 0; i < places.size() && is_free; ++i)
-      is_free = squared_distance(places[i].at, place.at) > std::min(squared, room[i]);
-    if (is_free) places.push_back(place), room.push_back(squared);
+      is_free = distance(places[i].at, place.at) > std::min(least, room[i]);
+    if (is_free) places.push_back(place), room.push_back(least);
   }
   std::vector<ChartPoint> points;
   for (const auto& place : places)

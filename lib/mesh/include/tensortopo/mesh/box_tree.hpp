@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo {
 
@@ -16,6 +19,23 @@ struct AxisBox {
   std::array<double, 3> low{};   ///< the least coordinates
   std::array<double, 3> high{};  ///< the largest coordinates
 };
+
+/// The smallest box that holds two boxes.
+inline AxisBox hull(const AxisBox& s, const AxisBox& t) {
+  AxisBox both = s;
+  for (std::size_t k = 0; k < 3; ++k) {
+    both.low[k] = std::min(both.low[k], t.low[k]);
+    both.high[k] = std::max(both.high[k], t.high[k]);
+  }
+  return both;
+}
+
+/// The smallest box that holds some points; of no points one that meets nothing.
+inline AxisBox box_of(std::span<const Vector3<double>> points) {
+  AxisBox box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (const auto& p : points) box = hull(box, {{p.x, p.y, p.z}, {p.x, p.y, p.z}});
+  return box;
+}
 
 /// Whether two boxes, `low` to `high`, have a point in common.
 template <class Box, class OtherBox>
