@@ -59,6 +59,33 @@ TEST(CertifiedFields, RandomMeshesAreNeverRefuted) {
   EXPECT_GT(certified, 1000 * (undecided + 1));
 }
 
+/// Next to a vertex with a small tensor the field is a sum of tiny multiples of large ones: how a
+/// position is rounded off a face decides what the field is there. Eigenvectors are those of the
+/// point of the face.
+TEST(CertifiedFields, EigenvectorsBesideTensorsOfOtherMagnitudesAreNotRefuted) {
+  TetMesh mesh;
+  mesh.points = {{0x1.5e515bb972dd7p-4, 0x1.c4d6a129cddefp-1, 0x1.0fa73931fa83fp-3},
+                 {0x1.ec7ed0da71300p-4, 0x1.eda99efd5d9c0p-1, 0x1.b87a0c33b717fp-1},
+                 {0x1.44f18e583d244p-3, 0x1.f37c517805bd0p+0, -0x1.03759d3762873p-6},
+                 {0x1.706853becbb9ap-9, 0x1.f8f43a54eb3e2p+0, 0x1.168f53c928f2cp+0},
+                 {0x1.244baa891f704p+0, 0x1.d59e981365ad7p+0, 0x1.0037931fdf345p+0}};
+  mesh.tets = {{0, 2, 3, 4}, {0, 1, 4, 3}};
+  mesh.tensors = {{-0x1.704770fc5ef82p-15, 0x1.57e548a18625cp-13, -0x1.c3232f951ef80p-16,
+                   0x1.16db6dd0d483bp-13, -0x1.032cab466e878p-14, 0x1.5467e3a326668p-14},
+                  {-0x1.a4c34c2b66058p+56, 0x1.de09d0b1475b0p+57, -0x1.83abc28f4745bp+56,
+                   0x1.60f556dc69ec3p+56, -0x1.5c671c8c44eadp+56, 0x1.57fdb84b45200p+54},
+                  {-0x1.7c4b3faac5a7ep+18, 0x1.12f60bee670b0p+20, -0x1.339a0fde12c87p+20,
+                   0x1.fd91d8f29b8ccp+18, -0x1.9938823906fdcp+20, -0x1.45ce6d79bb8c7p+18},
+                  {-0x1.dd7cb383fdfc1p+12, 0x1.4d49f0a9168fbp+14, -0x1.29e05e547dd48p+13,
+                   0x1.1d602346e9d45p+13, -0x1.197f7ce30086ap+14, -0x1.277b6fc2d2d33p+12},
+                  {0x1.5ad19feb60b3ep-5, 0x1.57087b7c7a40ep+0, -0x1.36c17d56a7b79p+0,
+                   0x1.33054b9166764p+0, -0x1.d8c3f9c928df4p-1, -0x1.ba8512d032aecp-2}};
+  const Exhibit e = exhibit_with_arrays(mesh, {"9/10"});
+  Court court("magnitudes");
+  EXPECT_NE(court.verdict(e), "refuted") << court.report();
+  EXPECT_GT(e.surface.points.size(), 5u);
+}
+
 TEST(CertifiedFields, WitnessesAreCertifiedOrNamed) {
   std::size_t certified = 0;
   for (const FieldWitness& witness : field_witnesses()) {

@@ -161,6 +161,7 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
     std::copy(vertices.begin(), vertices.end(), surface.carrier_vertices[as_size(id)].begin());
     surface.points[as_size(id)] = numbers.position[as_size(v)];
     surface.medium_eigenvector[as_size(id)] = numbers.medium[as_size(v)];
+    surface.dominant_eigenvector[as_size(id)] = numbers.dominant[as_size(v)];
   };
   for (std::size_t e = 0; e < cells.edges.size(); ++e)
     for (std::size_t k = 0; k < rows[e].size(); ++k)
@@ -180,6 +181,7 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
     surface.carrier_vertices[to] = surface.carrier_vertices[from];
     surface.points[to] = surface.points[from];
     surface.medium_eigenvector[to] = surface.medium_eigenvector[from];
+    surface.dominant_eigenvector[to] = surface.dominant_eigenvector[from];
     if (input.options.keep_topology) result.topology.copies.push_back({original, id});
   }
   std::vector<char> is_apex(count, 0);
@@ -208,6 +210,8 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
       surface.points[id] = position_at(inner[k].weights, exponents, points);
       surface.medium_eigenvector[id] =
           vector_cast<double>(medium_eigenvector(inner[k].tensor, input.level));
+      surface.dominant_eigenvector[id] =
+          vector_cast<double>(dominant_eigenvector(inner[k].tensor, input.level));
     }
   });
 

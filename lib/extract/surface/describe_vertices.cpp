@@ -119,7 +119,6 @@ void describe_vertices(const SurfaceInput<Scalar>& input, const std::vector<char
           sum += gradients[i][k];
           if (first_triangle[v] != first + i) continue;
           surface.residual[v] = mode_difference(at.tensor, level);
-          surface.dominant_eigenvector[v] = dominant_eigenvector(at.tensor, level);
         }
         // The gradient's direction is the same along a ray.
         for (std::size_t k = 0; k < 3; ++k)

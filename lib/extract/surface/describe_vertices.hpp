@@ -9,7 +9,7 @@
 
 namespace tensortopo {
 
-/// Fills in what is known at each vertex of the surface: normal, mode, residual, eigenvectors.
+/// Fills in what is known at each vertex of the surface: normal, mode, residual.
 /// @param is_apex  of each vertex: the mode is undefined there
 template <class Scalar>
 void describe_vertices(const SurfaceInput<Scalar>& input, const std::vector<char>& is_apex,
