@@ -105,8 +105,8 @@ std::string to_text(const BenchReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{}: {} tetrahedra, modes{}, {} threads, medians of {}\n",
-                 report.input.string(), report.tetrahedra, modes_text(report.modes),
-                 report.threads, report.series.front().seconds.size());
+                 report.input.string(), report.tetrahedra, modes_text(report.modes), report.threads,
+                 report.series.front().seconds.size());
   fmt::format_to(out, "{:<28} {:>10} {:>10} {:>14}\n", "", "seconds", "triangles", "extract over");
   const double ours = report.series.front().median();
   for (const BenchSeries& series : report.series) {
@@ -128,11 +128,11 @@ std::string to_text(const BenchReport& report) {
     fmt::format_to(out, "{:<16} {:>12.4g} {:>12.4g}", e.method, e.distance.root_mean_square(),
                    e.distance.largest());
     if (e.method != "reference")
-      fmt::format_to(out, "  {:>22} {:>24}",
-                     fmt::format("{} ({} wrong) of {}", e.components - e.extra,
-                                 e.wrong_topology, e.true_components),
-                     fmt::format("{}, {} of {}", e.missed_crossings, e.extra_crossings,
-                                 e.true_crossings));
+      fmt::format_to(
+          out, "  {:>22} {:>24}",
+          fmt::format("{} ({} wrong) of {}", e.components - e.extra, e.wrong_topology,
+                      e.true_components),
+          fmt::format("{}, {} of {}", e.missed_crossings, e.extra_crossings, e.true_crossings));
     fmt::format_to(out, "  {}\n", e.setting);
   }
   for (const ErrorCurve& curve : report.curves)

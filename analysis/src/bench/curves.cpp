@@ -86,8 +86,7 @@ std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<Mode
     const auto run = [&, options] {
       return baseline_surfaces(Baseline::a_patches, mesh, modes, options);
     };
-    all.add(counted(samples, "sample"), run(), mesh,
-            [run] { return triangles_of(run()); });
+    all.add(counted(samples, "sample"), run(), mesh, [run] { return triangles_of(run()); });
   }
   if (progress) progress("measuring errors", 0.6);
   all.begin("vtk_subdivided");
@@ -96,8 +95,8 @@ std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<Mode
   std::size_t tetrahedra = mesh.tets.size();
   for (int times = 0; tetrahedra <= kMostSubdivided; ++times, tetrahedra *= 8) {
     const TetMesh fine = subdivided(mesh, times);
-    all.add(counted(times, "subdivision"),
-            baseline_surfaces(Baseline::marching, fine, modes), fine, [&, times] {
+    all.add(counted(times, "subdivision"), baseline_surfaces(Baseline::marching, fine, modes), fine,
+            [&, times] {
               const TetMesh again = subdivided(mesh, times);
               return VtkContours(again, static_cast<int>(threads_in_use()))
                   .contour_3d_linear_grid(values);
@@ -123,7 +122,7 @@ std::vector<ErrorCurve> error_curves(const TetMesh& mesh, const std::vector<Mode
 
 std::string curves_chart(const std::vector<ErrorCurve>& curves, const std::string& title) {
   LineChart chart{title, "seconds", "root mean square distance from the level, two-sided",
-                  true, true, {}};
+                  true,  true,      {}};
   for (const ErrorCurve& curve : curves) {
     if (curve.points.empty()) continue;
     ChartLine line{shown(curve.method), {}, {}};

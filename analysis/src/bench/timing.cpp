@@ -34,8 +34,7 @@ std::vector<BenchSeries> time_in_turn(
   for (int round = 0; round < repeat && (round == 0 || all + last <= longest); ++round) {
     last = 0;
     for (std::size_t i = 0; i < contenders.size(); ++i) {
-      series[i].seconds.push_back(
-          seconds_of([&] { series[i].triangles = contenders[i].run(); }));
+      series[i].seconds.push_back(seconds_of([&] { series[i].triangles = contenders[i].run(); }));
       last += series[i].seconds.back();
       const auto done = static_cast<std::size_t>(round) * contenders.size() + i + 1;
       if (told)

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/bench_command.hpp"
-#include "bench/measurements.hpp"
+#include "bench/page/measurements.hpp"
 #include "bench/scaling.hpp"
 #include "program/options/mode_option.hpp"
 #include "program/options/read_options.hpp"

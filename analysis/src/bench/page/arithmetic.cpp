@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/arithmetic.hpp"
+#include "bench/page/arithmetic.hpp"
 
 #include <algorithm>
 #include <array>

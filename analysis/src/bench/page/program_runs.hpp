@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/measurements.hpp"
+#include "bench/page/measurements.hpp"
 #include "bench/time_budget.hpp"
 
 namespace tensortopo {

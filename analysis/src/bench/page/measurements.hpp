@@ -29,8 +29,8 @@ struct MeasurementsCommand {
 /// A page in Markdown: the machine, the commit of the work tree that the program lies in, the date,
 /// and for each field and mode times, claims, memory and sizes of whole runs of the programs,
 /// seconds by stage beside VTK's contours, what a triangle costs, the share of the time that more
-/// threads do not shorten, several modes in one run, degenerate curves, and levels next to 1 and -1.
-/// Files go to a temporary folder.
+/// threads do not shorten, several modes in one run, degenerate curves, and levels next to 1 and
+/// -1. Files go to a temporary folder.
 ///
 /// The budget is divided among the measurements. One whose share does not suffice is repeated less
 /// often; a comparison at equal error, or the level closest to 1 and -1, is left out then, and the

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/program_runs.hpp"
+#include "bench/page/program_runs.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

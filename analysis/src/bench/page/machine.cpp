@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/machine.hpp"
+#include "bench/page/machine.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -44,8 +44,8 @@ std::string machine_text() {
   uname(&system);
   std::string processor = value_in("/proc/cpuinfo", "model name");
   if (processor.empty()) processor = system.machine;
-  const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                        static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  const double memory =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   return fmt::format("{}, {} threads, {:.0f} GB, {} {}", processor, threads_in_use(), memory / 1e9,
                      system.sysname, system.release);
 }

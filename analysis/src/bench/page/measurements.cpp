@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/measurements.hpp"
+#include "bench/page/measurements.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <string_view>
 #include <utility>
 
-#include "bench/arithmetic.hpp"
 #include "bench/bench_command.hpp"
-#include "bench/machine.hpp"
 #include "bench/methods.hpp"
-#include "bench/program_runs.hpp"
+#include "bench/page/arithmetic.hpp"
+#include "bench/page/machine.hpp"
+#include "bench/page/program_runs.hpp"
 #include "bench/scaling.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
