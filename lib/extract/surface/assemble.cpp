@@ -125,7 +125,7 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   const auto number = [&](std::size_t v) {
     if (new_id[v] == 0) new_id[v] = next++;
   };
-  for (std::size_t v = 0; v < rows.count(); ++v) number(v);
+  for (std::size_t v = 0; v < rows.values().size(); ++v) number(v);
   for (const Index v : numbers.of_zero)
     if (v >= 0) number(as_size(v));
   for (std::size_t f = 0; f < cells.faces.size(); ++f) {
@@ -215,30 +215,27 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
     }
   });
 
-  std::vector<std::size_t> first_triangle(tets + 1, 0);
-  for (std::size_t t = 0; t < tets; ++t)
-    first_triangle[t + 1] = first_triangle[t] + meshes.cells[t].patch.triangles.size();
-  surface.triangles.resize(first_triangle.back());
-  surface.tet.resize(first_triangle.back());
-  parallel_stage(input.options, "stitch", tets, 1024, [&](std::size_t t) {
-    std::size_t place = first_triangle[t];
-    for (const auto& triangle : meshes.cells[t].patch.triangles) {
-      auto& corners = surface.triangles[place];
+  for (std::size_t t = 0; t < tets; ++t) {
+    const auto& patch = meshes.cells[t].patch;
+    if (patch.triangles.empty()) continue;
+    for (const auto& triangle : patch.triangles) {
+      std::array<Index, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) {
         corners[i] =
             triangle[i] >= 0 ? new_id[as_size(triangle[i])] : inner_first[t] + (-1 - triangle[i]);
         if (const auto copy = copies.of.find({t, triangle[i]}); copy != copies.of.end())
           corners[i] = inner_first.back() + static_cast<Index>(copy->second);
       }
-      surface.tet[place++] = cells.tets[t];
+      surface.triangles.push_back(corners);
+      surface.tet.push_back(cells.tets[t]);
     }
-  });
+  }
 
   TENSORTOPO_ASSERT(
       do_characteristics_add_up<Scalar>(
           cells, proofs, meshes,
           static_cast<std::size_t>(std::count_if(
-              new_id.begin(), new_id.begin() + static_cast<std::ptrdiff_t>(rows.count()),
+              new_id.begin(), new_id.begin() + static_cast<std::ptrdiff_t>(rows.values().size()),
               [](Index id) { return id >= 0; })) +
               copies.original.size(),
           surface),
@@ -249,9 +246,7 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   count_sheets<Scalar>(proofs, meshes, result.statistics);
   // The surface and the field are all that is still read: the rest goes before the last arrays are
   // made.
-  release_each(proofs);
-  release_each(meshes.cells);
-  release(active, meshes);
+  release(active, proofs, meshes);
   describe_vertices(input, is_apex, surface);
   surface.component = surface_components(surface);
   return result;

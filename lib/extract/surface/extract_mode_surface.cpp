@@ -30,11 +30,11 @@ ExtractOptions in_canonical_order(const ExtractOptions& options, const Canonical
   return result;
 }
 
-/// The stages from the edges to the triangles, and again around vertices where tetrahedra are
-/// meshed otherwise.
+/// The stages from the edges to the triangles, and again around vertices where tetrahedra are meshed
+/// otherwise.
 template <class Scalar>
 MeshedLevel<Scalar> mesh_with_passes(const SurfaceInput<Scalar>& input, VertexSides& sides,
-                                     const TetComplex& cells, StageSeconds& seconds) {
+                                        const TetComplex& cells, StageSeconds& seconds) {
   MeshedLevel<Scalar> level = mesh_level(input, sides, cells, seconds);
   for (;;) {
     auto changed = keep_off_pinched(input, cells, level.meshes, sides);
@@ -67,8 +67,7 @@ Extraction extract(const PreparedField<Scalar>& prepared, const ModeValue& mu,
   watch.lap();
   // What meshing needed is half of all that a tetrahedron holds; only proofs ask for it later.
   if (!options.keep_topology)
-    parallel_stage(options, "tetrahedra", proofs.size(), 1024,
-                   [&](std::size_t t) { proofs[t].topology.reset(); });
+    for (auto& proof : proofs) proof.topology.reset();
   if (!options.keep_samples) coarsen_face_curves<Scalar>(input, sides, cells, proofs, meshes);
   seconds.tets += watch.lap();
   auto messages = std::move(meshes.messages);

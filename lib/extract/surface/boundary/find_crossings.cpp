@@ -68,8 +68,9 @@ template <class Scalar>
 MeshCrossings<Scalar> find_crossings(const SurfaceInput<Scalar>& input, const VertexSides& sides,
                                      const TetComplex& cells) {
   MeshCrossings<Scalar> result;
+  std::vector<Crossings<Scalar>> found(cells.edges.size());
   result.moved.assign(cells.edges.size(), 0);
-  const auto find = [&](std::size_t begin, std::size_t end, RowBlock<EdgeCrossing<Scalar>>& found) {
+  const auto find = [&](std::size_t begin, std::size_t end) {
     CrossingBlock<Scalar> single;
     EmptyBlock<Scalar, 2> empty;
     for (std::size_t e = begin; e < end; ++e) {
@@ -85,20 +86,23 @@ MeshCrossings<Scalar> find_crossings(const SurfaceInput<Scalar>& input, const Ve
     for (std::size_t e = begin; e < end; ++e) {
       if (empty.is_empty(e - begin)) {
         count_predicate(Tier::fast);
-        found.append_empty();
-      } else if (auto crossing = single.of(e - begin)) {
-        count_predicate(Tier::fast);
-        found.append_one(std::move(*crossing));
-      } else {
-        auto crossings = crossings_of(input, sides, cells.edges[e], result.moved[e]);
-        TENSORTOPO_ASSERT(!crossings || are_crossings_sound(sides, cells.edges[e], *crossings),
-                          "crossings of an edge are in order and change sides");
-        found.append(std::move(crossings));
+        found[e].emplace();
+        continue;
       }
+      const auto crossing = single.of(e - begin);
+      if (!crossing) {
+        found[e] = crossings_of(input, sides, cells.edges[e], result.moved[e]);
+        TENSORTOPO_ASSERT(!found[e] || are_crossings_sound(sides, cells.edges[e], *found[e]),
+                          "crossings of an edge are in order and change sides");
+        continue;
+      }
+      count_predicate(Tier::fast);
+      found[e].emplace(1, *crossing);
     }
   };
-  result.rows = make_rows<EdgeCrossing<Scalar>>(input.options, "edges", cells.edges.size(),
-                                                CrossingBlock<Scalar>::size, find);
+  parallel_blocks(input.options, "edges", cells.edges.size(), 512, CrossingBlock<Scalar>::size,
+                  find);
+  result.rows = Rows<EdgeCrossing<Scalar>>(std::move(found));
   return result;
 }
 

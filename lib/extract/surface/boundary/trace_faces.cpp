@@ -103,7 +103,7 @@ struct FaceTracer {
   /// The curve of a face that is proved to be a graph, with one crossing on each of two edges:
   /// whether there is one. All that `trace` asks is then answered: the bounds of the proof keep
   /// the deviator from vanishing.
-  /// @param arcs  gets it, without samples, in addition
+  /// @param arcs  receives it without samples
   bool trace_plain(std::size_t f, const SimplexProof<Scalar, 3>* proof,
                    std::vector<FaceArc<Scalar>>& arcs) const {
     if (proof == nullptr || proof->kind != SimplexProof<Scalar, 3>::Kind::monotone) return false;
@@ -169,20 +169,18 @@ template <class Scalar>
 LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const VertexSides& sides,
                                   const TetComplex& cells, MeshCrossings<Scalar> crossings) {
   LevelBoundary<Scalar> result;
+  std::vector<std::optional<std::vector<FaceArc<Scalar>>>> found(cells.faces.size());
   result.moved.assign(cells.faces.size(), 0);
   const FaceTracer<Scalar> tracer{input, sides, cells, crossings};
   const SampleTurns turns(input.options.sampling);
   const bool is_uniform = input.options.density.empty();
   // Next to the degenerate curve arcs along which little turns may need samples as well.
   const bool may_be_straight = !is_near_degenerate(input.level);
-  const auto trace = [&](std::size_t begin, std::size_t end, RowBlock<FaceArc<Scalar>>& found) {
+  const auto trace = [&](std::size_t begin, std::size_t end) {
     ProofBlock<Scalar, 3> proofs;
     EmptyBlock<Scalar, 3> empty;
     StraightBlock<Scalar> straight;
-    std::vector<FaceArc<Scalar>> plain;
-    plain.reserve(end - begin);
-    std::array<int, ProofBlock<Scalar, 3>::size> plain_of;  // of each face, or -1
-    plain_of.fill(-1);
+    std::array<std::vector<FaceArc<Scalar>>, ProofBlock<Scalar, 3>::size> plain;
     for (std::size_t f = begin; f < end; ++f)
       if (is_crossed(input, sides, cells.faces[f]))
         proofs.want(f - begin, cells.faces[f], input.field.tensors);
@@ -190,31 +188,31 @@ LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const Verte
         empty.want(f - begin, cells.faces[f], input.field.tensors);
     proofs.make(input.level);
     empty.make(input.level);
-    for (std::size_t f = begin; is_uniform && f < end; ++f) {
-      if (!tracer.trace_plain(f, proofs.of(f - begin), plain)) continue;
-      plain_of[f - begin] = static_cast<int>(plain.size()) - 1;
-      if (may_be_straight) straight.want(f - begin, tracer.graph_arc(f, plain.back()));
-    }
+    for (std::size_t f = begin; is_uniform && f < end; ++f)
+      if (auto& arcs = plain[f - begin];
+          tracer.trace_plain(f, proofs.of(f - begin), arcs) && may_be_straight)
+        straight.want(f - begin, tracer.graph_arc(f, arcs[0]));
     straight.make(input.level, {turns.medium, turns.tensor});
     for (std::size_t f = begin; f < end; ++f) {
       if (empty.is_empty(f - begin)) {
-        found.append_empty();
-      } else if (const int place = plain_of[f - begin]; place >= 0) {
-        auto& arc = plain[as_size(place)];
-        if (!straight.is_straight(f - begin))
-          sample_arc(arc, tracer.simplex(f).tensors, input.level, turns);
-        found.append_one(std::move(arc));
-      } else {
-        auto arcs = tracer.trace(f, proofs.of(f - begin), result.moved[f]);
-        TENSORTOPO_ASSERT(
-            !arcs || are_arcs_sound<Scalar>(crossings, cells, f, result.moved[f] != 0, *arcs),
-            "arcs of a face end at crossings of its edges, with samples in order");
-        found.append(std::move(arcs));
+        found[f].emplace();
+        continue;
       }
+      if (auto& arcs = plain[f - begin]; !arcs.empty()) {
+        if (!straight.is_straight(f - begin))
+          sample_arc(arcs[0], tracer.simplex(f).tensors, input.level, turns);
+        found[f] = std::move(arcs);
+        continue;
+      }
+      found[f] = tracer.trace(f, proofs.of(f - begin), result.moved[f]);
+      TENSORTOPO_ASSERT(
+          !found[f] || are_arcs_sound<Scalar>(crossings, cells, f, result.moved[f] != 0, *found[f]),
+          "arcs of a face end at crossings of its edges, with samples in order");
     }
   };
-  result.arcs = make_rows<FaceArc<Scalar>>(input.options, "faces", cells.faces.size(),
-                                           ProofBlock<Scalar, 3>::size, trace);
+  parallel_blocks(input.options, "faces", cells.faces.size(), 256, ProofBlock<Scalar, 3>::size,
+                  trace);
+  result.arcs = Rows<FaceArc<Scalar>>(std::move(found));
   result.crossings = std::move(crossings);
   return result;
 }

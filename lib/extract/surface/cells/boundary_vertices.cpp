@@ -21,9 +21,8 @@ using Index = TetMesh::Index;
 /// grow are twice as large as they need be.
 template <class Scalar>
 void reserve(const LevelBoundary<Scalar>& boundary, BoundaryVertices& vertices) {
-  std::size_t count = boundary.crossings.rows.count();
-  for (std::size_t f = 0; f < boundary.arcs.size(); ++f)
-    for (const auto& arc : boundary.arcs[f]) count += arc.samples.size();
+  std::size_t count = boundary.crossings.rows.values().size();
+  for (const auto& arc : boundary.arcs.values()) count += arc.samples.size();
   count += count / 8;
   vertices.position.reserve(count);
   vertices.medium.reserve(count);
@@ -41,7 +40,7 @@ void number_crossings(const SurfaceInput<Scalar>& input, const VertexSides& side
                       const TetComplex& cells, const LevelBoundary<Scalar>& boundary,
                       BoundaryVertices& vertices) {
   const auto& rows = boundary.crossings.rows;
-  resize(vertices, rows.count());
+  resize(vertices, rows.values().size());
   parallel_stage(input.options, "tetrahedra", cells.edges.size(), 1024, [&](std::size_t e) {
     const auto& v = cells.edges[e];
     const auto crossings = rows[e];

@@ -133,7 +133,6 @@ bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
   const auto pairs = joined(triangle, crossings, proof.direction, count);
   if (pairs.size() != count / 2) return false;
 
-  const auto before = static_cast<std::ptrdiff_t>(arcs.size());
   ArcPiece<Scalar> piece;
   piece.direction = proof.direction;
   for (const auto& ends : pairs) {
@@ -154,7 +153,7 @@ bool arcs_of_graph(const LevelSimplex<Scalar, 3>& triangle,
       (falls ? piece.begin : piece.end) = place;
     }
     if (begins != 1) {
-      arcs.erase(arcs.begin() + before, arcs.end());
+      arcs.clear();
       return false;
     }
     arc.pieces.push_back(piece);

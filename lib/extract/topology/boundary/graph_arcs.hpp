@@ -17,7 +17,7 @@ namespace tensortopo {
 /// direction that moves across the face meets the graph while it enters below the level and leaves
 /// above it, and it never enters above and leaves below.
 ///
-/// @param arcs  gets them, without samples, in addition
+/// @param arcs  receives them, without samples
 /// @param known  the proof, if it has been made
 /// @return false if there is no such proof, or the crossings can be joined in several ways
 template <class Scalar>
