@@ -14,7 +14,8 @@ namespace tensortopo {
 /// vertex on the level, until along each either the eigenvectors turn no further than from one
 /// sample to the next (the dominant one twice as far), or the level is no farther from its middle
 /// than an arc that turns so far is from its chord; next to the degenerate curve also until chords
-/// sag by no more than `detail::kLargestSag`.
+/// sag by no more than `detail::kLargestSag`. It ends earlier after twelve rounds, and leaves an
+/// edge beside which no vertex is found.
 ///
 /// Law  As a complex a disc with that boundary loop; no edge inside joins two vertices on one face.
 /// @return false if the loop cannot be filled so, or too many vertices would be needed
