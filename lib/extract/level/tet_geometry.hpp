@@ -46,10 +46,10 @@ class TetGeometry {
     for (std::size_t i = 0; i < 4; ++i) scale_[i] = times_power(1, least - exponents[i]);
   }
 
-  /// Barycentric coordinate i.
+  /// Barycentric coordinate i, from a fixed vertex of the opposite face: the error is small beside
+  /// the distance from that vertex, in parts of the tetrahedron's size, but not always beside the
+  /// coordinate itself.
   double weight(std::size_t i, const Vector3<double>& x) const {
-    // From the nearest vertex of the opposite face would be as good: the differences are exact
-    // or nearly so, and the gradient multiplies them.
     return dot(gradient_[i], x - points_[i == 0 ? 1 : 0]);
   }
 
