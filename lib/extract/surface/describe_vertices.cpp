@@ -28,8 +28,8 @@ class GradientsInTet {
     Vector3<double> gradient;  ///< of the mode: of unit length, or zero
   };
 
-  GradientsInTet(const ScaledField<Scalar>& field, const TetMesh& mesh, const Level<double>& level)
-      : field_(field), mesh_(mesh), level_(level) {}
+  GradientsInTet(const ScaledField<Scalar>& field, const TetMesh& mesh)
+      : field_(field), mesh_(mesh) {}
 
   void enter(Index tet) {
     if (tet == tet_) return;
@@ -69,7 +69,6 @@ class GradientsInTet {
  private:
   const ScaledField<Scalar>& field_;
   const TetMesh& mesh_;
-  const Level<double>& level_;
   Index tet_ = -1;
   std::array<Deviator<double>, 4> tensors_;
   std::optional<TetGeometry> space_;
@@ -105,7 +104,7 @@ void describe_vertices(const SurfaceInput<Scalar>& input, const std::vector<char
   for (std::size_t first = 0; first < triangles; first += kBlock) {
     const std::size_t size = std::min(kBlock, triangles - first);
     parallel_ranges(input.options, "stitch", size, 1024, [&](std::size_t begin, std::size_t end) {
-      GradientsInTet<Scalar> inside(input.field, mesh, level);
+      GradientsInTet<Scalar> inside(input.field, mesh);
       for (std::size_t i = begin; i != end; ++i) {
         const auto& corners = surface.triangles[first + i];
         inside.enter(surface.tet[first + i]);

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 #include "bench/timing.hpp"
 #include "extract/level/simd/lane_kernels.hpp"
 #include "tensortopo/extract/scaled_field.hpp"
+#include "tensortopo/mesh/as_size.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 
 namespace tensortopo {
@@ -26,7 +26,9 @@ class Sides {
       if (field.is_zero[v]) above_[v] = kNone;
   }
 
-  char of(Index vertex) const { return above_[static_cast<std::size_t>(vertex)]; }
+  /// Of each vertex: 1 above, 0 below, neither where the tensor vanishes.
+  const std::vector<char>& of_vertices() const { return above_; }
+  char of(Index vertex) const { return above_[as_size(vertex)]; }
   bool has_both(std::span<const Index> simplex) const {
     const auto is = [&](char side) { return [this, side](Index v) { return of(v) == side; }; };
     return std::any_of(simplex.begin(), simplex.end(), is(0)) &&
@@ -39,15 +41,6 @@ class Sides {
   std::vector<char> above_;
 };
 
-template <std::size_t Vertices>
-std::array<Deviator<double>, Vertices> tensors_at(const ScaledField<double>& field,
-                                                  const std::array<Index, Vertices>& simplex) {
-  std::array<Deviator<double>, Vertices> result;
-  for (std::size_t i = 0; i < Vertices; ++i)
-    result[i] = field.tensors[static_cast<std::size_t>(simplex[i])];
-  return result;
-}
-
 /// Seconds of the proofs of the simplices with vertices on both sides.
 template <std::size_t Vertices>
 double seconds_of_proofs(const std::vector<std::array<Index, Vertices>>& simplices,
@@ -55,7 +48,8 @@ double seconds_of_proofs(const std::vector<std::array<Index, Vertices>>& simplic
                          const Sides& sides) {
   std::vector<std::array<Deviator<double>, Vertices>> crossed;
   for (const auto& simplex : simplices)
-    if (sides.has_both(simplex)) crossed.push_back(tensors_at(field, simplex));
+    if (sides.has_both(simplex))
+      crossed.push_back(field.simplex<Vertices>(simplex, sides.of_vertices()).tensors);
   std::vector<SimplexProof<double, Vertices>> proofs(crossed.size());
   return seconds_of([&] { prove_simplices<Vertices>(crossed, level, proofs); });
 }
@@ -67,7 +61,7 @@ double seconds_of_crossings(const std::vector<std::array<Index, 2>>& edges,
   std::vector<char> rising;
   for (const auto& edge : edges)
     if (sides.has_both(edge)) {
-      ends.push_back(tensors_at(field, edge));
+      ends.push_back(field.simplex<2>(edge, sides.of_vertices()).tensors);
       rising.push_back(sides.of(edge[1]));
     }
   std::vector<double> weights(ends.size());
@@ -87,7 +81,7 @@ Arithmetic measure_arithmetic(const TetMesh& mesh, std::span<const ModeValue> mo
       if (sides.has_both(mesh.tets[t])) numbers.push_back(static_cast<Index>(t));
     const TetComplex cells = tet_complex(mesh, numbers);
     std::vector<std::array<Index, 4>> tets;
-    for (const Index t : numbers) tets.push_back(mesh.tets[static_cast<std::size_t>(t)]);
+    for (const Index t : numbers) tets.push_back(mesh.tets[as_size(t)]);
     result.crossed += tets.size();
     result.edges += seconds_of_crossings(cells.edges, field, level, sides);
     result.faces += seconds_of_proofs(cells.faces, field, level, sides);

@@ -179,9 +179,12 @@ class Page {
         "| field | modes | tetrahedra | edges | arithmetic | faces | arithmetic | tetrahedra | "
         "arithmetic | all | all over arithmetic |\n|{}\n",
         dashes(11));
+    TetMesh mesh;
+    const BenchReport* last = nullptr;  // those of one field follow each other
     for (const BenchReport& r : reports_) {
       tell("arithmetic of " + name(r.input));
-      const TetMesh mesh = read_mesh(r.input, command_.read).mesh;
+      if (last == nullptr || last->input != r.input) mesh = read_mesh(r.input, command_.read).mesh;
+      last = &r;
       const Arithmetic arithmetic = measure_arithmetic(mesh, with_opposites(r.modes));
       const BenchSeries* ours = series_of(r, "extract");
       if (ours == nullptr || arithmetic.crossed == 0) continue;
