@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "support/fields/random_fields.hpp"
 #include "tensortopo/extract/extract_mode_surface.hpp"
@@ -94,6 +95,26 @@ TEST(ResidualBound, OfOtherInvariants) {
     const double bound = residual_bound(mesh, level, surface);
     EXPECT_LE(exact, bound);
     EXPECT_LE(bound, 1.001 * exact + 1e-11);
+  }
+}
+
+/// Also where squares of tensors overflow or underflow.
+TEST(ResidualBound, OfOtherInvariantsInAnyUnits) {
+  TetMesh mesh = cube_mesh(2);
+  fill_with_normal_tensors(mesh, 5);
+  const auto magnitude = [](const auto& t) { return Real50(sqrt(Real50(inner(t, t)))); };
+  auto surface =
+      extract_invariant_surface(mesh, InvariantLevel::parse(Invariant::magnitude, "2")).surface;
+  ASSERT_FALSE(surface.triangles.empty());
+  for (auto& p : surface.points) p.y += 1e-3;
+  for (const auto& [unit, text] : {std::pair{1e306, "1e300"}, std::pair{1e-306, "1e-300"}}) {
+    const auto level = InvariantLevel::parse(Invariant::magnitude, text);
+    TetMesh scaled = mesh;
+    for (auto& t : scaled.tensors) t = unit * t;
+    const double exact = largest_residual(scaled, surface, magnitude, Real50(level.approx()));
+    const double bound = residual_bound(scaled, level, surface);
+    EXPECT_LE(exact, bound) << text;
+    EXPECT_LE(bound, 1.001 * exact) << text;
   }
 }
 

@@ -56,6 +56,11 @@ Range range_of(const Near& x) { return widened(x.value - x.error, x.value + x.er
 Range quotient(const Range& a, const Range& b) { return widened(a.low / b.high, a.high / b.low); }
 Range root(const Range& a) { return widened(std::sqrt(std::max(a.low, 0.0)), std::sqrt(a.high)); }
 
+/// A power of two that takes a number near to 1, as far as 2^1000 can.
+double inverse_power(double x) {
+  return x > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(x), -1000, 1000)) : 1;
+}
+
 /// The tensors of a tetrahedron at places near it, times six times its volume.
 class Interpolation {
  public:
@@ -69,10 +74,10 @@ class Interpolation {
         largest = std::max(largest, std::abs(x));
       size = std::max(size, max_norm(points_[i] - points_[0]));
     }
-    length_ = size > 0 ? -std::ilogb(size) : 0;
-    const int scale = largest > 0 ? -std::ilogb(largest) : 0;
-    unit_ = std::ldexp(1.0, -std::clamp(scale, -1000, 1000));
-    const auto near = [&](double x) { return Near(std::ldexp(x, scale), 0x1p-1000); };
+    const double scale = inverse_power(largest);
+    length_ = inverse_power(size);
+    unit_ = 1 / scale;
+    const auto near = [&](double x) { return Near(scale * x, 0x1p-1000); };
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& t = mesh.tensors[as_size(vertices[i])];
       tensors_[i] = {near(t.xx), near(t.yy), near(t.zz), near(t.xy), near(t.yz), near(t.xz)};
@@ -102,7 +107,7 @@ class Interpolation {
   Vector3<Near> from_first(const Vector3<double>& p) const {
     const auto near = [&](double x, double y) {
       const Near d = Near(x) - Near(y);
-      return Near(std::ldexp(d.value, length_), std::ldexp(d.error, length_) + 0x1p-1000);
+      return Near(length_ * d.value, length_ * d.error + 0x1p-1000);
     };
     return {near(p.x, points_[0].x), near(p.y, points_[0].y), near(p.z, points_[0].z)};
   }
@@ -111,8 +116,7 @@ class Interpolation {
   std::array<SymmetricTensor<Near>, 4> tensors_;
   std::array<Vector3<Near>, 3> edges_, normals_;
   Near volume_;
-  int length_ = 0;
-  double unit_ = 1;
+  double length_ = 1, unit_ = 1;
 };
 
 /// The largest of a bound at each vertex of each tetrahedron with triangles.
