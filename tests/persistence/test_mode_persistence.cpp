@@ -124,6 +124,37 @@ TEST(ModePersistence, OfTheOppositeFieldIsTurnedAround) {
   }
 }
 
+// Also where traces of the tensors overflow, or 1 over a tensor does.
+TEST(ModePersistence, IsTheSameInAnyUnits) {
+  Compared compared("pairs", 100);
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    TetMesh mesh = noisy_cube(2, seed);
+    for (auto& tensor : mesh.tensors) {  // digits that remain in the smallest doubles
+      for (double* x : {&tensor.xx, &tensor.yy, &tensor.zz, &tensor.xy, &tensor.yz, &tensor.xz})
+        *x = std::ldexp(std::round(std::ldexp(*x, 16)), -16);
+    }
+    const ModePersistence expected = mode_persistence(mesh, persistence_input(mesh));
+    for (const int exponent : {-1050, -500, 500, 1021}) {
+      TetMesh scaled = mesh;
+      for (auto& tensor : scaled.tensors)
+        tensor =
+            std::ldexp(1.0, exponent / 2) * (std::ldexp(1.0, exponent - exponent / 2) * tensor);
+      const ModePersistence found = mode_persistence(scaled, persistence_input(scaled));
+      EXPECT_EQ(found.not_proved, expected.not_proved) << seed << ' ' << exponent;
+      EXPECT_EQ(found.unresolved_curve_cells, expected.unresolved_curve_cells)
+          << seed << ' ' << exponent;
+      ASSERT_EQ(found.pairs.size(), expected.pairs.size()) << seed << ' ' << exponent;
+      for (std::size_t i = 0; i < found.pairs.size(); ++i) {
+        EXPECT_EQ(found.pairs[i].birth.low, expected.pairs[i].birth.low);
+        EXPECT_EQ(found.pairs[i].death.high, expected.pairs[i].death.high);
+        EXPECT_EQ(found.pairs[i].birth_point, expected.pairs[i].birth_point);
+        EXPECT_EQ(found.pairs[i].is_certain, expected.pairs[i].is_certain);
+        ++compared;
+      }
+    }
+  }
+}
+
 // A field that is the same on both sides of a centre: of two equal maxima that meet, either may
 // count as the older one.
 TEST(ModePersistence, SymmetricFieldsHaveTies) {

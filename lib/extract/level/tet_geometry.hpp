@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "extract/level/power_of_two.hpp"
+#include "tensortopo/scalar/power_of_two.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 

@@ -20,7 +20,7 @@
 namespace tensortopo::detail {
 
 inline IntervalTensor enclosure(const SymmetricTensor<double>& t) {
-  return normalized(deviator_enclosure(t));
+  return scaled_deviators(std::array{t})[0];
 }
 
 template <std::size_t Count>
@@ -126,9 +126,11 @@ template <std::size_t Count>
 inline void set_weights(CriticalPoint& point, std::array<double, Count> weights,
                         const std::array<SymmetricTensor<double>, Count>& given,
                         const std::array<IntervalTensor, Count>& normal) {
+  double largest = 0;
+  for (const auto& t : given) largest = std::max(largest, largest_component(t));
   double sum = 0;
   for (std::size_t i = 0; i < Count; ++i) {
-    const auto d = deviator(given[i]);
+    const auto d = deviator(inverse_power(largest) * given[i]);
     const double scale =
         norm_form(d) > 0 ? std::sqrt(norm_form(middle(normal[i])) / norm_form(d)) : 1;
     sum += weights[i] = std::max(weights[i] * scale, 0.0);

@@ -9,6 +9,7 @@
 
 #include "minors.hpp"
 #include "tensortopo/scalar/interval.hpp"
+#include "tensortopo/scalar/power_of_two.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/mode.hpp"
 #include "tensortopo/tensor/mode_parameter.hpp"
@@ -46,18 +47,43 @@ inline IntervalTensor point(const Deviator<double>& t) { return tensor_cast<Rang
 
 inline bool is_not_zero(const Range& x) { return x.inf() > 0 || x.sup() < 0; }
 
-/// Times a power of two such that the largest component is about 1; unchanged if it cannot be.
-inline IntervalTensor normalized(const IntervalTensor& t) {
+inline double largest_component(const SymmetricTensor<double>& t) {
+  double largest = 0;
+  for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
+    largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+/// The largest bound of a component.
+inline double largest_bound(const IntervalTensor& t) {
   double largest = 0;
   for (const Range& x : {t.a, t.b, t.xy, t.yz, t.xz})
     largest = std::max({largest, std::abs(x.inf()), std::abs(x.sup())});
-  if (!(largest > 0) || !std::isfinite(largest)) return t;
-  const double factor = std::ldexp(1.0, -std::ilogb(largest));
-  return std::isfinite(factor) ? Range(factor) * t : t;
+  return largest;
 }
 
-inline IntervalTensor deviator_enclosure(const SymmetricTensor<double>& t) {
-  return deviator(tensor_cast<Range>(t));
+/// Times a power of two such that the largest component is about 1; unchanged if it cannot be.
+inline IntervalTensor normalized(const IntervalTensor& t) {
+  const double largest = largest_bound(t);
+  return std::isfinite(largest) ? Range(inverse_power(largest)) * t : t;
+}
+
+/// The deviators of tensors, all times one power of two such that the largest component is about 1.
+template <std::size_t Count>
+std::array<IntervalTensor, Count> scaled_deviators(
+    const std::array<SymmetricTensor<double>, Count>& tensors) {
+  // First the tensors, whose traces may overflow.
+  double largest = 0;
+  for (const auto& t : tensors) largest = std::max(largest, largest_component(t));
+  const Range factor(inverse_power(largest));
+  std::array<IntervalTensor, Count> deviators;
+  double largest_left = 0;
+  for (std::size_t i = 0; i < Count; ++i) {
+    deviators[i] = deviator(factor * tensor_cast<Range>(tensors[i]));
+    largest_left = std::max(largest_left, largest_bound(deviators[i]));
+  }
+  for (auto& t : deviators) t = Range(inverse_power(largest_left)) * t;
+  return deviators;
 }
 
 /// Other tensors with the same span, about orthogonal: where a field varies little, its vertex

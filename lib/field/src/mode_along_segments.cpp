@@ -33,22 +33,6 @@ bool is_below(const IntervalTensor& t, double level) {
   return p.inf() > 0 && (root_of(Range(2)) * q / (p * root_of(p))).sup() < level;
 }
 
-/// The tensors at the vertices with all but one power of two taken out of them.
-std::array<IntervalTensor, 4> common_scale(const TetTensors4& tensors) {
-  std::array<IntervalTensor, 4> t;
-  double largest = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    t[i] = deviator_enclosure(tensors[i]);
-    for (const Range& x : {t[i].a, t[i].b, t[i].xy, t[i].yz, t[i].xz})
-      largest = std::max({largest, std::abs(x.inf()), std::abs(x.sup())});
-  }
-  if (!(largest > 0) || !std::isfinite(largest)) return t;
-  const double factor = std::ldexp(1.0, -std::ilogb(largest));
-  if (std::isfinite(factor))
-    for (auto& one : t) one = Range(factor) * one;
-  return t;
-}
-
 IntervalTensor combine(const std::array<IntervalTensor, 4>& t, const TetWeights& weights) {
   IntervalTensor sum{Range(0), Range(0), Range(0), Range(0), Range(0)};
   for (std::size_t i = 0; i < 4; ++i)
@@ -87,7 +71,7 @@ DeviatorBox box_of(const IntervalTensor& t) {
 
 DeviatorBox deviator_box(const TetTensors4& tensors, const TetWeights& weights) {
   const UpwardRounding upward;
-  return box_of(normalized(combine(common_scale(tensors), weights)));
+  return box_of(normalized(combine(scaled_deviators(tensors), weights)));
 }
 
 std::array<double, 2> mode_range(const DeviatorBox& box) {
@@ -129,7 +113,7 @@ std::optional<TetWeights> rise_from(const TetTensors4& tensors, const Departure&
                                     double level) {
   constexpr int kMostHalvings = 26;
   const UpwardRounding upward;
-  const auto t = common_scale(tensors);
+  const auto t = scaled_deviators(tensors);
   const IntervalTensor from = tensor_of(departure.deviator);
   const IntervalTensor about = combine(t, departure.weights);
   // Weights of the point for which the tensors have the size that they have in the box.

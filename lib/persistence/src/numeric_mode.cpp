@@ -8,20 +8,28 @@
 #include <cmath>
 #include <vector>
 
+#include "tensortopo/scalar/power_of_two.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
 namespace tensortopo::persistence {
 
 Deviators deviators_of(const TetMesh& mesh, TetMesh::Index tet) {
-  Deviators corners;
+  const auto& vertices = mesh.tets[as_size(tet)];
+  // First the tensors, whose traces may overflow.
   double largest = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = deviator(mesh.tensors[as_size(mesh.tets[as_size(tet)][i])]);
-    for (const double x : {corners[i].a, corners[i].b, corners[i].xy, corners[i].yz, corners[i].xz})
+  for (const auto v : vertices) {
+    const auto& t = mesh.tensors[as_size(v)];
+    for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
       largest = std::max(largest, std::abs(x));
   }
-  if (largest > 0 && std::isfinite(largest))
-    for (auto& corner : corners) corner = std::ldexp(1.0, -std::ilogb(largest)) * corner;
+  Deviators corners;
+  double largest_left = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    corners[i] = deviator(inverse_power(largest) * mesh.tensors[as_size(vertices[i])]);
+    for (const double x : {corners[i].a, corners[i].b, corners[i].xy, corners[i].yz, corners[i].xz})
+      largest_left = std::max(largest_left, std::abs(x));
+  }
+  for (auto& corner : corners) corner = inverse_power(largest_left) * corner;
   return corners;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "run/for_each.hpp"
+#include "tensortopo/scalar/power_of_two.hpp"
 #include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
@@ -55,11 +56,6 @@ Range range_of(const Near& x) { return widened(x.value - x.error, x.value + x.er
 /// @pre 0 <= low; the divisor's low is > 0
 Range quotient(const Range& a, const Range& b) { return widened(a.low / b.high, a.high / b.low); }
 Range root(const Range& a) { return widened(std::sqrt(std::max(a.low, 0.0)), std::sqrt(a.high)); }
-
-/// A power of two that takes a number near to 1, as far as 2^1000 can.
-double inverse_power(double x) {
-  return x > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(x), -1000, 1000)) : 1;
-}
 
 /// The tensors of a tetrahedron at places near it, times six times its volume.
 class Interpolation {

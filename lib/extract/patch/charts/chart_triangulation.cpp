@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "extract/level/power_of_two.hpp"
+#include "tensortopo/scalar/power_of_two.hpp"
 #include "extract/patch/delaunay/constrained_delaunay.hpp"
 
 namespace tensortopo {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "extract/level/position.hpp"
-#include "extract/level/power_of_two.hpp"
+#include "tensortopo/scalar/power_of_two.hpp"
 #include "extract/patch/patch_check.hpp"
 #include "extract/patch/patch_extents.hpp"
 #include "extract/patch/vertex_on_level.hpp"
