@@ -124,7 +124,7 @@ TEST(ModePersistence, OfTheOppositeFieldIsTurnedAround) {
   }
 }
 
-// Also where traces of the tensors overflow, or 1 over a tensor does.
+// Also where differences of components overflow, or 1 over a component does.
 TEST(ModePersistence, IsTheSameInAnyUnits) {
   Compared compared("pairs", 100);
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {

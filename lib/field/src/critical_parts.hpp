@@ -127,7 +127,7 @@ inline void set_weights(CriticalPoint& point, std::array<double, Count> weights,
                         const std::array<SymmetricTensor<double>, Count>& given,
                         const std::array<IntervalTensor, Count>& normal) {
   double largest = 0;
-  for (const auto& t : given) largest = std::max(largest, largest_component(t));
+  for (const auto& t : given) largest = std::max(largest, max_norm(t));
   double sum = 0;
   for (std::size_t i = 0; i < Count; ++i) {
     const auto d = deviator(inverse_power(largest) * given[i]);

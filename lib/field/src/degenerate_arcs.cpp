@@ -252,7 +252,7 @@ std::optional<std::vector<DegenerateArc>> degenerate_arcs(
   const UpwardRounding upward;
   std::array<IntervalTensor, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
-    // In two steps: 2^1074 is not a double, and the trace of a large tensor may overflow.
+    // In two steps: 2^1074 is not a double, and differences of large components may overflow.
     const int half = exponents[i] / 2;
     const Range first(std::ldexp(1.0, half)), second(std::ldexp(1.0, exponents[i] - half));
     corners[i] = second * deviator(first * tensor_cast<Range>(tensors[i]));

@@ -47,13 +47,6 @@ inline IntervalTensor point(const Deviator<double>& t) { return tensor_cast<Rang
 
 inline bool is_not_zero(const Range& x) { return x.inf() > 0 || x.sup() < 0; }
 
-inline double largest_component(const SymmetricTensor<double>& t) {
-  double largest = 0;
-  for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
-    largest = std::max(largest, std::abs(x));
-  return largest;
-}
-
 /// The largest bound of a component.
 inline double largest_bound(const IntervalTensor& t) {
   double largest = 0;
@@ -72,9 +65,9 @@ inline IntervalTensor normalized(const IntervalTensor& t) {
 template <std::size_t Count>
 std::array<IntervalTensor, Count> scaled_deviators(
     const std::array<SymmetricTensor<double>, Count>& tensors) {
-  // First the tensors, whose traces may overflow.
+  // First the tensors: differences of their components may overflow.
   double largest = 0;
-  for (const auto& t : tensors) largest = std::max(largest, largest_component(t));
+  for (const auto& t : tensors) largest = std::max(largest, max_norm(t));
   const Range factor(inverse_power(largest));
   std::array<IntervalTensor, Count> deviators;
   double largest_left = 0;

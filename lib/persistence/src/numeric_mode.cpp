@@ -15,13 +15,9 @@ namespace tensortopo::persistence {
 
 Deviators deviators_of(const TetMesh& mesh, TetMesh::Index tet) {
   const auto& vertices = mesh.tets[as_size(tet)];
-  // First the tensors, whose traces may overflow.
+  // First the tensors: differences of their components may overflow.
   double largest = 0;
-  for (const auto v : vertices) {
-    const auto& t = mesh.tensors[as_size(v)];
-    for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
-      largest = std::max(largest, std::abs(x));
-  }
+  for (const auto v : vertices) largest = std::max(largest, max_norm(mesh.tensors[as_size(v)]));
   Deviators corners;
   double largest_left = 0;
   for (std::size_t i = 0; i < 4; ++i) {

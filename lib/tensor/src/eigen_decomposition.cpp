@@ -45,15 +45,6 @@ void rotate(Matrix<Scalar>& a, Matrix<Scalar>& v, std::size_t p, std::size_t q) 
 }
 
 template <class Scalar>
-Scalar largest_entry(const SymmetricTensor<Scalar>& t) {
-  using std::abs;
-  Scalar largest(0);
-  for (const Scalar& x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
-    if (abs(x) > largest) largest = abs(x);
-  return largest;
-}
-
-template <class Scalar>
 Vector3<Scalar> with_positive_largest_component(const Vector3<Scalar>& v) {
   using std::abs;
   const Scalar* largest = &v.x;
@@ -71,7 +62,7 @@ Eigensystem<Scalar> eigen_decomposition(const SymmetricTensor<Scalar>& tensor) {
   using std::ldexp;
   const Scalar zero(0), one(1);
   int exponent = 0;
-  frexp(largest_entry(tensor), &exponent);
+  frexp(max_norm(tensor), &exponent);
   const auto scaled = [&](const Scalar& x) { return Scalar(ldexp(x, -exponent)); };
   const Scalar xy = scaled(tensor.xy), yz = scaled(tensor.yz), xz = scaled(tensor.xz);
   Matrix<Scalar> a = {

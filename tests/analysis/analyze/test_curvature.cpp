@@ -170,6 +170,32 @@ TEST(SurfaceCurvature, TellsWhereTheSurfaceIsNotSmooth) {
   EXPECT_GT(between, 1e-3);
 }
 
+// The curvature has no unit of the tensors in it.
+TEST(SurfaceCurvature, IsTheSameInAnyUnits) {
+  TetMesh mesh = cube_mesh(2);
+  fill_with_smooth_tensors(mesh, 4);
+  const SurfaceMesh surface = extract_mode_surface<double>(mesh, ModeValue::parse("1/5")).surface;
+  const SurfaceCurvature expected = surface_curvature(surface, mesh);
+  const auto recovered = recovered_curvature(surface, mesh);
+  std::size_t compared = 0;
+  for (const int exponent : {-960, -200, 200, 1020}) {
+    TetMesh scaled = mesh;
+    for (auto& tensor : scaled.tensors) tensor = std::ldexp(1.0, exponent) * tensor;
+    const SurfaceCurvature found = surface_curvature(surface, scaled);
+    const auto found_recovered = recovered_curvature(surface, scaled);
+    EXPECT_EQ(found.normal_jump, expected.normal_jump) << exponent;
+    for (std::size_t v = 0; v < surface.points.size(); ++v) {
+      ASSERT_EQ(found.vertices[v].has_value(), expected.vertices[v].has_value()) << exponent;
+      ASSERT_EQ(found_recovered[v].has_value(), recovered[v].has_value()) << exponent;
+      if (!expected.vertices[v] || !recovered[v]) continue;
+      EXPECT_EQ(found.vertices[v]->principal, expected.vertices[v]->principal) << exponent;
+      EXPECT_EQ(found_recovered[v]->principal, recovered[v]->principal) << exponent;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100u);
+}
+
 #if TENSORTOPO_HAS_JETS
 // Cubic jets: the error of the curvature is of second order in the vertices' distance.
 TEST(JetCurvature, ConvergesToThatOfTheField) {

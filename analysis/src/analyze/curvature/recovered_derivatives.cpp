@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "analyze/curvature/level_form.hpp"
+#include "tensortopo/scalar/power_of_two.hpp"
 
 namespace tensortopo {
 namespace {
@@ -53,7 +54,7 @@ std::vector<Index> patch(const std::vector<std::vector<Index>>& around, Index ve
 }  // namespace
 
 std::optional<RecoveredDerivatives::Jet> RecoveredDerivatives::fitted(
-    const TetMesh& mesh, Index vertex, const std::vector<Index>& around) {
+    const TetMesh& mesh, double unit, Index vertex, const std::vector<Index>& around) {
   if (around.size() < kLeastAround) return std::nullopt;
   const Vector3<double>& origin = mesh.points[as_size(vertex)];
   double size = 0;
@@ -64,13 +65,13 @@ std::optional<RecoveredDerivatives::Jet> RecoveredDerivatives::fitted(
   const auto rows = static_cast<Eigen::Index>(around.size());
   Eigen::Matrix<double, Eigen::Dynamic, kCoefficients> powers(rows, kCoefficients);
   Eigen::Matrix<double, Eigen::Dynamic, 5> values(rows, 5);
-  const Deviator<double> here = deviator(mesh.tensors[as_size(vertex)]);
+  const Deviator<double> here = deviator(unit * mesh.tensors[as_size(vertex)]);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const Index v = around[static_cast<std::size_t>(i)];
     const Vector3<double> d = (1 / size) * (mesh.points[as_size(v)] - origin);
     powers.row(i) << d.x, d.y, d.z, d.x * d.x / 2, d.y * d.y / 2, d.z * d.z / 2, d.x * d.y,
         d.y * d.z, d.x * d.z;
-    const Deviator<double> t = deviator(mesh.tensors[as_size(v)]) - here;
+    const Deviator<double> t = deviator(unit * mesh.tensors[as_size(v)]) - here;
     values.row(i) << t.a, t.b, t.xy, t.yz, t.xz;
   }
   const auto solver = powers.colPivHouseholderQr();
@@ -95,10 +96,13 @@ RecoveredDerivatives::RecoveredDerivatives(const TetMesh& mesh, const std::vecto
     wanted.insert(wanted.end(), mesh.tets[as_size(tet)].begin(), mesh.tets[as_size(tet)].end());
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  double largest = 0;
+  for (const Index v : wanted) largest = std::max(largest, max_norm(mesh.tensors[as_size(v)]));
+  scale_ = inverse_power(largest);
   tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
     const Index v = wanted[i];
     for (std::size_t rings = 1; rings <= 2 && !jets_[as_size(v)]; ++rings)
-      jets_[as_size(v)] = fitted(mesh, v, patch(around, v, rings));
+      jets_[as_size(v)] = fitted(mesh, scale_, v, patch(around, v, rings));
   });
 }
 
@@ -110,7 +114,7 @@ std::optional<LevelCurvature<double>> RecoveredDerivatives::curvature(
   for (std::size_t k = 0; k < 4; ++k) {
     const Index v = mesh_.tets[as_size(tet)][k];
     corners[k] = mesh_.points[as_size(v)];
-    tensors[k] = mesh_.tensors[as_size(v)];
+    tensors[k] = scale_ * mesh_.tensors[as_size(v)];
     if (!jets_[as_size(v)]) return std::nullopt;
     jets[k] = &*jets_[as_size(v)];
   }

@@ -35,10 +35,12 @@ class RecoveredDerivatives {
     std::array<Deviator<double>, 3> first;
     std::array<Deviator<double>, 6> second;  ///< xx, yy, zz, xy, yz, xz
   };
-  static std::optional<Jet> fitted(const TetMesh& mesh, TetMesh::Index vertex,
+  /// @param unit  the tensors are multiplied by this
+  static std::optional<Jet> fitted(const TetMesh& mesh, double unit, TetMesh::Index vertex,
                                    const std::vector<TetMesh::Index>& around);
 
   const TetMesh& mesh_;
+  double scale_ = 1;  ///< of the tensors: a power of two that takes the largest near to 1
   std::vector<std::optional<Jet>> jets_;  ///< one a vertex of the mesh
 };
 

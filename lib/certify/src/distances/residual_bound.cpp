@@ -65,9 +65,7 @@ class Interpolation {
     double size = 0, largest = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       points_[i] = mesh.points[as_size(vertices[i])];
-      const auto& t = mesh.tensors[as_size(vertices[i])];
-      for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
-        largest = std::max(largest, std::abs(x));
+      largest = std::max(largest, max_norm(mesh.tensors[as_size(vertices[i])]));
       size = std::max(size, max_norm(points_[i] - points_[0]));
     }
     const double scale = inverse_power(largest);

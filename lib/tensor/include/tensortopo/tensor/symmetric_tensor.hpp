@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo {
@@ -39,6 +41,16 @@ struct SymmetricTensor {
 template <class To, class From>
 constexpr SymmetricTensor<To> tensor_cast(const SymmetricTensor<From>& t) {
   return {To(t.xx), To(t.yy), To(t.zz), To(t.xy), To(t.yz), To(t.xz)};
+}
+
+/// The largest absolute value of a component.
+template <class Scalar>
+Scalar max_norm(const SymmetricTensor<Scalar>& t) {
+  using std::abs;
+  Scalar largest(0);
+  for (const Scalar& x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
+    if (abs(x) > largest) largest = abs(x);
+  return largest;
 }
 
 template <class Scalar>
