@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "field_files.hpp"
 
 namespace tensortopo::test {
 namespace {
-
 
 /// Two tetrahedra with a face in common, the second with thrice the volume of the first.
 TextVtu two_cells() {
@@ -43,6 +43,25 @@ TEST(CellMeans, PlainAndByVolume) {
   EXPECT_DOUBLE_EQ(weighted.mesh.tensors[2].xz, 3);
   EXPECT_EQ(weighted.mesh.tensors[4].xx, 5);
   EXPECT_NE(weighted.report.notes.back().find("by volume"), std::string::npos);
+}
+
+TEST(MergePoints, ThatFindsNothingSaysSo) {
+  ReadOptions options = averaging();
+  options.merge_points = true;
+  const auto notes = read_mesh(put("a.vtu", two_cells().str()), options).report.notes;
+  EXPECT_EQ(std::count(notes.begin(), notes.end(),
+                       "--merge-points: no two points have the same coordinates"),
+            1);
+}
+
+TEST(CellMeans, MaterialsAreKnownByUsualNames) {
+  for (const char* name : {"Material", "mat_id", "gmsh:physical", "medit:ref", "CellEntityIds",
+                           "PartId", "RegionId", "domain", "ElSet"}) {
+    TextVtu text = two_cells();
+    text.cell_data += TextVtu::array(name, 1, "7 2");
+    expect_error(put("a.vtu", text.str()), invalid, {"2 materials", name, "--materials none"},
+                 averaging());
+  }
 }
 
 TEST(CellMeans, OfMaterialsAreNeverTakenUnasked) {
@@ -80,23 +99,23 @@ TEST(CellMeans, OfTensorsAtNodesOfCells) {
   expect_error(file, invalid, {"24 components"}, options);
   options.cell_values = CellValues::nodes;
   const auto read = read_mesh(file, options);
-  EXPECT_EQ(read.mesh.tensors[0].xx, 5);   // node 0 of both
+  EXPECT_EQ(read.mesh.tensors[0].xx, 5);    // node 0 of both
   EXPECT_EQ(read.mesh.tensors[1].xx, 6.5);  // node 1 of the first, 2 of the second
   EXPECT_EQ(read.mesh.tensors[2].xx, 6.5);
   EXPECT_EQ(read.mesh.tensors[3].xx, 3);
   EXPECT_EQ(read.mesh.tensors[4].xx, 13);
   options.tensor = "";
   expect_error(file, inapplicable, {"--cell-values", "--tensor"}, options);
-  text.cell_data = TextVtu::array("S", 18, "1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 "
-                                           "1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9");
+  text.cell_data = TextVtu::array("S", 18,
+                                  "1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 "
+                                  "1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9");
   options.tensor = "S";
   expect_error(put("b.vtu", text.str()), invalid, {"4 nodes", "18 components"}, options);
 }
 
 TEST(CellMeans, OfIntegrationPoints) {
   TextVtu text = two_cells();
-  text.cell_data =
-      TextVtu::array("S", 12, "1 0 0 0 0 0  3 0 0 0 0 0   6 0 0 0 0 0  8 0 0 0 0 0");
+  text.cell_data = TextVtu::array("S", 12, "1 0 0 0 0 0  3 0 0 0 0 0   6 0 0 0 0 0  8 0 0 0 0 0");
   ReadOptions options;
   options.tensor = "S";
   options.cell_values = CellValues::points;
@@ -104,12 +123,12 @@ TEST(CellMeans, OfIntegrationPoints) {
   EXPECT_EQ(read.mesh.tensors[3].xx, 2);
   EXPECT_EQ(read.mesh.tensors[4].xx, 7);
   EXPECT_EQ(read.mesh.tensors[0].xx, 4.5);
-  text.cell_data = TextVtu::array("S", 18, "1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 "
-                                           "1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9");
+  text.cell_data = TextVtu::array("S", 18,
+                                  "1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 "
+                                  "1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9");
   expect_error(put("b.vtu", text.str()), invalid, {"of 6 or of 9", "--components"}, options);
   options.components = ComponentOrder::abaqus;
-  EXPECT_EQ(read_mesh(put("b.vtu", text.str()), options).mesh.tensors[3].xy,
-            (4 + 1 + 7) / 3.);
+  EXPECT_EQ(read_mesh(put("b.vtu", text.str()), options).mesh.tensors[3].xy, (4 + 1 + 7) / 3.);
 }
 
 /// The same two cells, each with points of its own.
@@ -124,8 +143,8 @@ TextVtu torn_cells(const std::string& second) {
 }
 
 TEST(MergePoints, EqualOnesBecomeOne) {
-  const auto file = put(
-      "a.vtu", torn_cells("1 0 0 0 0 0  3 0 0 0 0 0  2 0 0 0 0 0  9 0 0 0 0 0").str());
+  const auto file =
+      put("a.vtu", torn_cells("1 0 0 0 0 0  3 0 0 0 0 0  2 0 0 0 0 0  9 0 0 0 0 0").str());
   const auto torn = read_mesh(file);
   EXPECT_EQ(torn.report.torn_faces.count, 2u);
   EXPECT_NE(torn.report.notes.back().find("--merge-points"), std::string::npos)

@@ -108,6 +108,12 @@ def test_statements():
         tt.verify("nothing")
 
 
+def test_statements_have_the_papers_numbers():
+    by_number, by_text = tt.verify(1, fields=5), tt.verify(["1"], fields=5)
+    assert [s.id for s in by_number] == [s.id for s in by_text]
+    assert by_number and {s.paper for s in by_number}
+
+
 def test_linear_fields_from_numpy(tetrahedron):
     """A field that numpy makes has the mode that numpy computes on its surface."""
     rng = np.random.default_rng(5)

@@ -139,6 +139,25 @@ def test_unresolved_cells_have_reasons(tetrahedron):
     assert caught.value.unresolved == surface.unresolved
 
 
+def test_strict_refuses_torn_meshes_and_fields_without_a_mode(tetrahedron):
+    points, tensors, tets = tetrahedron
+    points = np.array(points, float)
+    # A copy mirrored at the face opposite the first vertex: the faces lie on each other, unshared.
+    mirrored = np.vstack([points[1:].sum(axis=0) * 2 / 3 - points[0], points[1:]])
+    torn = tt.Field(
+        np.vstack([points, mirrored]), np.vstack([tensors, tensors]), [[0, 1, 2, 3], [4, 5, 6, 7]]
+    )
+    assert len(torn.mode_surface(0.5).unresolved) == 0
+    with pytest.raises(tt.MeshError) as caught:
+        torn.mode_surface(0.5, strict=True)
+    assert [(d.kind, d.where) for d in caught.value.defects] == [("torn_faces", 0)]
+    with pytest.raises(tt.MeshError, match="lie on others"):
+        torn.degenerate_curves(strict=True)
+    isotropic = tt.Field(points, [np.eye(3)] * 4, tets)
+    with pytest.raises(tt.MeshError, match="no mode"):
+        isotropic.mode_surface(0, strict=True)
+
+
 def test_progress_is_reported_and_cancels(slab):
     calls = []
 

@@ -41,3 +41,7 @@ def test_what_is_no_number_is_a_type_error(mode):
 def test_degenerate_modes_are_no_surfaces(slab):
     with pytest.raises(ValueError, match="degenerate curves"):
         slab.mode_surface(1)
+
+
+def test_an_array_of_dimension_0_is_one_mode(slab):
+    assert slab.mode_surface(np.array(0.3)).modes == slab.mode_surface(0.3).modes

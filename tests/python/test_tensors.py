@@ -77,3 +77,7 @@ def test_what_is_no_tensor_is_refused():
         tt.mode([[0, 1, 0], [0, 0, 0], [0, 0, 1]])
     with pytest.raises(ValueError, match="no order"):
         tt.mode(np.zeros(6), components="other")
+    masked = np.ma.array([[1.0, 0, -1, 0, 0, 0], [9, 1, 2, 3, 4, 5]], mask=[[0] * 6, [1] * 6])
+    with pytest.raises(ValueError, match="masked"):
+        tt.mode(masked)
+    assert tt.mode(masked[:1])[0] == 0

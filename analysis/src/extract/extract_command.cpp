@@ -261,6 +261,8 @@ class ExtractRun {
                         : certify(read_.mesh, mode, extraction);
       seconds_certify_ += certify_clock.seconds();
     }
+    if (level || (command_.strict && !command_.other))
+      known.embedded = level ? level->embedded : is_embedded(extraction.surface);
     if (level) tell_distance(known, level->distance, extraction.surface, farther);
     if (is_certifying()) {
       if (streamed_) level->vertex_ids = streamed_->vertex_ids;

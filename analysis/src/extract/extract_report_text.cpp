@@ -145,6 +145,11 @@ std::vector<std::string> doubtful_lines(const ExtractReport& report) {
       lines.push_back(fmt::format("mode {}: {}: the topology is proved, but coordinates in double "
                                   "precision do not show the shape there",
                                   short_text(s.mode), what));
+    else if (!s.embedded.value_or(true))
+      lines.push_back(fmt::format(
+          "mode {}: triangles of different tetrahedra intersect: the mesh overlaps itself, or "
+          "vertices have the same coordinates after rounding",
+          short_text(s.mode)));
   }
   if (!report.surfaces.empty() && report.tetrahedra > 0 &&
       report.surfaces.front().statistics.tets_undefined == report.tetrahedra)

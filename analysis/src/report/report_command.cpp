@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "check/check_command.hpp"
@@ -326,7 +327,9 @@ ReportSummary run_report(const ReportCommand& command, const Progress& progress)
   summary.bytes = page.size();
   summary.surfaces = made.parts.size();
   summary.triangles = made.surface.triangles.size();
-  summary.unresolved = left_out.size();
+  std::set<TetMesh::Index> cells;  // each may be missing in several outputs
+  for (const LeftOut& cell : left_out) cells.insert(cell.tet);
+  summary.unresolved = cells.size();
   return summary;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -10,6 +11,8 @@
 #include "arrays.hpp"
 #include "tensortopo/families/field_family.hpp"
 #include "tensortopo/hash/number_hash.hpp"
+#include "tensortopo/mesh/unmatched_faces.hpp"
+#include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo::python {
 
@@ -95,6 +98,25 @@ void define_mesh(py::module_& m) {
                                return list;
                              })
       .def_property_readonly("reoriented", [](const Mesh& self) { return self.reoriented; })
+      .def("torn_cells",
+           [](const Mesh& self) {
+             const py::gil_scoped_release unlocked;
+             std::vector<OuterFace> outer;
+             validate(self.mesh, &outer);
+             std::vector<std::int64_t> cells;
+             for (const auto& pair : unmatched_faces(self.mesh, outer))
+               for (const std::size_t i : pair)
+                 cells.push_back(self.mesh.cell_ids[as_size(outer[i].tet)]);
+             std::sort(cells.begin(), cells.end());
+             cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+             return cells;
+           })
+      .def("is_isotropic",
+           [](const Mesh& self) {
+             const py::gil_scoped_release unlocked;
+             return std::all_of(self.mesh.tensors.begin(), self.mesh.tensors.end(),
+                                [](const auto& t) { return deviator(t) == Deviator<double>{}; });
+           })
       .def("sha256", [](const Mesh& self) {
         const py::gil_scoped_release unlocked;
         return field_sha256(self.mesh);

@@ -23,6 +23,12 @@ py::list statements() {
   return list;
 }
 
+py::list statements_called(const std::string& name) {
+  py::list ids;
+  for (const auto* s : theory::statements_called(name)) ids.append(s->id);
+  return ids;
+}
+
 py::list verify(const std::vector<std::string>& ids, std::size_t fields, std::uint64_t seed,
                 const std::string& scalar, const py::object& progress) {
   const auto arithmetic = theory::arithmetic_called(scalar);
@@ -45,8 +51,8 @@ py::list verify(const std::vector<std::string>& ids, std::size_t fields, std::ui
   });
   py::list list;
   for (const auto& v : results)
-    list.append(py::make_tuple(v.id, std::string(theory::name(v.verdict)), v.tried, v.witness,
-                               v.seconds));
+    list.append(
+        py::make_tuple(v.id, std::string(theory::name(v.verdict)), v.tried, v.witness, v.seconds));
   return list;
 }
 
@@ -57,6 +63,7 @@ PYBIND11_MODULE(_theory, m) {
   m.doc() = "The statements under tensortopo.verify.";
   python::translate_cancelled();
   m.def("statements", &statements);
+  m.def("statements_called", &statements_called, py::arg("name"));
   m.def("verify", &verify, py::arg("ids"), py::arg("fields"), py::arg("seed"), py::arg("scalar"),
         py::arg("progress"));
 }

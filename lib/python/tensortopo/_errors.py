@@ -16,7 +16,8 @@ class Defect:
     kind : str
         ``wrong_length``, ``non_finite_point``, ``non_finite_tensor``, ``out_of_range``,
         ``index_out_of_range``, ``repeated_vertex``, ``degenerate_cell``, ``duplicated_cell``,
-        ``crowded_face`` or ``overlapping_cells``.
+        ``crowded_face`` or ``overlapping_cells``; with ``strict=True`` also ``torn_faces`` and
+        ``isotropic``.
     where : int
         The vertex (of the first three kinds: its id if ids were given) or the id of the cell.
     text : str

@@ -23,6 +23,8 @@ _OF_VERTICES = ("non_finite_point", "non_finite_tensor")
 
 
 def _index_array(values: Any, name: str) -> npt.NDArray[np.int64]:
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name}: some are masked; leave them out")
     array = np.asarray(values)
     if array.size == 0 and array.dtype.kind == "f":
         array = array.astype(np.int64)
@@ -235,7 +237,8 @@ class Field:
             How sheets that turn far are meshed: by bisection of edges, or on the medium eigenvector
             manifold, as in the paper. ("graph" is the old name of the former, deprecated.)
         strict : bool, default False
-            Raise if a cell stays unresolved.
+            Raise if a cell stays unresolved, the mesh is torn (faces lie on others without being
+            shared), or the deviator is zero everywhere, so that there is no mode.
 
         Returns
         -------
@@ -249,6 +252,8 @@ class Field:
             If ``progress`` returned False.
         UnresolvedError
             If ``strict``, and cells are left out.
+        MeshError
+            If ``strict``, and the mesh is torn or the field has no mode.
 
         Notes
         -----
@@ -257,6 +262,8 @@ class Field:
         """
         if method not in ("bisection", "manifold", "graph"):
             raise ValueError(f"method: there is no '{method}'; there are bisection, manifold")
+        if strict:
+            self._require_mode()
         made = self._mesh.surfaces(
             modes=mode_texts(mode),
             generalized=generalized,
@@ -274,6 +281,14 @@ class Field:
         if strict and surface.unresolved:
             raise UnresolvedError(surface.unresolved)
         return surface
+
+    def _require_mode(self) -> None:
+        cells = self._mesh.torn_cells()
+        if cells:
+            text = f"faces of {len(cells)} cells lie on others without being shared"
+            raise MeshError([Defect("torn_faces", cells[0], f"{text} (the first is cell {cells[0]})")])
+        if self._mesh.is_isotropic():
+            raise MeshError([Defect("isotropic", 0, "the deviator is zero everywhere: no mode")])
 
     def neutral_surface(self, **options: Any) -> Surface:
         """The surface of mode 0, with the options of `mode_surface`."""
@@ -307,6 +322,8 @@ class Field:
         """
         if kind not in ("both", "linear", "planar"):
             raise ValueError(f"kind: there is no '{kind}'; there are both, linear, planar")
+        if strict:
+            self._require_mode()
         made = self._mesh.curves(
             linear=kind != "planar",
             planar=kind != "linear",
@@ -383,6 +400,8 @@ def _uncertainty(
 ) -> Union[None, float, str, list[float]]:
     if value is None or isinstance(value, str):
         return value
+    if np.ma.is_masked(value):
+        raise ValueError("uncertainty: some are masked; fill them")
     radii = np.asarray(value, dtype=np.float64)
     if radii.ndim == 0:
         return float(radii)

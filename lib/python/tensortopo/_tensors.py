@@ -27,6 +27,8 @@ _ASYMMETRY = 1e-9  # of the norm: rounding by whoever wrote the tensors
 
 def real_array(values: Any, name: str) -> Array:
     """Real numbers as doubles, exactly."""
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name}: some are masked; leave them out, or fill them")
     array = np.asarray(values)
     if array.dtype.kind not in "fiu":
         raise ValueError(f"{name}: expected real numbers, not {array.dtype}")

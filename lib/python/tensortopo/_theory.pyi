@@ -4,6 +4,7 @@ from typing import Any, Callable, Optional
 
 
 def statements() -> list[tuple[str, str, str, str]]: ...
+def statements_called(name: str) -> list[str]: ...
 def verify(
     ids: list[str],
     fields: int,

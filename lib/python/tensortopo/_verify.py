@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Optional, Sequence
+from typing import Any, Callable, Optional, Sequence, Union
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Statement:
 
 
 def verify(
-    theorems: Optional[Sequence[str]] = None,
+    theorems: Union[None, str, int, Sequence[Union[str, int]]] = None,
     *,
     fields: int = 100,
     seed: int = 1,
@@ -48,8 +48,8 @@ def verify(
 
     Parameters
     ----------
-    theorems : sequence of str, optional
-        Ids of statements; all by default.
+    theorems : str, int or sequence of these, optional
+        Ids of statements, or the paper's numbers 1 to 6; all by default.
     fields : int, default 100
         How many random fields.
     seed : int, default 1
@@ -68,12 +68,17 @@ def verify(
     if fields < 1 or seed < 0:
         raise ValueError("fields: at least 1; seed: at least 0")
     known = {statement[0]: statement[1:] for statement in _theory.statements()}
-    if isinstance(theorems, str):
+    if isinstance(theorems, (str, int)):
         theorems = [theorems]
-    ids = list(known) if theorems is None else list(theorems)
-    unknown = [id for id in ids if id not in known]
-    if unknown:
-        raise ValueError(f"theorems: there is no '{unknown[0]}'; there are {', '.join(known)}")
+    ids = list(known) if theorems is None else []
+    for name in theorems or ():
+        called = _theory.statements_called(str(name))
+        if not called:
+            raise ValueError(
+                f"theorems: there is no '{name}'; there are the paper's numbers 1 to 6, and "
+                + ", ".join(known)
+            )
+        ids += called
     tried = _theory.verify(ids, fields, seed, scalar, progress)
     return [
         Statement(id, *known[id], verdict, count, witness, seconds)

@@ -207,6 +207,49 @@ TEST(ExtractFailures, StrictRefusesWhatIsUnresolvedAndWritesNothing) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"zero.vtk"});
 }
 
+// Two tetrahedra through each other: each surface is right, together they intersect.
+TEST(ExtractFailures, StrictRefusesSurfacesOfAMeshThatOverlapsItself) {
+  const Folder folder;
+  const std::string file = folder / "overlap.vtk";
+  std::ofstream(file) << R"(# vtk DataFile Version 3.0
+two tetrahedra
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 8 double
+0 0 0  1 0 0  0 1 0  0 0 1  -0.3 0.05 0.02  0.7 0.05 0.02  -0.3 1.05 0.02  -0.3 0.05 1.02
+CELLS 2 10
+4 0 1 2 3
+4 4 5 6 7
+CELL_TYPES 2
+10 10
+POINT_DATA 8
+TENSORS s double
+2 0 0 0 -1 0 0 0 -1
+1 0 0 0 1 0 0 0 -2
+1 0 0 0 1 0 0 0 -2
+1 0 0 0 1 0 0 0 -2
+1 0 0 0 1 0 0 0 -2
+2 0 0 0 -1 0 0 0 -1
+1 0 0 0 1 0 0 0 -2
+1 0 0 0 1 0 0 0 -2
+)";
+  std::vector<std::string> words{"extract", file, "-o", folder / "s.vtp", "--mode", "0"};
+  const Outcome plain = run_program(words);
+  EXPECT_EQ(plain.status, 0) << plain.err;
+  words.insert(words.end(), {"--certify", folder / "c.json"});
+  const Outcome certified = run_program(words);
+  EXPECT_EQ(certified.status, 0) << certified.err;
+  EXPECT_NE((certified.out + certified.err).find("the mesh overlaps itself"), std::string::npos)
+      << certified.out << certified.err;
+  std::filesystem::remove(folder / "s.vtp");
+  std::filesystem::remove(folder / "c.json");
+  words.push_back("--strict");
+  const Outcome strict = run_program(words);
+  EXPECT_EQ(strict.status, 1);
+  EXPECT_NE(strict.err.find("the mesh overlaps itself"), std::string::npos) << strict.err;
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"overlap.vtk"});
+}
+
 /// A cube beside two tetrahedra that cut its side along the other diagonal.
 std::string torn_mesh(const Folder& folder) {
   const std::string file = folder / "torn.vtk";

@@ -59,6 +59,8 @@ struct SurfaceReport {
   double area_within = 0;  ///< share of the area in the other tetrahedra, if a distance was asked for
   std::optional<std::int64_t> first_farther;  ///< the first of these, a cell of the file
   std::optional<std::size_t> not_embedded;  ///< see `Extraction`; not of the methods to compare
+  /// See `is_embedded`; known if it was to be certified, or with --strict.
+  std::optional<bool> embedded;
   std::map<std::string, std::size_t> unresolved;  ///< by the name of the reason
   std::optional<StabilityReport> stability;       ///< if the field was said to be uncertain
   std::optional<FilterReport> filter;             ///< if a filter was asked for

@@ -27,8 +27,11 @@ bool may_be_materials(const ArraySource& source) {
   std::string name;
   for (const char c : source.name)
     if (c != '_' && c != ' ') name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  constexpr std::array<std::string_view, 5> known{"mat", "matid", "objectid", "elementblockids",
-                                                  "blockid"};
+  constexpr std::array<std::string_view, 18> known{
+      "mat",           "matid",     "objectid",      "elementblockids", "blockid",
+      "gmsh:physical", "medit:ref", "cellentityids", "physicalids",     "part",
+      "partid",        "region",    "regionid",      "regions",         "domain",
+      "domainid",      "subdomain", "elset"};
   return name.find("material") != name.npos ||
          std::find(known.begin(), known.end(), name) != known.end();
 }
@@ -65,14 +68,15 @@ Materials materials_of(const std::vector<RawGrid>& pieces, const ReadOptions& op
   for (const RawGrid& grid : pieces) {
     const ArraySource* const source = find_array(grid, options.materials);
     if (source == nullptr)
-      throw IoError(IoError::Kind::invalid, file,
-                    "--materials: has no array `" + options.materials +
-                        "` of one component on cells");
+      throw IoError(
+          IoError::Kind::invalid, file,
+          "--materials: has no array `" + options.materials + "` of one component on cells");
     std::vector<std::size_t>& of_piece = materials.emplace_back();
     for (const double value : source->values()) {
       if (std::isnan(value))
-        throw IoError(IoError::Kind::invalid, file, "--materials: a value is not a number (cell " +
-                                                        std::to_string(of_piece.size()) + ")");
+        throw IoError(
+            IoError::Kind::invalid, file,
+            "--materials: a value is not a number (cell " + std::to_string(of_piece.size()) + ")");
       of_piece.push_back(numbers.try_emplace(value, numbers.size()).first->second);
     }
   }
@@ -125,9 +129,8 @@ std::size_t average_cells(const std::vector<RawGrid>& pieces, const VertexMap& m
     for (const std::size_t c : solid_cells(pieces[k])) {
       const RawGrid& grid = pieces[k];
       std::vector<Index> nodes = vertices_of(grid, c, map[k]);
-      const double weight = weights == MeanWeights::plain
-                                ? 1
-                                : cell_volume(mesh, grid.types[c], nodes);
+      const double weight =
+          weights == MeanWeights::plain ? 1 : cell_volume(mesh, grid.types[c], nodes);
       const std::span<const Tensor> own(tensors[k].data() + c * choice.per_cell, choice.per_cell);
       if (choice.values == CellValues::nodes) {
         if (nodes.size() != choice.per_cell)

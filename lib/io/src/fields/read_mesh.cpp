@@ -81,9 +81,9 @@ void write_notes(const ReadOptions& options, ReadReport& report) {
   note(report.skipped_cells_2d_1d, "cell", "cells", "of dimension below 3 skipped");
   note(report.skipped_ghost_cells, "ghost cell", "ghost cells", "skipped");
   if (!options.where.empty())
-    report.notes.push_back(
-        fmt::format("{} {} left out, where not: {}", report.cells_left_out,
-                    report.cells_left_out == 1 ? "cell" : "cells", options.where));
+    report.notes.push_back(fmt::format("{} {} left out, where not: {}", report.cells_left_out,
+                                       report.cells_left_out == 1 ? "cell" : "cells",
+                                       options.where));
   note(report.split_cells, "cell", "cells", "split into tetrahedra");
   note(report.quadratic_cells, "quadratic cell", "quadratic cells",
        options.quadratic == QuadraticCells::split ? "split around their nodes"
@@ -94,10 +94,9 @@ void write_notes(const ReadOptions& options, ReadReport& report) {
   note(report.reoriented_cells, "tetrahedron", "tetrahedra", "of negative volume turned around");
   note(report.symmetrized_tensors, "tensor", "tensors", "symmetrized");
   if (options.zero_below > 0)
-    report.notes.push_back(fmt::format("{} {} changed by --zero-below {:g}",
-                                       report.tensors_with_zeros,
-                                       report.tensors_with_zeros == 1 ? "tensor" : "tensors",
-                                       options.zero_below));
+    report.notes.push_back(
+        fmt::format("{} {} changed by --zero-below {:g}", report.tensors_with_zeros,
+                    report.tensors_with_zeros == 1 ? "tensor" : "tensors", options.zero_below));
   note(report.averaged_vertices, "vertex", "vertices",
        options.mean == MeanWeights::volume ? "given the mean of the cells around them, by volume"
                                            : "given the mean of the cells around them");
@@ -105,6 +104,8 @@ void write_notes(const ReadOptions& options, ReadReport& report) {
        "doubled between materials, where tensors may jump");
   note(report.merged_points, "point", "points",
        options.merge_points ? "merged with others in their place" : "merged where pieces meet");
+  if (options.merge_points && report.merged_points == 0)
+    report.notes.emplace_back("--merge-points: no two points have the same coordinates");
   note(report.unreferenced_points, "point", "points", "in no tetrahedron");
   if (report.torn_faces.count > 0) report.notes.push_back(report.torn_faces.text());
 }
@@ -205,6 +206,9 @@ SplitCells read_unchecked(const std::shared_ptr<const InputFile>& file, const Re
   const std::vector<std::vector<SymmetricTensor<double>>> none;
   VertexMap map = merge_points(grids, choice.on_cells ? none : tensors, mesh);
   report.merged_points = points - mesh.points.size();
+  const auto has_points = [](const RawGrid& grid) { return grid.points() > 0; };
+  if (std::count_if(grids.begin(), grids.end(), has_points) > 1 && report.merged_points == 0)
+    report.notes.emplace_back("pieces do not meet: no point has the coordinates of another's");
   take_means(grids, map, tensors, choice, options, mesh, report);
   // A mean of cells is at their corners only.
   const bool at_corners = choice.on_cells && choice.values != CellValues::nodes;
@@ -229,12 +233,12 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
   ReadReport& report = result.report;
   if (what == Reading::field && !options.where.empty()) {
     if (const NotFinite found = find_not_finite(result.mesh); found.count > 0)
-      throw IoError(IoError::Kind::invalid, file->path,
-                    fmt::format("a tensor component of `{}` is no finite number at vertex {}{}, of "
-                                "cells that --where takes",
-                                report.tensor_name, found.vertex,
-                                found.count > 1 ? fmt::format(" and {} more", found.count - 1)
-                                                : ""));
+      throw IoError(
+          IoError::Kind::invalid, file->path,
+          fmt::format("a tensor component of `{}` is no finite number at vertex {}{}, of "
+                      "cells that --where takes",
+                      report.tensor_name, found.vertex,
+                      found.count > 1 ? fmt::format(" and {} more", found.count - 1) : ""));
   }
   if (options.zero_below > 0)
     report.tensors_with_zeros = take_as_zero(result.mesh, options.zero_below);

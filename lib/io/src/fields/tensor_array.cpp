@@ -147,8 +147,8 @@ TensorChoice accept_several(const RawGrid& grid, const ArraySource& source,
   if (options.cell_values == CellValues::nodes) {
     const std::vector<std::size_t> cells = solid_cells(grid);
     if (cells.empty()) refuse(grid, "has no cells of dimension 3");
-    tensors = static_cast<std::size_t>(grid.offsets[cells.front() + 1] -
-                                       grid.offsets[cells.front()]);
+    tensors =
+        static_cast<std::size_t>(grid.offsets[cells.front() + 1] - grid.offsets[cells.front()]);
     for (const std::size_t n : {6u, 9u})
       if (source.components == n * tensors) components = n;
     if (components == 0)
@@ -166,7 +166,8 @@ TensorChoice accept_several(const RawGrid& grid, const ArraySource& source,
   std::optional<TensorComponents> taken;
   for (std::size_t t = 0; t < (are_named(source.component_names) ? tensors : 1); ++t) {
     if (are_named(source.component_names)) {
-      const auto first = source.component_names.begin() + static_cast<std::ptrdiff_t>(t * components);
+      const auto first =
+          source.component_names.begin() + static_cast<std::ptrdiff_t>(t * components);
       part.component_names.assign(first, first + static_cast<std::ptrdiff_t>(components));
     }
     const TensorComponents order = order_of(grid, part, options);
@@ -187,11 +188,12 @@ TensorChoice choose_by_name(const RawGrid& grid, const ReadOptions& options) {
       refuse(grid, "--cell-values: the array `" + options.tensor + "` belongs to points");
     return accept_several(grid, *on_cells, options);
   }
-  const ArraySource& source = on_points != nullptr ? *on_points : *on_cells;
+  const bool takes_cells = on_points == nullptr || (options.cell_to_point && on_cells != nullptr);
+  const ArraySource& source = takes_cells ? *on_cells : *on_points;
   if (!may_be_tensor(source))
     refuse(grid, "the array `" + source.name + "` has " + std::to_string(source.components) +
                      " components; a symmetric tensor has 6 or 9");
-  return accept(grid, source, on_points == nullptr, options);
+  return accept(grid, source, takes_cells, options);
 }
 
 /// The mean of two entries, without overflow; exact where they are equal.
@@ -216,7 +218,7 @@ TensorChoice choose_in(const RawGrid& grid, const ReadOptions& options) {
     throw IoError(IoError::Kind::inapplicable, grid.file,
                   "--cell-values: name the array with --tensor; " + inventory(grid));
   if (!options.tensor.empty()) return choose_by_name(grid, options);
-  for (const bool on_cells : {false, true}) {
+  for (const bool on_cells : {options.cell_to_point, !options.cell_to_point}) {
     const Sources& sources = on_cells ? grid.cell_data : grid.point_data;
     const auto candidates = std::count_if(sources.begin(), sources.end(), may_be_tensor);
     if (candidates > 1)
@@ -226,8 +228,10 @@ TensorChoice choose_in(const RawGrid& grid, const ReadOptions& options) {
       return accept(grid, *std::find_if(sources.begin(), sources.end(), may_be_tensor), on_cells,
                     options);
   }
-  refuse(grid, "has no array of 6 or 9 components (six of one are joined by --tensor "
-               "'NAME_{xx,yy,zz,xy,yz,xz}'); " + inventory(grid));
+  refuse(grid,
+         "has no array of 6 or 9 components (six of one are joined by --tensor "
+         "'NAME_{xx,yy,zz,xy,yz,xz}'); " +
+             inventory(grid));
 }
 
 }  // namespace
@@ -240,8 +244,8 @@ TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& optio
   TensorChoice choice = choose_in(grid, options);
   // Summaries and certificates name it.
   if (printable(choice.name) != choice.name)
-    refuse(grid, "the name of the array `" + choice.name +
-                     "` has control characters; rename the array");
+    refuse(grid,
+           "the name of the array `" + choice.name + "` has control characters; rename the array");
   return choice;
 }
 
@@ -252,8 +256,8 @@ bool is_not_finite(double x) { return !std::isfinite(x); }
 /// How many components are no finite numbers, but for the first.
 std::string further_ones(const std::vector<double>& values) {
   const auto count = std::count_if(values.begin(), values.end(), is_not_finite);
-  return count > 1 ? fmt::format(", and {} more component{}", count - 1,
-                               count == 2 ? "" : "s") : "";
+  return count > 1 ? fmt::format(", and {} more component{}", count - 1, count == 2 ? "" : "s")
+                   : "";
 }
 
 }  // namespace
@@ -279,8 +283,8 @@ std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const Ten
   for (std::size_t i = 0; i < tensors.size(); ++i) {
     const double* v = values.data() + i * choice.components;
     const auto place = [&] {
-      return (choice.on_cells ? "cell " : "point ") + std::to_string(i / choice.per_cell) + " of `" + choice.name +
-             "`";
+      return (choice.on_cells ? "cell " : "point ") + std::to_string(i / choice.per_cell) +
+             " of `" + choice.name + "`";
     };
     // With `where`, only those count that are taken.
     if (const double* const x = std::find_if(v, v + choice.components, is_not_finite);
@@ -288,7 +292,8 @@ std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const Ten
       if (options.where.empty())
         refuse(grid, std::string("a tensor component is ") +
                          (std::isnan(*x) ? "not a number" : "infinite") + " (" + place() +
-                         further_ones(values) + "); --where takes the cells without");
+                         further_ones(values) +
+                         "); --where 'magnitude < 1e300' takes the cells without");
       tensors[i].xx = *x;
       continue;
     }
@@ -297,12 +302,10 @@ std::vector<SymmetricTensor<double>> read_tensors(const RawGrid& grid, const Ten
       tensors[i] = {at(0), at(1), at(2), at(3), at(4), at(5)};
       continue;
     }
-    if (is_asymmetric(v)) {
-      if (!options.symmetrize)
-        refuse(grid, "a tensor is not symmetric (" + place() +
-                         "); --symmetrize takes its symmetric part");
-      ++symmetrized;
-    }
+    if (!options.symmetrize && is_asymmetric(v))
+      refuse(grid,
+             "a tensor is not symmetric (" + place() + "); --symmetrize takes its symmetric part");
+    symmetrized += v[1] != v[3] || v[2] != v[6] || v[5] != v[7];
     tensors[i] = {v[0], v[4], v[8], mean(v[1], v[3]), mean(v[5], v[7]), mean(v[2], v[6])};
   }
   return tensors;
