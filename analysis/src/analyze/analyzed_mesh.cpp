@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analyze/analyzed_mesh.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
 
@@ -15,6 +18,9 @@ ReadResult read_analyzed(const std::filesystem::path& input, const ReadOptions& 
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
   report.notes = read.report.all_notes();
+  if (std::all_of(read.mesh.tensors.begin(), read.mesh.tensors.end(),
+                  [](const auto& t) { return deviator(t) == Deviator<double>{}; }))
+    report.notes.emplace_back("all tensors are isotropic: the mode is undefined everywhere");
   return read;
 }
 

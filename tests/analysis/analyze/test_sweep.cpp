@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -218,6 +219,24 @@ TEST(SweepProgram, SaysTheSameWhateverTheThreads) {
     EXPECT_GT(said.back().at("events").size(), 10u);
   }
   EXPECT_EQ(said[0], said[1]);
+}
+
+TEST(SweepProgram, SaysThatAnIsotropicFieldHasNoMode) {
+  const Folder folder;
+  const std::string file = folder / "isotropic.vtk";
+  std::ofstream(file) << "# vtk DataFile Version 3.0\nisotropic\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                         "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\n"
+                         "CELL_TYPES 1\n10\nPOINT_DATA 4\nTENSORS s double\n"
+                         "1 0 0 0 1 0 0 0 1\n2 0 0 0 2 0 0 0 2\n3 0 0 0 3 0 0 0 3\n"
+                         "1 0 0 0 1 0 0 0 1\n";
+  for (const std::vector<std::string>& what :
+       {std::vector<std::string>{"--sweep", "0:0.5:3"}, {"--persistence"}, {"--graph"}}) {
+    std::vector<std::string> words{"analyze", file};
+    words.insert(words.end(), what.begin(), what.end());
+    const Outcome run = run_program(words);
+    EXPECT_NE((run.out + run.err).find("undefined everywhere"), std::string::npos)
+        << run.out << run.err;
+  }
 }
 
 TEST(SweepProgram, RefusesWhatMakesNoSense) {

@@ -3,6 +3,7 @@
 #include "program/options/read_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <initializer_list>
 #include <string>
@@ -28,10 +29,17 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
   app.add_option("--zero-below", options.zero_below,
                  "Take components smaller than E as zero, and tensors with smaller deviators as "
                  "isotropic: rounding next to isotropic points")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double number = 0;
+            return CLI::detail::lexical_cast(text, number) && number > 0 && std::isfinite(number)
+                       ? std::string()
+                       : "'" + text + "' is not a positive number";
+          },
+          "POSITIVE"))
       ->type_name("E");
   app.add_flag("--cell-to-point", options.cell_to_point,
-               "Average tensors on cells to the vertices");
+               "Take tensors on cells, averaged to the vertices");
   app.add_flag("--tetrahedralize", options.tetrahedralize,
                "Split other linear 3D cells into tetrahedra");
   const auto choice = [&app](const char* name, std::vector<std::string> words,
@@ -72,7 +80,8 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
   app.add_option(
          "--where", options.where,
          "Take the cells alone at all whose nodes this holds: an array that is not 0 there, or "
-         "an expression as 'anisotropy > 0.2 and z < 5', of arrays of the file, x, y, z, magnitude, "
+         "an expression as 'anisotropy > 0.2 and z < 5', of arrays of the file, x, y, z, "
+         "magnitude, "
          "deviator_magnitude, anisotropy and mode")
       ->type_name("EXPRESSION");
   reads(common, app.add_option("--mask", options.mask,
@@ -83,9 +92,9 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
 namespace {
 
 const std::initializer_list<const char*> kNames{
-    "--tensor",    "--components",   "--symmetrize", "--zero-below", "--cell-to-point", "--tetrahedralize",
-    "--quadratic", "--step",         "--mask",       "--cell-values",   "--mean",
-    "--materials", "--merge-points", "--where"};
+    "--tensor",         "--components", "--symmetrize",   "--zero-below", "--cell-to-point",
+    "--tetrahedralize", "--quadratic",  "--step",         "--mask",       "--cell-values",
+    "--mean",           "--materials",  "--merge-points", "--where"};
 
 }  // namespace
 
