@@ -128,9 +128,10 @@ inline void set_weights(CriticalPoint& point, std::array<double, Count> weights,
                         const std::array<IntervalTensor, Count>& normal) {
   double largest = 0;
   for (const auto& t : given) largest = std::max(largest, max_norm(t));
+  const double unit = inverse_power(largest);
   double sum = 0;
   for (std::size_t i = 0; i < Count; ++i) {
-    const auto d = deviator(inverse_power(largest) * given[i]);
+    const auto d = deviator(unit * given[i]);
     const double scale =
         norm_form(d) > 0 ? std::sqrt(norm_form(middle(normal[i])) / norm_form(d)) : 1;
     sum += weights[i] = std::max(weights[i] * scale, 0.0);

@@ -75,7 +75,8 @@ std::array<IntervalTensor, Count> scaled_deviators(
     deviators[i] = deviator(factor * tensor_cast<Range>(tensors[i]));
     largest_left = std::max(largest_left, largest_bound(deviators[i]));
   }
-  for (auto& t : deviators) t = Range(inverse_power(largest_left)) * t;
+  const Range rest(inverse_power(largest_left));
+  for (auto& t : deviators) t = rest * t;
   return deviators;
 }
 

@@ -18,14 +18,16 @@ Deviators deviators_of(const TetMesh& mesh, TetMesh::Index tet) {
   // First the tensors: differences of their components may overflow.
   double largest = 0;
   for (const auto v : vertices) largest = std::max(largest, max_norm(mesh.tensors[as_size(v)]));
+  const double factor = inverse_power(largest);
   Deviators corners;
   double largest_left = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = deviator(inverse_power(largest) * mesh.tensors[as_size(vertices[i])]);
+    corners[i] = deviator(factor * mesh.tensors[as_size(vertices[i])]);
     for (const double x : {corners[i].a, corners[i].b, corners[i].xy, corners[i].yz, corners[i].xz})
       largest_left = std::max(largest_left, std::abs(x));
   }
-  for (auto& corner : corners) corner = inverse_power(largest_left) * corner;
+  const double rest = inverse_power(largest_left);
+  for (auto& corner : corners) corner = rest * corner;
   return corners;
 }
 

@@ -114,7 +114,8 @@ void define_mesh(py::module_& m) {
       .def("is_isotropic",
            [](const Mesh& self) {
              const py::gil_scoped_release unlocked;
-             return std::all_of(self.mesh.tensors.begin(), self.mesh.tensors.end(),
+             return !self.mesh.tensors.empty() &&
+                    std::all_of(self.mesh.tensors.begin(), self.mesh.tensors.end(),
                                 [](const auto& t) { return deviator(t) == Deviator<double>{}; });
            })
       .def("sha256", [](const Mesh& self) {

@@ -81,8 +81,7 @@ void add_read_options(CLI::App& app, CommonOptions& common, ReadOptions& options
          "--where", options.where,
          "Take the cells alone at all whose nodes this holds: an array that is not 0 there, or "
          "an expression as 'anisotropy > 0.2 and z < 5', of arrays of the file, x, y, z, "
-         "magnitude, "
-         "deviator_magnitude, anisotropy and mode")
+         "magnitude, deviator_magnitude, anisotropy and mode")
       ->type_name("EXPRESSION");
   reads(common, app.add_option("--mask", options.mask,
                                "NIfTI image that is not 0 where the input's voxels are taken"))
