@@ -30,12 +30,23 @@ int side_in_doubles(const Side& plane, const Vector3<double>& p) {
   return value > error ? 1 : value < -error ? -1 : 0;
 }
 
-/// Whether the corners from the first on are shown to be on one side of a plane.
-bool is_apart(const Side& plane, const std::array<Vector3<double>, 3>& corners, std::size_t first) {
-  const int side = side_in_doubles(plane, corners[first]);
-  if (side == 0) return false;
-  for (std::size_t i = first + 1; i < 3; ++i)
-    if (side_in_doubles(plane, corners[i]) != side) return false;
+/// The sides of a plane on which doubles show that corners are.
+std::array<int, 3> sides_in_doubles(const Side& plane,
+                                    const std::array<Vector3<double>, 3>& corners) {
+  return {side_in_doubles(plane, corners[0]), side_in_doubles(plane, corners[1]),
+          side_in_doubles(plane, corners[2])};
+}
+
+/// Whether all corners are shown to be on one side.
+bool are_apart(const std::array<int, 3>& sides) {
+  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
+}
+
+/// The same for the corners from one on, in an order.
+bool are_apart(const std::array<int, 3>& sides, const std::array<std::size_t, 3>& order,
+               std::size_t from) {
+  for (std::size_t i = from; i < 3; ++i)
+    if (sides[order[i]] == 0 || sides[order[i]] != sides[order[from]]) return false;
   return true;
 }
 
@@ -58,6 +69,11 @@ Side side_of(std::span<const Vector3<double>> points, const PatchTriangle& t) {
 /// goes on from there to the opposite side of one of the two.
 template <Same same>
 bool intersect(const Side& first, const Side& second) {
+  // Most pairs are apart and share nothing.
+  const auto of_second = sides_in_doubles(first, second.corners);
+  if (are_apart(of_second)) return false;
+  const auto of_first = sides_in_doubles(second, first.corners);
+  if (are_apart(of_first)) return false;
   std::array<std::size_t, 3> i{0, 1, 2}, j{0, 1, 2};
   std::size_t shared = 0;  // moved to the front
   for (std::size_t k = 0; k < 3; ++k)
@@ -70,9 +86,9 @@ bool intersect(const Side& first, const Side& second) {
       break;
     }
   if (shared == 3) return true;
+  if (are_apart(of_second, j, shared) || are_apart(of_first, i, shared)) return false;
   const std::array s{first.corners[i[0]], first.corners[i[1]], first.corners[i[2]]},
       t{second.corners[j[0]], second.corners[j[1]], second.corners[j[2]]};
-  if (is_apart(first, t, shared) || is_apart(second, s, shared)) return false;
   const std::array a{point(s[0]), point(s[1]), point(s[2])},
       b{point(t[0]), point(t[1]), point(t[2])};
   if (shared == 2)

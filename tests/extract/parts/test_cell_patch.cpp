@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -87,6 +91,51 @@ TEST(CellPatch, AnswersAfterMovesAreThoseOfANewPatch) {
   EXPECT_GT(answers[0], 100u);
   EXPECT_GT(answers[1], 100u);
   EXPECT_GT(moves, 10u);
+}
+
+/// A fan in half of a disc, clockwise seen from above; the first vertex is its centre.
+Patch<double> half_fan(const TetWithCurves<double>& tet, int triangles) {
+  const TetGeometry geometry(tet.points, tet.simplex.exponents);
+  Patch<double> patch;
+  const auto add = [&](const Vector3<double>& x) {
+    InnerVertex<double> vertex;
+    for (std::size_t k = 0; k < 4; ++k) vertex.weights[k] = geometry.weight(k, x);
+    patch.inner.push_back(vertex);
+  };
+  add({0, 0, 0});
+  for (int k = 0; k <= triangles; ++k) {
+    const double angle = std::numbers::pi * k / triangles;
+    add({0.5 * std::cos(angle), 0.5 * std::sin(angle), 0});
+  }
+  for (int k = 0; k < triangles; ++k) patch.triangles.push_back({-1, -3 - k, -2 - k});
+  return patch;
+}
+
+// Fans that move from vertex to vertex would grow, and all pairs of their triangles are tested.
+TEST(CellPatch, OnlyVerticesOfFewTrianglesMove) {
+  const auto tet = layered_tet();
+  const auto level = make_level<double>(ModeValue::parse("0"));
+  for (int triangles = 3; triangles < 40; ++triangles) {
+    CellPatch patch(tet, level, {}, half_fan(tet, triangles));
+    EXPECT_EQ(patch.least_sine_after(-1, -2, 0, 0.5) > 0, triangles <= 16) << triangles;
+  }
+}
+
+TEST(CellPatch, AreaOfAPolygonIsThatWithoutACornerAndTheCorner) {
+  std::mt19937 random(20261128);
+  const auto tet = layered_tet();
+  const auto made = two_layers(tet, random);
+  const CellPatch patch(tet, make_level<double>(ModeValue::parse("0")), {}, made);
+  std::vector<Id> polygon(made.inner.size());
+  std::iota(polygon.begin(), polygon.end(), -static_cast<Id>(polygon.size()));
+  for (std::size_t compared = 0; compared < 100; ++compared) {
+    std::shuffle(polygon.begin(), polygon.end(), random);
+    const std::vector<Id> without(polygon.begin(), polygon.end() - 1);
+    const std::array corner{polygon[polygon.size() - 2], polygon.back(), polygon[0]};
+    const auto rest = patch.area_of(polygon) - patch.area_of(without) - patch.area_of(corner);
+    EXPECT_LT(dot(rest, rest), 1e-24);
+    EXPECT_GT(dot(patch.area_of(corner), patch.area_of(corner)), 1e-12);
+  }
 }
 
 }  // namespace

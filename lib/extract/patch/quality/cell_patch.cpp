@@ -15,6 +15,10 @@ namespace {
 
 using Vector = Vector3<double>;
 
+/// A vertex with more triangles does not move: fans that go from vertex to vertex would grow, and
+/// each of their pairs of triangles is tested.
+constexpr std::size_t kMostMoved = 16;
+
 std::array<Vector, 4> times(double factor, std::array<Vector, 4> points) {
   for (auto& p : points) p = factor * p;
   return points;
@@ -175,6 +179,7 @@ bool CellPatch::keeps_sheets(Place v, Place u) const {
 
 double CellPatch::least_sine_after(Id vertex, Id neighbour, double least, double least_cosine) {
   const Place v = place_of(vertex), u = place_of(neighbour);
+  if (around_[v].size() > kMostMoved) return 0;
   double sine = 1;
   const auto changed = [&](const auto& look) {
     for (const auto i : around_[v]) {
@@ -262,21 +267,15 @@ bool CellPatch::is_unchanged_since(std::uint32_t turn, Id vertex,
          });
 }
 
-bool CellPatch::turns_alike_without(const std::vector<Id>& polygon, Id vertex) const {
-  const auto area_without = [&](Id left_out) {
-    Vector3<double> area{}, last{};
-    const auto& origin = corners_[place_of(polygon[0])].position;
-    for (const Id id : polygon) {
-      if (id == left_out) continue;
-      const auto next = corners_[place_of(id)].position - origin;
-      area = area + cross(last, next);
-      last = next;
-    }
-    // Back to the first one, if the origin was left out.
-    const auto first = polygon[0] == left_out ? polygon[1] : polygon[0];
-    return area + cross(last, corners_[place_of(first)].position - origin);
-  };
-  return dot(area_without(-1), area_without(vertex)) > 0;
+Vector CellPatch::area_of(std::span<const Id> polygon) const {
+  Vector area{}, last{};
+  const auto& origin = corners_[place_of(polygon[0])].position;
+  for (const Id id : polygon) {
+    const auto next = corners_[place_of(id)].position - origin;
+    area = area + cross(last, next);
+    last = next;
+  }
+  return area;
 }
 
 void CellPatch::move(Id vertex, Id neighbour) {

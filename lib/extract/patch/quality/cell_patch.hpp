@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "extract/level/tet_geometry.hpp"
@@ -47,9 +48,8 @@ class CellPatch {
   /// The same with the vertex moved to a neighbour.
   double offset_after(Id vertex, Id neighbour) const;
 
-  /// Whether a closed polygon of a face, with an area, turns the same way without one of its
-  /// vertices.
-  bool turns_alike_without(const std::vector<Id>& polygon, Id vertex) const;
+  /// Twice the vector area of a closed polygon.
+  Vector3<double> area_of(std::span<const Id> polygon) const;
 
   void move(Id vertex, Id neighbour);
 

@@ -30,7 +30,10 @@ void until_none_is_removed(const CellPatch& patch, std::vector<CurveChain>& chai
   using Turns = boost::container::small_vector<std::uint32_t, 16>;
   std::vector<Turns> asked;  // of each sample, the turn in which it was kept
   asked.reserve(chains.size());
-  for (const CurveChain& chain : chains) asked.emplace_back(chain.vertices.size(), kNever);
+  for (CurveChain& chain : chains) {
+    asked.emplace_back(chain.vertices.size(), kNever);
+    if (chain.is_closed && !chain.vertices.empty()) chain.area = patch.area_of(chain.vertices);
+  }
   for (bool any = true; any;) {
     any = false;
     for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -49,6 +52,8 @@ void until_none_is_removed(const CellPatch& patch, std::vector<CurveChain>& chai
           ++i;
           continue;
         }
+        if (chain.is_closed)
+          chain.area = chain.area - patch.area_of(std::array{neighbours[0], v[i], neighbours[1]});
         v.erase(v.begin() + static_cast<std::ptrdiff_t>(i));
         asked[c].erase(asked[c].begin() + static_cast<std::ptrdiff_t>(i));
         any = true;
@@ -77,8 +82,16 @@ bool stays_close(const CellPatch& patch, const CurveChain& chain, Id v, Id u) {
   return offset <= chain.flatness || offset <= patch.offset_around(v);
 }
 
-bool may_go(CellPatch& patch, const CurveChain& chain, Id v, const Way& way) {
-  return way.sine > 0 && (!chain.is_closed || patch.turns_alike_without(chain.vertices, v)) &&
+/// Whether a closed curve turns the same way without one of its vertices.
+bool turns_alike_without(const CellPatch& patch, const CurveChain& chain, Id v,
+                         const std::array<Id, 2>& neighbours) {
+  return dot(chain.area, chain.area - patch.area_of(std::array{neighbours[0], v, neighbours[1]})) >
+         0;
+}
+
+bool may_go(CellPatch& patch, const CurveChain& chain, Id v, const std::array<Id, 2>& neighbours,
+            const Way& way) {
+  return way.sine > 0 && (!chain.is_closed || turns_alike_without(patch, chain, v, neighbours)) &&
          (!chain.stays_embedded || patch.is_embedded_after(v, way.to));
 }
 
@@ -111,7 +124,8 @@ ThinningProposal propose_thinning(CellPatch& patch, std::vector<CurveChain> chai
         const auto ways =
             ways_out(patch, chain, v, neighbours, is_wanted ? kLargerSine * sine : kSineOfNeedle);
         const auto way = std::find_if(ways.begin(), ways.end(), [&](const Way& w) {
-          return w.sine > 0 && stays_close(patch, chain, v, w.to) && may_go(patch, chain, v, w);
+          return w.sine > 0 && stays_close(patch, chain, v, w.to) &&
+                 may_go(patch, chain, v, neighbours, w);
         });
         if (way == ways.end()) return false;
         patch.move(v, way->to);
@@ -131,12 +145,12 @@ std::vector<Id> take_out(CellPatch& patch, std::vector<CurveChain> chains,
                         [&](const CurveChain& chain, Id v, const std::array<Id, 2>& neighbours) {
                           if (!holds(samples, v)) return false;
                           auto ways = ways_out(patch, chain, v, neighbours, 0);
-                          if (!may_go(patch, chain, v, ways[0])) {
-                            if (!may_go(patch, chain, v, ways[1])) return false;
+                          if (!may_go(patch, chain, v, neighbours, ways[0])) {
+                            if (!may_go(patch, chain, v, neighbours, ways[1])) return false;
                             std::swap(ways[0], ways[1]);
                           }
                           const bool second = !stays_close(patch, chain, v, ways[0].to) &&
-                                              may_go(patch, chain, v, ways[1]) &&
+                                              may_go(patch, chain, v, neighbours, ways[1]) &&
                                               stays_close(patch, chain, v, ways[1].to);
                           patch.move(v, ways[second ? 1 : 0].to);
                           std::erase(left, v);

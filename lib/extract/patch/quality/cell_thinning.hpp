@@ -19,8 +19,9 @@ struct CurveChain {
   std::size_t least = 0;  ///< how many samples stay
   /// How far the level may be from where a sample was taken out, see `CellPatch::offset_after`.
   double flatness = 0;
-  double least_cosine = 0;  ///< see `CellPatch::least_sine_after`
+  double least_cosine = 0;      ///< see `CellPatch::least_sine_after`
   bool stays_embedded = false;  ///< whether `CellPatch::is_embedded_after` has to hold
+  Vector3<double> area{};       ///< twice that of a closed one; kept while samples are taken out
 };
 
 /// The samples at which a triangle is a needle, ascending.
