@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "extract/patch/manifold/manifold_crossings.hpp"
+#include "extract/patch/patch_defects.hpp"
 #include "extract/surface/cells/mesh_cells.hpp"
 
 namespace tensortopo {
@@ -25,9 +27,20 @@ struct MeshingState {
   bool was_meshed = false;                      ///< with the proved topology, but with defects
   std::size_t tried = 0;                        ///< triangles of patches with defects
   std::size_t defects = 0;                      ///< of the patch; SIZE_MAX: not all were counted
+  std::size_t fewest_defects = SIZE_MAX;        ///< of this mesher's patches
+  int in_vain = 0;                              ///< patches since then
   int halvings = 0;                             ///< of steps along boundary loops beside defects
   int refinements = 0;                          ///< of the subdivision at defects
   std::vector<SampleRequest<Scalar>> beside_defects;  ///< samples of boundary loops there
+};
+
+/// A patch with defects, to go back to.
+template <class Scalar>
+struct DefectivePatch {
+  Patch<Scalar> patch;
+  PatchDefects found;
+  std::size_t defects;  ///< as in `MeshingState`
+  std::vector<SampleRequest<Scalar>> beside_defects;
 };
 
 /// Meshes one tetrahedron; what it reads stays as it is in the meantime.
@@ -69,6 +82,12 @@ class CellMesher {
   bool mesh_without_defects(int rounds);
   bool find_defects();
   bool are_defects_few() const;
+  bool is_last_mesher() const;
+  bool may_be_finer() const;
+  bool may_be_refined() const;
+  void count_attempt();
+  DefectivePatch<Scalar> present() const;
+  void go_back_to(DefectivePatch<Scalar> before);
   bool mend();
   bool make_finer();
   bool mesh_topology(int defect_rounds);
@@ -107,6 +126,7 @@ class CellMesher {
   CellMesh<Scalar>& mesh_;
   std::optional<bool> shows_loops_;  ///< what `ask_for_chart` said
   TetWithCurves<Scalar> tet_;
+  PatchDefects found_;  ///< of the patch, once they were looked for
 };
 
 }  // namespace tensortopo

@@ -22,6 +22,9 @@ namespace {
 /// subdivision cut that have some.
 constexpr int kMostHalvings = 4, kMostRefinements = 8;
 
+/// How often either may leave no fewer defects than an attempt before.
+constexpr int kPatience = 2;
+
 /// Intersecting pairs and triangles against the gradient, for each triangle of a patch, that
 /// further vertices are tried for.
 constexpr std::size_t kMostDefects = 2;
@@ -38,32 +41,56 @@ constexpr std::size_t kFewDefects = 32, kFewInAll = 16;
 
 }  // namespace
 
+/// Whether no further mesher is tried for an embedded patch once this one has one with defects.
+template <class Scalar>
+bool CellMesher<Scalar>::is_last_mesher() const {
+  return mesh_.mesher == Mesher::subdivision || mesh_.mesher == Mesher::fan ||
+         mesh_.mesher == Mesher::loops;
+}
+
+/// Whether a finer patch may have fewer defects.
+template <class Scalar>
+bool CellMesher<Scalar>::may_be_finer() const {
+  return are_defects_few() &&
+         (state_.defects < state_.fewest_defects || state_.in_vain < kPatience);
+}
+
+template <class Scalar>
+bool CellMesher<Scalar>::may_be_refined() const {
+  return mesh_.mesher == Mesher::subdivision && !mesh_.patch.cells_against.empty() &&
+         proof_.topology->subdivision && may_be_finer() && state_.refinements < kMostRefinements;
+}
+
+template <class Scalar>
+void CellMesher<Scalar>::count_attempt() {
+  const bool is_better = state_.defects < state_.fewest_defects;
+  state_.in_vain = is_better ? 0 : state_.in_vain + 1;
+  state_.fewest_defects = std::min(state_.fewest_defects, state_.defects);
+}
+
 /// More samples beside triangles with defects, or smaller cells of the subdivision. What no mesher
 /// does without defects is meshed with them, and reported.
 /// @return false if another mesher is to be tried
 template <class Scalar>
 bool CellMesher<Scalar>::make_finer() {
-  auto& mesher = mesh_.mesher;
-  if (mesh_.has_defects && is_in_chart() && !state_.beside_defects.empty() && are_defects_few() &&
+  if (mesh_.has_defects && is_in_chart() && !state_.beside_defects.empty() && may_be_finer() &&
       state_.halvings++ < kMostHalvings) {
+    count_attempt();
     state_.requests.insert(state_.requests.end(), state_.beside_defects.begin(),
                            state_.beside_defects.end());
     return true;
   }
-  const bool is_last =
-      mesher == Mesher::subdivision || mesher == Mesher::fan || mesher == Mesher::loops;
-  if (!state_.must_be_embedded || !state_.was_meshed || !is_last) return false;
+  if (!state_.must_be_embedded || !state_.was_meshed || !is_last_mesher()) return false;
   auto& topology = *proof_.topology;
-  if (mesher == Mesher::subdivision && mesh_.has_defects && !mesh_.patch.cells_against.empty() &&
-      topology.subdivision && are_defects_few() && state_.refinements++ < kMostRefinements) {
+  if (mesh_.has_defects) {
+    ++state_.refinements;
+    count_attempt();
     if (refine_subdivision<Scalar>(tet_, level(), mesh_.patch.cells_against, topology)) {
       state_.requests = subdivision_requests(tet_, level(), topology);
       return true;
     }
-    mesh_.has_defects = false;
   }
   state_.must_be_embedded = false;
-  if (mesh_.has_defects) return true;
   begin();
   return true;
 }
@@ -81,31 +108,45 @@ bool CellMesher<Scalar>::find_defects() {
   thread_local PlacedPatch patch;
   place_patch<Scalar>(tet_, mesh_.patch, around_.vertices.position, patch);
   const std::size_t left = kMostTried - std::min(state_.tried, kMostTried);
-  const auto defects = defects_of(patch, UpwardTest(tet_), kTestsAsOne * left);
-  mesh_.has_defects = defects.any();
-  state_.defects =
-      defects.are_all ? defects.against.size() + defects.intersecting.size() : SIZE_MAX;
+  found_ = defects_of(patch, UpwardTest(tet_), kTestsAsOne * left);
+  mesh_.has_defects = found_.any();
+  state_.defects = found_.are_all ? found_.against.size() + found_.intersecting.size() : SIZE_MAX;
   if (mesh_.has_defects)
     state_.tried +=
-        mesh_.patch.triangles.size() + defects.intersecting.size() + defects.tested / kTestsAsOne;
+        mesh_.patch.triangles.size() + found_.intersecting.size() + found_.tested / kTestsAsOne;
   mesh_.has_doubled_boundary = mesh_.has_defects && tensortopo::has_doubled_boundary(patch);
   state_.beside_defects.clear();
-  if (mesh_.has_defects && state_.must_be_embedded && defects.are_all)
-    state_.beside_defects = samples_beside(defects, patch, tet_, around_.arc_vertices(tet_));
+  if (mesh_.has_defects && state_.must_be_embedded && found_.are_all)
+    state_.beside_defects = samples_beside(found_, patch, tet_, around_.arc_vertices(tet_));
   return mesh_.has_defects;
 }
 
+template <class Scalar>
+DefectivePatch<Scalar> CellMesher<Scalar>::present() const {
+  return {mesh_.patch, found_, state_.defects, state_.beside_defects};
+}
+
+template <class Scalar>
+void CellMesher<Scalar>::go_back_to(DefectivePatch<Scalar> before) {
+  mesh_.patch = std::move(before.patch);
+  mesh_.has_defects = true;
+  found_ = std::move(before.found);
+  state_.defects = before.defects;
+  state_.beside_defects = std::move(before.beside_defects);
+}
+
 /// Other diagonals, where triangles are folded onto each other.
-/// @return whether no defect is left; else the triangles are as before
+/// @return whether no defect is left; else the patch has fewer than before, or is as it was
 template <class Scalar>
 bool CellMesher<Scalar>::unfold() {
   const auto vertices = around_.arc_vertices(tet_);
   std::vector<std::vector<BoundaryVertex>> loops;
   for (const auto& loop : proof_.topology->loops) loops.push_back(loop_vertices(loop, vertices));
-  const auto before = mesh_.patch.triangles;
+  auto before = present();
   flip_edges<Scalar>(tet_, level(), loops, mesh_.patch, Folded::unfolded);
-  if (before != mesh_.patch.triangles && !find_defects()) return true;
-  mesh_.patch.triangles = before;
+  if (before.patch.triangles == mesh_.patch.triangles) return false;
+  if (!find_defects()) return true;
+  if (state_.defects >= before.defects) go_back_to(std::move(before));
   return false;
 }
 
@@ -120,17 +161,13 @@ bool CellMesher<Scalar>::untangle_few() {
   for (const auto& loop : topology.loops) loops.push_back(loop_vertices(loop, vertices));
   PlacedPatch placed;
   place_patch<Scalar>(tet_, mesh_.patch, around_.vertices.position, placed);
-  auto before = mesh_.patch;
-  if (!untangle<Scalar>(tet_, level(), loops, placed, defects_of(placed, UpwardTest(tet_)),
-                        mesh_.patch))
-    return false;
-  const std::size_t defects = state_.defects;
+  auto before = present();
+  if (!untangle<Scalar>(tet_, level(), loops, placed, found_, mesh_.patch)) return false;
   if (are_proved_sheets(mesh_.patch.triangles, loops, topology.sheets)) {
     if (!find_defects()) return true;
-    if (state_.defects <= defects) return false;
+    if (state_.defects <= before.defects) return false;
   }
-  mesh_.patch = std::move(before);
-  find_defects();
+  go_back_to(std::move(before));
   return false;
 }
 
@@ -142,14 +179,12 @@ bool CellMesher<Scalar>::mesh_without_defects(int rounds) {
 }
 
 /// Other diagonals, the other chart, and further vertices inside; the boundary loops stay.
-/// @return whether no defect is left; else the patch is as before
+/// @return whether no defect is left; else the patch has no more than before
 template <class Scalar>
 bool CellMesher<Scalar>::mend() {
   if (unfold() || untangle_few()) return true;
   const bool are_few = are_defects_few();
-  auto before = std::move(mesh_.patch);
-  const auto defects = state_.defects;
-  const auto beside = state_.beside_defects;
+  auto before = present();
   auto& mesher = mesh_.mesher;
   if (mesher == Mesher::manifold) {
     mesher = Mesher::dominant;
@@ -158,10 +193,7 @@ bool CellMesher<Scalar>::mend() {
     mesher = Mesher::manifold;
   }
   if (is_in_chart() && are_few && mesh_without_defects(kDefectRounds)) return true;
-  mesh_.patch = std::move(before);
-  mesh_.has_defects = true;
-  state_.defects = defects;
-  state_.beside_defects = beside;
+  go_back_to(std::move(before));
   return false;
 }
 
@@ -180,7 +212,10 @@ bool CellMesher<Scalar>::try_mesher() {
     return true;
   }
   state_.was_meshed = true;
-  return mend();
+  if (mend()) return true;
+  if (!is_last_mesher() || may_be_refined()) return false;
+  state_.must_be_embedded = false;
+  return true;
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                         \
