@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -76,10 +77,13 @@ class Page {
   static constexpr double kThreadsWeight = 2, kModesWeight = 3, kCurvesWeight = 0.5,
                           kEndsWeight = 1;
 
+  static constexpr std::array kEnds{"9999/10000", "999999/1000000", "999999999/1000000000"};
+
   double times_weight() const { return kTimesWeight + (has_other_methods() ? kMethodsWeight : 0); }
   double weight_of_all() const {
     const double of_mode = kProgramsWeight + times_weight();
-    const double of_field = kThreadsWeight + kModesWeight + kCurvesWeight + 2 * kEndsWeight;
+    const double of_field = kThreadsWeight + kModesWeight + kCurvesWeight +
+                            static_cast<double>(std::size(kEnds)) * kEndsWeight;
     return static_cast<double>(command_.inputs.size()) *
            (of_field + of_mode * static_cast<double>(command_.modes.size()));
   }
@@ -274,15 +278,16 @@ class Page {
   }
 
   void next_to_ends() {
-    const std::vector<std::string> modes{"9999/10000", "999999/1000000"};
     add("\n## Next to modes 1 and -1\n\nTetrahedra that hold the surface, those left unresolved, "
-        "and seconds without reading and writing.\n\n| field |");
-    for (const std::string& mode : modes) add(" ±{} |", short_text(ModeValue::parse(mode)));
-    add("\n|{}\n", dashes(modes.size() + 1));
+        "those in which doubles do not show its shape (`not_embedded`), and seconds without "
+        "reading "
+        "and writing.\n\n| field |");
+    for (const char* mode : kEnds) add(" ±{} |", short_text(ModeValue::parse(mode)));
+    add("\n|{}\n", dashes(std::size(kEnds) + 1));
     for (const auto& input : command_.inputs) {
       add("| {} |", name(input));
       double last = 0;
-      for (const std::string& mode : modes) {
+      for (const char* mode : kEnds) {
         if (budget_.take(kEndsWeight) < last) {
           add(" no time left |");
           continue;
@@ -291,9 +296,11 @@ class Page {
         TemporaryFolder folder;
         const ExtractReport report = run_now(extraction(input, ModeValue::parse(mode), folder));
         last = report.seconds_extract;
-        std::size_t crossed = 0;
-        for (const SurfaceReport& s : report.surfaces) crossed += s.statistics.tets_crossed;
-        add(" {}, {}, {:.2f} s |", crossed, report.unresolved.size(), report.seconds_extract);
+        std::size_t crossed = 0, not_embedded = 0;
+        for (const SurfaceReport& s : report.surfaces)
+          crossed += s.statistics.tets_crossed, not_embedded += s.not_embedded.value_or(0);
+        add(" {}, {}, {}, {:.2f} s |", crossed, report.unresolved.size(), not_embedded,
+            report.seconds_extract);
       }
       add("\n");
     }
