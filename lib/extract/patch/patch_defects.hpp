@@ -59,6 +59,9 @@ struct PatchDefects {
   std::size_t tested = 0;                                  ///< likewise
   bool are_all = true;                                     ///< likewise
 
+  /// SIZE_MAX if not all were counted.
+  std::size_t count() const { return are_all ? against.size() + intersecting.size() : SIZE_MAX; }
+
   bool any() const { return !against.empty() || !intersecting.empty(); }
 };
 
@@ -66,8 +69,8 @@ struct PatchDefects {
 PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test,
                         std::size_t most_tested = SIZE_MAX);
 
-/// Whether two vertices of the boundary loops have the same coordinates, as next to a tensor that is
-/// nearly isotropic: then no triangles with these loops are embedded.
+/// Whether two vertices of the boundary loops have the same coordinates, as next to a tensor that
+/// is nearly isotropic: then no triangles with these loops are embedded.
 bool has_doubled_boundary(const PlacedPatch& patch);
 
 /// A request for the middle of each step along the tetrahedron's boundary loops that is a long side

@@ -37,12 +37,7 @@ std::array<int, 3> sides_in_doubles(const Side& plane,
           side_in_doubles(plane, corners[2])};
 }
 
-/// Whether all corners are shown to be on one side.
-bool are_apart(const std::array<int, 3>& sides) {
-  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
-}
-
-/// The same for the corners from one on, in an order.
+/// Whether the corners from one on, in an order, are shown to be on one side.
 bool are_apart(const std::array<int, 3>& sides, const std::array<std::size_t, 3>& order,
                std::size_t from) {
   for (std::size_t i = from; i < 3; ++i)
@@ -71,9 +66,9 @@ template <Same same>
 bool intersect(const Side& first, const Side& second) {
   // Most pairs are apart and share nothing.
   const auto of_second = sides_in_doubles(first, second.corners);
-  if (are_apart(of_second)) return false;
+  if (are_apart(of_second, {0, 1, 2}, 0)) return false;
   const auto of_first = sides_in_doubles(second, first.corners);
-  if (are_apart(of_first)) return false;
+  if (are_apart(of_first, {0, 1, 2}, 0)) return false;
   std::array<std::size_t, 3> i{0, 1, 2}, j{0, 1, 2};
   std::size_t shared = 0;  // moved to the front
   for (std::size_t k = 0; k < 3; ++k)

@@ -280,8 +280,7 @@ class Page {
   void next_to_ends() {
     add("\n## Next to modes 1 and -1\n\nTetrahedra that hold the surface, those left unresolved, "
         "those in which doubles do not show its shape (`not_embedded`), and seconds without "
-        "reading "
-        "and writing.\n\n| field |");
+        "reading and writing.\n\n| field |");
     for (const char* mode : kEnds) add(" ±{} |", short_text(ModeValue::parse(mode)));
     add("\n|{}\n", dashes(std::size(kEnds) + 1));
     for (const auto& input : command_.inputs) {

@@ -39,7 +39,6 @@ template <class Scalar>
 struct DefectivePatch {
   Patch<Scalar> patch;
   PatchDefects found;
-  std::size_t defects;  ///< as in `MeshingState`
   std::vector<SampleRequest<Scalar>> beside_defects;
 };
 

@@ -110,7 +110,7 @@ bool CellMesher<Scalar>::find_defects() {
   const std::size_t left = kMostTried - std::min(state_.tried, kMostTried);
   found_ = defects_of(patch, UpwardTest(tet_), kTestsAsOne * left);
   mesh_.has_defects = found_.any();
-  state_.defects = found_.are_all ? found_.against.size() + found_.intersecting.size() : SIZE_MAX;
+  state_.defects = found_.count();
   if (mesh_.has_defects)
     state_.tried +=
         mesh_.patch.triangles.size() + found_.intersecting.size() + found_.tested / kTestsAsOne;
@@ -123,7 +123,7 @@ bool CellMesher<Scalar>::find_defects() {
 
 template <class Scalar>
 DefectivePatch<Scalar> CellMesher<Scalar>::present() const {
-  return {mesh_.patch, found_, state_.defects, state_.beside_defects};
+  return {mesh_.patch, found_, state_.beside_defects};
 }
 
 template <class Scalar>
@@ -131,7 +131,7 @@ void CellMesher<Scalar>::go_back_to(DefectivePatch<Scalar> before) {
   mesh_.patch = std::move(before.patch);
   mesh_.has_defects = true;
   found_ = std::move(before.found);
-  state_.defects = before.defects;
+  state_.defects = found_.count();
   state_.beside_defects = std::move(before.beside_defects);
 }
 
@@ -146,7 +146,7 @@ bool CellMesher<Scalar>::unfold() {
   flip_edges<Scalar>(tet_, level(), loops, mesh_.patch, Folded::unfolded);
   if (before.patch.triangles == mesh_.patch.triangles) return false;
   if (!find_defects()) return true;
-  if (state_.defects >= before.defects) go_back_to(std::move(before));
+  if (state_.defects >= before.found.count()) go_back_to(std::move(before));
   return false;
 }
 
@@ -165,7 +165,7 @@ bool CellMesher<Scalar>::untangle_few() {
   if (!untangle<Scalar>(tet_, level(), loops, placed, found_, mesh_.patch)) return false;
   if (are_proved_sheets(mesh_.patch.triangles, loops, topology.sheets)) {
     if (!find_defects()) return true;
-    if (state_.defects <= before.defects) return false;
+    if (state_.defects <= before.found.count()) return false;
   }
   go_back_to(std::move(before));
   return false;
