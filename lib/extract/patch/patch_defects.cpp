@@ -17,9 +17,6 @@ namespace {
 /// what rounding does to a normal and to a gradient.
 constexpr double kLeastCosine = 0x1p-10, kLeastShare = 0x1p-30;
 
-/// Squared, of the longest side of a triangle.
-constexpr double kLongSide = 0.1;
-
 std::array<Vector3<double>, 4> times(double factor, std::array<Vector3<double>, 4> points) {
   for (auto& p : points) p = factor * p;
   return points;
@@ -77,8 +74,7 @@ UpwardTest::Facing UpwardTest::facing(const Vector3<double>& a, const Vector3<do
           product / (normal * gradient)};
 }
 
-PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test,
-                        std::size_t most_tested) {
+PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test, std::size_t most_tested) {
   PatchDefects defects;
   for (std::uint32_t i = 0; i < patch.triangles.size(); ++i) {
     const auto& t = patch.triangles[i];
@@ -106,52 +102,7 @@ bool has_doubled_boundary(const PlacedPatch& patch) {
          }) != points.end();
 }
 
-template <class Scalar>
-std::vector<SampleRequest<Scalar>> samples_beside(const PatchDefects& defects,
-                                                  const PlacedPatch& patch,
-                                                  const TetWithCurves<Scalar>& tet,
-                                                  const FaceArcVertices& vertices) {
-  std::vector<std::array<std::int32_t, 2>> sides;
-  const auto add = [&](std::uint32_t triangle) {
-    const auto& t = patch.triangles[triangle];
-    std::array<double, 3> squared;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto d = patch.points[t[(i + 1) % 3]] - patch.points[t[i]];
-      squared[i] = dot(d, d);
-    }
-    const double longest = *std::max_element(squared.begin(), squared.end());
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto a = patch.ids[t[i]], b = patch.ids[t[(i + 1) % 3]];
-      if (a >= 0 && b >= 0 && squared[i] > kLongSide * longest)
-        sides.push_back({std::min(a, b), std::max(a, b)});
-    }
-  };
-  for (const auto i : defects.against) add(i);
-  for (const auto& pair : defects.intersecting) add(pair[0]), add(pair[1]);
-  std::sort(sides.begin(), sides.end());
-  std::vector<SampleRequest<Scalar>> requests;
-  for (std::size_t f = 0; f < 4; ++f)
-    for (std::size_t a = 0; a < vertices[f].size(); ++a) {
-      const auto& arc = tet.arcs[f][a];
-      const auto& list = vertices[f][a];
-      const std::size_t n = list.vertices.size();
-      const double turn = static_cast<double>(arc.pieces.size());
-      for (std::size_t i = 0; i + (arc.closed ? 0 : 1) < n; ++i) {
-        const auto [low, high] = std::minmax(list.vertices[i].id, list.vertices[(i + 1) % n].id);
-        if (!std::binary_search(sides.begin(), sides.end(), std::array{low, high})) continue;
-        const double to = i + 1 < n ? list.places[i + 1] : list.places[0] + turn;
-        const double middle = list.places[i] + (to - list.places[i]) / 2;
-        requests.push_back({static_cast<int>(f), static_cast<int>(a),
-                            Scalar(arc.closed && middle >= turn ? middle - turn : middle), false});
-      }
-    }
-  return requests;
-}
-
 #define TENSORTOPO_INSTANTIATE(Scalar)                                          \
-  template std::vector<SampleRequest<Scalar>> samples_beside(                   \
-      const PatchDefects&, const PlacedPatch&, const TetWithCurves<Scalar>&,    \
-      const FaceArcVertices&);                                                  \
   template void place_patch(const TetWithCurves<Scalar>&, const Patch<Scalar>&, \
                             std::span<const Vector3<double>>, PlacedPatch&);
 TENSORTOPO_FOR_EACH_PRECISION(TENSORTOPO_INSTANTIATE)

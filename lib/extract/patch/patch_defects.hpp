@@ -73,12 +73,4 @@ PatchDefects defects_of(const PlacedPatch& patch, const UpwardTest& test,
 /// is nearly isotropic: then no triangles with these loops are embedded.
 bool has_doubled_boundary(const PlacedPatch& patch);
 
-/// A request for the middle of each step along the tetrahedron's boundary loops that is a long side
-/// of a triangle with defects.
-template <class Scalar>
-std::vector<SampleRequest<Scalar>> samples_beside(const PatchDefects& defects,
-                                                  const PlacedPatch& patch,
-                                                  const TetWithCurves<Scalar>& tet,
-                                                  const FaceArcVertices& vertices);
-
 }  // namespace tensortopo

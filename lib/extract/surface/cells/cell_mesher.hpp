@@ -27,11 +27,9 @@ struct MeshingState {
   bool was_meshed = false;                      ///< with the proved topology, but with defects
   std::size_t tried = 0;                        ///< triangles of patches with defects
   std::size_t defects = 0;                      ///< of the patch; SIZE_MAX: not all were counted
-  std::size_t fewest_defects = SIZE_MAX;        ///< of this mesher's patches
+  std::size_t fewest_defects = SIZE_MAX;        ///< of patches refined before
   int in_vain = 0;                              ///< patches since then
-  int halvings = 0;                             ///< of steps along boundary loops beside defects
   int refinements = 0;                          ///< of the subdivision at defects
-  std::vector<SampleRequest<Scalar>> beside_defects;  ///< samples of boundary loops there
 };
 
 /// A patch with defects, to go back to.
@@ -39,7 +37,6 @@ template <class Scalar>
 struct DefectivePatch {
   Patch<Scalar> patch;
   PatchDefects found;
-  std::vector<SampleRequest<Scalar>> beside_defects;
 };
 
 /// Meshes one tetrahedron; what it reads stays as it is in the meantime.
@@ -82,9 +79,7 @@ class CellMesher {
   bool find_defects();
   bool are_defects_few() const;
   bool is_last_mesher() const;
-  bool may_be_finer() const;
   bool may_be_refined() const;
-  void count_attempt();
   DefectivePatch<Scalar> present() const;
   void go_back_to(DefectivePatch<Scalar> before);
   bool mend();

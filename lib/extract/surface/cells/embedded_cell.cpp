@@ -18,11 +18,10 @@ namespace tensortopo {
 
 namespace {
 
-/// How often steps along boundary loops are halved beside triangles with defects, and cells of the
-/// subdivision cut that have some.
-constexpr int kMostHalvings = 4, kMostRefinements = 8;
+/// How often cells of the subdivision are cut that have defects.
+constexpr int kMostRefinements = 8;
 
-/// How often either may leave no fewer defects than an attempt before.
+/// How often that may leave no fewer defects than an attempt before.
 constexpr int kPatience = 2;
 
 /// Intersecting pairs and triangles against the gradient, for each triangle of a patch, that
@@ -48,43 +47,26 @@ bool CellMesher<Scalar>::is_last_mesher() const {
          mesh_.mesher == Mesher::loops;
 }
 
-/// Whether a finer patch may have fewer defects.
-template <class Scalar>
-bool CellMesher<Scalar>::may_be_finer() const {
-  return are_defects_few() &&
-         (state_.defects < state_.fewest_defects || state_.in_vain < kPatience);
-}
-
+/// Whether smaller cells of the subdivision may leave fewer defects.
 template <class Scalar>
 bool CellMesher<Scalar>::may_be_refined() const {
   return mesh_.mesher == Mesher::subdivision && !mesh_.patch.cells_against.empty() &&
-         proof_.topology->subdivision && may_be_finer() && state_.refinements < kMostRefinements;
+         proof_.topology->subdivision && are_defects_few() &&
+         (state_.defects < state_.fewest_defects || state_.in_vain < kPatience) &&
+         state_.refinements < kMostRefinements;
 }
 
-template <class Scalar>
-void CellMesher<Scalar>::count_attempt() {
-  const bool is_better = state_.defects < state_.fewest_defects;
-  state_.in_vain = is_better ? 0 : state_.in_vain + 1;
-  state_.fewest_defects = std::min(state_.fewest_defects, state_.defects);
-}
-
-/// More samples beside triangles with defects, or smaller cells of the subdivision. What no mesher
-/// does without defects is meshed with them, and reported.
+/// Smaller cells of the subdivision. What no mesher does without defects is meshed with them, and
+/// reported.
 /// @return false if another mesher is to be tried
 template <class Scalar>
 bool CellMesher<Scalar>::make_finer() {
-  if (mesh_.has_defects && is_in_chart() && !state_.beside_defects.empty() && may_be_finer() &&
-      state_.halvings++ < kMostHalvings) {
-    count_attempt();
-    state_.requests.insert(state_.requests.end(), state_.beside_defects.begin(),
-                           state_.beside_defects.end());
-    return true;
-  }
   if (!state_.must_be_embedded || !state_.was_meshed || !is_last_mesher()) return false;
   auto& topology = *proof_.topology;
   if (mesh_.has_defects) {
     ++state_.refinements;
-    count_attempt();
+    state_.in_vain = state_.defects < state_.fewest_defects ? 0 : state_.in_vain + 1;
+    state_.fewest_defects = std::min(state_.fewest_defects, state_.defects);
     if (refine_subdivision<Scalar>(tet_, level(), mesh_.patch.cells_against, topology)) {
       state_.requests = subdivision_requests(tet_, level(), topology);
       return true;
@@ -115,15 +97,12 @@ bool CellMesher<Scalar>::find_defects() {
     state_.tried +=
         mesh_.patch.triangles.size() + found_.intersecting.size() + found_.tested / kTestsAsOne;
   mesh_.has_doubled_boundary = mesh_.has_defects && tensortopo::has_doubled_boundary(patch);
-  state_.beside_defects.clear();
-  if (mesh_.has_defects && state_.must_be_embedded && found_.are_all)
-    state_.beside_defects = samples_beside(found_, patch, tet_, around_.arc_vertices(tet_));
   return mesh_.has_defects;
 }
 
 template <class Scalar>
 DefectivePatch<Scalar> CellMesher<Scalar>::present() const {
-  return {mesh_.patch, found_, state_.beside_defects};
+  return {mesh_.patch, found_};
 }
 
 template <class Scalar>
@@ -132,7 +111,6 @@ void CellMesher<Scalar>::go_back_to(DefectivePatch<Scalar> before) {
   mesh_.has_defects = true;
   found_ = std::move(before.found);
   state_.defects = found_.count();
-  state_.beside_defects = std::move(before.beside_defects);
 }
 
 /// Other diagonals, where triangles are folded onto each other.
