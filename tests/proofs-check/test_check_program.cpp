@@ -72,6 +72,21 @@ TEST(CheckProgram, RefusesFilesInOneLine) {
   EXPECT_EQ(run_program({"check", s.input()}).status, 2);
 }
 
+TEST(CheckProgram, WritesNoCharactersThatATerminalObeys) {
+  const Folder folder;
+  const CertifiedSurface s = small_surface(folder);
+  const std::string field = folder / "field.vtk";
+  // A control sequence, and text from right to left, in the place of a keyword.
+  std::ofstream(field) << "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                       << "POINTS 0 double\nCELLS 0 0\nCELL_TYPES 0\nPOINT_DATA 0\n\xc2\x9b"
+                       << "31m\xe2\x80\xae x T double\n";
+  const Outcome run = run_program({"check", field, s.surface(), s.write(s.certificate)});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_NE(run.err.find('?'), std::string::npos) << run.err;
+  for (const char c : run.err)
+    EXPECT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << static_cast<int>(c);
+}
+
 TEST(CheckProgram, SaysInWordsWhatIsNoCertificate) {
   const Folder folder;
   const CertifiedSurface s = small_surface(folder);

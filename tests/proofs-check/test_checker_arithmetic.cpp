@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "files/hexadecimal.hpp"
 #include "level.hpp"
 #include "mesh/exact_signs.hpp"
 #include "topology.hpp"
@@ -53,6 +54,24 @@ TEST(CheckerArithmetic, BallsContainRoundedForms) {
     ASSERT_TRUE(contains(ball, a * b - c * a + b)) << x << ' ' << y << ' ' << z;
     ASSERT_LT(ball.error, 1e-14 * (std::abs(x * y) + std::abs(x * z) + std::abs(y)));
   }
+}
+
+/// Of all doubles as C writes them, and of numbers between two doubles.
+RC_GTEST_PROP(CheckerArithmetic, HexadecimalTextsAreReadExactly, ()) {
+  const int exponent = *rc::gen::inRange(-1074, 960);
+  const double x = std::ldexp(static_cast<double>(*rc::gen::inRange(0, 1 << 30)), exponent);
+  char text[64];
+  std::snprintf(text, sizeof text, "%a", x);
+  const auto read = hexadecimal(text);
+  RC_ASSERT(read.has_value());
+  RC_ASSERT(*read == mpq_class(x));
+  const std::string digits = *rc::gen::element("0x1.80000000000001", "0x3.00000000000002");
+  const auto other = hexadecimal(digits + "p" + std::to_string(exponent));
+  RC_ASSERT(other.has_value());
+  RC_ASSERT(*other != mpq_class(other->get_d()));
+  for (const char* wrong : {"", "0x", "0xp1", "1", "0x1p", "0x1p+-1", "0x1.8.0", "0x1g", "-0x1",
+                            "0x1 ", "0x1p99999999999999999999", "0x1p1.5", "0X1"})
+    RC_ASSERT(!hexadecimal(wrong));
 }
 
 /// In planes, next to planes, of numbers of all sizes down to the least: as rational numbers say.
@@ -297,8 +316,8 @@ TEST(CheckerArithmetic, MonotoneTetrahedraAreCrossedUpwards) {
   monotone_simplices_are_crossed_upwards<4>(3);
 }
 
-/// A tetrahedron with an annulus. Cut faces of it have monotone triangles with an edge that no proof
-/// covers as a whole, which more cuts of the face only make narrower.
+/// A tetrahedron with an annulus. Cut faces of it have monotone triangles with an edge that no
+/// proof covers as a whole, which more cuts of the face only make narrower.
 TEST(CheckerTopology, EdgesOfMonotoneTrianglesAreCutByThemselves) {
   Input input;
   input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -22,10 +22,15 @@ CheckOutcome run_check(const std::string& input, const std::string& surface,
   try {
     const auto report = certificate::check_certificate(input, surface, certificate, progress);
     const auto unmet = report.unmet(all);
-    return {certificate::to_text(report, unmet), certificate::to_json(report, unmet),
-            report.status() == "certified" && unmet.empty(), report.certified, report.refuted, report.undecided};
+    return {certificate::to_text(report, unmet),
+            certificate::to_json(report, unmet),
+            report.status() == "certified" && unmet.empty(),
+            report.certified,
+            report.refuted,
+            report.undecided};
   } catch (const certificate::Malformed& error) {
-    throw IoError(IoError::Kind::invalid, error.file(), error.problem());
+    throw IoError(IoError::Kind::invalid, certificate::printable(error.file()),
+                  certificate::printable(error.problem()));
   }
 }
 

@@ -19,7 +19,7 @@ std::string why_not_checkable(const std::filesystem::path& input,
                          counted_tets(there.tetrahedra));
     return there.sha256 == here.field_sha256 ? "" : "it reads other numbers";
   } catch (const certificate::Malformed& error) {
-    return error.problem();
+    return certificate::printable(error.problem());
   }
 }
 

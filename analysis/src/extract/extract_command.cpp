@@ -201,7 +201,7 @@ class ExtractRun {
       const Clock certify_clock;
       auto& claims = certified_curves_.emplace_back(certify(read_.mesh, kind, extraction));
       if (streamed_) claims.vertex_ids = streamed_->vertex_ids;
-      if (stability_) claims.stability = stability_->claim(known.stability->summary);
+      if (stability_) claims.stability = stability_->claim(known.stability->summary, extraction.curves, tets_of(claims.undecided));
       seconds_certify_ += certify_clock.seconds();
     }
     append_curves(curves_, std::move(extraction.curves));
@@ -266,7 +266,8 @@ class ExtractRun {
     if (level) tell_distance(known, level->distance, extraction.surface, farther);
     if (is_certifying()) {
       if (streamed_) level->vertex_ids = streamed_->vertex_ids;
-      if (stability_) level->stability = stability_->claim(known.stability->summary);
+      if (stability_)
+        level->stability = stability_->claim(known.stability->summary, extraction.surface, tets_of(level->undecided));
       certified_.push_back(std::move(*level));
     }
     append_surface(surface_, std::move(extraction.surface));

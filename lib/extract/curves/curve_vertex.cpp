@@ -71,7 +71,11 @@ double FieldInSpace::separation(const Vector3<double>& x, const Vector3<double>&
   };
   const auto at_p = components(p), at_q = components(q);
   const Extended size = norm_form(at(x)) / 3;
-  return static_cast<double>((at_p[0] * at_q[1] - at_q[0] * at_p[1]) / size);
+  if (size == 0) return 0;
+  // Where tensors of a tetrahedron differ by many orders of magnitude no double holds it.
+  constexpr double kLargest = 0x1p1000;
+  return std::clamp(static_cast<double>((at_p[0] * at_q[1] - at_q[0] * at_p[1]) / size), -kLargest,
+                    kLargest);
 }
 
 }  // namespace tensortopo

@@ -30,8 +30,9 @@ std::vector<ModeValue> modes_of(const SurfaceRequest& request) {
   };
   for (const ModeValue& mode : request.modes) {
     if (std::abs(mode.approx()) == 1)
-      throw std::invalid_argument("mode " + mode.text() +
-                                  ": where the mode is 1 or -1 there are degenerate curves, which are asked for apart");
+      throw std::invalid_argument(
+          "mode " + mode.text() +
+          ": where the mode is 1 or -1 there are degenerate curves, which are asked for apart");
     add(mode);
     if (request.generalized) add(mode.opposite());
   }
@@ -49,10 +50,10 @@ void require_sense(const SurfaceRequest& request) {
 
 ModeProgress labelled(const ModeProgress& progress, const ModeValue& mode) {
   if (!progress) return {};
-  return [&progress, label = "mode " + mode.text() + ": "](std::string_view stage,
-                                                           double fraction) {
-    progress(label + std::string(stage), fraction);
-  };
+  return
+      [&progress, label = "mode " + mode.text() + ": "](std::string_view stage, double fraction) {
+        progress(label + std::string(stage), fraction);
+      };
 }
 
 CertificateSubject subject_of(const TetMesh& mesh, const CertificateNames& names) {
@@ -151,7 +152,9 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
       level = certify(*field, mode, extraction);
     }
     if (level) {
-      if (stability) level->stability = stability->claim(*part.stability);
+      if (stability)
+        level->stability =
+            stability->claim(*part.stability, extraction.surface, tets_of(level->undecided));
       const DistanceClaim& distance = level->distance;
       part.distance_bound = distance.coarse.empty()
                                 ? distance.bound
@@ -168,9 +171,8 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
     CertificateSubject subject = subject_of(mesh, request.names);
     subject.cells = result.surface.triangles.size();
     subject.output_sha256 = surface_sha256(result.surface, mesh);
-    result.certificate =
-        certificate_of(mesh, request.names, std::move(subject), result.surface,
-                       array_hashes(result.surface, result.more), certified);
+    result.certificate = certificate_of(mesh, request.names, std::move(subject), result.surface,
+                                        array_hashes(result.surface, result.more), certified);
   } else {
     result.claims = 0;
   }
@@ -206,9 +208,11 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
     if (stability) part.stability = stability->add(kind, options, extraction);
     if (request.certify) {
       tell(progress, "certificate");
-      certified.push_back(certify(mesh, kind, extraction));
-      if (stability) certified.back().stability = stability->claim(*part.stability);
-      result.claims += certified.back().claims();
+      auto& claims = certified.emplace_back(certify(mesh, kind, extraction));
+      if (stability)
+        claims.stability =
+            stability->claim(*part.stability, extraction.curves, tets_of(claims.undecided));
+      result.claims += claims.claims();
     }
     result.parts.push_back(std::move(part));
     result.keys.push_back(std::move(keys));
@@ -219,9 +223,8 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
     CertificateSubject subject = subject_of(mesh, request.names);
     subject.cells = result.curves.lines.size();
     subject.output_sha256 = curves_sha256(result.curves, mesh);
-    result.certificate =
-        certificate_of(mesh, request.names, std::move(subject), result.curves,
-                       array_hashes(result.curves, result.more), certified);
+    result.certificate = certificate_of(mesh, request.names, std::move(subject), result.curves,
+                                        array_hashes(result.curves, result.more), certified);
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include "tensortopo/stability/stability_run.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace tensortopo {
@@ -105,7 +106,8 @@ StabilitySummary StabilityRun::add(const ModeValue& mode, const ExtractOptions& 
   const SurfaceMesh& surface = extraction.surface;
   add_cells(surface.tet, level, arrays_[0].values, arrays_[1].values);
   StabilitySummary summary = summary_of(level, surface.tet);
-  add_crossings<2>(surface, Carrier::edge, level, level.claimed_edges, summary, arrays_[2].values, arrays_[3].values);
+  add_crossings<2>(surface, Carrier::edge, level, level.claimed_edges, summary, arrays_[2].values,
+                   arrays_[3].values);
   summary.components =
       smallest_vertices(surface.triangles, surface.component,
                         surface_stability(*field_.mesh, surface, level).components);
@@ -119,17 +121,41 @@ StabilitySummary StabilityRun::add(Degeneracy kind, const ExtractOptions& option
   const CurveMesh& curves = extraction.curves;
   add_cells(curves.tet, level, arrays_[0].line_values, arrays_[1].line_values);
   StabilitySummary summary = summary_of(level, curves.tet);
-  add_crossings<3>(curves, Carrier::face, level, level.claimed_faces, summary, arrays_[2].line_values,
-                   arrays_[3].line_values);
+  add_crossings<3>(curves, Carrier::face, level, level.claimed_faces, summary,
+                   arrays_[2].line_values, arrays_[3].line_values);
   summary.components =
       smallest_vertices(curves.lines, curves.component, stable_curves(*field_.mesh, curves, level));
   return summary;
 }
 
-std::optional<StabilityClaim> StabilityRun::claim(const StabilitySummary& summary) const {
+std::optional<StabilityClaim> StabilityRun::claim(
+    const StabilitySummary& summary, const std::vector<SurfaceMesh::Index>& beside) const {
   if (kind_ == Uncertainty::Kind::per_vertex && array_.empty()) return std::nullopt;
-  return StabilityClaim{kind_ == Uncertainty::Kind::relative, value_, summary.components, array_,
-                        radii_sha256_, summary.crossed_simplices};
+  StabilityClaim claim{kind_ == Uncertainty::Kind::relative,
+                       value_,
+                       {},
+                       array_,
+                       radii_sha256_,
+                       summary.crossed_simplices};
+  std::set_difference(summary.components.begin(), summary.components.end(), beside.begin(),
+                      beside.end(), std::back_inserter(claim.components));
+  return claim;
+}
+
+std::optional<StabilityClaim> StabilityRun::claim(
+    const StabilitySummary& summary, const SurfaceMesh& surface,
+    const std::vector<TetMesh::Index>& undecided) const {
+  return claim(summary, smallest_vertices(surface.triangles, surface.component,
+                                          components_beside(*field_.mesh, surface.tet,
+                                                            surface.component, undecided)));
+}
+
+std::optional<StabilityClaim> StabilityRun::claim(
+    const StabilitySummary& summary, const CurveMesh& curves,
+    const std::vector<TetMesh::Index>& undecided) const {
+  return claim(summary, smallest_vertices(curves.lines, curves.component,
+                                          components_beside(*field_.mesh, curves.tet,
+                                                            curves.component, undecided)));
 }
 
 }  // namespace tensortopo

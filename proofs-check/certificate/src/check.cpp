@@ -164,6 +164,7 @@ void check_curves(const Json& claims, const RadiiByArray& radii, const Input& in
   compare_pieces(c, vertices, ledger);
   ledger.begin("curves");
   compare_polylines(c, ledger);
+  ledger.of_level().residual = residual_bound(c);
   if (part != nullptr && !ledger.has_refuted() && ledger.open() == 0) add_curves(c, *part);
   ledger.begin("stability");
   if (claims.contains("stability"))

@@ -122,14 +122,18 @@ std::string text_of(const LevelReport& level, bool of_curves) {
   for (const auto& [reason, tets] : level.left_out) text += listed(reason, tets) + ' ';
   text += '\n';
   if (level.claims_stability) text += stability_text(level, of_curves);
+  const std::string residual =
+      level.residual
+          ? "  residual at most " + bound_text(*level.residual, 3) + ", at the vertices as written\n"
+          : "";
   if (of_curves)
-    return text + "  of lines the ends and tetrahedra are claimed, but no distance\n";
+    return text + residual +
+           "  of lines the ends and tetrahedra are claimed, but no distance, and not that they do not cross\n";
   text += level.embedded ? "  embedded: the triangles meet in common vertices and edges only\n"
           : level.claims_embedded
               ? "  that the triangles are embedded is claimed, but not shown\n"
               : "  that the triangles are embedded is not claimed\n";
-  if (level.residual)
-    text += "  residual at most " + bound_text(*level.residual, 3) + ", at the vertices as written\n";
+  text += residual;
   for (const auto& [name, shown] : level.vectors)
     text += "  " + name + " shown at " + std::to_string(shown) + " of " +
             std::to_string(level.vertices) + (level.vertices == 1 ? " vertex" : " vertices") +
@@ -267,10 +271,10 @@ OrderedJson json_of(const LevelReport& level, bool of_curves) {
                          {"stable_crossings", level.stable_crossings}};
     if (!level.radius_array.empty()) json["stability"]["array"] = level.radius_array;
   }
-  if (of_curves) return json;
-  json["embedded"] = level.embedded;
   json["residual"] = nullptr;
   if (level.residual && std::isfinite(*level.residual)) json["residual"] = *level.residual;
+  if (of_curves) return json;
+  json["embedded"] = level.embedded;
   json["vertices"] = level.vertices;
   json["vectors_shown"] = level.vectors;
   json["isotopic"] = nullptr;

@@ -11,6 +11,7 @@
 
 #include "extract/cases/curve_checks.hpp"
 #include "extract/cases/extract_case.hpp"
+#include "support/compared.hpp"
 #include "support/generators.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/manifold/field_lift.hpp"
@@ -272,6 +273,25 @@ TEST(DegenerateCurves, OfNothingAreNothing) {
   const auto extraction = extract_degenerate_curves(TetMesh{}, Degeneracy::linear);
   EXPECT_TRUE(extraction.curves.points.empty());
   EXPECT_TRUE(extraction.unresolved.empty());
+}
+
+TEST(Separation, IsFiniteWhereTensorsDifferByManyOrdersOfMagnitude) {
+  const std::array<SymmetricTensor<double>, 4> tensors{{{1.3, -1.3, 6.4, 1, -5.4, 3.6},
+                                                        {1.3, 0.95, -0.7, -1.27, -0.62, 0.04},
+                                                        {-2.33, -0.22, -1.25, -0.73, -0.54, -0.32},
+                                                        {0.41, 1.04, -0.13, 1.37, -0.67, 0.35}}};
+  Compared compared("vertices", 8);
+  for (const double scale : {1e-150, 1e-161, 1e-200}) {
+    auto scaled = tensors;
+    scaled[0] = scale * scaled[0];
+    const std::array<Vector3<double>, 4> points{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const auto curves =
+        extract_degenerate_curves(single_tet_mesh(points, scaled), Degeneracy::linear).curves;
+    for (const double s : curves.separation) {
+      EXPECT_TRUE(std::isfinite(s)) << s;
+      ++compared;
+    }
+  }
 }
 
 }  // namespace

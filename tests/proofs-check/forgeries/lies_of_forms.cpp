@@ -115,9 +115,21 @@ bool spell_interval_otherwise(Exhibit& e, Pick& pick) {
 bool spell_length_otherwise(Exhibit& e, Pick& pick) {
   Json& distance = any_level(e, pick)["distance"];
   if (distance.is_null()) return false;
-  constexpr std::array kForms{"inf",     "nan", "-0x1p+900", "0x1p+2000", "1",
-                              "1e300",   "0x",  " 0x1p+900", "0x1p+900 ", "0x1p+900,0x1p-900",
-                              "infinity"};
+  // Of the last three the nearest doubles are 2^900, 2^900 and 0.
+  constexpr std::array kForms{"inf",
+                              "nan",
+                              "-0x1p+900",
+                              "0x1p+2000",
+                              "1",
+                              "1e300",
+                              "0x",
+                              " 0x1p+900",
+                              "0x1p+900 ",
+                              "0x1p+900,0x1p-900",
+                              "infinity",
+                              "0x1.ffffffffffffffp+899",
+                              "0x1.00000000000001p+900",
+                              "0x1p-1076"};
   return distance[pick.coin() ? "bound" : "coarse_bound"] = any_of(kForms, pick), true;
 }
 
@@ -125,9 +137,10 @@ bool spell_radius_otherwise(Exhibit& e, Pick& pick) {
   Json& level = any_level(e, pick);
   if (level["components"].empty() || !level.contains("mode")) return false;
   const Json first = level["components"][0]["first_vertex"];
-  level["stability"] = {{"radius", any_of(std::array{"-0x1p-30", "nan", "-inf", "", "0"}, pick)},
-                        {"of", "tensor"},
-                        {"components", Json::array({first})}};
+  // Of the last two the nearest double is 0.
+  constexpr std::array kForms{"-0x1p-30", "nan", "-inf", "", "0", "0x1.ep-1076", "0x1p-1075"};
+  level["stability"] = {
+      {"radius", any_of(kForms, pick)}, {"of", "tensor"}, {"components", Json::array({first})}};
   if (pick.coin()) {  // one named twice
     level["stability"]["radius"] = "0x0p+0";
     level["stability"]["components"].push_back(first);

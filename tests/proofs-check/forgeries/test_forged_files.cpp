@@ -32,6 +32,9 @@ constexpr std::array kCases{
     // One closed curve around each of two degenerate points that are next to each other.
     Case{"near_curves", "a.vtk", "a.vtp", "a.json", "certified", "tetrahedra without claims: none"},
     Case{"near_curves", "b.vtk", "b.vtp", "b.json", "certified", "tetrahedra without claims: none"},
+    // Each point in a box that holds its whole face, and vertices in corners of these.
+    Case{"curves_far_away", "field.vtu", "curves.vtp", "curves.json", "certified",
+         "residual at most 1.78, at the vertices as written"},
     Case{"two_sections", "b.vtk", "two_polys.vtp", "f.json", "malformed",
          "has two sections 'Polys'"},
     Case{"two_sections", "b.vtk", "f.vtp", "f.json", "malformed", "has two sections 'Points'"},

@@ -80,6 +80,12 @@ void drop_cells(const TetMesh& mesh, CertifiedLevel& level, Brackets brackets,
             [](const auto& p, const auto& q) { return p.tet < q.tet; });
 }
 
+std::vector<TetMesh::Index> tets_of(const std::vector<UndecidedCell>& cells) {
+  std::vector<TetMesh::Index> tets;
+  for (const auto& cell : cells) tets.push_back(cell.tet);
+  return tets;
+}
+
 std::vector<std::size_t> decided_triangles(const TetMesh& mesh, const SurfaceMesh& surface,
                                            const CertifiedLevel& level) {
   std::vector<char> is_undecided(mesh.tets.size(), 0);

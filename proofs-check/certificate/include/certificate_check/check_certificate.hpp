@@ -66,7 +66,7 @@ struct LevelReport {
   std::size_t coarse = 0;   ///< tetrahedra to which only the coarse bound applies
   std::string coarse_bound;
   /// At most by so much the mode, or other invariant, at the coordinates of vertices differs from the
-  /// level's value; nothing if the triangles are not as claimed. Of surfaces.
+  /// level's value; nothing if the triangles are not as claimed.
   std::optional<double> residual;
   bool near = false;       ///< whether these bounds are certified
   bool claims_embedded = false;  ///< that the triangles are

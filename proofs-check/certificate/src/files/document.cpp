@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
+#include "files/hexadecimal.hpp"
 #include "files/parse_document.hpp"
 
 namespace certificate {
@@ -319,10 +320,10 @@ mpq_class value_of(const Json& value, Invariant invariant) {
 }
 
 double length_of(const Json& value) {
-  const std::string& text = text_of(value);
-  char* end = nullptr;
-  const double length = std::strtod(text.c_str(), &end);
-  if (!text.starts_with("0x") || *end != 0 || !(length >= 0 && length <= 0x1p1000))
+  const auto number = hexadecimal(text_of(value));
+  // Of what no double is the nearest one would be another claim.
+  const double length = number ? number->get_d() : -1;
+  if (!(length >= 0 && length <= 0x1p1000) || mpq_class(length) != *number)
     throw Malformed("", "a length that is no hexadecimal double");
   return length;
 }

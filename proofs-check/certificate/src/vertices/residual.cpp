@@ -36,14 +36,8 @@ Bounds over(const Bounds& x, const Bounds& y) {
 /// Of what a level is, and where.
 class Quantity {
  public:
-  explicit Quantity(const Json& claims) {
-    if (claims.contains("mode")) {
-      value_ = mode_of(claims["mode"]).get_d();
-    } else {
-      invariant_ = invariant_of(claims["invariant"]);
-      value_ = value_of(claims["value"], *invariant_).get_d();
-    }
-  }
+  explicit Quantity(double mode) : value_(mode) {}
+  Quantity(Invariant invariant, double value) : invariant_(invariant), value_(value) {}
 
   /// A bound of the difference at a place.
   double at(const LinearField& inside, const Point3& x) const {
@@ -83,13 +77,23 @@ class Quantity {
   }
 
   std::optional<Invariant> invariant_;  ///< nothing: the mode
-  double value_ = 0;                    ///< about
+  double value_;                        ///< about
 };
+
+Quantity quantity_of(const Json& claims) {
+  if (claims.contains("mode")) return Quantity(mode_of(claims["mode"]).get_d());
+  const Invariant invariant = invariant_of(claims["invariant"]);
+  return {invariant, value_of(claims["value"], invariant).get_d()};
+}
+
+double largest(const std::vector<double>& bounds) {
+  return bounds.empty() ? 0 : *std::max_element(bounds.begin(), bounds.end());
+}
 
 }  // namespace
 
 double residual_bound(const LevelCase& c, const PlacedSurface& placed) {
-  const Quantity quantity(c.claims);
+  const Quantity quantity = quantity_of(c.claims);
   const auto has_value = [&](std::size_t v) {
     const Carrier& carrier = placed.carriers[v];
     for (std::size_t i = 0; i < carrier.count; ++i)
@@ -103,7 +107,20 @@ double residual_bound(const LevelCase& c, const PlacedSurface& placed) {
       if (has_value(v - c.vertices.first))
         bounds[t] = std::max(bounds[t], quantity.at(inside, c.surface.points[v]));
   });
-  return bounds.empty() ? 0 : *std::max_element(bounds.begin(), bounds.end());
+  return largest(bounds);
+}
+
+double residual_bound(const CurveCase& c) {
+  const Quantity quantity(kind_of(c.claims["mode"]) == Kind::linear ? 1 : -1);
+  std::vector<double> bounds(c.lines.count);
+  parallel_for(bounds.size(), [&](std::size_t l) {
+    const std::size_t tet = c.input.tet_at(c.curves.cells[c.lines.first + l]);
+    if (tet == Input::kNone || c.left_out[tet]) return;
+    const LinearField inside(c.input, c.input.tets[tet]);
+    for (const std::uint32_t v : c.curves.lines[c.lines.first + l])
+      bounds[l] = std::max(bounds[l], quantity.at(inside, c.curves.points[v]));
+  });
+  return largest(bounds);
 }
 
 }  // namespace certificate

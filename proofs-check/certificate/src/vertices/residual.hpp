@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "claims/compare_curves.hpp"
 #include "surface/compare_surface.hpp"
 
 namespace certificate {
@@ -12,5 +13,9 @@ namespace certificate {
 /// bound. Where these show nothing, as next to where there is no mode, it is 2 for modes, else
 /// infinite; vertices at or between vertices without a mode are not asked.
 double residual_bound(const LevelCase& c, const PlacedSurface& placed);
+
+/// The same of the vertices of lines, in the field of each tetrahedron with a line at the vertex
+/// that is not left out; the level's value is 1 or -1.
+double residual_bound(const CurveCase& c);
 
 }  // namespace certificate

@@ -50,6 +50,9 @@ struct UndecidedCell {
   std::string reason;  ///< the name that reports use
 };
 
+/// The tetrahedra of a list, in its order.
+std::vector<TetMesh::Index> tets_of(const std::vector<UndecidedCell>& cells);
+
 /// Everything that a certificate claims about the surface of one level: see proofs-check's
 /// description of the file for what each claim means.
 struct CertifiedLevel {

@@ -36,7 +36,8 @@ struct CurveMesh {
   /// tensor along x: the determinant of the derivatives along p and q of the components
   /// (p.T p - q.T q) / 2 and p.T q, over |T|^2, |T| being the norm of the deviator. For planar
   /// fields this is the invariant of T. Delmarcelle and L. Hesselink (The topology of symmetric,
-  /// second-order tensor fields, 1994); here it is taken in the plane across e.
+  /// second-order tensor fields, 1994); here it is taken in the plane across e. At most 2^1000, and at
+  /// least -2^1000.
   std::vector<double> separation;
   /// sqrt(1 - mode^2) of the field at the vertex as rounded: three times the angle to the nearest
   /// degenerate tensor, to first order. (1 - |mode| is quadratic in it and would always be 0.)

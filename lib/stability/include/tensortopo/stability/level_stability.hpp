@@ -114,6 +114,13 @@ LevelStability curve_stability(const UncertainField& field, Degeneracy kind,
 void mark_unresolved(std::span<const UnresolvedCell> unresolved, LevelStability& stability);
 void mark_unresolved(std::span<const UnresolvedCurve> unresolved, LevelStability& stability);
 
+/// By component of a surface or of curves, from the tetrahedron and the component of each triangle
+/// or line: whether one of these is in a tetrahedron given, or in one that has a face in common
+/// with it.
+std::vector<char> components_beside(const TetMesh& mesh, const std::vector<TetMesh::Index>& tets,
+                                    const std::vector<TetMesh::Index>& components,
+                                    const std::vector<TetMesh::Index>& left_out);
+
 /// What stable tetrahedra make of a surface.
 struct SurfaceStability {
   std::vector<char> triangles;  ///< its tetrahedron is stable

@@ -64,10 +64,20 @@ class StabilityRun {
   /// `crossing_stable`, the same of crossings (see `crossing_stability`), and -1 for other vertices.
   const std::vector<CellArray>& arrays() const { return arrays_; }
 
+  /// What a certificate claims: not of components that are, or have a face in common with, what it
+  /// leaves undecided, which may be more than what the extraction left out.
   /// Nothing if each vertex has a radius of its own, from no array of the input.
-  std::optional<StabilityClaim> claim(const StabilitySummary& summary) const;
+  /// @param summary    of the surface, or of the curves
+  /// @param undecided  tetrahedra
+  std::optional<StabilityClaim> claim(const StabilitySummary& summary, const SurfaceMesh& surface,
+                                      const std::vector<TetMesh::Index>& undecided) const;
+  std::optional<StabilityClaim> claim(const StabilitySummary& summary, const CurveMesh& curves,
+                                      const std::vector<TetMesh::Index>& undecided) const;
 
  private:
+  std::optional<StabilityClaim> claim(const StabilitySummary& summary,
+                                      const std::vector<SurfaceMesh::Index>& beside) const;
+
   Uncertainty::Kind kind_;
   double value_;
   std::string array_, radii_sha256_;
