@@ -74,16 +74,20 @@ class Page {
   // What parts of the page take, about, compared with each other: of each field and mode, and of
   // each field.
   static constexpr double kTimesWeight = 3, kMethodsWeight = 9;
-  static constexpr double kThreadsWeight = 2, kModesWeight = 3, kCurvesWeight = 0.5,
-                          kEndsWeight = 1;
+  static constexpr double kThreadsWeight = 2, kModesWeight = 3, kCurvesWeight = 0.5;
 
-  static constexpr std::array kEnds{"9999/10000", "999999/1000000", "999999999/1000000000"};
+  struct End {
+    const char* mode;
+    double weight;
+  };
+  static constexpr std::array kEnds{End{"9999/10000", 1}, End{"999999/1000000", 4},
+                                    End{"999999999/1000000000", 20}};
 
   double times_weight() const { return kTimesWeight + (has_other_methods() ? kMethodsWeight : 0); }
   double weight_of_all() const {
     const double of_mode = kProgramsWeight + times_weight();
-    const double of_field = kThreadsWeight + kModesWeight + kCurvesWeight +
-                            static_cast<double>(std::size(kEnds)) * kEndsWeight;
+    double of_field = kThreadsWeight + kModesWeight + kCurvesWeight;
+    for (const End& end : kEnds) of_field += end.weight;
     return static_cast<double>(command_.inputs.size()) *
            (of_field + of_mode * static_cast<double>(command_.modes.size()));
   }
@@ -281,19 +285,19 @@ class Page {
     add("\n## Next to modes 1 and -1\n\nTetrahedra that hold the surface, those left unresolved, "
         "those in which doubles do not show its shape (`not_embedded`), and seconds without "
         "reading and writing.\n\n| field |");
-    for (const char* mode : kEnds) add(" ±{} |", short_text(ModeValue::parse(mode)));
+    for (const End& end : kEnds) add(" ±{} |", short_text(ModeValue::parse(end.mode)));
     add("\n|{}\n", dashes(std::size(kEnds) + 1));
     for (const auto& input : command_.inputs) {
       add("| {} |", name(input));
       double last = 0;
-      for (const char* mode : kEnds) {
-        if (budget_.take(kEndsWeight) < last) {
+      for (const End& end : kEnds) {
+        if (budget_.take(end.weight) < last) {
           add(" no time left |");
           continue;
         }
         tell("next to the ends of " + name(input));
         TemporaryFolder folder;
-        const ExtractReport report = run_now(extraction(input, ModeValue::parse(mode), folder));
+        const ExtractReport report = run_now(extraction(input, ModeValue::parse(end.mode), folder));
         last = report.seconds_extract;
         std::size_t crossed = 0, not_embedded = 0;
         for (const SurfaceReport& s : report.surfaces)
