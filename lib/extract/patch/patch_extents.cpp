@@ -59,13 +59,15 @@ PatchExtents::PatchExtents(std::span<const Vector3<double>> points,
                            std::span<const PatchTriangle> triangles)
     : directions_(points) {
   extents_.reserve(triangles.size());
-  for (const auto& t : triangles) extents_.push_back(directions_.extent(points, t));
+  sides_.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) set(t, points, triangles[t]);
 }
 
 void PatchExtents::set(std::size_t triangle, std::span<const Vector3<double>> points,
                        const PatchTriangle& corners) {
-  if (triangle == extents_.size()) extents_.emplace_back();
+  if (triangle == extents_.size()) extents_.emplace_back(), sides_.emplace_back();
   extents_[triangle] = directions_.extent(points, corners);
+  sides_[triangle] = detail::side_of(points, corners);
 }
 
 std::optional<std::size_t> PatchExtents::find_intersection(
@@ -88,12 +90,8 @@ std::optional<std::size_t> PatchExtents::find_intersection(
     if (!boxes_meet(extents_[t], all) || triangles[t][0] == triangles[t][1] ||
         std::find(replaced.begin(), replaced.end(), t) != replaced.end())
       continue;
-    std::optional<Side> side;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      if (!boxes_meet(extents_[t], extents[i])) continue;
-      if (!side) side = detail::side_of(points, triangles[t]);
-      if (are_in_conflict(sides[i], *side)) return t;
-    }
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (boxes_meet(extents_[t], extents[i]) && are_in_conflict(sides[i], sides_[t])) return t;
   }
   return std::nullopt;
 }

@@ -29,13 +29,15 @@ class PatchDirections {
   std::array<Vector3<double>, 3> directions_{};  ///< about orthogonal, and exact as they are
 };
 
-/// The extents of the triangles of a patch, which change one by one.
+/// The extents and planes of the triangles of a patch, which change one by one.
 class PatchExtents {
  public:
   PatchExtents(std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles);
 
-  /// Sets the extent of a triangle, or adds one more.
-  /// @pre `triangle` is at most the number of extents
+  /// Sets those of a triangle, or adds one more.
+  /// @pre `triangle` is at most the number of extents; of all triangles whose corners have moved
+  /// this
+  ///      is called before they are looked at
   void set(std::size_t triangle, std::span<const Vector3<double>> points,
            const PatchTriangle& corners);
 
@@ -54,6 +56,7 @@ class PatchExtents {
  private:
   PatchDirections directions_;
   std::vector<AxisBox> extents_;
+  std::vector<detail::Side> sides_;
 };
 
 }  // namespace tensortopo
