@@ -321,7 +321,7 @@ mpq_class value_of(const Json& value, Invariant invariant) {
 
 double length_of(const Json& value) {
   const auto number = hexadecimal(text_of(value));
-  // Of what no double is the nearest one would be another claim.
+  // Of a number that is no double, the nearest double would be another claim.
   const double length = number ? number->get_d() : -1;
   if (!(length >= 0 && length <= 0x1p1000) || mpq_class(length) != *number)
     throw Malformed("", "a length that is no hexadecimal double");

@@ -71,6 +71,7 @@ class StabilityRun {
   /// @param undecided  tetrahedra
   std::optional<StabilityClaim> claim(const StabilitySummary& summary, const SurfaceMesh& surface,
                                       const std::vector<TetMesh::Index>& undecided) const;
+  /// The same of curves.
   std::optional<StabilityClaim> claim(const StabilitySummary& summary, const CurveMesh& curves,
                                       const std::vector<TetMesh::Index>& undecided) const;
 
