@@ -74,8 +74,9 @@ double FieldInSpace::separation(const Vector3<double>& x, const Vector3<double>&
   if (size == 0) return 0;
   // Where tensors of a tetrahedron differ by many orders of magnitude no double holds it.
   constexpr double kLargest = 0x1p1000;
-  return std::clamp(static_cast<double>((at_p[0] * at_q[1] - at_q[0] * at_p[1]) / size), -kLargest,
-                    kLargest);
+  const Extended separation = (at_p[0] * at_q[1] - at_q[0] * at_p[1]) / size;
+  return static_cast<double>(
+      std::clamp(separation, static_cast<Extended>(-kLargest), static_cast<Extended>(kLargest)));
 }
 
 }  // namespace tensortopo

@@ -34,10 +34,9 @@ class PatchExtents {
  public:
   PatchExtents(std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles);
 
-  /// Sets those of a triangle, or adds one more.
-  /// @pre `triangle` is at most the number of extents; of all triangles whose corners have moved
-  /// this
-  ///      is called before they are looked at
+  /// Sets those of a triangle, or adds one more. It has to be called for all triangles whose corners
+  /// have moved before others are compared with them.
+  /// @pre `triangle` is at most the number of extents
   void set(std::size_t triangle, std::span<const Vector3<double>> points,
            const PatchTriangle& corners);
 

@@ -30,6 +30,17 @@ std::vector<SurfaceMesh::Index> smallest_vertices(const Cells& cells,
   return result;
 }
 
+/// The components of a surface or of curves with these cells that are beside tetrahedra, by
+/// smallest vertex.
+template <class Output, class Cells>
+std::vector<SurfaceMesh::Index> named_beside(const TetMesh& mesh, const Output& output,
+                                             const Cells& cells,
+                                             const std::vector<TetMesh::Index>& tets) {
+  if (tets.empty()) return {};
+  return smallest_vertices(cells, output.component,
+                           components_beside(mesh, output.tet, output.component, tets));
+}
+
 /// Adds the numbers of cells that lie in these tetrahedra.
 void add_cells(const std::vector<SurfaceMesh::Index>& tets, const LevelStability& level,
                std::vector<std::int32_t>& instability, std::vector<std::int32_t>& stable) {
@@ -145,17 +156,13 @@ std::optional<StabilityClaim> StabilityRun::claim(
 std::optional<StabilityClaim> StabilityRun::claim(
     const StabilitySummary& summary, const SurfaceMesh& surface,
     const std::vector<TetMesh::Index>& undecided) const {
-  return claim(summary, smallest_vertices(surface.triangles, surface.component,
-                                          components_beside(*field_.mesh, surface.tet,
-                                                            surface.component, undecided)));
+  return claim(summary, named_beside(*field_.mesh, surface, surface.triangles, undecided));
 }
 
 std::optional<StabilityClaim> StabilityRun::claim(
     const StabilitySummary& summary, const CurveMesh& curves,
     const std::vector<TetMesh::Index>& undecided) const {
-  return claim(summary, smallest_vertices(curves.lines, curves.component,
-                                          components_beside(*field_.mesh, curves.tet,
-                                                            curves.component, undecided)));
+  return claim(summary, named_beside(*field_.mesh, curves, curves.lines, undecided));
 }
 
 }  // namespace tensortopo

@@ -99,8 +99,6 @@ void CellMesher<Scalar>::choose_from(std::size_t way) {
   for (; way < ways().size(); ++way) {
     if (!(this->*ways()[way].applies)()) continue;
     state_.way = way;
-    state_.fewest_defects = SIZE_MAX;
-    state_.in_vain = 0;
     mesh_.mesher = ways()[way].mesher;
     return;
   }

@@ -7,6 +7,7 @@
 
 #include "claims/containment.hpp"
 #include "claims/point_boxes.hpp"
+#include "mesh/power_of_two.hpp"
 #include "union_find.hpp"
 
 namespace certificate {
@@ -52,10 +53,7 @@ std::string places_in(const CurveCase& c, const std::array<Number, 3>& numbers) 
       std::array<mpq_class, 3> w;
       mpq_class sum;
       for (std::size_t l = 0; l < 3; ++l) {
-        w[l] = point.weight(l, end);
-        const long e = -c.field.exponent(vertices[l]);
-        if (e > 0) mpq_mul_2exp(w[l].get_mpq_t(), w[l].get_mpq_t(), static_cast<unsigned long>(e));
-        if (e < 0) mpq_div_2exp(w[l].get_mpq_t(), w[l].get_mpq_t(), static_cast<unsigned long>(-e));
+        w[l] = times_power_of_two(point.weight(l, end), -c.field.exponent(vertices[l]));
         sum += w[l];
       }
       Json shown = Json::array();

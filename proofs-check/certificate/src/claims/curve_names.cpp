@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "claims/half_edges.hpp"
+#include "mesh/power_of_two.hpp"
 #include "places.hpp"
 
 namespace certificate {
@@ -41,12 +42,10 @@ std::optional<Place<3>> place_in_face(const LevelCase& c, const FaceTopology& fa
   std::array<mpq_class, 3> weights;
   mpz_class common = 1;
   for (std::size_t i = 0; i < 3; ++i) {
-    mpq_class w = area(x, corners[(i + 1) % 3], corners[(i + 2) % 3], axis) / total;
     // The tensors are multiples of the exact ones.
-    const long e = c.field.exponent(face.vertices[i]);
-    const auto size = static_cast<unsigned long>(std::abs(e));
-    if (e < 0) mpq_div_2exp(w.get_mpq_t(), w.get_mpq_t(), size);
-    if (e > 0) mpq_mul_2exp(w.get_mpq_t(), w.get_mpq_t(), size);
+    const mpq_class w = times_power_of_two(
+        mpq_class(area(x, corners[(i + 1) % 3], corners[(i + 2) % 3], axis) / total),
+        c.field.exponent(face.vertices[i]));
     weights[i] = w > 0 ? w : mpq_class(0);
     common = lcm(common, weights[i].get_den());
   }

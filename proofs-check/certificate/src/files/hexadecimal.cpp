@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <system_error>
+
+#include "mesh/power_of_two.hpp"
 
 namespace certificate {
 
@@ -29,13 +30,7 @@ std::optional<mpq_class> hexadecimal(const std::string& text) {
   if (digits.find_first_not_of("0123456789abcdef") != std::string::npos ||
       whole.set_str(digits, 16) != 0)
     return std::nullopt;
-  mpq_class number(whole);
-  const auto by = static_cast<unsigned long>(std::abs(exponent));
-  if (exponent >= 0)
-    mpq_mul_2exp(number.get_mpq_t(), number.get_mpq_t(), by);
-  else
-    mpq_div_2exp(number.get_mpq_t(), number.get_mpq_t(), by);
-  return number;
+  return times_power_of_two(mpq_class(whole), exponent);
 }
 
 }  // namespace certificate
