@@ -64,7 +64,7 @@ class Distance : public testing::TestWithParam<const char*> {};
 // A surface with many more samples stands for the level: its own deviation is far smaller.
 TEST_P(Distance, OfAMuchFinerSurfaceStaysBelowTheBound) {
   TetMesh mesh = cube_mesh(1);
-  fill_with_normal_tensors(mesh, 20241110);
+  fill_with_normal_tensors(mesh, 20241112);
   const auto coarse = certified(mesh, GetParam(), 2), fine = certified(mesh, GetParam(), 12);
   const auto& claim = coarse.level.distance;
   const auto counts = outside_coarse(mesh, claim);

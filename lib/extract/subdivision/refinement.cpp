@@ -18,10 +18,10 @@ namespace tensortopo {
 
 namespace {
 
-/// An edge in the way is cut unless its cell has one that is longer by this factor: cells that
-/// only ever have their other edges cut do not become small. (Two such edges, cut by turns, close
-/// in on the longest at a third and two thirds of it.)
-constexpr double kLonger = 1.3 * 1.3;
+/// An edge with several crossings is cut unless its cell has one that is longer by this factor:
+/// cells that only ever have their other edges cut do not become small. (Two such edges, cut by
+/// turns, close in on the longest at a third and two thirds of it.)
+constexpr double kLonger = 1.2 * 1.2;
 
 /// Cells in the proof that a face of a cell holds no closed curve.
 constexpr std::size_t kFaceBudget = 2000;
@@ -143,13 +143,13 @@ bool Refinement<Scalar, Vertices, Corners>::run(std::size_t budget, double small
     const auto [size, c] = waiting.top();
     waiting.pop();
     if (!cells_[c].alive) continue;
-    const auto in_the_way = edge_to_cut(cells_[c]);
-    if (!in_the_way) continue;
+    auto edge = edge_to_cut(cells_[c]);
+    if (!edge) continue;
     if (cells_.size() + face_cells_ / 4 > budget || size < smallest) return false;
-    auto edge = longest_and(cells_[c].vertices, (*in_the_way)[0], (*in_the_way)[1])[1];
-    while (const auto multiprecision = much_longer_edge(edge)) edge = *multiprecision;
-    auto is_cut = cut_at_small_field(edge.ends[0], edge.ends[1]);
-    if (!is_cut) is_cut = cut_edge(edge.ends[0], edge.ends[1]);
+    while (const auto longer = much_longer_edge(*edge)) edge = longer;
+    auto is_cut = cut_at_small_field(edge->ends);
+    if (!is_cut) is_cut = cut_between_crossings(edge->ends);
+    if (!is_cut) is_cut = cut_edge(edge->ends);
     if (!*is_cut) return restart() && run(budget, smallest);
     if (cells_[c].alive) waiting.emplace(std::numeric_limits<double>::infinity(), c);
   }
@@ -164,8 +164,7 @@ bool Refinement<Scalar, Vertices, Corners>::cut_cells(const LevelSimplex<Scalar,
   level_ = &level;
   for (const auto c : cells) {
     if (!cells_[c].alive) continue;
-    const auto [u, v] = longest_edge(cells_[c].vertices).ends;
-    if (!cut_edge(u, v)) return false;
+    if (!cut_edge(longest_edge(cells_[c].vertices).ends)) return false;
   }
   return run(budget);
 }
@@ -203,25 +202,21 @@ bool Refinement<Scalar, Vertices, Corners>::restart() {
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-std::optional<std::array<std::uint32_t, 2>> Refinement<Scalar, Vertices, Corners>::edge_to_cut(
-    Cell& cell) {
+auto Refinement<Scalar, Vertices, Corners>::edge_to_cut(Cell& cell) -> std::optional<Edge> {
   using Kind = typename SimplexProof<Scalar, Corners>::Kind;
   if (cell.proof.kind == Kind::none) cell.proof = prove(cell.vertices);
   if (cell.proof.kind == Kind::empty) return std::nullopt;
-  const auto longest = longest_edge(cell.vertices).ends;
-  if (cell.proof.kind == Kind::none) return longest;
-  for (std::size_t i = 0; i < Corners; ++i)
-    for (std::size_t j = i + 1; j < Corners; ++j) {
-      const auto u = cell.vertices[i], v = cell.vertices[j];
-      if (is_simple_edge(u, v)) continue;
-      const auto [most, own] = longest_and(cell.vertices, u, v);
-      if (kLonger * own.squared_length < most.squared_length) return longest;
-      return std::array<std::uint32_t, 2>{u, v};
-    }
+  const auto in_the_way = edge_in_the_way(cell.vertices);
+  bool is_simple = !in_the_way && cell.proof.kind == Kind::monotone;
   if constexpr (Corners == 4)
-    for (std::size_t omitted = 0; omitted < 4; ++omitted)
-      if (!is_simple_face(without(cell.vertices, omitted))) return longest;
-  return std::nullopt;
+    for (std::size_t omitted = 0; omitted < 4 && is_simple; ++omitted)
+      is_simple = is_simple_face(without(cell.vertices, omitted));
+  if (is_simple) return std::nullopt;
+  const auto edges = edges_of(cell.vertices);
+  const Edge longest = *std::max_element(edges.begin(), edges.end());
+  if (in_the_way && kLonger * edges[*in_the_way].squared_length >= longest.squared_length)
+    return edges[*in_the_way];
+  return longest;
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
@@ -256,10 +251,21 @@ int Refinement<Scalar, Vertices, Corners>::crossings_between(const Vertex& u, co
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-bool Refinement<Scalar, Vertices, Corners>::is_simple_edge(std::uint32_t u, std::uint32_t v) {
+bool Refinement<Scalar, Vertices, Corners>::is_simple_edge(const Ends& ends) {
+  const auto [u, v] = ends;
   signed char& simple = edges_[edge_key(u, v)];
   if (simple == 0) simple = crossings_between(vertices_[u], vertices_[v], 0) < 2 ? 1 : -1;
   return simple > 0;
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+std::optional<std::size_t> Refinement<Scalar, Vertices, Corners>::edge_in_the_way(
+    const std::array<std::uint32_t, Corners>& cell) {
+  std::size_t e = 0;  // as in `edges_of`
+  for (std::size_t i = 0; i < Corners; ++i)
+    for (std::size_t j = i + 1; j < Corners; ++j, ++e)
+      if (!is_simple_edge({cell[i], cell[j]})) return e;
+  return std::nullopt;
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,10 +32,10 @@ struct RefinementVertex {
 };
 
 /// A conforming subdivision of a triangle or tetrahedron into simple simplices (see
-/// `SimplexProof`). A cell that is not simple has its longest edge cut, length being the angle
-/// between tensors, or the edge with several crossings that stands in the way; all cells around the
-/// edge are cut with it. An edge is cut where the angle is about halved: the tensors at its ends
-/// are brought to about the same norm and added. So cells have one size in angles everywhere, also
+/// `SimplexProof`). A cell that is not simple has an edge cut, and all cells around that edge with
+/// it: one with several crossings, between two of them, or if there is none the longest, length
+/// being the angle between tensors. That one is cut where the angle is about halved: the tensors at
+/// its ends are brought to about the same norm and added. So cells have one size in angles everywhere, also
 /// where the field comes close to zero and all angles happen within a short way. Where it nearly
 /// vanishes on the edge, the cut goes there; where it does inside a face or a cell, a vertex is put
 /// there. For levels next to modes 1 and -1 cells are longer along the degenerate curve than across
@@ -93,12 +94,21 @@ class Refinement {
   const std::vector<Cell>& cells() const { return cells_; }
 
  private:
+  using Ends = std::array<std::uint32_t, 2>;
+  struct Edge {
+    Ends ends;
+    double squared_length;
+    bool operator<(const Edge& other) const { return squared_length < other.squared_length; }
+  };
+
   std::uint32_t add_vertex(const Vertex& v);
   void add_cell(const Cell& cell);
   bool restart();
   /// The edge to cut next if the cell is not proved simple.
-  std::optional<std::array<std::uint32_t, 2>> edge_to_cut(Cell& cell);
-  bool is_simple_edge(std::uint32_t u, std::uint32_t v);
+  std::optional<Edge> edge_to_cut(Cell& cell);
+  bool is_simple_edge(const Ends& ends);
+  /// Which edge of a cell holds several crossings, or may do so for all that is proved.
+  std::optional<std::size_t> edge_in_the_way(const std::array<std::uint32_t, Corners>& cell);
   bool is_simple_face(const std::array<std::uint32_t, 3>& face);
   bool has_no_loop(const std::array<std::uint32_t, 3>& face);
   template <std::size_t Part>
@@ -108,15 +118,12 @@ class Refinement {
   /// Of the chord between the unit tensors at two vertices, or next to the degenerate curve of
   /// what counts there.
   double squared_length(std::uint32_t u, std::uint32_t v) const;
-  struct Edge {
-    std::array<std::uint32_t, 2> ends;
-    double squared_length;
-  };
-  /// The longest edge of a cell and the length of one of its edges.
-  std::array<Edge, 2> longest_and(const std::array<std::uint32_t, Corners>& cell, std::uint32_t u,
-                                  std::uint32_t v) const;
+  /// In the order of `kTetEdges`.
+  std::array<Edge, Corners*(Corners - 1) / 2> edges_of(
+      const std::array<std::uint32_t, Corners>& cell) const;
   Edge longest_edge(const std::array<std::uint32_t, Corners>& cell) const {
-    return longest_and(cell, cell[0], cell[1])[0];
+    const auto edges = edges_of(cell);
+    return *std::max_element(edges.begin(), edges.end());
   }
   /// An edge of a cell around this one that should be cut before it.
   std::optional<Edge> much_longer_edge(const Edge& edge) const;
@@ -124,9 +131,15 @@ class Refinement {
   template <std::size_t Part>
   std::optional<std::array<std::int64_t, Part>> shares_of_small_field(
       const std::array<std::uint32_t, Part>& part) const;
+  bool is_next_cut_uneven() const;
+  std::array<std::int64_t, 2> shares_on(const Ends& ends,
+                                        const std::array<std::int64_t, 2>& usual) const;
   /// Nothing if the field does not nearly vanish around the edge; else whether it could be cut.
-  std::optional<bool> cut_at_small_field(std::uint32_t u, std::uint32_t v);
-  bool cut_edge(std::uint32_t u, std::uint32_t v);
+  std::optional<bool> cut_at_small_field(const Ends& ends);
+  /// Nothing if the edge is simple, or no place is found on it between two crossings; else whether
+  /// it could be cut.
+  std::optional<bool> cut_between_crossings(const Ends& ends);
+  bool cut_edge(const Ends& ends);
   template <std::size_t Part>
   bool cut(const std::array<std::uint32_t, Part>& part,
            const std::array<std::int64_t, Part>& shares);

@@ -60,25 +60,21 @@ double Refinement<Scalar, Vertices, Corners>::squared_length(std::uint32_t u,
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-auto Refinement<Scalar, Vertices, Corners>::longest_and(
-    const std::array<std::uint32_t, Corners>& cell, std::uint32_t u, std::uint32_t v) const
-    -> std::array<Edge, 2> {
-  Edge longest{{cell[0], cell[1]}, -1}, own{{u, v}, 0};
-  const auto take = [&](std::size_t i, std::size_t j, double length) {
-    if (length > longest.squared_length) longest = {{cell[i], cell[j]}, length};
-    if (edge_key(cell[i], cell[j]) == edge_key(u, v)) own.squared_length = length;
-  };
+auto Refinement<Scalar, Vertices, Corners>::edges_of(
+    const std::array<std::uint32_t, Corners>& cell) const
+    -> std::array<Edge, Corners*(Corners - 1) / 2> {
+  std::array<Edge, Corners*(Corners - 1) / 2> edges;
+  std::size_t e = 0;
+  for (std::size_t i = 0; i < Corners; ++i)
+    for (std::size_t j = i + 1; j < Corners; ++j) edges[e++].ends = {cell[i], cell[j]};
   if constexpr (Corners == 4 && Vertices == 4)
     if (by_hessian_metric_) {
       const auto lengths = detail::hessian_lengths<Scalar>(pointers_to(cell));
-      for (std::size_t e = 0; e < 6; ++e)
-        take(static_cast<std::size_t>(kTetEdges[e][0]), static_cast<std::size_t>(kTetEdges[e][1]),
-             lengths[e]);
-      return {longest, own};
+      for (e = 0; e < 6; ++e) edges[e].squared_length = lengths[e];
+      return edges;
     }
-  for (std::size_t i = 0; i < Corners; ++i)
-    for (std::size_t j = i + 1; j < Corners; ++j) take(i, j, squared_length(cell[i], cell[j]));
-  return {longest, own};
+  for (Edge& edge : edges) edge.squared_length = squared_length(edge.ends[0], edge.ends[1]);
+  return edges;
 }
 
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
@@ -100,8 +96,8 @@ auto Refinement<Scalar, Vertices, Corners>::much_longer_edge(const Edge& edge) c
 /// Where the field nearly vanishes in a cell around an edge or in a face around it, a vertex is put
 /// there before the edge is cut.
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-std::optional<bool> Refinement<Scalar, Vertices, Corners>::cut_at_small_field(std::uint32_t u,
-                                                                              std::uint32_t v) {
+std::optional<bool> Refinement<Scalar, Vertices, Corners>::cut_at_small_field(const Ends& ends) {
+  const auto [u, v] = ends;
   for (const auto c : cells_at_[u]) {
     const auto cell = cells_[c].vertices;
     if (!cells_[c].alive || std::find(cell.begin(), cell.end(), v) == cell.end()) continue;
@@ -123,20 +119,49 @@ std::optional<detail::Shares<Part>> Refinement<Scalar, Vertices, Corners>::share
   return detail::shares_of_small_field<Scalar, Vertices, Part>(pointers_to(part));
 }
 
+/// The first cuts are off the middle. Real fields have symmetries, and middles would put sides of
+/// cells on their axes and planes, where a level can touch a side exactly.
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
-bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t u, std::uint32_t v) {
-  // The first cuts are off the middle. Real fields have symmetries, and middles would put sides
-  // of cells on their axes and planes, where a level can touch a side exactly.
+bool Refinement<Scalar, Vertices, Corners>::is_next_cut_uneven() const {
+  return vertices_.size() - Vertices <
+         (is_inconclusive_in_double(*level_) ? kUnevenCutsNearDegenerate : kUnevenCuts);
+}
+
+/// How much of its ends the place has where an edge is cut, the same whichever comes first.
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+detail::Shares<2> Refinement<Scalar, Vertices, Corners>::shares_on(
+    const Ends& ends, const detail::Shares<2>& usual) const {
+  const auto [lower, upper] = std::minmax(ends[0], ends[1]);
+  auto shares = detail::shares_of_cut(vertices_[lower], vertices_[upper], usual);
+  if (ends[0] != lower) std::swap(shares[0], shares[1]);
+  return shares;
+}
+
+/// An edge that enters the level and leaves it again: its parts have one crossing each if it is cut
+/// inside. Elsewhere a cut would leave both crossings in one part.
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+std::optional<bool> Refinement<Scalar, Vertices, Corners>::cut_between_crossings(
+    const Ends& ends) {
+  const auto [u, v] = ends;
+  if (vertices_[u].above != vertices_[v].above || is_simple_edge(ends)) return std::nullopt;
+  const int off_middle = is_next_cut_uneven() ? 1 : 0;
+  for (const int even : {16, 12, 20, 8, 24, 4, 28}) {
+    const int share = even - off_middle;
+    const auto shares = shares_on(ends, {share, 32 - share});
+    const auto place = detail::place_among<Scalar, Vertices, 2>(*simplex_, *level_, shares,
+                                                                pointers_to(ends));
+    if (place && place->vertex.above != vertices_[u].above) return cut(ends, shares);
+  }
+  return std::nullopt;
+}
+
+template <class Scalar, std::size_t Vertices, std::size_t Corners>
+bool Refinement<Scalar, Vertices, Corners>::cut_edge(const Ends& ends) {
   constexpr std::array<int, 5> thirty_seconds{13, 17, 15, 19, 14};
   const std::size_t cuts = vertices_.size() - Vertices;
-  const bool uneven =
-      cuts < (is_inconclusive_in_double(*level_) ? kUnevenCutsNearDegenerate : kUnevenCuts);
+  const bool uneven = is_next_cut_uneven();
   const int share = uneven ? thirty_seconds[(first_cut_ + cuts) % thirty_seconds.size()] : 1;
-  const auto [lower, upper] = std::minmax(u, v);
-  const detail::Shares<2> usual{share, uneven ? 32 - share : 1};
-  auto shares = detail::shares_of_cut(vertices_[lower], vertices_[upper], usual);
-  if (u != lower) std::swap(shares[0], shares[1]);
-  return cut<2>({u, v}, shares);
+  return cut(ends, shares_on(ends, {share, uneven ? 32 - share : 1}));
 }
 
 /// Puts a vertex into an edge, a face or a cell. All cells that have it are cut at once: none is
@@ -207,16 +232,16 @@ void Refinement<Scalar, Vertices, Corners>::add_child(const Cell& cell,
 }
 
 #define TENSORTOPO_INSTANTIATE_CUTS(Scalar, Vertices, Corners)                                     \
-  template double Refinement<Scalar, Vertices, Corners>::squared_length(std::uint32_t,             \
-                                                                        std::uint32_t) const;      \
-  template std::array<Refinement<Scalar, Vertices, Corners>::Edge, 2>                              \
-  Refinement<Scalar, Vertices, Corners>::longest_and(const std::array<std::uint32_t, Corners>&,    \
-                                                     std::uint32_t, std::uint32_t) const;          \
-  template std::optional<Refinement<Scalar, Vertices, Corners>::Edge>                              \
-  Refinement<Scalar, Vertices, Corners>::much_longer_edge(const Edge&) const;                      \
+  template auto Refinement<Scalar, Vertices, Corners>::edges_of(                                   \
+      const std::array<std::uint32_t, Corners>&) const                                             \
+      ->std::array<Edge, Corners*(Corners - 1) / 2>;                                               \
+  template auto Refinement<Scalar, Vertices, Corners>::much_longer_edge(const Edge&) const         \
+      ->std::optional<Edge>;                                                                       \
   template std::optional<bool> Refinement<Scalar, Vertices, Corners>::cut_at_small_field(          \
-      std::uint32_t, std::uint32_t);                                                               \
-  template bool Refinement<Scalar, Vertices, Corners>::cut_edge(std::uint32_t, std::uint32_t);     \
+      const Ends&);                                                                                \
+  template std::optional<bool> Refinement<Scalar, Vertices, Corners>::cut_between_crossings(       \
+      const Ends&);                                                                                \
+  template bool Refinement<Scalar, Vertices, Corners>::cut_edge(const Ends&);                      \
   template bool Refinement<Scalar, Vertices, Corners>::cut<3>(const std::array<std::uint32_t, 3>&, \
                                                               const detail::Shares<3>&);           \
   template bool Refinement<Scalar, Vertices, Corners>::cut<2>(const std::array<std::uint32_t, 2>&, \

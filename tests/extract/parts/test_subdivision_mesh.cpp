@@ -162,13 +162,49 @@ TEST(Refinement, IsAConformingSubdivision) {
   }
 }
 
+// An edge that enters the level and leaves it again is cut inside, and then has a crossing on each
+// side of the cut.
+TEST(Refinement, CutsEdgesBetweenTheirCrossings) {
+  const std::uint64_t seed = 20240704;
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  int compared = 0;
+  for (int trial = 0; trial < trials(400); ++trial) {
+    const auto mode = ModeValue::parse(trial % 2 == 0 ? "9/10" : "-9/10");
+    const SimplexCase<double, 4> tet(random.tet_tensors(), mode);
+    Refinement<double, 4> refinement(tet.simplex, tet.level);
+    ASSERT_TRUE(refinement.run(kBudget));
+    const Real50 mu = to_scalar<Real50>(mode);
+    const auto& vertices = refinement.vertices();
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const bool side = vertices[i].above;
+        const auto is_on_other_side = [&](double share) {
+          std::array<double, 4> weights{};
+          weights[i] = share, weights[j] = 1 - share;
+          return (mode_of_deviator(exact_tensor(tet, weights)) > mu) != side;
+        };
+        if (vertices[j].above != side || !is_on_other_side(15.0 / 32) || !is_on_other_side(0.5))
+          continue;
+        const auto first = std::find_if(vertices.begin() + 4, vertices.end(), [&](const auto& v) {
+          return v.weights[i] > 0 && v.weights[j] > 0 &&
+                 std::count(v.weights.begin(), v.weights.end(), 0.0) == 2;
+        });
+        ASSERT_NE(first, vertices.end());
+        EXPECT_NE(first->above, side) << "trial " << trial;
+        ++compared;
+      }
+  }
+  EXPECT_GT(compared, trials(30));
+}
+
 // Cells inherit what is proved of the cells that they are cut from; it must hold of them.
 TEST(Refinement, ProofsOfItsCellsHold) {
   const std::uint64_t seed = 20240703;
   SCOPED_TRACE(announce(seed));
   Random random(seed);
   int monotone = 0, empty = 0;
-  for (int trial = 0; trial < trials(30); ++trial) {
+  for (int trial = 0; trial < trials(60); ++trial) {
     const auto mode = ModeValue::parse(kLevels[static_cast<std::size_t>(trial) % kLevels.size()]);
     const SimplexCase<double, 4> tet(random.tet_tensors(), mode);
     Refinement<double, 4> refinement(tet.simplex, tet.level);
