@@ -67,6 +67,30 @@ TEST(Isotopic, WhatIsApartStaysApart) {
   EXPECT_EQ(missed, 0u) << shown << " shown";
 }
 
+/// Nine vectors, as two triangles have, of which each has a positive product with some direction
+/// wherever it is within its errors, however large these are beside it.
+TEST(Isotopic, ACommonSideIsFoundWhereThereIsOne) {
+  std::mt19937_64 random(32);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::size_t found = 0;
+  constexpr std::size_t kRounds = 2000;
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    const Point d{any(random), any(random), any(random)};
+    std::vector<BallPoint> vectors;
+    while (vectors.size() < 9) {
+      BallPoint v;
+      double least = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        v[k] = Ball(any(random), std::abs(any(random)));
+        least += d[k] * v[k].value - std::abs(d[k]) * v[k].error;
+      }
+      if (least > 0.02) vectors.push_back(v);
+    }
+    if (have_common_side(vectors)) ++found;
+  }
+  EXPECT_EQ(found, kRounds);
+}
+
 }  // namespace
 }  // namespace certificate
 

@@ -85,6 +85,12 @@ class Level {
   /// Calls f with the rule of what it is a level of.
   auto visit(const auto& f) const { return std::visit(f, rule_); }
 
+  /// Is the tensor above, as far as doubles tell? Not for proofs.
+  bool seems_above(const Tensor<Ball>& m) const {
+    return Answer::yes ==
+           visit([&](auto& rule) { return rule.lies(true, rule.template forms<Ball, 1>({&m})); });
+  }
+
   std::uint64_t decided_by_balls() const { return by_balls_; }
   std::uint64_t decided_exactly() const { return by_integers_; }
 

@@ -24,8 +24,7 @@ mpz_class determinant(const std::array<Place<N>, N>& rows) {
       std::array<Place<N - 1>, N - 1> minor;
       for (std::size_t r = 0; r < N; ++r)
         if (r != i) std::copy(rows[r].begin() + 1, rows[r].end(), minor[r - (r > i)].begin());
-      const mpz_class part = rows[i][0] * determinant(minor);
-      if (i % 2 == 0) sum += part; else sum -= part;
+      sum += (i % 2 == 0 ? 1 : -1) * rows[i][0] * determinant(minor);
     }
     return sum;
   }

@@ -22,16 +22,12 @@ struct Monomials {
 
   static constexpr std::array<Exponents, kCount> kTable = [] {
     std::array<Exponents, kCount> result{};
-    std::size_t n = 0;
-    std::size_t codes = 1;
+    std::size_t n = 0, codes = 1;
     for (std::size_t i = 0; i < V; ++i) codes *= D + 1;
     for (std::size_t code = 0; code < codes; ++code) {
       Exponents e{};
       std::size_t sum = 0, rest = code;
-      for (std::size_t i = 0; i < V; ++i, rest /= D + 1) {
-        e[i] = rest % (D + 1);
-        sum += rest % (D + 1);
-      }
+      for (std::size_t i = 0; i < V; ++i, rest /= D + 1) sum += e[i] = rest % (D + 1);
       if (sum == D) result[n++] = e;
     }
     return result;

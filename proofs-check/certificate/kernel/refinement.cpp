@@ -154,13 +154,22 @@ void Refinement::round(Place& place) const {
 }
 
 /// Where an edge is cut: about half way in the angle between the tensors, for these are of similar
-/// size, because balls are; a little off the middle, for planes of symmetry lie there. The sum of
+/// size, because balls are; a little off the middle, for planes of symmetry lie there. An edge that
+/// seems to meet the level twice is cut between, so that each part meets it once. The sum of
 /// nearly opposite tensors is to be about as small as it can be: all that happens on such an edge
 /// happens there, and cuts elsewhere come near in as many steps as the closeness has bits, for each
 /// edge of each cell anew.
 Refinement::Place Refinement::place_on(Id a, Id b) const {
   Place place{2, {a, b}, {17, 15}};
   const double cosine = product(unit(a), unit(b));
+  const Point &p = points_[a], &q = points_[b];
+  for (const double share : {17, 13, 21, 9, 25}) {
+    Tensor<Ball> m;
+    for (std::size_t k = 0; k < m.size(); ++k)
+      m[k] = Ball(share, 0) * p.ball[k] + Ball(32 - share, 0) * q.ball[k];
+    if (p.above == q.above && cosine >= kNearlyOpposite && level_.seems_above(m) != p.above)
+      return place.shares = {share, 32 - share}, place;
+  }
   if (!(cosine < kNearlyOpposite)) return place;
   const double off = std::sqrt(std::max(1 + cosine, 0x1p-88)) / 32;
   place.shares = {0.5 + off, 0.5 - off};

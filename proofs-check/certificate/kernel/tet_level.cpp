@@ -271,7 +271,6 @@ std::optional<std::size_t> Regions::find(const FacePart& part, const Place<3>& p
     if (!is_inside(weights_at(tile, place))) continue;
     for (std::size_t i = 0; i < 3; ++i)
       if (points[cell.points[i]].above == above) return part.first + cell.points[i];
-    return std::nullopt;
   }
   return std::nullopt;
 }

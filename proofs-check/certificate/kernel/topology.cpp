@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <map>
 
 namespace certificate {
@@ -123,9 +122,8 @@ void Derivation::settle(TetTopology& tet) const {
   const auto sheets = level_in_tet(level_, corners(vertices), tet.proved, boundary, curves);
   if (!sheets) return;
   for (const Sheet& sheet : *sheets) {
-    MeshSheet& found = tet.sheets.emplace_back();
-    found.euler_characteristic = sheet.euler_characteristic;
-    found.above_inside = sheet.above_inside;
+    MeshSheet& found = tet.sheets.emplace_back(
+        MeshSheet{sheet.euler_characteristic, {}, sheet.above_inside});
     for (const std::size_t i : sheet.loops) found.loops.push_back(loops[i]);
   }
   tet.decided = true;
@@ -222,17 +220,14 @@ Topology derive_topology(const Input& input, const Field& field, const Level& le
       ConeTopology cone{t, false, {}, {}, {}};
       for (const Vertex v : corners) (is_tip(v) ? cone.tips : cone.base).push_back(v);
       const std::vector<Vertex>& b = cone.base;
-      for (std::size_t i = 0; i < b.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) edges.push_back({b[j], b[i]});
+      for_subsets(b.size(), 2, [&](const auto& m) { edges.push_back({b[m[0]], b[m[1]]}); });
       if (b.size() == 3) faces.push_back({b[0], b[1], b[2]});
       out.cones.push_back(std::move(cone));
     }
     if (proofs[t].proof == Proof::empty) continue;
-    TetTopology& tet = out.tets.emplace_back();
-    tet.tet = t, tet.proved = proofs[t];
-    const std::array<Vertex, 4>& v = input.tets[t];
-    for_subsets(4, 2, [&](const auto& m) { edges.push_back({v[m[0]], v[m[1]]}); });
-    for (std::size_t i = 0; i < 4; ++i) faces.push_back(without(v, i));
+    out.tets.push_back({t, false, proofs[t], {}});
+    for_subsets(4, 2, [&](const auto& m) { edges.push_back({corners[m[0]], corners[m[1]]}); });
+    for (std::size_t i = 0; i < 4; ++i) faces.push_back(without(corners, i));
   }
   out.edges = listed<EdgeTopology>(std::move(edges));
   out.faces = listed<FaceTopology>(std::move(faces));

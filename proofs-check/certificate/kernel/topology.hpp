@@ -43,7 +43,6 @@ struct MeshLoop {
   struct Step {
     MeshCrossing from;
     Vertex opposite;
-    auto operator<=>(const Step&) const = default;
   };
   std::vector<Step> steps;
   Vertex opposite = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -45,20 +46,21 @@ bool is_side_found_soon(Vector d, std::span<const Vector> units, std::span<const
   return false;
 }
 
-}  // namespace
-
-bool have_common_side(std::span<const BallPoint> vectors) {
-  std::vector<Vector> units;
-  units.reserve(vectors.size());
-  Vector sum{};
-  for (const BallPoint& v : vectors) {
-    Vector u{v[0].value, v[1].value, v[2].value};
-    const double length = std::hypot(u[0], u[1], u[2]);
-    for (double& x : u) x /= length;
-    sum = plus(sum, u);
-    units.push_back(u);
+/// Of the vectors in a ball the one with the least product with the direction, at unit length.
+Vector least_in(const BallPoint& v, const Vector& direction) {
+  Vector u;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double error = direction[k] == 0 ? 0 : std::copysign(v[k].error, direction[k]);
+    u[k] = v[k].value - error;
   }
-  if (is_side_found_soon(sum, units, vectors)) return true;
+  const double length = std::hypot(u[0], u[1], u[2]);
+  for (double& x : u) x /= length;
+  return u;
+}
+
+/// The direction with the largest least product with unit vectors, if that is positive, or zero: on
+/// it depend one of them, two, or three.
+Vector best_side(std::span<const Vector> units) {
   Vector best{};
   double largest = 0;
   const auto consider = [&](Vector d) {
@@ -81,7 +83,29 @@ bool have_common_side(std::span<const BallPoint> vectors) {
       }
     }
   }
-  return largest > 0 && is_on_side(best, vectors);
+  return best;
+}
+
+}  // namespace
+
+/// By the middles of the balls first, then by those vectors in them as well for which the last
+/// direction fails.
+bool have_common_side(std::span<const BallPoint> vectors) {
+  constexpr int kRounds = 6;
+  std::vector<Vector> units;
+  for (const BallPoint& v : vectors) units.push_back(least_in(v, {}));
+  if (is_side_found_soon(std::accumulate(units.begin(), units.end(), Vector{}, plus), units,
+                         vectors))
+    return true;
+  for (int round = 0; round < kRounds; ++round) {
+    const Vector d = best_side(units);
+    if (d == Vector{}) return false;
+    const std::size_t known = units.size();
+    for (const BallPoint& v : vectors)
+      if (!is_on_side(d, {&v, 1})) units.push_back(least_in(v, d));
+    if (units.size() == known) return true;
+  }
+  return false;
 }
 
 bool has_area(const BallPoint& a, const BallPoint& b, const BallPoint& c) {

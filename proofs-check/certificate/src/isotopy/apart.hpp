@@ -17,7 +17,8 @@ using BallPoint = std::array<Ball, 3>;
 /// Is there a direction with a positive product with all of these vectors, wherever they are within
 /// their errors? True only if one is found and proved. Doubles only: the candidates are those of a
 /// perceptron's first steps, and then the directions normal to the vertices, edges and triangles of
-/// the hull of the unit vectors, among which is that of the largest least product.
+/// the hull of the unit vectors, among which is that of the largest least product. Where errors are
+/// too large for it, the vectors that it fails for are added to the hull, a few times.
 bool have_common_side(std::span<const BallPoint> vectors);
 
 /// Has a triangle an area, wherever its corners are within their errors?
