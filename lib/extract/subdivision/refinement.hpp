@@ -35,11 +35,11 @@ struct RefinementVertex {
 /// `SimplexProof`). A cell that is not simple has an edge cut, and all cells around that edge with
 /// it: one with several crossings, between two of them, or if there is none the longest, length
 /// being the angle between tensors. That one is cut where the angle is about halved: the tensors at
-/// its ends are brought to about the same norm and added. So cells have one size in angles everywhere, also
-/// where the field comes close to zero and all angles happen within a short way. Where it nearly
-/// vanishes on the edge, the cut goes there; where it does inside a face or a cell, a vertex is put
-/// there. For levels next to modes 1 and -1 cells are longer along the degenerate curve than across
-/// it.
+/// its ends are brought to about the same norm and added. So cells have one size in angles
+/// everywhere, also where the field comes close to zero and all angles happen within a short way.
+/// Where it nearly vanishes on the edge, the cut goes there; where it does inside a face or a cell,
+/// a vertex is put there. For levels next to modes 1 and -1 cells are longer along the degenerate
+/// curve than across it.
 ///
 /// What is proved of the cells fixes the topology of the level in the simplex: it is the one that
 /// marching tetrahedra (triangles) give on the signs at the vertices.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "extract/level/multiprecision_level.hpp"
+#include "extract/level/near_degenerate_level.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/subdivision/hessian_metric.hpp"
 #include "extract/subdivision/refinement.hpp"
@@ -138,11 +139,14 @@ detail::Shares<2> Refinement<Scalar, Vertices, Corners>::shares_on(
 }
 
 /// An edge that enters the level and leaves it again: its parts have one crossing each if it is cut
-/// inside. Elsewhere a cut would leave both crossings in one part.
+/// inside. Elsewhere a cut would leave both crossings in one part. (Not in a face of the mesh next to
+/// the degenerate curve: arcs run close beside each other there, and even cells give them samples at
+/// the same places, with which the patches between them have fewer triangles.)
 template <class Scalar, std::size_t Vertices, std::size_t Corners>
 std::optional<bool> Refinement<Scalar, Vertices, Corners>::cut_between_crossings(
     const Ends& ends) {
   const auto [u, v] = ends;
+  if (Vertices == 3 && is_near_degenerate(*level_)) return std::nullopt;
   if (vertices_[u].above != vertices_[v].above || is_simple_edge(ends)) return std::nullopt;
   const int off_middle = is_next_cut_uneven() ? 1 : 0;
   for (const int even : {16, 12, 20, 8, 24, 4, 28}) {
