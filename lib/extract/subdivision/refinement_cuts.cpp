@@ -13,7 +13,6 @@
 #include "extract/subdivision/refinement.hpp"
 #include "extract/subdivision/refinement_vertex.hpp"
 #include "extract/subdivision/small_field.hpp"
-#include "tensortopo/mesh/tet_complex.hpp"
 
 namespace tensortopo {
 

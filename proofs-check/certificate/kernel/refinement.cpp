@@ -164,11 +164,11 @@ Refinement::Place Refinement::place_on(Id a, Id b) const {
   const double cosine = product(unit(a), unit(b));
   const Point &p = points_[a], &q = points_[b];
   for (const double share : {17, 13, 21, 9, 25}) {
+    if (p.above != q.above || !(cosine >= kNearlyOpposite)) break;
     Tensor<Ball> m;
     for (std::size_t k = 0; k < m.size(); ++k)
       m[k] = Ball(share, 0) * p.ball[k] + Ball(32 - share, 0) * q.ball[k];
-    if (p.above == q.above && cosine >= kNearlyOpposite && level_.seems_above(m) != p.above)
-      return place.shares = {share, 32 - share}, place;
+    if (level_.seems_above(m) != p.above) return place.shares = {share, 32 - share}, place;
   }
   if (!(cosine < kNearlyOpposite)) return place;
   const double off = std::sqrt(std::max(1 + cosine, 0x1p-88)) / 32;

@@ -45,7 +45,7 @@ std::vector<ComponentTopology> recount(const SubdivisionMesh& mesh) {
   return result;
 }
 
-// "" if the mesh is an oriented surface whose free sides are the boundary loop loops, on faces.
+// "" if the mesh is an oriented surface whose free sides are the boundary loops, on faces.
 std::string flaws_of(const SubdivisionMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const auto& polygon : mesh.polygons)
@@ -58,18 +58,18 @@ std::string flaws_of(const SubdivisionMesh& mesh) {
     if (sides.contains({side.second, side.first})) continue;
     if ((mesh.nodes[side.first].faces & mesh.nodes[side.second].faces) == 0)
       return "a free side inside the tetrahedron";
-    if (!boundary.emplace(side.first, side.second).second) return "a rim that branches";
+    if (!boundary.emplace(side.first, side.second).second) return "a boundary that branches";
   }
   for (const auto& loop : mesh.boundary_loops) {
-    if (loop.size() < 3) return "a rim loop of fewer than three nodes";
+    if (loop.size() < 3) return "a boundary loop of fewer than three nodes";
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const auto found = boundary.find(loop[i]);
       if (found == boundary.end() || found->second != loop[(i + 1) % loop.size()])
-        return "a rim loop that is no boundary";
+        return "a boundary loop that is no boundary";
       boundary.erase(found);
     }
   }
-  return boundary.empty() ? "" : "a boundary that is in no rim loop";
+  return boundary.empty() ? "" : "a boundary that is in no loop";
 }
 
 TEST(SubdivisionMesh, IsAnOrientedSurfaceWithTheTopologyThatBruteForceSees) {

@@ -93,6 +93,7 @@ Vector best_side(std::span<const Vector> units) {
 bool have_common_side(std::span<const BallPoint> vectors) {
   constexpr int kRounds = 6;
   std::vector<Vector> units;
+  units.reserve(vectors.size());
   for (const BallPoint& v : vectors) units.push_back(least_in(v, {}));
   if (is_side_found_soon(std::accumulate(units.begin(), units.end(), Vector{}, plus), units,
                          vectors))
