@@ -4,7 +4,7 @@
 
 namespace tensortopo {
 
-std::vector<BoundaryVertex> loop_vertices(std::span<const BoundaryArc> loop,
+std::vector<BoundaryVertex> loop_vertices(const BoundaryLoop& loop,
                                      const FaceArcVertices& vertices) {
   std::size_t size = 0;
   for (const auto& piece : loop)

@@ -39,7 +39,7 @@ struct ArcVertices {
 using FaceArcVertices = std::array<std::vector<ArcVertices>, 4>;
 
 /// The vertices of a boundary loop, in its direction.
-std::vector<BoundaryVertex> loop_vertices(std::span<const BoundaryArc> loop,
+std::vector<BoundaryVertex> loop_vertices(const BoundaryLoop& loop,
                                           const FaceArcVertices& vertices);
 
 }  // namespace tensortopo

@@ -103,7 +103,7 @@ std::optional<SheetEdges> edges_of(std::span<const std::array<std::uint32_t, 3>>
 /// 1 if triangles are the planned sheets, -1 if they are when turned around, else 0.
 int direction_in_plan(std::span<const std::array<std::int32_t, 3>> triangles,
                       std::span<const std::vector<BoundaryVertex>> boundaries,
-                      std::span<const SheetTopology> sheets) {
+                      const Sheets& sheets) {
   Vertices vertices(triangles, boundaries);
   std::vector<std::array<std::uint32_t, 3>> places;
   places.reserve(triangles.size());
@@ -161,7 +161,7 @@ bool BoundaryEdges::contains(std::int32_t from, std::int32_t to) const {
 
 bool direct_as_proved(std::vector<std::array<std::int32_t, 3>>& triangles,
                       std::span<const std::vector<BoundaryVertex>> boundaries,
-                      std::span<const SheetTopology> sheets) {
+                      const Sheets& sheets) {
   const int direction = direction_in_plan(triangles, boundaries, sheets);
   if (direction < 0)
     for (auto& t : triangles) std::swap(t[1], t[2]);
@@ -170,7 +170,7 @@ bool direct_as_proved(std::vector<std::array<std::int32_t, 3>>& triangles,
 
 bool are_proved_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const std::vector<BoundaryVertex>> boundaries,
-                        std::span<const SheetTopology> sheets) {
+                        const Sheets& sheets) {
   return direction_in_plan(triangles, boundaries, sheets) > 0;
 }
 

@@ -29,7 +29,7 @@ class BoundaryEdges {
 /// @return false if they have both directions or none, or are not the planned sheets
 bool direct_as_proved(std::vector<std::array<std::int32_t, 3>>& triangles,
                       std::span<const std::vector<BoundaryVertex>> boundaries,
-                      std::span<const SheetTopology> sheets);
+                      const Sheets& sheets);
 
 /// Whether triangles are, as a complex, the sheets that were proved: every inner edge has two
 /// triangles of opposite direction, the edges with one are exactly the boundary loops in their
@@ -38,7 +38,7 @@ bool direct_as_proved(std::vector<std::array<std::int32_t, 3>>& triangles,
 /// the same.
 bool are_proved_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
                         std::span<const std::vector<BoundaryVertex>> boundaries,
-                        std::span<const SheetTopology> sheets);
+                        const Sheets& sheets);
 
 /// Takes away the inner vertices from the first on that no triangle has.
 /// @param triangles  those before this one have none of these vertices

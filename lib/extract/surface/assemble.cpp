@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <span>
 
 #include "extract/level/position.hpp"
@@ -114,18 +115,17 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   // of edge vertices; each by the edge, vertex, face or tetrahedron.
   const auto boundary_count = numbers.position.size();
   std::vector<Index> new_id(boundary_count, -1);
-  std::size_t triangle_count = 0;
-  for (const auto& mesh : meshes.cells) {
-    triangle_count += mesh.patch.triangles.size();
-    for (const auto& triangle : mesh.patch.triangles)
+  parallel_stage(input.options, "stitch", tets, 1024, [&](std::size_t t) {
+    for (const auto& triangle : meshes.cells[t].patch.triangles)
       for (const auto corner : triangle)
-        if (corner >= 0) new_id[as_size(corner)] = 0;
-  }
+        if (corner >= 0)
+          std::atomic_ref(new_id[as_size(corner)]).store(0, std::memory_order_relaxed);
+  });
   Index next = 0;
   const auto number = [&](std::size_t v) {
     if (new_id[v] == 0) new_id[v] = next++;
   };
-  for (std::size_t v = 0; v < rows.values().size(); ++v) number(v);
+  for (std::size_t v = 0; v < rows.count(); ++v) number(v);
   for (const Index v : numbers.of_zero)
     if (v >= 0) number(as_size(v));
   for (std::size_t f = 0; f < cells.faces.size(); ++f) {
@@ -137,9 +137,12 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   const CrossingCopies copies = crossing_copies(cells, meshes);
   if (input.options.keep_topology)
     result.topology = proved_topology<Scalar>(input, cells, proofs, meshes, new_id);
-  std::vector<Index> inner_first(tets + 1, boundary_used);
-  for (std::size_t t = 0; t < tets; ++t)
-    inner_first[t + 1] = inner_first[t] + static_cast<Index>(meshes.cells[t].patch.inner.size());
+  std::vector<Index> inner_first(tets + 1, boundary_used), first_triangle(tets + 1, 0);
+  for (std::size_t t = 0; t < tets; ++t) {
+    const auto& patch = meshes.cells[t].patch;
+    inner_first[t + 1] = inner_first[t] + static_cast<Index>(patch.inner.size());
+    first_triangle[t + 1] = first_triangle[t] + static_cast<Index>(patch.triangles.size());
+  }
   const auto count = as_size(inner_first.back()) + copies.original.size();
 
   surface.points.resize(count);
@@ -148,8 +151,8 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   surface.carrier_vertices.resize(count);
   surface.medium_eigenvector.resize(count);
   surface.dominant_eigenvector.resize(count);
-  surface.triangles.reserve(triangle_count);
-  surface.tet.reserve(triangle_count);
+  surface.triangles.resize(as_size(first_triangle.back()));
+  surface.tet.resize(surface.triangles.size());
 
   const auto carry = [&](Index v, std::size_t simplex, std::span<const Index> vertices,
                          Carrier carrier) {
@@ -163,15 +166,16 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
     surface.medium_eigenvector[as_size(id)] = numbers.medium[as_size(v)];
     surface.dominant_eigenvector[as_size(id)] = numbers.dominant[as_size(v)];
   };
-  for (std::size_t e = 0; e < cells.edges.size(); ++e)
+  parallel_stage(input.options, "stitch", cells.edges.size(), 1024, [&](std::size_t e) {
     for (std::size_t k = 0; k < rows[e].size(); ++k)
       carry(static_cast<Index>(rows.first(e) + k), e, cells.edges[e], Carrier::edge);
-  for (std::size_t f = 0; f < cells.faces.size(); ++f) {
+  });
+  parallel_stage(input.options, "stitch", cells.faces.size(), 1024, [&](std::size_t f) {
     auto v = numbers.of_face[f];
     for (const auto& arc : meshes.boundary.arcs[f])
       for (std::size_t k = 0; k < arc.samples.size(); ++k)
         carry(v++, f, cells.faces[f], Carrier::face);
-  }
+  });
   for (std::size_t k = 0; k < copies.original.size(); ++k) {
     const auto original = new_id[as_size(copies.original[k])];
     const auto id = inner_first.back() + static_cast<Index>(k);
@@ -215,27 +219,25 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
     }
   });
 
-  for (std::size_t t = 0; t < tets; ++t) {
-    const auto& patch = meshes.cells[t].patch;
-    if (patch.triangles.empty()) continue;
-    for (const auto& triangle : patch.triangles) {
-      std::array<Index, 3> corners;
+  parallel_stage(input.options, "stitch", tets, 1024, [&](std::size_t t) {
+    auto next_triangle = as_size(first_triangle[t]);
+    for (const auto& triangle : meshes.cells[t].patch.triangles) {
+      auto& corners = surface.triangles[next_triangle];
       for (std::size_t i = 0; i < 3; ++i) {
         corners[i] =
             triangle[i] >= 0 ? new_id[as_size(triangle[i])] : inner_first[t] + (-1 - triangle[i]);
         if (const auto copy = copies.of.find({t, triangle[i]}); copy != copies.of.end())
           corners[i] = inner_first.back() + static_cast<Index>(copy->second);
       }
-      surface.triangles.push_back(corners);
-      surface.tet.push_back(cells.tets[t]);
+      surface.tet[next_triangle++] = cells.tets[t];
     }
-  }
+  });
 
   TENSORTOPO_ASSERT(
       do_characteristics_add_up<Scalar>(
           cells, proofs, meshes,
           static_cast<std::size_t>(std::count_if(
-              new_id.begin(), new_id.begin() + static_cast<std::ptrdiff_t>(rows.values().size()),
+              new_id.begin(), new_id.begin() + static_cast<std::ptrdiff_t>(rows.count()),
               [](Index id) { return id >= 0; })) +
               copies.original.size(),
           surface),
@@ -246,6 +248,8 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   count_sheets<Scalar>(proofs, meshes, result.statistics);
   // The surface and the field are all that is still read: the rest goes before the last arrays are
   // made.
+  parallel_stage(input.options, "stitch", tets, 1024,
+                 [&](std::size_t t) { release(proofs[t], meshes.cells[t]); });
   release(active, proofs, meshes);
   describe_vertices(input, is_apex, surface);
   surface.component = surface_components(surface);

@@ -67,7 +67,8 @@ Extraction extract(const PreparedField<Scalar>& prepared, const ModeValue& mu,
   watch.lap();
   // What meshing needed is half of all that a tetrahedron holds; only proofs ask for it later.
   if (!options.keep_topology)
-    for (auto& proof : proofs) proof.topology.reset();
+    parallel_stage(options, "tetrahedra", proofs.size(), 1024,
+                   [&](std::size_t t) { proofs[t].topology.reset(); });
   if (!options.keep_samples) coarsen_face_curves<Scalar>(input, sides, cells, proofs, meshes);
   seconds.tets += watch.lap();
   auto messages = std::move(meshes.messages);

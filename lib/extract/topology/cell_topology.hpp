@@ -22,8 +22,8 @@ namespace tensortopo {
 /// says.
 template <class Scalar>
 struct CellTopology {
-  std::vector<std::vector<BoundaryArc>> loops;  ///< directed with the sheet on the left
-  std::vector<SheetTopology> sheets;
+  BoundaryLoops loops;  ///< directed with the sheet on the left
+  Sheets sheets;
   /// If it is proved that all sheets are tubes: the arc of the degenerate curve in each, from its
   /// first loop to its second.
   std::vector<DegenerateArc> tubes;

@@ -47,11 +47,11 @@ class Silhouette {
 }  // namespace
 
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> sheets_of_graph(
-    const TetWithCurves<Scalar>& tet, std::span<const std::vector<BoundaryArc>> loops,
+std::optional<Sheets> sheets_of_graph(
+    const TetWithCurves<Scalar>& tet, const BoundaryLoops& loops,
     const std::array<Scalar, 4>& direction) {
   if (loops.size() == 1) {
-    std::vector<SheetTopology> disc(1);
+    Sheets disc(1);
     disc[0].loops.push_back(0);
     return disc;
   }
@@ -95,7 +95,7 @@ std::optional<std::vector<SheetTopology>> sheets_of_graph(
     const bool goes_around_hole = silhouette.enters_at(e) != above_outside;
     outer += goes_around_hole ? 0 : 1;
   }
-  std::vector<SheetTopology> sheets;
+  Sheets sheets;
   if (outer == loops.size()) {
     for (std::size_t l = 0; l < loops.size(); ++l) sheets.push_back({{static_cast<int>(l)}, 1, -1});
     return sheets;
@@ -109,8 +109,8 @@ std::optional<std::vector<SheetTopology>> sheets_of_graph(
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                         \
-  template std::optional<std::vector<SheetTopology>> sheets_of_graph(          \
-      const TetWithCurves<Scalar>&, std::span<const std::vector<BoundaryArc>>, \
+  template std::optional<Sheets> sheets_of_graph(          \
+      const TetWithCurves<Scalar>&, const BoundaryLoops&, \
       const std::array<Scalar, 4>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE

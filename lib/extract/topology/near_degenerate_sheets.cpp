@@ -16,14 +16,14 @@ namespace tensortopo {
 template <class Scalar>
 std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<BoundaryArc>>& loops, Budget budget) {
+    const BoundaryLoops& loops, Budget budget) {
   const auto points = cell_critical_points(detail::exact_tensors(tet.simplex));
   const auto gaps = critical_gaps(points, level.value, detail::widest_gap());
   if (gaps && gaps->none_beyond)
     if (auto sheets = detail::tubes(tet, level, loops)) return sheets;
   if (auto sheets = detail::counted_sheets(tet, points, level, loops))
     return NearDegenerateSheets{std::move(*sheets), {}};
-  std::optional<std::vector<SheetTopology>> sheets;
+  std::optional<Sheets> sheets;
   if (gaps)
     sheets = detail::sheets_of_wider_isotopic_level(tet, level, loops, gaps->open_until, budget);
   // Elsewhere a refinement comes first; with a large budget this has been tried.
@@ -36,7 +36,7 @@ std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level(
 #define TENSORTOPO_INSTANTIATE(Scalar)                                          \
   template std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level( \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,                       \
-      const std::vector<std::vector<BoundaryArc>>&, Budget);
+      const BoundaryLoops&, Budget);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

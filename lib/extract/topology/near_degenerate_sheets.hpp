@@ -24,6 +24,6 @@ namespace tensortopo {
 template <class Scalar>
 std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<BoundaryArc>>& loops, Budget budget);
+    const BoundaryLoops& loops, Budget budget);
 
 }  // namespace tensortopo

@@ -47,7 +47,7 @@ struct CurvedTet {
 
 /// Which loops bound which sheet.
 inline std::vector<std::pair<std::vector<int>, int>> in_order(
-    const std::vector<SheetTopology>& sheets) {
+    const Sheets& sheets) {
   std::vector<std::pair<std::vector<int>, int>> result;
   for (const auto& sheet : sheets) {
     auto loops = sheet.loops;

@@ -68,7 +68,7 @@ template <class Scalar>
 MeshCrossings<Scalar> find_crossings(const SurfaceInput<Scalar>& input, const VertexSides& sides,
                                      const TetComplex& cells) {
   MeshCrossings<Scalar> result;
-  std::vector<Crossings<Scalar>> found(cells.edges.size());
+  result.rows = Rows<EdgeCrossing<Scalar>>(cells.edges.size());
   result.moved.assign(cells.edges.size(), 0);
   const auto find = [&](std::size_t begin, std::size_t end) {
     CrossingBlock<Scalar> single;
@@ -86,23 +86,20 @@ MeshCrossings<Scalar> find_crossings(const SurfaceInput<Scalar>& input, const Ve
     for (std::size_t e = begin; e < end; ++e) {
       if (empty.is_empty(e - begin)) {
         count_predicate(Tier::fast);
-        found[e].emplace();
-        continue;
-      }
-      const auto crossing = single.of(e - begin);
-      if (!crossing) {
-        found[e] = crossings_of(input, sides, cells.edges[e], result.moved[e]);
-        TENSORTOPO_ASSERT(!found[e] || are_crossings_sound(sides, cells.edges[e], *found[e]),
+        result.rows.add(e, {});
+      } else if (const auto crossing = single.of(e - begin)) {
+        count_predicate(Tier::fast);
+        result.rows.add_one(e, *crossing);
+      } else if (auto found = crossings_of(input, sides, cells.edges[e], result.moved[e])) {
+        TENSORTOPO_ASSERT(are_crossings_sound(sides, cells.edges[e], *found),
                           "crossings of an edge are in order and change sides");
-        continue;
+        result.rows.add(e, std::move(*found));
+      } else {
+        result.rows.add_unknown(e);
       }
-      count_predicate(Tier::fast);
-      found[e].emplace(1, *crossing);
     }
   };
-  parallel_blocks(input.options, "edges", cells.edges.size(), 512, CrossingBlock<Scalar>::size,
-                  find);
-  result.rows = Rows<EdgeCrossing<Scalar>>(std::move(found));
+  result.rows.fill(input.options, "edges", CrossingBlock<Scalar>::size, find);
   return result;
 }
 

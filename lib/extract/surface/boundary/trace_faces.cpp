@@ -169,7 +169,7 @@ template <class Scalar>
 LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const VertexSides& sides,
                                   const TetComplex& cells, MeshCrossings<Scalar> crossings) {
   LevelBoundary<Scalar> result;
-  std::vector<std::optional<std::vector<FaceArc<Scalar>>>> found(cells.faces.size());
+  result.arcs = Rows<FaceArc<Scalar>>(cells.faces.size());
   result.moved.assign(cells.faces.size(), 0);
   const FaceTracer<Scalar> tracer{input, sides, cells, crossings};
   const SampleTurns turns(input.options.sampling);
@@ -195,24 +195,22 @@ LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const Verte
     straight.make(input.level, {turns.medium, turns.tensor});
     for (std::size_t f = begin; f < end; ++f) {
       if (empty.is_empty(f - begin)) {
-        found[f].emplace();
-        continue;
-      }
-      if (auto& arcs = plain[f - begin]; !arcs.empty()) {
+        result.arcs.add(f, {});
+      } else if (auto& arcs = plain[f - begin]; !arcs.empty()) {
         if (!straight.is_straight(f - begin))
           sample_arc(arcs[0], tracer.simplex(f).tensors, input.level, turns);
-        found[f] = std::move(arcs);
-        continue;
+        result.arcs.add(f, std::move(arcs));
+      } else if (auto found = tracer.trace(f, proofs.of(f - begin), result.moved[f])) {
+        TENSORTOPO_ASSERT(
+            are_arcs_sound<Scalar>(crossings, cells, f, result.moved[f] != 0, *found),
+            "arcs of a face end at crossings of its edges, with samples in order");
+        result.arcs.add(f, std::move(*found));
+      } else {
+        result.arcs.add_unknown(f);
       }
-      found[f] = tracer.trace(f, proofs.of(f - begin), result.moved[f]);
-      TENSORTOPO_ASSERT(
-          !found[f] || are_arcs_sound<Scalar>(crossings, cells, f, result.moved[f] != 0, *found[f]),
-          "arcs of a face end at crossings of its edges, with samples in order");
     }
   };
-  parallel_blocks(input.options, "faces", cells.faces.size(), 256, ProofBlock<Scalar, 3>::size,
-                  trace);
-  result.arcs = Rows<FaceArc<Scalar>>(std::move(found));
+  result.arcs.fill(input.options, "faces", ProofBlock<Scalar, 3>::size, trace);
   result.crossings = std::move(crossings);
   return result;
 }

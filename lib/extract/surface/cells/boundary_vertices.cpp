@@ -21,8 +21,9 @@ using Index = TetMesh::Index;
 /// grow are twice as large as they need be.
 template <class Scalar>
 void reserve(const LevelBoundary<Scalar>& boundary, BoundaryVertices& vertices) {
-  std::size_t count = boundary.crossings.rows.values().size();
-  for (const auto& arc : boundary.arcs.values()) count += arc.samples.size();
+  std::size_t count = boundary.crossings.rows.count();
+  for (std::size_t f = 0; f < boundary.arcs.size(); ++f)
+    for (const auto& arc : boundary.arcs[f]) count += arc.samples.size();
   count += count / 8;
   vertices.position.reserve(count);
   vertices.medium.reserve(count);
@@ -40,7 +41,7 @@ void number_crossings(const SurfaceInput<Scalar>& input, const VertexSides& side
                       const TetComplex& cells, const LevelBoundary<Scalar>& boundary,
                       BoundaryVertices& vertices) {
   const auto& rows = boundary.crossings.rows;
-  resize(vertices, rows.values().size());
+  resize(vertices, rows.count());
   parallel_stage(input.options, "tetrahedra", cells.edges.size(), 1024, [&](std::size_t e) {
     const auto& v = cells.edges[e];
     const auto crossings = rows[e];
@@ -165,7 +166,7 @@ FaceArcVertices CellSurroundings<Scalar>::arc_vertices(const TetWithCurves<Scala
 
 template <class Scalar>
 std::size_t CellSurroundings<Scalar>::small_loop(const TetWithCurves<Scalar>& tet,
-                                                 std::span<const BoundaryArc> loop,
+                                                 const BoundaryLoop& loop,
                                                  std::span<BoundaryVertex> room) const {
   std::size_t size = 0;
   for (const auto& piece : loop) {

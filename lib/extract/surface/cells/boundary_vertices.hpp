@@ -54,7 +54,7 @@ struct CellSurroundings {
   FaceArcVertices arc_vertices(const TetWithCurves<Scalar>& tet) const;
   /// Like `loop_vertices`, without the other arcs: nearly all sheets are small.
   /// @return how many; 0 if there is no room for them
-  std::size_t small_loop(const TetWithCurves<Scalar>& tet, std::span<const BoundaryArc> loop,
+  std::size_t small_loop(const TetWithCurves<Scalar>& tet, const BoundaryLoop& loop,
                          std::span<BoundaryVertex> room) const;
 };
 

@@ -378,7 +378,7 @@ void CellMesher<Scalar>::mesh_cone() {
   const auto vertices = around_.arc_vertices(tet_);
   for (std::size_t a = 0; a < tet_.arcs[f].size(); ++a) {
     const BoundaryArc piece{static_cast<int>(f), static_cast<int>(a), tet_.outward[f]};
-    const auto loop = loop_vertices({&piece, 1}, vertices);
+    const auto loop = loop_vertices({piece}, vertices);
     const std::size_t n = loop.size(), count = tet_.arcs[f][a].closed ? n : n - 1;
     for (std::size_t i = 0; i < count; ++i)
       triangles.push_back({loop[i].id, loop[i + 1 < n ? i + 1 : 0].id, apex});

@@ -80,6 +80,7 @@ class FaceCurveCoarsening {
     }
     for_each_of(cells, [&](std::size_t t) {
       meshes_.cells[t].patch.triangles = states_[t]->patch->triangles();
+      states_[t].reset();
     });
   }
 

@@ -20,7 +20,7 @@ CrossingKey crossing_of(const TetWithCurves<Scalar>& tet, int face, const ArcEnd
 }
 
 template <class Scalar>
-bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<BoundaryArc>>& loops) {
+bool join_arcs(const TetWithCurves<Scalar>& tet, BoundaryLoops& loops) {
   struct Leaving {
     CrossingKey begin, end;
     BoundaryArc piece;
@@ -63,7 +63,7 @@ bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<Boundar
   for (auto& arc : leaving) arc.used = false;
   for (auto start = leaving.begin(); start != leaving.end(); ++start) {
     if (start->used) continue;
-    std::vector<BoundaryArc> loop;
+    BoundaryLoop loop;
     loop.reserve(leaving.size());
     for (auto at = start; !at->used; at = next(at->end)) {
       at->used = true;
@@ -76,7 +76,7 @@ bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<Boundar
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                \
   template CrossingKey crossing_of(const TetWithCurves<Scalar>&, int, const ArcEnd&); \
-  template bool join_arcs(const TetWithCurves<Scalar>&, std::vector<std::vector<BoundaryArc>>&);
+  template bool join_arcs(const TetWithCurves<Scalar>&, BoundaryLoops&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "extract/topology/boundary/face_curves.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
@@ -43,18 +44,26 @@ struct BoundaryArc {
   bool forward;
 };
 
+/// Boundary loops; nearly all tetrahedra have one, of three or four arcs.
+using BoundaryLoop = boost::container::small_vector<BoundaryArc, 4>;
+using BoundaryLoops = boost::container::small_vector<BoundaryLoop, 1>;
+
 /// Joins the arcs of the faces to closed loops, directed with the sheet on the left: at each
 /// crossing of an edge one arc arrives and one leaves.
 /// @return false if they do not
 template <class Scalar>
-bool join_arcs(const TetWithCurves<Scalar>& tet, std::vector<std::vector<BoundaryArc>>& loops);
+bool join_arcs(const TetWithCurves<Scalar>& tet, BoundaryLoops& loops);
+
+/// Which of the boundary loops; mostly one or two.
+using LoopNumbers = boost::container::small_vector<int, 2>;
 
 /// One connected sheet of the level in a tetrahedron: what is proved about it.
 struct SheetTopology {
-  std::vector<int> loops;        ///< its boundary loops
+  LoopNumbers loops;             ///< its boundary loops
   int euler_characteristic = 1;  ///< 2 - 2 genus - number of loops
   int component = -1;            ///< in the subdivision mesh, if there is one
 };
+using Sheets = boost::container::small_vector<SheetTopology, 1>;
 
 /// A sample that a tetrahedron wants on a face's arc, so that both of the face's tetrahedra
 /// have it.

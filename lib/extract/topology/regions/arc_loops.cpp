@@ -59,7 +59,7 @@ class LoopsOfFace {
 template <class Scalar>
 std::vector<ArcBetweenLoops> arcs_between_loops(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<BoundaryArc>>& loops) {
+    const BoundaryLoops& loops) {
   const auto tensors = detail::exact_tensors(tet.simplex);
   auto arcs = degenerate_arcs(tensors, tet.simplex.exponents, level.value);
   if (!arcs) return {};
@@ -86,7 +86,7 @@ std::vector<ArcBetweenLoops> arcs_between_loops(
 #define TENSORTOPO_INSTANTIATE(Scalar)                      \
   template std::vector<ArcBetweenLoops> arcs_between_loops( \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,   \
-      const std::vector<std::vector<BoundaryArc>>&);
+      const BoundaryLoops&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

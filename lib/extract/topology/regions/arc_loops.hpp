@@ -26,6 +26,6 @@ struct ArcBetweenLoops {
 template <class Scalar>
 std::vector<ArcBetweenLoops> arcs_between_loops(const TetWithCurves<Scalar>& tet,
                                                 const Level<Scalar>& level,
-                                                const std::vector<std::vector<BoundaryArc>>& loops);
+                                                const BoundaryLoops& loops);
 
 }  // namespace tensortopo::detail

@@ -30,7 +30,7 @@ bool has_mode_of_sign(const LevelSimplex<Scalar, 4>& tet, int sign) {
                              norm) == Verdict::positive;
 }
 
-SheetTopology sheet_of(std::vector<int> loops, int euler_characteristic) {
+SheetTopology sheet_of(LoopNumbers loops, int euler_characteristic) {
   SheetTopology sheet;
   sheet.loops = std::move(loops);
   sheet.euler_characteristic = euler_characteristic;
@@ -40,9 +40,9 @@ SheetTopology sheet_of(std::vector<int> loops, int euler_characteristic) {
 /// What boundary loops bound if the Euler characteristic of all sheets together leaves no choice.
 /// Every sheet has a loop: there are at most as many, and only discs have an Euler characteristic
 /// of one for each.
-std::optional<std::vector<SheetTopology>> sheets_of(std::size_t loops, const LevelCount& count) {
+std::optional<Sheets> sheets_of(std::size_t loops, const LevelCount& count) {
   const int n = static_cast<int>(loops), chi = count.level();
-  std::vector<SheetTopology> sheets;
+  Sheets sheets;
   if (chi == n)
     for (int l = 0; l < n; ++l) sheets.push_back(sheet_of({l}, 1));
   else if (n == 1)
@@ -59,19 +59,19 @@ std::optional<std::vector<SheetTopology>> sheets_of(std::size_t loops, const Lev
 ///
 /// @param nearer what is counted on the other side of the level, all of it
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> joined_sheets(
+std::optional<Sheets> joined_sheets(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<BoundaryArc>>& loops, const LevelCount& nearer, Search search) {
+    const BoundaryLoops& loops, const LevelCount& nearer, Search search) {
   const int n = static_cast<int>(loops.size());
   // On the boundary, a sphere, the other side is one piece with n holes.
   if (nearer.boundary != 2 - n) return std::nullopt;
   const int superlevel = 1 - nearer.inside + nearer.level();
   if (superlevel < 1 || superlevel > n) return std::nullopt;
   const auto part = loops_joined_in_superlevel_set(tet, level, loops, superlevel, search);
-  std::map<int, std::vector<int>> parts;
+  std::map<int, LoopNumbers> parts;
   for (int l = 0; l < n; ++l) parts[part[static_cast<std::size_t>(l)]].push_back(l);
   if (static_cast<int>(parts.size()) != superlevel) return std::nullopt;
-  std::vector<SheetTopology> sheets;
+  Sheets sheets;
   for (auto& [number, own] : parts)
     sheets.push_back(sheet_of(own, 2 - static_cast<int>(own.size())));
   return sheets;
@@ -138,9 +138,9 @@ std::optional<LevelCount> counted_from_afar(const TetWithCurves<Scalar>& tet,
 }  // namespace
 
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> sheets_counted_from_distant_level(
+std::optional<Sheets> sheets_counted_from_distant_level(
     const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const std::vector<std::vector<BoundaryArc>>& loops) {
+    const BoundaryLoops& loops) {
   const auto points = cell_critical_points(detail::exact_tensors(tet.simplex));
   std::optional<LevelCount> count;
   if (has_mode_of_sign(tet.simplex, level.sign))
@@ -153,9 +153,9 @@ std::optional<std::vector<SheetTopology>> sheets_counted_from_distant_level(
 }
 
 template <class Scalar>
-std::optional<std::vector<SheetTopology>> counted_sheets(
+std::optional<Sheets> counted_sheets(
     const TetWithCurves<Scalar>& tet, const CellCriticalPoints& points, const Level<Scalar>& level,
-    const std::vector<std::vector<BoundaryArc>>& loops) {
+    const BoundaryLoops& loops) {
   // Away from the degenerate curve next to the level there is most often no other.
   if (has_mode_of_sign(tet.simplex, level.sign))
     if (const auto count = count_level(points, level.value, -level.sign)) {
@@ -168,12 +168,12 @@ std::optional<std::vector<SheetTopology>> counted_sheets(
 }
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                                  \
-  template std::optional<std::vector<SheetTopology>> counted_sheets(                    \
+  template std::optional<Sheets> counted_sheets(                    \
       const TetWithCurves<Scalar>&, const CellCriticalPoints&, const Level<Scalar>&,    \
-      const std::vector<std::vector<BoundaryArc>>&);                                    \
-  template std::optional<std::vector<SheetTopology>> sheets_counted_from_distant_level( \
+      const BoundaryLoops&);                                    \
+  template std::optional<Sheets> sheets_counted_from_distant_level( \
       const TetWithCurves<Scalar>&, const Level<Scalar>&,                               \
-      const std::vector<std::vector<BoundaryArc>>&);
+      const BoundaryLoops&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

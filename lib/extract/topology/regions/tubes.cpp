@@ -14,7 +14,7 @@ namespace tensortopo::detail {
 template <class Scalar>
 std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>& tet,
                                           const Level<Scalar>& level,
-                                          const std::vector<std::vector<BoundaryArc>>& loops) {
+                                          const BoundaryLoops& loops) {
   // The loop of each closed curve.
   std::array<std::vector<int>, 4> loop_of_arc;
   for (std::size_t f = 0; f < 4; ++f) loop_of_arc[f].assign(tet.arcs[f].size(), -1);
@@ -58,7 +58,7 @@ std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>& tet,
 #define TENSORTOPO_INSTANTIATE(Scalar)                    \
   template std::optional<NearDegenerateSheets> tubes(     \
       const TetWithCurves<Scalar>&, const Level<Scalar>&, \
-      const std::vector<std::vector<BoundaryArc>>&);
+      const BoundaryLoops&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

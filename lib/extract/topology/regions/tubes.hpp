@@ -11,7 +11,7 @@
 namespace tensortopo {
 
 struct NearDegenerateSheets {
-  std::vector<SheetTopology> sheets;
+  Sheets sheets;
   std::vector<DegenerateArc> tubes;  ///< as in `CellTopology`
 };
 
@@ -22,7 +22,7 @@ namespace detail {
 template <class Scalar>
 std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>& tet,
                                           const Level<Scalar>& level,
-                                          const std::vector<std::vector<BoundaryArc>>& loops);
+                                          const BoundaryLoops& loops);
 
 }  // namespace detail
 
