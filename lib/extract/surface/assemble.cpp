@@ -134,7 +134,7 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
       for (std::size_t k = 0; k < arc.samples.size(); ++k) number(v++);
   }
   const auto boundary_used = next;
-  const CrossingCopies copies = crossing_copies(cells, meshes);
+  const CrossingCopies copies = crossing_copies(input.options, cells, meshes);
   if (input.options.keep_topology)
     result.topology = proved_topology<Scalar>(input, cells, proofs, meshes, new_id);
   std::vector<Index> inner_first(tets + 1, boundary_used), first_triangle(tets + 1, 0);
@@ -250,6 +250,7 @@ Extraction assemble(const SurfaceInput<Scalar>& input, const VertexSides& sides,
   // made.
   parallel_stage(input.options, "stitch", tets, 1024,
                  [&](std::size_t t) { release(proofs[t], meshes.cells[t]); });
+  meshes.boundary.arcs.clear(input.options, "stitch");
   release(active, proofs, meshes);
   describe_vertices(input, is_apex, surface);
   surface.component = surface_components(surface);

@@ -21,6 +21,7 @@ struct CrossingCopies {
 };
 
 template <class Scalar>
-CrossingCopies crossing_copies(const TetComplex& cells, const CellMeshes<Scalar>& meshes);
+CrossingCopies crossing_copies(const ExtractOptions& options, const TetComplex& cells,
+                               const CellMeshes<Scalar>& meshes);
 
 }  // namespace tensortopo

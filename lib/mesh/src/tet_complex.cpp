@@ -6,10 +6,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "tensortopo/mesh/as_size.hpp"
@@ -26,7 +28,7 @@ struct Use {
   Index tet;
   std::int32_t place;  ///< which edge or face of the tetrahedron
   friend bool operator<(const Use& p, const Use& q) {
-    return p.rest != q.rest ? p.rest < q.rest : p.tet < q.tet;
+    return std::tie(p.rest, p.tet, p.place) < std::tie(q.rest, q.tet, q.place);
   }
 };
 
@@ -68,15 +70,22 @@ SortedUses sorted_uses(std::size_t vertices, std::span<const Index> tets, std::s
   SortedUses sorted;
   sorted.begin.assign(vertices + 1, 0);
   sorted.uses.resize(count * tets.size());
-  for (std::size_t t = 0; t < tets.size(); ++t)
-    for (std::size_t k = 0; k < count; ++k) ++sorted.begin[key_of(t, k).first + 1];
+  const auto take_next = [](std::size_t& counter) {
+    return std::atomic_ref(counter).fetch_add(1, std::memory_order_relaxed);
+  };
+  for_each_index(tets.size(), [&](std::size_t t) {
+    for (std::size_t k = 0; k < count; ++k) take_next(sorted.begin[key_of(t, k).first + 1]);
+  });
   std::partial_sum(sorted.begin.begin(), sorted.begin.end(), sorted.begin.begin());
   std::vector<std::size_t> next(sorted.begin.begin(), sorted.begin.end() - 1);
-  for (std::size_t t = 0; t < tets.size(); ++t)
+  // In no order yet.
+  for_each_index(tets.size(), [&](std::size_t t) {
     for (std::size_t k = 0; k < count; ++k) {
       const auto [least, rest] = key_of(t, k);
-      sorted.uses[next[least]++] = {rest, static_cast<Index>(t), static_cast<std::int32_t>(k)};
+      sorted.uses[take_next(next[least])] = {rest, static_cast<Index>(t),
+                                             static_cast<std::int32_t>(k)};
     }
+  });
   // How many simplices each vertex is the least of, then sums.
   sorted.first.assign(vertices + 1, 0);
   for_each_index(vertices, [&](std::size_t v) {

@@ -46,9 +46,9 @@ struct CurvedTet {
 };
 
 /// Which loops bound which sheet.
-inline std::vector<std::pair<std::vector<int>, int>> in_order(
+inline std::vector<std::pair<LoopNumbers, int>> in_order(
     const Sheets& sheets) {
-  std::vector<std::pair<std::vector<int>, int>> result;
+  std::vector<std::pair<LoopNumbers, int>> result;
   for (const auto& sheet : sheets) {
     auto loops = sheet.loops;
     std::sort(loops.begin(), loops.end());

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <limits>
 
+#include "extract/level/proofs/direction_search.hpp"
 #include "extract/topology/boundary/arc_samples.hpp"
 #include "extract/topology/boundary/edge_crossings.hpp"
 #include "extract/topology/boundary/graph_arcs.hpp"
@@ -87,6 +88,86 @@ void expect_proofs_of_one(std::uint64_t seed, int count) {
 
 TEST(LaneKernels, ProveTrianglesAsOneByOne) { expect_proofs_of_one<3>(20240411, trials(1500)); }
 TEST(LaneKernels, ProveTetrahedraAsOneByOne) { expect_proofs_of_one<4>(20240412, trials(1500)); }
+
+/// What `DirectionSearch::run` finds without lanes, step by step.
+template <std::size_t Vertices>
+std::array<double, Vertices> found_by_definition(DirectionSearch<Vertices> search, int steps) {
+  constexpr std::size_t count = DirectionSearch<Vertices>::count;
+  for (int step = 0;; ++step) {
+    std::array<double, count> growth;
+    for (std::size_t k = 0; k < count; ++k) {
+      growth[k] = search.d[0] * search.unit[0][k];
+      for (std::size_t i = 1; i < Vertices; ++i) growth[k] += search.d[i] * search.unit[i][k];
+    }
+    std::size_t least = 0, most = count;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (growth[k] < growth[least]) least = k;
+      if (search.weight[k] > 0 && (most == count || growth[k] > growth[most])) most = k;
+    }
+    double square = 0, gap = 0, largest = 0;
+    std::array<double, Vertices> way;
+    for (std::size_t i = 0; i < Vertices; ++i) {
+      square += search.d[i] * search.d[i];
+      way[i] = search.unit[i][least] - search.unit[i][most];
+      gap += way[i] * way[i];
+      largest = std::max(largest, std::abs(search.d[i]));
+    }
+    if (growth[least] > search.enough) {
+      for (auto& x : search.d) x /= largest;
+      return search.d;
+    }
+    if (!(square > search.nothing * search.nothing) || step == steps || !(gap > 0)) return {};
+    const double shift = std::min(search.weight[most], (growth[most] - growth[least]) / gap);
+    search.weight[least] += shift;
+    search.weight[most] -= shift;
+    for (std::size_t i = 0; i < Vertices; ++i) search.d[i] += shift * way[i];
+  }
+}
+
+/// Unit directions: random ones, with ties, around one of them or everywhere.
+template <std::size_t Vertices>
+DirectionSearch<Vertices> random_search(Random& random) {
+  DirectionSearch<Vertices> search;
+  const bool is_coarse = random.uniform() < 0.3;
+  const double spread = std::ldexp(1.0, random.integer(-3, 2));
+  for (std::size_t k = 0; k < search.count; ++k) {
+    std::array<double, Vertices> x;
+    double square = 0;
+    for (std::size_t i = 0; i < Vertices; ++i) {
+      x[i] = is_coarse ? random.integer(-1, 1) + (i == 0 ? 0.5 : 0)
+                       : (i == 0 ? 1 : 0) + spread * (random.uniform() - 0.5);
+      square += x[i] * x[i];
+    }
+    for (std::size_t i = 0; i < Vertices; ++i) search.unit[i][k] = x[i] / std::sqrt(square);
+    search.weight[k] = 1.0 / search.count;
+  }
+  for (std::size_t i = 0; i < Vertices; ++i) {
+    for (const double x : search.unit[i]) search.d[i] += x;
+    search.d[i] /= search.count;
+  }
+  return search;
+}
+
+template <std::size_t Vertices>
+void expect_direction_by_definition(std::uint64_t seed, int count) {
+  SCOPED_TRACE(announce(seed));
+  Random random(seed);
+  const auto at_least = static_cast<std::size_t>(count / 8);
+  Compared found("found", at_least), none("without a direction", at_least);
+  for (int trial = 0; trial < count; ++trial) {
+    const auto search = random_search<Vertices>(random);
+    const int steps = random.integer(0, kLongSearch);
+    auto by_run = search;
+    const auto direction = by_run.run(0, steps);
+    ASSERT_TRUE(same_bits(direction, found_by_definition(search, steps))) << "trial " << trial;
+    ++(direction == std::array<double, Vertices>{} ? none : found);
+  }
+}
+
+TEST(LaneKernels, SearchForDirectionsAsByDefinition) {
+  expect_direction_by_definition<3>(20240418, trials(4000));
+  expect_direction_by_definition<4>(20240419, trials(4000));
+}
 
 template <std::size_t Vertices>
 void expect_emptiness_of_one(std::uint64_t seed, int count) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "extract/level/lanes/has_lanes.hpp"
+#include "extract/level/proofs/direction_in_lanes.hpp"
 #include "extract/level/proofs/direction_search.hpp"
 
 namespace tensortopo {
@@ -33,6 +35,12 @@ std::size_t least_of(const std::array<double, Count>& x) {
 
 template <std::size_t Vertices>
 std::array<double, Vertices> DirectionSearch<Vertices>::run(int step, int steps) {
+#ifdef TENSORTOPO_FOUR_LANES
+  if (has_lanes()) return direction_in_lanes(*this, step, steps);
+#endif
+  // Tensors of a size that overflows have no directions.
+  for (const double x : d)
+    if (!(x - x == 0)) return {};
   for (;; ++step) {
     std::array<double, count> growth;
     for (std::size_t k = 0; k < count; ++k) growth[k] = d[0] * unit[0][k];
@@ -64,6 +72,9 @@ std::array<double, Vertices> DirectionSearch<Vertices>::run(int step, int steps)
 template <std::size_t Vertices>
 std::array<double, Vertices> likely_direction(const LevelIncrease<double, Vertices>& increase,
                                               int steps, bool of_sum_zero) {
+#ifdef TENSORTOPO_FOUR_LANES
+  if (has_lanes()) return direction_in_lanes(increase, steps, of_sum_zero);
+#endif
   // The two cubics of each kind differ little: between them. Unit directions, by coordinate.
   DirectionSearch<Vertices> search;
   constexpr std::size_t count = search.count;

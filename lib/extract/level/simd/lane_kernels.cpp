@@ -10,15 +10,6 @@
 
 namespace tensortopo {
 
-bool has_lanes() {
-#ifdef TENSORTOPO_FOUR_LANES
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  return has_avx2;
-#else
-  return false;
-#endif
-}
-
 namespace {
 
 [[maybe_unused]] LevelNumbers numbers_of(const Level<double>& level) {

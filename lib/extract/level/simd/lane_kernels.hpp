@@ -6,14 +6,11 @@
 #include <cstddef>
 #include <span>
 
+#include "extract/level/lanes/has_lanes.hpp"
 #include "extract/level/proofs/simple_simplex.hpp"
 #include "extract/level/simd/graph_arc.hpp"
 
 namespace tensortopo {
-
-/// Whether this processor, and this build, compute four at a time (AVX2). Results do not depend on
-/// it.
-bool has_lanes();
 
 /// `prove_simplex(tensors[i], level)` of several triangles or tetrahedra, bit for bit. Where
 /// there are lanes, those between whose vertices the level passes are tried four at a time.

@@ -9,7 +9,7 @@
 #include "extract/level/level.hpp"
 #include "extract/level/level_slope.hpp"
 #include "extract/level/simd/four_lanes.hpp"
-#include "extract/level/simd/lanes.hpp"
+#include "extract/level/lanes/lanes.hpp"
 
 namespace tensortopo {
 

@@ -7,7 +7,7 @@
 
 #include "extract/level/proofs/direction_search.hpp"
 #include "extract/level/proofs/simple_simplex.hpp"
-#include "extract/level/simd/lanes.hpp"
+#include "extract/level/lanes/lanes.hpp"
 
 namespace tensortopo {
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extract/surface/boundary/active_cells.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <vector>
@@ -79,14 +80,17 @@ ActiveCells active_cells(const SurfaceInput<Scalar>& input, const VertexSides& s
   std::vector<Index> tets;
   for (std::size_t t = 0; t < active.size(); ++t)
     if (active[t]) tets.push_back(static_cast<Index>(t));
-  std::vector<char> zero(mesh.points.size(), 0);
-  for (const auto& tet : mesh.tets) {
-    const unsigned corners = input.zero_corners(tet);
-    if (corners == 15u) ++result.undefined;
-    for (std::size_t i = 0; corners != 0 && i < 4; ++i)
-      if (corners >> i & 1) zero[as_size(tet[i])] = 1;
+  const auto& is_zero = input.field.is_zero;
+  if (std::find(is_zero.begin(), is_zero.end(), 1) != is_zero.end()) {
+    std::vector<char> zero(mesh.points.size(), 0);
+    for (const auto& tet : mesh.tets) {
+      const unsigned corners = input.zero_corners(tet);
+      if (corners == 15u) ++result.undefined;
+      for (std::size_t i = 0; corners != 0 && i < 4; ++i)
+        if (corners >> i & 1) zero[as_size(tet[i])] = 1;
+    }
+    for (const char z : zero) result.zero_vertices += z != 0;
   }
-  for (const char z : zero) result.zero_vertices += z != 0;
   result.screened_out = mesh.tets.size() - tets.size() - result.undefined;
   result.complex = tet_complex(mesh, tets);
   return result;

@@ -68,6 +68,13 @@ class Rows {
     number();
   }
 
+  /// Gives back the memory of all lists, in parallel.
+  void clear(const ExtractOptions& options, std::string_view stage) {
+    parallel_stage(options, stage, blocks_.size(), 1,
+                   [&](std::size_t b) { std::vector<Value>().swap(blocks_[b].values); });
+    *this = Rows();
+  }
+
   std::size_t size() const { return known_.size(); }
   bool is_known(std::size_t i) const { return known_[i] != 0; }
   std::span<const Value> operator[](std::size_t i) const {

@@ -17,13 +17,21 @@ namespace {
 
 using Index = TetMesh::Index;
 
+/// How many samples each of some faces has.
+template <class Scalar>
+std::vector<std::size_t> samples_of(const SurfaceInput<Scalar>& input,
+                                    const LevelBoundary<Scalar>& boundary,
+                                    std::span<const std::size_t> faces) {
+  std::vector<std::size_t> counts(faces.size(), 0);
+  parallel_stage(input.options, "tetrahedra", faces.size(), 1024, [&](std::size_t k) {
+    for (const auto& arc : boundary.arcs[faces[k]]) counts[k] += arc.samples.size();
+  });
+  return counts;
+}
+
 /// Room for what is numbered, and an eighth more: some faces get further samples, and arrays that
 /// grow are twice as large as they need be.
-template <class Scalar>
-void reserve(const LevelBoundary<Scalar>& boundary, BoundaryVertices& vertices) {
-  std::size_t count = boundary.crossings.rows.count();
-  for (std::size_t f = 0; f < boundary.arcs.size(); ++f)
-    for (const auto& arc : boundary.arcs[f]) count += arc.samples.size();
+void reserve(std::size_t count, BoundaryVertices& vertices) {
   count += count / 8;
   vertices.position.reserve(count);
   vertices.medium.reserve(count);
@@ -86,14 +94,15 @@ BoundaryVertices number_boundary(const SurfaceInput<Scalar>& input, const Vertex
                                  std::span<const CellProof<Scalar>> proofs,
                                  std::vector<int> round_of_face) {
   BoundaryVertices vertices;
-  reserve(boundary, vertices);
+  std::vector<std::size_t> faces;
+  faces.reserve(cells.faces.size());
+  for (int round = 0; faces.size() < cells.faces.size(); ++round)
+    for (std::size_t f = 0; f < cells.faces.size(); ++f)
+      if (round_of_face[f] == round) faces.push_back(f);
+  const auto counts = samples_of(input, boundary, faces);
+  reserve(std::accumulate(counts.begin(), counts.end(), boundary.crossings.rows.count()), vertices);
   number_crossings(input, sides, cells, boundary, vertices);
   number_zero_vertices(input, cells, proofs, vertices);
-  std::vector<std::size_t> faces(cells.faces.size());
-  std::iota(faces.begin(), faces.end(), std::size_t{0});
-  std::stable_sort(faces.begin(), faces.end(), [&](std::size_t f, std::size_t g) {
-    return round_of_face[f] < round_of_face[g];
-  });
   vertices.of_face.resize(cells.faces.size());
   vertices.round_of_face = std::move(round_of_face);
   number_samples<Scalar>(input, cells, boundary, faces, vertices);
@@ -104,10 +113,11 @@ template <class Scalar>
 void number_samples(const SurfaceInput<Scalar>& input, const TetComplex& cells,
                     const LevelBoundary<Scalar>& boundary, std::span<const std::size_t> faces,
                     BoundaryVertices& vertices) {
+  const auto counts = samples_of(input, boundary, faces);
   auto next = vertices.position.size();
-  for (const auto f : faces) {
-    vertices.of_face[f] = static_cast<Index>(next);
-    for (const auto& arc : boundary.arcs[f]) next += arc.samples.size();
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    vertices.of_face[faces[k]] = static_cast<Index>(next);
+    next += counts[k];
   }
   resize(vertices, next);
   parallel_stage(input.options, "tetrahedra", faces.size(), 1024, [&](std::size_t k) {

@@ -32,6 +32,10 @@ struct MeshingState {
   int refinements = 0;                          ///< of the subdivision at defects
 };
 
+/// Of each tetrahedron; none while it is as at first, which it is in most tetrahedra to the end.
+template <class Scalar>
+using MeshingStates = std::vector<std::unique_ptr<MeshingState<Scalar>>>;
+
 /// A patch with defects, to go back to.
 template <class Scalar>
 struct DefectivePatch {

@@ -6,12 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "extract/run/assert.hpp"
 #include "extract/run/extractor_scalars.hpp"
 #include "extract/run/parallel_stage.hpp"
-#include "extract/run/release.hpp"
 #include "extract/surface/cells/cell_mesher.hpp"
 #include "extract/surface/cells/part_seam.hpp"
 #include "extract/surface/cells/sample_requests.hpp"
@@ -22,25 +22,29 @@ namespace {
 
 template <class Scalar>
 void begin(const SurfaceInput<Scalar>& input, const VertexSides& sides, const TetComplex& cells,
-           std::vector<CellProof<Scalar>>& proofs, std::vector<MeshingState<Scalar>>& states,
+           std::vector<CellProof<Scalar>>& proofs, MeshingStates<Scalar>& states,
            CellMeshes<Scalar>& meshes) {
+  const auto state_of = [&](std::size_t t) -> MeshingState<Scalar>& {
+    if (!states[t]) states[t] = std::make_unique<MeshingState<Scalar>>();
+    return *states[t];
+  };
   parallel_stage(input.options, "tetrahedra", proofs.size(), 1024, [&](std::size_t t) {
     auto& mesh = meshes.cells[t];
     mesh.unresolved = proofs[t].unresolved;
     if (!proofs[t].topology) return;
     for (const auto v : input.vertices_of(cells, t))
-      if (sides.as_meshed[as_size(v)]) states[t].must_be_embedded = false;
+      if (sides.as_meshed[as_size(v)]) state_of(t).must_be_embedded = false;
     // Nearly all tetrahedra begin with small polygons, as a `CellMesh` does.
     if (!proofs[t].is_cone && proofs[t].topology->tubes.empty()) return;
     const CellSurroundings<Scalar> around{cells, meshes.boundary, meshes.vertices, t};
-    CellMesher<Scalar>(input, sides, around, proofs[t], states[t], mesh).begin();
+    CellMesher<Scalar>(input, sides, around, proofs[t], state_of(t), mesh).begin();
   });
 }
 
 /// Notes what tetrahedra that could not be meshed ask for on faces between parts.
 template <class Scalar>
 void note_requests(const PartSeam& seam, std::span<const std::size_t> failed,
-                   std::span<const MeshingState<Scalar>> states, int round,
+                   const MeshingStates<Scalar>& states, int round,
                    CellMeshes<Scalar>& meshes) {
   for (const auto t : failed) {
     // As for those who add the samples: nothing is asked for by what is left out, and the mesh of a
@@ -52,7 +56,7 @@ void note_requests(const PartSeam& seam, std::span<const std::size_t> failed,
       if (other < 0) continue;
       bool any = false;
       std::uint64_t digest = 0;
-      for (const auto& request : states[t].requests) {
+      for (const auto& request : states[t]->requests) {
         if (as_size(request.face) != face || request.arc < 0) continue;
         any = true;
         digest += digest_of(std::array{is_needed, static_cast<double>(request.arc),
@@ -68,13 +72,13 @@ void note_requests(const PartSeam& seam, std::span<const std::size_t> failed,
 /// Notes which tetrahedra were left out beside another part, and which around them were mended.
 template <class Scalar>
 void note_left_out(const PartSeam& seam, const SurfaceInput<Scalar>& input, const TetComplex& cells,
-                   std::span<const MeshingState<Scalar>> states, CellMeshes<Scalar>& meshes) {
+                   const MeshingStates<Scalar>& states, CellMeshes<Scalar>& meshes) {
   std::map<TetMesh::Index, std::vector<std::size_t>> left_out;  // at a vertex
   for (std::size_t t = 0; t < meshes.cells.size(); ++t)
     if (meshes.cells[t].unresolved == UnresolvedReason::inconsistent_samples)
       for (const auto v : input.vertices_of(cells, t)) left_out[v].push_back(t);
   if (left_out.empty()) return;
-  const auto is_mended = [&](std::size_t t) { return states[t].tried > 0 ? 1u : 0u; };
+  const auto is_mended = [&](std::size_t t) { return states[t] && states[t]->tried > 0 ? 1u : 0u; };
   std::vector<MeshingMessage> found;
   for (std::size_t u = 0; u < meshes.cells.size(); ++u)
     for (const auto v : input.vertices_of(cells, u)) {
@@ -113,12 +117,12 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
       std::vector<CellMesh<Scalar>>(proofs.size()), std::move(boundary), {}, {}};
   meshes.vertices = number_boundary<Scalar>(input, sides, cells, meshes.boundary, proofs,
                                             std::vector<int>(cells.faces.size(), 0));
-  std::vector<MeshingState<Scalar>> states(proofs.size());
+  MeshingStates<Scalar> states(proofs.size());
   begin(input, sides, cells, proofs, states, meshes);
 
-  const auto mesher_of = [&](std::size_t t) {
+  const auto mesher_of = [&](std::size_t t, MeshingState<Scalar>& state) {
     return CellMesher<Scalar>(input, sides, {cells, meshes.boundary, meshes.vertices, t}, proofs[t],
-                              states[t], meshes.cells[t]);
+                              state, meshes.cells[t]);
   };
   const auto is_open = [&](std::size_t t) {
     return proofs[t].topology && !meshes.cells[t].unresolved;
@@ -132,17 +136,20 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
     // After the first round only tetrahedra remain that take long, and those are neighbours.
     const std::size_t grain = round == 1 ? 16 : 1;
     parallel_stage(input.options, "tetrahedra", meshing.size(), grain, [&](std::size_t i) {
-      done[i] = mesher_of(meshing[i]).try_mesher();
-      TENSORTOPO_ASSERT(
-          !done[i] || are_corners_known(meshes.cells[meshing[i]].patch, meshes.vertices),
-          "corners of a patch are vertices");
+      const auto t = meshing[i];
+      MeshingState<Scalar> first;
+      done[i] = mesher_of(t, states[t] ? *states[t] : first).try_mesher();
+      if (!states[t] && (!done[i] || first.tried > 0))
+        states[t] = std::make_unique<MeshingState<Scalar>>(std::move(first));
+      TENSORTOPO_ASSERT(!done[i] || are_corners_known(meshes.cells[t].patch, meshes.vertices),
+                        "corners of a patch are vertices");
     });
     // Ends: a tetrahedron fails at most once with each mesher and number of samples.
     std::vector<std::size_t> failed;
     for (std::size_t i = 0; i < meshing.size(); ++i)
       if (!done[i]) failed.push_back(meshing[i]);
     parallel_stage(input.options, "tetrahedra", failed.size(), grain,
-                   [&](std::size_t i) { mesher_of(failed[i]).choose_next(); });
+                   [&](std::size_t i) { mesher_of(failed[i], *states[failed[i]]).choose_next(); });
     if (seam.exists()) note_requests<Scalar>(seam, failed, states, round, meshes);
     const auto changed = add_requested_samples<Scalar>(input, sides, cells, failed, states, meshes);
     for (const auto f : changed) meshes.vertices.round_of_face[f] = round;
@@ -158,10 +165,10 @@ CellMeshes<Scalar> mesh_cells(const SurfaceInput<Scalar>& input, const VertexSid
   }
   if (seam.exists()) note_left_out<Scalar>(seam, input, cells, states, meshes);
   parallel_stage(input.options, "tetrahedra", proofs.size(), 1024, [&](std::size_t t) {
-    release(states[t].manifold, states[t].requests);
+    const auto state = std::move(states[t]);
     if (!proofs[t].topology) return;
     meshes.cells[t].sheets = static_cast<int>(proofs[t].topology->sheets.size());
-    meshes.cells[t].was_mended = states[t].tried > 0;
+    meshes.cells[t].was_mended = state && state->tried > 0;
     meshes.cells[t].refined = proofs[t].topology->refined;
   });
   return meshes;

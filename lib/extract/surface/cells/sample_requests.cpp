@@ -23,7 +23,7 @@ template <class Scalar>
 std::vector<std::size_t> add_requested_samples(const SurfaceInput<Scalar>& input,
                                                const VertexSides& sides, const TetComplex& cells,
                                                std::span<const std::size_t> asking,
-                                               std::span<const MeshingState<Scalar>> states,
+                                               const MeshingStates<Scalar>& states,
                                                CellMeshes<Scalar>& meshes) {
   const auto& level = input.level;
   // All that is asked for, face by face.
@@ -36,7 +36,7 @@ std::vector<std::size_t> add_requested_samples(const SurfaceInput<Scalar>& input
   };
   std::vector<Wanted> wanted;
   for (const auto t : asking)
-    for (const auto& request : states[t].requests)
+    for (const auto& request : states[t]->requests)
       if (request.arc >= 0 && !meshes.cells[t].unresolved)
         wanted.push_back({as_size(cells.tet_faces[t][static_cast<std::size_t>(request.face)]),
                           request.arc, request.place,
@@ -97,7 +97,7 @@ std::vector<std::size_t> add_requested_samples(const SurfaceInput<Scalar>& input
 #define TENSORTOPO_INSTANTIATE(Scalar)                                    \
   template std::vector<std::size_t> add_requested_samples(                \
       const SurfaceInput<Scalar>&, const VertexSides&, const TetComplex&, \
-      std::span<const std::size_t>, std::span<const MeshingState<Scalar>>, CellMeshes<Scalar>&);
+      std::span<const std::size_t>, const MeshingStates<Scalar>&, CellMeshes<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

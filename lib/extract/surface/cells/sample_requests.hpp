@@ -16,7 +16,7 @@ template <class Scalar>
 std::vector<std::size_t> add_requested_samples(const SurfaceInput<Scalar>& input,
                                                const VertexSides& sides, const TetComplex& cells,
                                                std::span<const std::size_t> asking,
-                                               std::span<const MeshingState<Scalar>> states,
+                                               const MeshingStates<Scalar>& states,
                                                CellMeshes<Scalar>& meshes);
 
 }  // namespace tensortopo
