@@ -52,6 +52,18 @@ TEST(CertifiedInvariants, BundledFieldsAreCertified) {
   }
 }
 
+/// Points on the level count whether or not a tetrahedron has them.
+TEST(CertifiedInvariants, PointsInNoTetrahedronCount) {
+  Court court("unused_points");
+  TetMesh mesh = cube_mesh(1);
+  fill_with_normal_tensors(mesh, 7);
+  mesh.points.push_back({2, 2, 2});
+  mesh.tensors.push_back({2, 1, 2, 0, 0, 0});
+  const Exhibit shown = exhibit(mesh, {"magnitude 3", "deviator-magnitude 1"});
+  EXPECT_EQ(court.verdict(shown), "certified") << court.report();
+  EXPECT_EQ(first_level(shown)["on_level"], 1);
+}
+
 /// Independent tensors, of any size: sheets of all kinds. Also with zero tensors among them.
 RC_GTEST_PROP(CertifiedInvariants, RandomMeshesAreCertifiedOrNamed, ()) {
   const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1U << 30);

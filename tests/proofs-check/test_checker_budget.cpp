@@ -3,6 +3,8 @@
 // What the checker spends on a level for which no proof closes.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "run/work_limit.hpp"
 #include "topology.hpp"
 
@@ -41,6 +43,35 @@ TEST(CheckerBudget, OfALevelThatTouchesEdges) {
     }
   EXPECT_GE(undecided, 16u);
   EXPECT_GT(asked, 1000u);
+}
+
+/// Tensors of mode 0, 1 and -1 on one edge, which is the longest: inside tubes that the level is not
+/// next to, shorter edges do not count as longer, so that it is cut, and proofs close.
+TEST(CheckerBudget, OfEdgesThatPassModesOneAndMinusOne) {
+  std::mt19937_64 random(35);
+  std::normal_distribution<double> normal;
+  std::size_t crossed = 0;
+  for (const int numerator : {1, -1, 0})
+    for (const double noise : {0.0, 0.0003, 0.001, 0.003, 0.005})
+      for (int round = 0; round < 8; ++round) {
+        Input input;
+        input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        input.tensors = {{1, -1, 0, 0, 0, 0}, {-1, 0, 0, 0, 0, 0}, {-1, 0, 0, 0, 0, 0}, {}};
+        for (double& x : input.tensors[3]) x = normal(random);
+        for (auto& tensor : input.tensors)
+          for (double& x : tensor) x += noise * normal(random);
+        input.tets = {{0, 1, 2, 3}};
+        input.cells = {0};
+        const Level level(numerator, 2);
+        const Field field(input, level.multiples(), in_parallel({}));
+        const Topology topology =
+            derive_topology(input, field, level, {false}, in_parallel({}), in_parallel({}));
+        for (const TetTopology& tet : topology.tets) {
+          EXPECT_TRUE(tet.is_decided()) << numerator << "/2, " << noise << ", round " << round;
+          crossed += tet.is_crossed() ? 1u : 0u;
+        }
+      }
+  EXPECT_GT(crossed, 80u);
 }
 
 /// Many such tetrahedra take as much as the limit says, and then some that are decided together;

@@ -91,6 +91,32 @@ TEST(Isotopic, ACommonSideIsFoundWhereThereIsOne) {
   EXPECT_EQ(found, kRounds);
 }
 
+/// Needles: one corner of a triangle is so far from a side of the other as crossings may be from a
+/// vertex of the mesh, ten thousand times what rounding makes of it.
+TEST(Isotopic, NeedlesAreApart) {
+  std::size_t apart = 0, tried = 0;
+  for (int power = 10; power <= 41; ++power, ++tried) {
+    const double s = std::ldexp(1, -power);
+    const std::vector<Point> points{{1.5, 0.5 + s, 0},
+                                    {2 - s, 1, 0.5 - s},
+                                    {2 - s, 1, 0},
+                                    {1.5 - s, 0.5, 0},
+                                    {2 - 2 * s, 1 - s, 0.5 - s}};
+    apart += are_apart(enclosed(points, 1e-16), {0, 1, 2}, {3, 4, 0}) ? 1u : 0u;
+  }
+  EXPECT_EQ(apart, tried);
+}
+
+/// Triangles on both sides of their common edge are apart however sharp the fold is.
+TEST(Isotopic, SharpFoldsAreApart) {
+  std::size_t apart = 0;
+  for (const double angle : {1e-2, 1e-8, 1e-11, 1e-14}) {
+    const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0}, {0.4, 1.1, angle}};
+    apart += are_apart(enclosed(points, 1e-17), {0, 1, 2}, {0, 1, 3}) ? 1u : 0u;
+  }
+  EXPECT_EQ(apart, 4u);
+}
+
 }  // namespace
 }  // namespace certificate
 

@@ -35,19 +35,17 @@ std::pair<std::array<TetMesh::Index, 4>, bool> sorted(std::array<TetMesh::Index,
   return {v, even};
 }
 
-/// Vertices of tetrahedra whose tensor is exactly on the level.
+/// Vertices whose tensor is exactly on the level.
 std::size_t count_on_level(const TetMesh& mesh, const InvariantLevel& level) {
   const int nappe = level.invariant() == Invariant::anisotropy ? 1 : 0;
   const ConvexLevel body(level, nappe);
-  std::vector<char> is_used(mesh.points.size(), 0);
-  for (const auto& tet : mesh.tets)
-    for (const auto v : tet) is_used[static_cast<std::size_t>(v)] = 1;
   std::atomic<std::size_t> count{0};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, is_used.size(), 1024), [&](const auto& r) {
+  const tbb::blocked_range<std::size_t> vertices(0, mesh.tensors.size(), 1024);
+  tbb::parallel_for(vertices, [&](const auto& r) {
     const FloatingPointEnvironment environment;
     for (std::size_t v = r.begin(); v != r.end(); ++v) {
       const auto* t = &mesh.tensors[v];
-      if (is_used[v] && CellForm(body, {t, t, t, t}).is_on_level({1, 0, 0, 0})) ++count;
+      if (CellForm(body, {t, t, t, t}).is_on_level({1, 0, 0, 0})) ++count;
     }
   });
   return count;

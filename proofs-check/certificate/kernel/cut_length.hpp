@@ -13,29 +13,29 @@ namespace certificate {
 /// Let e be the dominant eigenvector of the mean. The trace-free part of the block beside e is zero
 /// on the curve, and of the size rho = sqrt(1 - mode^2) on the levels around it. Its change counts
 /// 1 / rho times; changes of e and along e count as they are. So a thin tube takes fewer cells,
-/// which are longer along the curve. Levels of other invariants, whose tensors have more entries, are
-/// not tubes.
-inline double cut_length(const Tensor<double>& m, const Tensor<double>& k) {
+/// which are longer along the curve. Inside the tube nothing counts more than on the level itself:
+/// else long edges that pass the curve far away would never be cut. Levels of other invariants,
+/// whose tensors have more entries, are not tubes.
+///
+/// @param tube  rho of the level
+inline double cut_length(const Tensor<double>& m, const Tensor<double>& k, double tube) {
   static constexpr std::size_t kEntry[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
   Tensor<double> mean, change;
   for (std::size_t i = 0; i < m.size(); ++i) mean[i] = m[i] + k[i], change[i] = m[i] - k[i];
   const double all = product(change, change), p = trace(mean, mean);
   const double q = Forms<double, 1>({&mean}).q.coefficients[0];
-  const double rho = std::sqrt(std::max(0x1p-20, 1 - 54 * q * q / (p * p * p)));
+  const double rho = std::max(std::sqrt(std::max(0x1p-20, 1 - 54 * q * q / (p * p * p))), tube);
   if (!(rho < 0.5) || m[6] != 0 || m[7] != 0) return all;
   // With a multiple of the identity the mean is about a multiple of e e^T.
   for (std::size_t i = 0; i < 3; ++i) mean[i] += std::copysign(std::sqrt(p / 6), q);
-  std::size_t column = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (std::abs(mean[i]) > std::abs(mean[column])) column = i;
-  double square = 0, of_e = 0, along_e = 0;
-  for (const auto& row : kEntry) {
-    const double e = mean[row[column]];
-    double image = 0;
-    for (std::size_t j = 0; j < 3; ++j) image += change[row[j]] * mean[kEntry[j][column]];
-    square += e * e, of_e += image * image, along_e += image * e;
-  }
-  of_e /= square, along_e /= square;
+  const double size = mean[0] + mean[1] + mean[2], along_e = product(change, mean) / size;
+  double of_e = 0;
+  for (const auto& row : kEntry)
+    for (const auto& column : kEntry) {
+      double image = 0;
+      for (std::size_t j = 0; j < 3; ++j) image += change[row[j]] * mean[column[j]] / size;
+      of_e += image * image;
+    }
   const double block = all - 2 * of_e + along_e * along_e / 2;
   return all + (1 / rho - 1) * block;
 }

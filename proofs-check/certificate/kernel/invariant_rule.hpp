@@ -48,6 +48,7 @@ class InvariantRule {
     for (std::size_t i = 0; i < 3; ++i) balls_[i] = scaled(exact_[i], exact_[1]);
   }
   const Multiples& multiples() const { return multiples_; }
+  double tube() const { return 1; }
 
   template <class N, std::size_t V>
   QuadraticForm<N, V> forms(const std::array<const Tensor<N>*, V>& tensors) const {

@@ -132,7 +132,7 @@ void Refinement::wait(std::size_t c, Waiting& waiting) const {
   Longest longest{-1, c, {}};
   for_subsets(corners(), 2, [&](const auto& members) {
     const Id a = cells_[c].points[members[0]], b = cells_[c].points[members[1]];
-    const double length = cut_length(unit(a), unit(b));
+    const double length = cut_length(unit(a), unit(b), level_.tube());
     if (!(length <= std::get<double>(longest))) longest = {length, c, {a, b}};
   });
   waiting.push(longest);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "forgery_trial.hpp"
+#include "support/fields/random_fields.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -62,6 +63,25 @@ TEST(Forgeries, TetrahedraThatAreFlatOrOnOneSideOfAFace) {
       trial.expect("malformed", added(at(face[0])), "flat");
     }
   }
+}
+
+/// Positions may be rounded out of a tetrahedron, so things in it may be farther apart than its
+/// longest edge is long.
+TEST(Forgeries, BoundsOfCoarseTetrahedraWithoutRoomForRounding) {
+  Court court("coarse_bound");
+  std::size_t refuted = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Exhibit e = exhibit(reference_tet_mesh(Random(seed).tet_tensors()), {"1/2"});
+    Json& distance = e.certificate["levels"][0]["distance"];
+    if (distance["coarse"].empty()) continue;
+    ASSERT_EQ(court.verdict(e), "certified") << court.report();
+    distance["coarse_bound"] = "0x1.6a09e667f3be0p+0";  // the root of two, and 2^-48
+    EXPECT_EQ(court.verdict(e), "certified") << court.report();
+    distance["coarse_bound"] = "0x1.6a09e667f3bcdp+0";  // the nearest double to the root of two
+    EXPECT_EQ(court.verdict(e), "refuted") << court.report();
+    ++refuted;
+  }
+  EXPECT_GT(refuted, 3u);
 }
 
 }  // namespace

@@ -294,6 +294,10 @@ class ReachSearch {
   std::vector<std::int32_t> last_trial_;  ///< by triangle, or -1
 };
 
+inline double one_norm(const Vector3<double>& x) {
+  return std::abs(x.x) + std::abs(x.y) + std::abs(x.z);
+}
+
 /// See `prove_distance`.
 template <class Cells>
 DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
@@ -309,8 +313,11 @@ DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
   claim.coarse.erase(std::unique(claim.coarse.begin(), claim.coarse.end()), claim.coarse.end());
   // Positions are rounded, and so are the directions' lengths.
   constexpr double kAbove = 1 + 0x1p-20;
-  for (const Index t : claim.coarse)
-    claim.coarse_bound = std::max(claim.coarse_bound, kAbove * cells.at(t).size());
+  for (const Index t : claim.coarse) {
+    double rounding = 0x1p-1060;
+    for (const Index v : mesh.tets[as_size(t)]) rounding += 0x1p-48 * one_norm(mesh.points[as_size(v)]);
+    claim.coarse_bound = std::max(claim.coarse_bound, kAbove * (cells.at(t).size() + rounding));
+  }
   std::vector<char> is_coarse(mesh.tets.size(), 0);
   for (const Index t : claim.coarse) is_coarse[as_size(t)] = 1;
   Index tet = -1;  // triangles of one follow each other
@@ -321,7 +328,7 @@ DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
     for (const Index v : surface.triangles[i]) {
       // A position is rounded off the edge or face that holds the vertex.
       const auto& x = surface.points[as_size(v)];
-      const double rounding = 0x1p-48 * (std::abs(x.x) + std::abs(x.y) + std::abs(x.z) + size);
+      const double rounding = 0x1p-48 * (one_norm(x) + size);
       claim.bound =
           std::max(claim.bound, kAbove * (reach_length(claim.reach[as_size(v)]) + rounding));
     }

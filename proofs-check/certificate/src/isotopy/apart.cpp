@@ -29,18 +29,20 @@ bool is_on_side(const Vector& direction, std::span<const BallPoint> vectors) {
   });
 }
 
-/// A direction that a few steps of a perceptron find: reflected at the unit vector with the least
-/// product, and a little past it.
-bool is_side_found_soon(Vector d, std::span<const Vector> units, std::span<const BallPoint> vectors) {
-  constexpr int kSteps = 8;
-  for (int step = 0; step < kSteps; ++step) {
+/// Moves a direction past the unit vector with the least product, so far that this becomes `past`
+/// of the direction's length, until all have as much (the relaxation method).
+/// @return whether a direction on the way is one that all vectors are on the side of
+bool is_side_found(Vector& d, std::span<const Vector> units, std::span<const BallPoint> vectors,
+                   double past, int steps) {
+  for (int step = 0; step < steps; ++step) {
     const Vector* worst = nullptr;
     double least = HUGE_VAL;
     for (const Vector& u : units)
       if (const double product = dot(d, u); product < least) least = product, worst = &u;
     if (worst == nullptr) return false;
     if (least > 0 && is_on_side(d, vectors)) return true;
-    const double push = 0.1 * std::sqrt(dot(d, d)) - least;
+    const double push = past * std::sqrt(dot(d, d)) - least;
+    if (!(push > 0)) return false;
     for (std::size_t k = 0; k < 3; ++k) d[k] += push * (*worst)[k];
   }
   return false;
@@ -58,11 +60,13 @@ Vector least_in(const BallPoint& v, const Vector& direction) {
   return u;
 }
 
-/// The direction with the largest least product with unit vectors, if that is positive, or zero: on
-/// it depend one of them, two, or three.
+/// The direction with the largest least product with unit vectors, as far as rounding allows: on it
+/// depend one of them, two, or three. Zero if the product is negative beyond rounding.
 Vector best_side(std::span<const Vector> units) {
+  // Where vectors nearly agree, the cross products of their differences are off by about as much.
+  constexpr double kHopeless = -0x1p-12;
   Vector best{};
-  double largest = 0;
+  double largest = kHopeless;
   const auto consider = [&](Vector d) {
     const double length = std::sqrt(dot(d, d));
     if (!(length > 0)) return;
@@ -91,16 +95,17 @@ Vector best_side(std::span<const Vector> units) {
 /// By the middles of the balls first, then by those vectors in them as well for which the last
 /// direction fails.
 bool have_common_side(std::span<const BallPoint> vectors) {
-  constexpr int kRounds = 6;
+  constexpr int kRounds = 6, kSteps = 8, kStepsOfRound = 24;
+  constexpr double kFarPast = 0.1, kJustPast = 0x1p-44;
   std::vector<Vector> units;
   units.reserve(vectors.size());
   for (const BallPoint& v : vectors) units.push_back(least_in(v, {}));
-  if (is_side_found_soon(std::accumulate(units.begin(), units.end(), Vector{}, plus), units,
-                         vectors))
-    return true;
+  Vector d = std::accumulate(units.begin(), units.end(), Vector{}, plus);
+  if (is_side_found(d, units, vectors, kFarPast, kSteps)) return true;
   for (int round = 0; round < kRounds; ++round) {
-    const Vector d = best_side(units);
+    d = best_side(units);
     if (d == Vector{}) return false;
+    if (is_side_found(d, units, vectors, kJustPast, kStepsOfRound)) return true;
     const std::size_t known = units.size();
     for (const BallPoint& v : vectors)
       if (!is_on_side(d, {&v, 1})) units.push_back(least_in(v, d));
@@ -114,9 +119,9 @@ bool has_area(const BallPoint& a, const BallPoint& b, const BallPoint& c) {
 }
 
 /// Closed convex sets that meet in a common vertex at most are parted by a plane (through it), so
-/// what is looked for is its normal. Two triangles with a common edge overlap if, seen along it,
-/// their other corners are in one direction: if the products of the edge with both are positive
-/// multiples of each other.
+/// what is looked for is its normal. Two triangles with a common edge meet in nothing else if they
+/// are in different planes. In one plane they overlap if, seen along the edge, their other corners
+/// are in one direction: if the products of the edge with both are positive multiples of each other.
 bool are_apart(std::span<const BallPoint> points, const std::array<std::uint32_t, 3>& first,
                const std::array<std::uint32_t, 3>& second) {
   auto a = first, b = second;
@@ -139,9 +144,12 @@ bool are_apart(std::span<const BallPoint> points, const std::array<std::uint32_t
     return have_common_side(std::array{from(a[0], a[1]), from(a[0], a[2]), from(b[1], b[0]),
                                        from(b[2], b[0])});
   if (shared == 3) return false;
-  const BallPoint edge = from(a[0], a[1]);
-  return have_common_side(
-      std::array{cross(edge, from(a[0], a[2])), cross(from(a[0], b[2]), edge)});
+  const BallPoint edge = from(a[0], a[1]), normal = cross(edge, from(a[0], a[2])),
+                  other = from(a[0], b[2]);
+  Ball volume = 0;
+  for (std::size_t k = 0; k < 3; ++k) volume += normal[k] * other[k];
+  return std::abs(volume.value) > volume.error ||
+         have_common_side(std::array{normal, cross(other, edge)});
 }
 
 }  // namespace certificate

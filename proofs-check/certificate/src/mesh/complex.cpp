@@ -86,10 +86,12 @@ std::optional<std::string> defect_of(const std::vector<std::array<std::uint32_t,
 
 std::size_t count_doubled(const std::vector<std::array<std::uint32_t, 4>>& tets,
                           const std::vector<std::array<double, 3>>& points) {
+  std::vector<char> is_used(points.size(), 0);
+  for (const auto& tet : tets)
+    for (const auto p : tet) is_used[p] = 1;
   std::vector<std::uint32_t> used;
-  for (const auto& tet : tets) used.insert(used.end(), tet.begin(), tet.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (is_used[p] != 0) used.push_back(static_cast<std::uint32_t>(p));
   std::sort(used.begin(), used.end(),
             [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
   std::size_t count = 0;

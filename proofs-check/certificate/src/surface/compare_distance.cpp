@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "claims/containment.hpp"
 #include "claims/half_edges.hpp"
 #include "run/parallel.hpp"
 #include "surface/closed_curves.hpp"
@@ -82,8 +83,16 @@ Distances::Distances(const LevelCase& c, const PlacedSurface& placed)
       for (const std::size_t v : vertices_of(t)) is_used_[v] = true;
 }
 
+/// Positions may be rounded out of their tetrahedron, on each axis by as much as its corners say.
 void Distances::require_no_longer_edge(std::size_t tet) const {
   const auto& v = c_.input.tets[tet];
+  mpq_class rounding = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double largest = 0;
+    for (const Vertex i : v) largest = std::max(largest, std::abs(c_.input.points[i][k]));
+    rounding += rounding_of(largest);
+  }
+  const mpq_class most = mpq_class(coarse_bound_) - rounding;
   for_subsets(4, 2, [&](const auto& ends) {
     mpq_class sum;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -91,11 +100,11 @@ void Distances::require_no_longer_edge(std::size_t tet) const {
                           mpq_class(c_.input.points[v[ends[1]]][k]);
       sum += d * d;
     }
-    if (sum > mpq_class(coarse_bound_) * mpq_class(coarse_bound_))
+    if (most < 0 || sum > most * most)
       throw Wrong("the edge of vertices " + std::to_string(v[ends[0]]) + " and " +
                   std::to_string(v[ends[1]]) + " is longer, about " +
                   text_of(std::sqrt(sum.get_d())) + ", than coarse_bound " +
-                  text_of(coarse_bound_) + where(tet));
+                  text_of(coarse_bound_) + " less what rounding of positions adds" + where(tet));
   });
 }
 
