@@ -125,6 +125,22 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Tetrahedra with faces of angles down to 2^-38: places in them are found as well as in others.
+TEST(Isotopic, OfThinTetrahedra) {
+  Court court("thin_tetrahedra");
+  std::size_t isotopic = 0;
+  for (int power = 20; power <= 38; power += 3)
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      TetMesh mesh = cube_mesh(1);
+      fill_with_normal_tensors(mesh, seed);
+      for (auto& p : mesh.points) p = {p.x + p.z, p.y + p.z, std::ldexp(p.z, -power)};
+      const Exhibit shown = exhibit(mesh, {"1/2"});
+      EXPECT_EQ(court.verdict(shown), "certified") << power << '\n' << court.report();
+      isotopic += court.report().find("isotopic to the level in ") != std::string::npos ? 1u : 0u;
+    }
+  EXPECT_GT(isotopic, 15u);
+}
+
 /// Made where triangles are embedded, and derived; what is excepted cannot be shown.
 TEST(Isotopic, IsAClaimThatIsDerived) {
   Court court("isotopic");

@@ -70,9 +70,9 @@ std::array<double, 4> weights_near(const Point3& x, std::span<const Point3> corn
   if (size == 3) {
     w = edges.partialPivLu().solve(rest);
   } else {
-    const auto solver = (edges.transpose() * edges).eval().partialPivLu();
-    w = solver.solve(edges.transpose() * rest);
-    w += solver.solve(edges.transpose() * (rest - edges * w));
+    const auto solver = edges.householderQr();
+    w = solver.solve(rest);
+    w += solver.solve(rest - edges * w);
   }
   std::array<double, 4> result{std::max(0.0, 1 - w.sum())};
   for (Eigen::Index i = 0; i < size; ++i)
