@@ -13,11 +13,11 @@ namespace certificate {
 /// Let e be the dominant eigenvector of the mean. The trace-free part of the block beside e is zero
 /// on the curve, and of the size rho = sqrt(1 - mode^2) on the levels around it. Its change counts
 /// 1 / rho times; changes of e and along e count as they are. So a thin tube takes fewer cells,
-/// which are longer along the curve. Inside the tube nothing counts more than on the level itself:
-/// else long edges that pass the curve far away would never be cut. Levels of other invariants,
-/// whose tensors have more entries, are not tubes.
+/// which are longer along the curve. Next to the curve rho counts as rho^2 of the level at least: else
+/// edges there, far inside a wide tube, would seem so long that others were never cut. Levels of
+/// other invariants, whose tensors have more entries, are not tubes.
 ///
-/// @param tube  rho of the level
+/// @param tube  rho^2 of the level
 inline double cut_length(const Tensor<double>& m, const Tensor<double>& k, double tube) {
   static constexpr std::size_t kEntry[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
   Tensor<double> mean, change;

@@ -91,7 +91,7 @@ class Level {
            visit([&](auto& rule) { return rule.lies(true, rule.template forms<Ball, 1>({&m})); });
   }
 
-  /// sqrt(1 - mode^2) of the level of a mode, else 1. Not for proofs.
+  /// 1 - mode^2 of the level of a mode, else 1. Not for proofs.
   double tube() const { return visit([](auto& rule) { return rule.tube(); }); }
 
   std::uint64_t decided_by_balls() const { return by_balls_; }

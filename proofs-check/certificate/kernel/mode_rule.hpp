@@ -62,7 +62,7 @@ class ModeRule {
       if (has_sign(x, 1, Zero::fails) != Answer::yes) return HUGE_VAL;
     return h.value;
   }
-  double tube() const { return std::sqrt(1 + 54 * balls_.p.value / balls_.q.value); }
+  double tube() const { return 1 + 54 * balls_.p.value / balls_.q.value; }
   /// Is the mode exactly mu, there being one? Neither this sign of the form nor the other.
   template <class N>
   Answer is_on(const Forms<N, 1>& f) const {
