@@ -72,7 +72,8 @@ void PatchExtents::set(std::size_t triangle, std::span<const Vector3<double>> po
 
 std::optional<std::size_t> PatchExtents::find_intersection(
     std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles,
-    std::span<const std::uint32_t> replaced, std::span<const PatchTriangle> fresh) const {
+    std::span<const std::uint32_t> replaced, std::span<const PatchTriangle> fresh,
+    std::size_t& tested) const {
   if (fresh.empty()) return std::nullopt;
   thread_local std::vector<Side> sides;
   thread_local std::vector<AxisBox> extents;
@@ -83,7 +84,7 @@ std::optional<std::size_t> PatchExtents::find_intersection(
   }
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < sides.size(); ++j)
-      if (are_in_conflict(sides[i], sides[j])) return triangles.size();
+      if (++tested, are_in_conflict(sides[i], sides[j])) return triangles.size();
   AxisBox all = extents[0];
   for (const auto& e : extents) all = hull(all, e);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -91,7 +92,8 @@ std::optional<std::size_t> PatchExtents::find_intersection(
         std::find(replaced.begin(), replaced.end(), t) != replaced.end())
       continue;
     for (std::size_t i = 0; i < sides.size(); ++i)
-      if (boxes_meet(extents_[t], extents[i]) && are_in_conflict(sides[i], sides_[t])) return t;
+      if (boxes_meet(extents_[t], extents[i]) && (++tested, are_in_conflict(sides[i], sides_[t])))
+        return t;
   }
   return std::nullopt;
 }

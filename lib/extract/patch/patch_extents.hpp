@@ -45,12 +45,14 @@ class PatchExtents {
   ///
   /// @param triangles of the patch, as many as extents; one with equal corners is not there
   /// @param replaced  of the patch, which the new ones replace
+  /// @param tested    grows by the number of pairs that are compared by more than their boxes
   /// @return nothing if they are not; else the first such triangle of the patch, or the number of
   ///         these if two of the new ones are
   std::optional<std::size_t> find_intersection(std::span<const Vector3<double>> points,
                                                std::span<const PatchTriangle> triangles,
                                                std::span<const std::uint32_t> replaced,
-                                               std::span<const PatchTriangle> fresh) const;
+                                               std::span<const PatchTriangle> fresh,
+                                               std::size_t& tested) const;
 
  private:
   PatchDirections directions_;

@@ -60,7 +60,9 @@ TEST(PatchIntersections, AWitnessIsFoundIfAndOnlyIfThereIsAPair) {
     for (std::uint32_t other = 1; other < rest.size() && expected > rest.size(); ++other)
       if (is_pair(0, other + 2) || is_pair(1, other + 2)) expected = other;
     if (is_pair(0, 1)) expected = rest.size();
-    const auto found = extents.find_intersection(points, patch, replaced, fresh);
+    std::size_t tested = 0;
+    const auto found = extents.find_intersection(points, patch, replaced, fresh, tested);
+    EXPECT_LE(tested, fresh.size() * (rest.size() - 1) + 1);
     EXPECT_EQ(found.value_or(rest.size() + 1), expected);
     without += expected > rest.size();
     with_itself += expected == rest.size();

@@ -243,8 +243,9 @@ bool CellPatch::is_embedded_after(Id vertex, Id neighbour) {
     changed.push_back(t);
   }
   if (!extents_) extents_.emplace(places_, triangles_);
+  std::size_t tested = 0;
   const auto found =
-      extents_->find_intersection(places_, triangles_, {star.data(), star.size()}, changed);
+      extents_->find_intersection(places_, triangles_, {star.data(), star.size()}, changed, tested);
   if (!found) return true;
   refuse(v, u, *found < triangles_.size() ? static_cast<std::uint32_t>(*found) : Refusal::kNone);
   return false;

@@ -23,8 +23,8 @@ namespace {
 constexpr int kMostRounds = 8;
 
 /// Triangles tried for each triangle of the patch: where more are needed, mending hardly ever
-/// succeeds. Boxes compared count as well, so many as one triangle.
-constexpr std::size_t kMostTried = 256, kBoxesAsOne = 8;
+/// succeeds. Boxes and triangles compared count as well, so many as one triangle.
+constexpr std::size_t kMostTried = 384, kComparedAsOne = 8;
 
 /// Newton steps go on, four at a time, until they change no weight by more than rounding does.
 constexpr int kMostAttempts = 8;
@@ -71,7 +71,7 @@ class Untangling {
     for (int round = 0; round < kMostRounds; ++round) {
       bool has_changed = false;
       for (std::uint32_t t = 0; t < placed_.triangles.size(); ++t)
-        if (bad_[t] != 0 && !is_gone(t) && tried_ < most_tried_) has_changed |= mend(t);
+        if (bad_[t] != 0 && !is_gone(t) && !is_spent()) has_changed |= mend(t);
       any |= has_changed;
       if (!has_changed) break;
     }
@@ -80,6 +80,7 @@ class Untangling {
   }
 
  private:
+  bool is_spent() const { return tried_ >= most_tried_; }
   bool is_gone(std::uint32_t t) const { return placed_.triangles[t][0] == placed_.triangles[t][1]; }
   bool is_inner(Place v) const { return placed_.ids[v] < 0; }
   void enter(std::uint32_t t) {
@@ -110,6 +111,7 @@ class Untangling {
   /// Whether triangles in place of some others leave fewer defects, or as many that are less
   /// against the gradient, and none with the rest.
   bool is_better(std::span<const std::uint32_t> old, std::span<const PatchTriangle> fresh) {
+    if (is_spent()) return false;
     std::ptrdiff_t before = 0, after = 0;
     tried_ += fresh.size();
     double worst_before = 1, worst_after = 1;
@@ -121,8 +123,11 @@ class Untangling {
       if (!is_upward && ++after > before) return false;
     }
     if (after == before && worst_after < worst_before + kLessAgainst) return false;
-    tried_ += placed_.triangles.size() / kBoxesAsOne;
-    return !extents_.find_intersection(placed_.points, placed_.triangles, old, fresh);
+    std::size_t compared = placed_.triangles.size();
+    const auto found =
+        extents_.find_intersection(placed_.points, placed_.triangles, old, fresh, compared);
+    tried_ += compared / kComparedAsOne;
+    return !found;
   }
   UpwardTest::Facing facing(const PatchTriangle& t) const {
     const auto& p = placed_.points;
@@ -240,6 +245,7 @@ class Untangling {
   bool put(Place v, std::span<const std::uint32_t> old, std::span<const PatchTriangle> fresh) {
     const Vector before = placed_.points[v];
     for (const Vector& x : places_amid(fresh, v)) {
+      if (is_spent()) break;
       const auto vertex = at(x);
       if (!vertex) continue;
       const Vector place = position_at(vertex->weights, tet_.simplex.exponents, tet_.points);

@@ -5,12 +5,13 @@
 // See parallel_for.h. The sort itself is TBB's to check.
 
 #include <algorithm>
+#include <functional>
 
 namespace tbb {
 
-template <class Iterator>
-void parallel_sort(Iterator first, Iterator last) {
-  std::sort(first, last);
+template <class Iterator, class Compare = std::less<>>
+void parallel_sort(Iterator first, Iterator last, const Compare& compare = {}) {
+  std::sort(first, last, compare);
 }
 
 }  // namespace tbb
