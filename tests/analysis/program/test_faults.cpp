@@ -146,6 +146,18 @@ class Faults : public testing::TestWithParam<Writing> {
       EXPECT_TRUE(contents(folder_ / name) == (all ? bytes : "before")) << what << ' ' << name;
   }
 
+  /// A process that is killed just when a file replaces another leaves it beside that: all of it.
+  void remove_what_was_about_to_get_its_name() const {
+    for (const auto& name : folder_.files()) {
+      if (name.rfind(".tensortopo-", 0) != 0) continue;
+      const std::string bytes = contents(folder_ / name);
+      EXPECT_TRUE(std::any_of(whole_.begin(), whole_.end(),
+                              [&](const auto& output) { return output.second == bytes; }))
+          << name;
+      std::filesystem::remove(folder_ / name);
+    }
+  }
+
   void expect_one_line(const std::string& err, const std::string& what) const {
     EXPECT_EQ(err.rfind("tensortopo: ", 0), 0u) << what << err;
     EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << what << err;
@@ -210,6 +222,7 @@ TEST_P(Faults, Signals) {
       run.send(signal);
       const int status = run.wait();
       EXPECT_TRUE(status == -signal || status == status_) << status;
+      if (status == -SIGKILL) remove_what_was_about_to_get_its_name();
       // It may come between the first file's name and the second's.
       if (status == -signal && GetParam().outputs.size() > 1) {
         EXPECT_EQ(folder_.files(), names_);
