@@ -24,7 +24,7 @@ constexpr double kProgram = 50e6;       // the program with its libraries
 constexpr double kReadTet = 132;        // reading, and the screening of the whole
 constexpr double kSlabTet = 308;        // in the slab
 constexpr double kTet = 92;             // mesh and owners
-constexpr double kCrossed = 1400;       // surfaces of slabs, merged and written
+constexpr double kCrossed = 1250;       // surfaces of slabs, merged and written
 constexpr double kWholeCrossed = 1700;  // a surface extracted at once
 constexpr double kGhostCrossed = 380;   // where slabs meet
 

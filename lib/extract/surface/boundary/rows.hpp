@@ -35,7 +35,10 @@ class Rows {
             const Add& add) {
     parallel_stage(options, stage, blocks_.size(), 1, [&](std::size_t b) {
       const std::size_t end = std::min(size(), (b + 1) * kBlock);
+      auto& values = blocks_[b].values;
+      values.reserve(kBlock);
       for (std::size_t i = b * kBlock; i < end; i += step) add(i, std::min(i + step, end));
+      values.shrink_to_fit();
     });
     number();
   }
