@@ -45,8 +45,8 @@ TEST(CheckerBudget, OfALevelThatTouchesEdges) {
   EXPECT_GT(asked, 1000u);
 }
 
-/// Tensors of mode 0, 1 and -1 on one edge, which is the longest: inside tubes that the level is not
-/// next to, shorter edges do not count as longer, so that it is cut, and proofs close.
+/// Tensors of mode 0, 1 and -1 on one edge, which is the longest: inside tubes that the level is
+/// not next to, shorter edges do not count as longer, so that it is cut, and proofs close.
 TEST(CheckerBudget, OfEdgesThatPassModesOneAndMinusOne) {
   std::mt19937_64 random(35);
   std::normal_distribution<double> normal;

@@ -5,7 +5,7 @@
 namespace tensortopo {
 
 std::vector<BoundaryVertex> loop_vertices(const BoundaryLoop& loop,
-                                     const FaceArcVertices& vertices) {
+                                          const FaceArcVertices& vertices) {
   std::size_t size = 0;
   for (const auto& piece : loop)
     size += vertices[static_cast<std::size_t>(piece.face)][static_cast<std::size_t>(piece.arc)]

@@ -169,8 +169,8 @@ bool direct_as_proved(std::vector<std::array<std::int32_t, 3>>& triangles,
 }
 
 bool are_proved_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
-                        std::span<const std::vector<BoundaryVertex>> boundaries,
-                        const Sheets& sheets) {
+                       std::span<const std::vector<BoundaryVertex>> boundaries,
+                       const Sheets& sheets) {
   return direction_in_plan(triangles, boundaries, sheets) > 0;
 }
 

@@ -37,8 +37,8 @@ bool direct_as_proved(std::vector<std::array<std::int32_t, 3>>& triangles,
 /// loops, no edge joins two boundary loop vertices on one face: the neighbour across it might have
 /// the same.
 bool are_proved_sheets(std::span<const std::array<std::int32_t, 3>> triangles,
-                        std::span<const std::vector<BoundaryVertex>> boundaries,
-                        const Sheets& sheets);
+                       std::span<const std::vector<BoundaryVertex>> boundaries,
+                       const Sheets& sheets);
 
 /// Takes away the inner vertices from the first on that no triangle has.
 /// @param triangles  those before this one have none of these vertices

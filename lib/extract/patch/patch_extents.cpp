@@ -70,10 +70,11 @@ void PatchExtents::set(std::size_t triangle, std::span<const Vector3<double>> po
   sides_[triangle] = detail::side_of(points, corners);
 }
 
-std::optional<std::size_t> PatchExtents::find_intersection(
-    std::span<const Vector3<double>> points, std::span<const PatchTriangle> triangles,
-    std::span<const std::uint32_t> replaced, std::span<const PatchTriangle> fresh,
-    std::size_t& tested) const {
+std::optional<std::size_t> PatchExtents::find_intersection(std::span<const Vector3<double>> points,
+                                                           std::span<const PatchTriangle> triangles,
+                                                           std::span<const std::uint32_t> replaced,
+                                                           std::span<const PatchTriangle> fresh,
+                                                           std::size_t& tested) const {
   if (fresh.empty()) return std::nullopt;
   thread_local std::vector<Side> sides;
   thread_local std::vector<AxisBox> extents;

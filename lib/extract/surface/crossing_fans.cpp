@@ -82,7 +82,7 @@ CrossingCopies crossing_copies(const ExtractOptions& options, const TetComplex& 
   return result;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar) \
+#define TENSORTOPO_INSTANTIATE(Scalar)                                              \
   template CrossingCopies crossing_copies(const ExtractOptions&, const TetComplex&, \
                                           const CellMeshes<Scalar>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)

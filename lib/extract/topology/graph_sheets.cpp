@@ -47,9 +47,8 @@ class Silhouette {
 }  // namespace
 
 template <class Scalar>
-std::optional<Sheets> sheets_of_graph(
-    const TetWithCurves<Scalar>& tet, const BoundaryLoops& loops,
-    const std::array<Scalar, 4>& direction) {
+std::optional<Sheets> sheets_of_graph(const TetWithCurves<Scalar>& tet, const BoundaryLoops& loops,
+                                      const std::array<Scalar, 4>& direction) {
   if (loops.size() == 1) {
     Sheets disc(1);
     disc[0].loops.push_back(0);
@@ -108,10 +107,9 @@ std::optional<Sheets> sheets_of_graph(
   return sheets;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                         \
-  template std::optional<Sheets> sheets_of_graph(          \
-      const TetWithCurves<Scalar>&, const BoundaryLoops&, \
-      const std::array<Scalar, 4>&);
+#define TENSORTOPO_INSTANTIATE(Scalar)            \
+  template std::optional<Sheets> sheets_of_graph( \
+      const TetWithCurves<Scalar>&, const BoundaryLoops&, const std::array<Scalar, 4>&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

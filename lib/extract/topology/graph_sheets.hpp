@@ -27,8 +27,7 @@ namespace tensortopo {
 /// @param direction of a `SimplexProof` of the tetrahedron
 /// @return nothing if that does not settle it
 template <class Scalar>
-std::optional<Sheets> sheets_of_graph(
-    const TetWithCurves<Scalar>& tet, const BoundaryLoops& loops,
-    const std::array<Scalar, 4>& direction);
+std::optional<Sheets> sheets_of_graph(const TetWithCurves<Scalar>& tet, const BoundaryLoops& loops,
+                                      const std::array<Scalar, 4>& direction);
 
 }  // namespace tensortopo

@@ -104,9 +104,10 @@ bool match_arcs(const LevelSimplex<Scalar, 3>& face, std::span<const FaceArc<Sca
 }  // namespace
 
 template <class Scalar>
-std::optional<Sheets> sheets_of_isotopic_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops, const Level<Scalar>& other, Budget budget) {
+std::optional<Sheets> sheets_of_isotopic_level(const TetWithCurves<Scalar>& tet,
+                                               const Level<Scalar>& level,
+                                               const BoundaryLoops& loops,
+                                               const Level<Scalar>& other, Budget budget) {
   std::array<std::vector<FaceArc<Scalar>>, 4> arcs;
   // Where the regular budget was enough for the faces, it has been tried on the tetrahedron.
   if (is_budget_spent(budget, other.gap()) && curves_at(tet, other, Budget::regular, arcs))
@@ -151,9 +152,10 @@ std::optional<Sheets> sheets_of_isotopic_level(
 }
 
 template <class Scalar>
-std::optional<Sheets> sheets_of_wider_isotopic_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops, double open_until, Budget budget) {
+std::optional<Sheets> sheets_of_wider_isotopic_level(const TetWithCurves<Scalar>& tet,
+                                                     const Level<Scalar>& level,
+                                                     const BoundaryLoops& loops, double open_until,
+                                                     Budget budget) {
   int k = kWidest;
   while (k < kNarrowest && kClearance * gap_of(k) > open_until) ++k;
   const auto& isotopic = isotopic_level<Scalar>(k, level.sign);
@@ -162,13 +164,12 @@ std::optional<Sheets> sheets_of_wider_isotopic_level(
   return sheets_of_isotopic_level(tet, level, loops, isotopic, budget);
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                               \
-  template std::optional<Sheets> sheets_of_isotopic_level(       \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                            \
-      const BoundaryLoops&, const Level<Scalar>&, Budget);   \
-  template std::optional<Sheets> sheets_of_wider_isotopic_level( \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                            \
-      const BoundaryLoops&, double, Budget);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                          \
+  template std::optional<Sheets> sheets_of_isotopic_level(                      \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const BoundaryLoops&, \
+      const Level<Scalar>&, Budget);                                            \
+  template std::optional<Sheets> sheets_of_wider_isotopic_level(                \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const BoundaryLoops&, double, Budget);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

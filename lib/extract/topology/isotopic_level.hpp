@@ -14,16 +14,18 @@ namespace tensortopo::detail {
 /// this one. Isotopies keep edges and faces: crossings of an edge correspond in their order, arcs
 /// by their ends, and a closed curve to the one that bounds the same part of its face.
 template <class Scalar>
-std::optional<Sheets> sheets_of_isotopic_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops, const Level<Scalar>& other, Budget budget);
+std::optional<Sheets> sheets_of_isotopic_level(const TetWithCurves<Scalar>& tet,
+                                               const Level<Scalar>& level,
+                                               const BoundaryLoops& loops,
+                                               const Level<Scalar>& other, Budget budget);
 
 /// The second way.
 ///
 /// @param open_until there is no critical gap from the level's own to this one
 template <class Scalar>
-std::optional<Sheets> sheets_of_wider_isotopic_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops, double open_until, Budget budget);
+std::optional<Sheets> sheets_of_wider_isotopic_level(const TetWithCurves<Scalar>& tet,
+                                                     const Level<Scalar>& level,
+                                                     const BoundaryLoops& loops, double open_until,
+                                                     Budget budget);
 
 }  // namespace tensortopo::detail

@@ -15,8 +15,8 @@ namespace tensortopo {
 
 template <class Scalar>
 std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops, Budget budget) {
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, const BoundaryLoops& loops,
+    Budget budget) {
   const auto points = cell_critical_points(detail::exact_tensors(tet.simplex));
   const auto gaps = critical_gaps(points, level.value, detail::widest_gap());
   if (gaps && gaps->none_beyond)
@@ -35,8 +35,7 @@ std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level(
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                                          \
   template std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level( \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                       \
-      const BoundaryLoops&, Budget);
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const BoundaryLoops&, Budget);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

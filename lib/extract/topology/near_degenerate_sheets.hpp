@@ -23,7 +23,7 @@ namespace tensortopo {
 /// @return nothing if neither applies
 template <class Scalar>
 std::optional<NearDegenerateSheets> sheets_of_near_degenerate_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops, Budget budget);
+    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level, const BoundaryLoops& loops,
+    Budget budget);
 
 }  // namespace tensortopo

@@ -151,9 +151,9 @@ class Faults : public testing::TestWithParam<Writing> {
     for (const auto& name : folder_.files()) {
       if (name.rfind(".tensortopo-", 0) != 0) continue;
       const std::string bytes = contents(folder_ / name);
-      EXPECT_TRUE(std::any_of(whole_.begin(), whole_.end(),
-                              [&](const auto& output) { return output.second == bytes; }))
-          << name;
+      EXPECT_TRUE(std::any_of(whole_.begin(), whole_.end(), [&](const auto& output) {
+        return output.second == bytes;
+      })) << name;
       std::filesystem::remove(folder_ / name);
     }
   }

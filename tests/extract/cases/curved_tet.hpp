@@ -46,8 +46,7 @@ struct CurvedTet {
 };
 
 /// Which loops bound which sheet.
-inline std::vector<std::pair<LoopNumbers, int>> in_order(
-    const Sheets& sheets) {
+inline std::vector<std::pair<LoopNumbers, int>> in_order(const Sheets& sheets) {
   std::vector<std::pair<LoopNumbers, int>> result;
   for (const auto& sheet : sheets) {
     auto loops = sheet.loops;

@@ -10,11 +10,11 @@
 #include <iostream>
 #include <limits>
 
+#include "extract/cases/extract_case.hpp"
 #include "extract/level/proofs/direction_search.hpp"
 #include "extract/topology/boundary/arc_samples.hpp"
 #include "extract/topology/boundary/edge_crossings.hpp"
 #include "extract/topology/boundary/graph_arcs.hpp"
-#include "extract/cases/extract_case.hpp"
 #include "support/compared.hpp"
 
 namespace tensortopo::test {

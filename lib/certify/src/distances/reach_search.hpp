@@ -315,7 +315,8 @@ DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
   constexpr double kAbove = 1 + 0x1p-20;
   for (const Index t : claim.coarse) {
     double rounding = 0x1p-1060;
-    for (const Index v : mesh.tets[as_size(t)]) rounding += 0x1p-48 * one_norm(mesh.points[as_size(v)]);
+    for (const Index v : mesh.tets[as_size(t)])
+      rounding += 0x1p-48 * one_norm(mesh.points[as_size(v)]);
     claim.coarse_bound = std::max(claim.coarse_bound, kAbove * (cells.at(t).size() + rounding));
   }
   std::vector<char> is_coarse(mesh.tets.size(), 0);

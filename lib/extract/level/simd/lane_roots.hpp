@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <span>
 
+#include "extract/level/lanes/lanes.hpp"
 #include "extract/level/level.hpp"
 #include "extract/level/level_slope.hpp"
 #include "extract/level/simd/four_lanes.hpp"
-#include "extract/level/lanes/lanes.hpp"
 
 namespace tensortopo {
 

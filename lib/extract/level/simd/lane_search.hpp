@@ -5,9 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "extract/level/lanes/lanes.hpp"
 #include "extract/level/proofs/direction_search.hpp"
 #include "extract/level/proofs/simple_simplex.hpp"
-#include "extract/level/lanes/lanes.hpp"
 
 namespace tensortopo {
 

@@ -15,8 +15,8 @@
 
 namespace tensortopo {
 
-/// Lists of different lengths, one after the other in arrays of `kBlock` lists each, so that threads
-/// fill arrays of their own. A list may be unknown, which is not the same as empty.
+/// Lists of different lengths, one after the other in arrays of `kBlock` lists each, so that
+/// threads fill arrays of their own. A list may be unknown, which is not the same as empty.
 template <class Value>
 class Rows {
  public:

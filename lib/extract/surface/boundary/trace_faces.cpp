@@ -201,9 +201,8 @@ LevelBoundary<Scalar> trace_faces(const SurfaceInput<Scalar>& input, const Verte
           sample_arc(arcs[0], tracer.simplex(f).tensors, input.level, turns);
         result.arcs.add(f, std::move(arcs));
       } else if (auto found = tracer.trace(f, proofs.of(f - begin), result.moved[f])) {
-        TENSORTOPO_ASSERT(
-            are_arcs_sound<Scalar>(crossings, cells, f, result.moved[f] != 0, *found),
-            "arcs of a face end at crossings of its edges, with samples in order");
+        TENSORTOPO_ASSERT(are_arcs_sound<Scalar>(crossings, cells, f, result.moved[f] != 0, *found),
+                          "arcs of a face end at crossings of its edges, with samples in order");
         result.arcs.add(f, std::move(*found));
       } else {
         result.arcs.add_unknown(f);

@@ -44,8 +44,7 @@ void begin(const SurfaceInput<Scalar>& input, const VertexSides& sides, const Te
 /// Notes what tetrahedra that could not be meshed ask for on faces between parts.
 template <class Scalar>
 void note_requests(const PartSeam& seam, std::span<const std::size_t> failed,
-                   const MeshingStates<Scalar>& states, int round,
-                   CellMeshes<Scalar>& meshes) {
+                   const MeshingStates<Scalar>& states, int round, CellMeshes<Scalar>& meshes) {
   for (const auto t : failed) {
     // As for those who add the samples: nothing is asked for by what is left out, and the mesh of a
     // subdivision needs these very points.

@@ -57,9 +57,9 @@ class LoopsOfFace {
 }  // namespace
 
 template <class Scalar>
-std::vector<ArcBetweenLoops> arcs_between_loops(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops) {
+std::vector<ArcBetweenLoops> arcs_between_loops(const TetWithCurves<Scalar>& tet,
+                                                const Level<Scalar>& level,
+                                                const BoundaryLoops& loops) {
   const auto tensors = detail::exact_tensors(tet.simplex);
   auto arcs = degenerate_arcs(tensors, tet.simplex.exponents, level.value);
   if (!arcs) return {};
@@ -85,8 +85,7 @@ std::vector<ArcBetweenLoops> arcs_between_loops(
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                      \
   template std::vector<ArcBetweenLoops> arcs_between_loops( \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,   \
-      const BoundaryLoops&);
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const BoundaryLoops&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

@@ -59,9 +59,9 @@ std::optional<Sheets> sheets_of(std::size_t loops, const LevelCount& count) {
 ///
 /// @param nearer what is counted on the other side of the level, all of it
 template <class Scalar>
-std::optional<Sheets> joined_sheets(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops, const LevelCount& nearer, Search search) {
+std::optional<Sheets> joined_sheets(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
+                                    const BoundaryLoops& loops, const LevelCount& nearer,
+                                    Search search) {
   const int n = static_cast<int>(loops.size());
   // On the boundary, a sphere, the other side is one piece with n holes.
   if (nearer.boundary != 2 - n) return std::nullopt;
@@ -138,9 +138,9 @@ std::optional<LevelCount> counted_from_afar(const TetWithCurves<Scalar>& tet,
 }  // namespace
 
 template <class Scalar>
-std::optional<Sheets> sheets_counted_from_distant_level(
-    const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
-    const BoundaryLoops& loops) {
+std::optional<Sheets> sheets_counted_from_distant_level(const TetWithCurves<Scalar>& tet,
+                                                        const Level<Scalar>& level,
+                                                        const BoundaryLoops& loops) {
   const auto points = cell_critical_points(detail::exact_tensors(tet.simplex));
   std::optional<LevelCount> count;
   if (has_mode_of_sign(tet.simplex, level.sign))
@@ -153,9 +153,9 @@ std::optional<Sheets> sheets_counted_from_distant_level(
 }
 
 template <class Scalar>
-std::optional<Sheets> counted_sheets(
-    const TetWithCurves<Scalar>& tet, const CellCriticalPoints& points, const Level<Scalar>& level,
-    const BoundaryLoops& loops) {
+std::optional<Sheets> counted_sheets(const TetWithCurves<Scalar>& tet,
+                                     const CellCriticalPoints& points, const Level<Scalar>& level,
+                                     const BoundaryLoops& loops) {
   // Away from the degenerate curve next to the level there is most often no other.
   if (has_mode_of_sign(tet.simplex, level.sign))
     if (const auto count = count_level(points, level.value, -level.sign)) {
@@ -167,13 +167,12 @@ std::optional<Sheets> counted_sheets(
   return count ? sheets_of(loops.size(), *count) : std::nullopt;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                                                  \
-  template std::optional<Sheets> counted_sheets(                    \
-      const TetWithCurves<Scalar>&, const CellCriticalPoints&, const Level<Scalar>&,    \
-      const BoundaryLoops&);                                    \
-  template std::optional<Sheets> sheets_counted_from_distant_level( \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,                               \
-      const BoundaryLoops&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                                           \
+  template std::optional<Sheets> counted_sheets(const TetWithCurves<Scalar>&,                    \
+                                                const CellCriticalPoints&, const Level<Scalar>&, \
+                                                const BoundaryLoops&);                           \
+  template std::optional<Sheets> sheets_counted_from_distant_level(                              \
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const BoundaryLoops&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

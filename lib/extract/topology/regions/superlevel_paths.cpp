@@ -294,8 +294,8 @@ std::optional<Weights> place_next_to(const TetWithCurves<Scalar>& tet, const Lev
 template <class Scalar>
 std::vector<int> loops_joined_in_superlevel_set(const TetWithCurves<Scalar>& tet,
                                                 const Level<Scalar>& level,
-                                                const BoundaryLoops& loops,
-                                                int parts, Search search) {
+                                                const BoundaryLoops& loops, int parts,
+                                                Search search) {
   std::vector<int> part(loops.size());
   std::iota(part.begin(), part.end(), 0);
   auto left = static_cast<int>(loops.size());
@@ -331,8 +331,7 @@ std::vector<int> loops_joined_in_superlevel_set(const TetWithCurves<Scalar>& tet
 
 #define TENSORTOPO_INSTANTIATE(Scalar)                      \
   template std::vector<int> loops_joined_in_superlevel_set( \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&,   \
-      const BoundaryLoops&, int, Search);
+      const TetWithCurves<Scalar>&, const Level<Scalar>&, const BoundaryLoops&, int, Search);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

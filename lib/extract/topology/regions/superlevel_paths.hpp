@@ -22,7 +22,7 @@ enum class Search { chords, everything };
 template <class Scalar>
 std::vector<int> loops_joined_in_superlevel_set(const TetWithCurves<Scalar>& tet,
                                                 const Level<Scalar>& level,
-                                                const BoundaryLoops& loops,
-                                                int parts, Search search);
+                                                const BoundaryLoops& loops, int parts,
+                                                Search search);
 
 }  // namespace tensortopo::detail

@@ -13,8 +13,7 @@ namespace tensortopo::detail {
 
 template <class Scalar>
 std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>& tet,
-                                          const Level<Scalar>& level,
-                                          const BoundaryLoops& loops) {
+                                          const Level<Scalar>& level, const BoundaryLoops& loops) {
   // The loop of each closed curve.
   std::array<std::vector<int>, 4> loop_of_arc;
   for (std::size_t f = 0; f < 4; ++f) loop_of_arc[f].assign(tet.arcs[f].size(), -1);
@@ -55,10 +54,9 @@ std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>& tet,
   return result;
 }
 
-#define TENSORTOPO_INSTANTIATE(Scalar)                    \
-  template std::optional<NearDegenerateSheets> tubes(     \
-      const TetWithCurves<Scalar>&, const Level<Scalar>&, \
-      const BoundaryLoops&);
+#define TENSORTOPO_INSTANTIATE(Scalar)                                             \
+  template std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>&, \
+                                                     const Level<Scalar>&, const BoundaryLoops&);
 TENSORTOPO_FOR_EACH_EXTRACTOR(TENSORTOPO_INSTANTIATE)
 #undef TENSORTOPO_INSTANTIATE
 

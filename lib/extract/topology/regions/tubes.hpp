@@ -21,8 +21,7 @@ namespace detail {
 /// edges: each ends in two closed curves on faces, around the two ends of its arc.
 template <class Scalar>
 std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>& tet,
-                                          const Level<Scalar>& level,
-                                          const BoundaryLoops& loops);
+                                          const Level<Scalar>& level, const BoundaryLoops& loops);
 
 }  // namespace detail
 

@@ -121,7 +121,8 @@ bool has_area(const BallPoint& a, const BallPoint& b, const BallPoint& c) {
 /// Closed convex sets that meet in a common vertex at most are parted by a plane (through it), so
 /// what is looked for is its normal. Two triangles with a common edge meet in nothing else if they
 /// are in different planes. In one plane they overlap if, seen along the edge, their other corners
-/// are in one direction: if the products of the edge with both are positive multiples of each other.
+/// are in one direction: if the products of the edge with both are positive multiples of each
+/// other.
 bool are_apart(std::span<const BallPoint> points, const std::array<std::uint32_t, 3>& first,
                const std::array<std::uint32_t, 3>& second) {
   auto a = first, b = second;
