@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "extract/level/lanes/lanes.hpp"
+#include "extract/level/proofs/unit_directions.hpp"
 
 namespace tensortopo {
 
@@ -41,17 +42,10 @@ class SearchInLanes {
       fill(unit_[i], unit_[i][0]);
     }
     for (std::size_t four = 0; four < kFours; ++four) {
-      Lanes unit[Vertices];
+      std::array<Lanes, Vertices> unit;
       for (std::size_t i = 0; i < Vertices; ++i) unit[i] = at(unit_[i], four);
-      if (of_sum_zero) {
-        Lanes mean(0);
-        for (const auto& x : unit) mean = mean + x / Lanes(static_cast<int>(Vertices));
-        for (auto& x : unit) x = x - mean;
-      }
-      Lanes square(0);
-      for (const auto& x : unit) square = square + x * x;
-      const Lanes factor = Lanes(1) / sqrt(square);
-      for (std::size_t i = 0; i < Vertices; ++i) set(unit_[i], four, unit[i] * factor);
+      make_units(unit, of_sum_zero);
+      for (std::size_t i = 0; i < Vertices; ++i) set(unit_[i], four, unit[i]);
     }
     for (std::size_t i = 0; i < Vertices; ++i) {
       double sum = 0;

@@ -8,6 +8,7 @@
 #include "extract/level/lanes/lanes.hpp"
 #include "extract/level/proofs/direction_search.hpp"
 #include "extract/level/proofs/simple_simplex.hpp"
+#include "extract/level/proofs/unit_directions.hpp"
 
 namespace tensortopo {
 
@@ -25,16 +26,9 @@ class LaneSearch {
       std::array<Lanes, Vertices> unit;
       for (std::size_t i = 0; i < Vertices; ++i)
         unit[i] = increase.along[i][k] + increase.along[i][count + k];
-      if (of_sum_zero) {
-        Lanes mean(0);
-        for (const auto& x : unit) mean = mean + x / Lanes(static_cast<int>(Vertices));
-        for (auto& x : unit) x = x - mean;
-      }
-      Lanes square(0);
-      for (const auto& x : unit) square = square + x * x;
-      const Lanes factor = Lanes(1) / sqrt(square);
+      make_units(unit, of_sum_zero);
       for (std::size_t i = 0; i < Vertices; ++i) {
-        unit_[i][k] = unit[i] * factor;
+        unit_[i][k] = unit[i];
         d_[i] = d_[i] + unit_[i][k];
       }
     }
