@@ -8,7 +8,7 @@
 namespace tensortopo::test {
 namespace {
 
-const std::string tensors = "1 2 3 4 5 6 1 2 3 4 5 7 1 2 3 4 5 8 1 2 3 4 5 9";
+const std::string kFourTensors = "1 2 3 4 5 6 1 2 3 4 5 7 1 2 3 4 5 8 1 2 3 4 5 9";
 
 /// The tetrahedron beyond the face x + y + z = 1 of the standard one: shares three points with it.
 TextVtu neighbour() {
@@ -63,7 +63,7 @@ TEST(ReadPieces, CoincidingPointsOfOnePieceStayApartUnlessAnotherMeetsThem) {
   TextVtu crack;
   crack.points = "8", crack.cells = "2";
   crack.coordinates = "0 0 0 1 0 0 0 1 0 0 0 1  1 1 1 1 0 0 0 1 0 0 0 1";
-  crack.point_data = TextVtu::array("stress", 6, tensors + " " + tensors);
+  crack.point_data = TextVtu::array("stress", 6, kFourTensors + " " + kFourTensors);
   crack.connectivity = "0 1 2 3 4 5 7 6", crack.offsets = "4 8", crack.types = "10 10";
   put("crack.vtu", crack.str());
   TextVtu far;
@@ -113,7 +113,7 @@ TEST(ReadPieces, MissingOrUnlikePiecesAreRefused) {
   EXPECT_EQ(gone.file(), temporary("gone.vtu"));
   EXPECT_NE(std::string(gone.what()).find("(named by " + index.string() + ")"), std::string::npos);
   TextVtu b = neighbour();
-  b.point_data = TextVtu::array("strain", 6, tensors);
+  b.point_data = TextVtu::array("strain", 6, kFourTensors);
   put("b.vtu", b.str());
   const IoError error = error_of(index_of({"a.vtu", "b.vtu"}));
   EXPECT_EQ(error.file(), temporary("b.vtu"));

@@ -25,7 +25,7 @@ namespace tensortopo {
 namespace {
 
 constexpr std::size_t kMostFrames = 10000;
-constexpr int kExecFailed = 127;
+constexpr int kEncoderNotStarted = 127;
 
 // The child: becomes ffmpeg, which reads PNG files from `input`, one after the other.
 [[noreturn]] void become_ffmpeg(int input, const std::filesystem::path& file) {
@@ -48,7 +48,7 @@ constexpr int kExecFailed = 127;
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execvp("ffmpeg", arguments.data());
-  _exit(kExecFailed);
+  _exit(kEncoderNotStarted);
 }
 
 bool write_all(int descriptor, std::string_view bytes) {
@@ -121,7 +121,7 @@ std::size_t write_film(const std::filesystem::path& file,
   sigaction(SIGPIPE, &before, nullptr);
   int status = 0;
   waitpid(child, &status, 0);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == kExecFailed)
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kEncoderNotStarted)
     fail("cannot start ffmpeg; nothing is written");
   if (!whole || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     fail("ffmpeg makes no film of the frames; nothing is written");

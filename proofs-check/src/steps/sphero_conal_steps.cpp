@@ -52,10 +52,10 @@ struct Chart {
 
 /// The eigenvalues of a characteristic tensor with the medium one given, b1 - b3 = g,
 /// A^2 = (b1 - b2) / g and B^2 = (b2 - b3) / g; and d+, d-.
-struct Eigenvalues {
+struct ChartEigenvalues {
   Polynomial b1, b2, b3, plus, minus;
 
-  explicit Eigenvalues(const Chart& c, const Polynomial& medium = variable("b2")) : b2(medium) {
+  explicit ChartEigenvalues(const Chart& c, const Polynomial& medium = variable("b2")) : b2(medium) {
     b1 = b2 + square(c.A) * variable("g");
     b3 = b2 - square(c.B) * variable("g");
     plus = b2 + (b1 - b2) * square(c.sin_theta);
@@ -90,7 +90,7 @@ std::vector<Polynomial> metric(Constants& k) {
 std::vector<Polynomial> plane_eigenvalues(Constants& k) {
   const Chart c(k(1), k(1), k(1));
   // The medium eigenvalue that makes the sum zero.
-  const Eigenvalues b(c, k(1, 3) * (square(c.B) - square(c.A)) * variable("g"));
+  const ChartEigenvalues b(c, k(1, 3) * (square(c.B) - square(c.A)) * variable("g"));
   const auto& [xx, yy, zz] = c.squares;
   return {c.reduced(b.plus + b.minus + k(1) * (b.b1 * xx + b.b2 * yy + b.b3 * zz)),
           c.reduced(b.plus * b.minus -
@@ -99,7 +99,7 @@ std::vector<Polynomial> plane_eigenvalues(Constants& k) {
 
 std::vector<Polynomial> squares_of_coordinates(Constants& k) {
   const Chart c(k(1), k(1), k(1));
-  const Eigenvalues e(c);
+  const ChartEigenvalues e(c);
   const auto claim = [&](const Polynomial& b, const Polynomial& other1, const Polynomial& other2,
                          const Polynomial& v2) {
     return c.reduced(k(1) * v2 * (b - other1) * (b - other2) - (b - e.plus) * (b - e.minus));
@@ -119,7 +119,7 @@ std::vector<Polynomial> straight_boundary(Constants& k) {
 std::vector<Polynomial> singular_decomposition(Constants& k) {
   // T = b2 I - (g/2) (s1 s2^T + s2 s1^T), s1 = (A, 0, B), s2 = (-A, 0, B), is diagonal.
   const Chart c(1);
-  const Eigenvalues e(c);
+  const ChartEigenvalues e(c);
   const Vector3 first{c.A, Polynomial(), c.B}, second{k(-1) * c.A, Polynomial(), c.B};
   const Vector3 expected{e.b1, e.b2, e.b3};
   const Polynomial half_gap = k(1, 2) * variable("g"), isotropic = k(1) * e.b2;
@@ -134,7 +134,7 @@ std::vector<Polynomial> singular_decomposition(Constants& k) {
 std::vector<Polynomial> singular_plane(Constants& k) {
   // (I - s1 s1^T) (T - b2 I) (I - s1 s1^T) = 0 for s1 = (A, 0, B).
   const Chart c(k(1));
-  const Eigenvalues e(c);
+  const ChartEigenvalues e(c);
   const Vector3 v{c.A, Polynomial(), c.B};
   const Matrix3 t = symmetric(e.b1 - k(1) * e.b2, {}, e.b3 - k(1) * e.b2, {}, {}, {});
   Matrix3 projection;

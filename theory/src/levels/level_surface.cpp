@@ -67,15 +67,15 @@ std::vector<LevelComplex::Index> sides(const LevelComplex& complex, const LevelC
   return result;
 }
 
-using Edge = std::array<LevelComplex::Index, 2>;
+using CellEdge = std::array<LevelComplex::Index, 2>;
 
 // The loop of the level around a cell: points on its edges, in order. Empty if it is not crossed.
-std::vector<Edge> loop_around(const LevelComplex& complex, const LevelComplex::Cell& cell) {
+std::vector<CellEdge> loop_around(const LevelComplex& complex, const LevelComplex::Cell& cell) {
   const auto up = sides(complex, cell, true), down = sides(complex, cell, false);
   if (up.empty() || down.empty()) return {};
   if (up.size() == 2)
     return {{up[0], down[0]}, {up[1], down[0]}, {up[1], down[1]}, {up[0], down[1]}};
-  std::vector<Edge> loop;
+  std::vector<CellEdge> loop;
   for (const auto u : up)
     for (const auto d : down) loop.push_back({u, d});
   return loop;
@@ -85,7 +85,7 @@ class Counter {
  public:
   explicit Counter(const LevelComplex& complex) : antipodal_(complex.is_antipodal()) {}
 
-  void add_disc(const std::vector<Edge>& loop) {
+  void add_disc(const std::vector<CellEdge>& loop) {
     const std::size_t disc = discs_.add();
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t p = point(loop[i]), q = point(loop[(i + 1) % loop.size()]);
@@ -122,10 +122,10 @@ class Counter {
     int discs = 1;
   };
 
-  std::size_t point(const Edge& edge) {
+  std::size_t point(const CellEdge& edge) {
     std::uint64_t key = simplex_key(edge);
     if (antipodal_) {
-      const Edge opposite{LevelComplex::twin(edge[0]), LevelComplex::twin(edge[1])};
+      const CellEdge opposite{LevelComplex::twin(edge[0]), LevelComplex::twin(edge[1])};
       key = std::min(key, simplex_key(opposite));
     }
     const auto [at, added] = points_.try_emplace(key, points_.size());

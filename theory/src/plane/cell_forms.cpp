@@ -8,16 +8,16 @@ namespace tensortopo::theory {
 namespace {
 
 template <std::size_t Degree>
-using Form = BarycentricPolynomial<Integer, 3, Degree>;
+using IntegerForm = BarycentricPolynomial<Integer, 3, Degree>;
 
-Form<1> weight_form(std::size_t i) {
-  Form<1> form;
+IntegerForm<1> weight_form(std::size_t i) {
+  IntegerForm<1> form;
   form.coefficients[i] = 1;
   return form;
 }
 
 template <std::size_t Degree>
-bool of_one_sign(const Form<Degree>& form) {
+bool of_one_sign(const IntegerForm<Degree>& form) {
   const int sign = form.coefficients[0].sign();
   for (const Integer& c : form.coefficients) {
     if (c.sign() != sign) return false;
@@ -27,8 +27,8 @@ bool of_one_sign(const Form<Degree>& form) {
 
 // Forms in the weights of the corners, for T their combination.
 struct Cell {
-  Form<2> size;                               // |T|^2
-  Form<3> cube;                               // tr T^3
+  IntegerForm<2> size;                               // |T|^2
+  IntegerForm<3> cube;                               // tr T^3
   std::array<IntegerTensor, 6> square_terms;  // of T^2, in the order of a quadratic form
   const std::array<IntegerTensor, 3>& corners;
 
@@ -45,22 +45,22 @@ struct Cell {
   }
 
   // <T^2, D> and <T, D>.
-  Form<2> squared_along(const IntegerTensor& d) const {
-    Form<2> form;
+  IntegerForm<2> squared_along(const IntegerTensor& d) const {
+    IntegerForm<2> form;
     for (std::size_t k = 0; k < 6; ++k) form.coefficients[k] = inner(square_terms[k], d);
     return form;
   }
-  Form<1> along(const IntegerTensor& d) const {
+  IntegerForm<1> along(const IntegerTensor& d) const {
     return {{inner(corners[0], d), inner(corners[1], d), inner(corners[2], d)}};
   }
   // Of the sign of the derivative of the mode when T changes along D.
-  Form<4> increase(const IntegerTensor& d) const {
+  IntegerForm<4> increase(const IntegerTensor& d) const {
     return size * squared_along(d) - cube * along(d);
   }
 };
 
 bool is_monotone(const Cell& cell, const std::array<IntegerTensor, 2>& directions) {
-  const Form<4> first = cell.increase(directions[0]), second = cell.increase(directions[1]);
+  const IntegerForm<4> first = cell.increase(directions[0]), second = cell.increase(directions[1]);
   // Sixteen directions all around; opposite ones are the same.
   constexpr std::array<std::array<int, 2>, 8> combinations = {
       {{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 1}, {1, 2}, {2, -1}, {1, -2}}};
@@ -71,7 +71,7 @@ bool is_monotone(const Cell& cell, const std::array<IntegerTensor, 2>& direction
 }
 
 // By Descartes' rule, where the third weight is zero.
-bool is_met_once(const Form<6>& form, std::size_t opposite) {
+bool is_met_once(const IntegerForm<6>& form, std::size_t opposite) {
   int changes = 0, last = 0;
   for (std::size_t i = 0; i < form.size; ++i) {
     if (form.exponents[i][opposite] != 0) continue;
@@ -98,7 +98,7 @@ Sign Level::at(const IntegerTensor& t) const {
 CellKind kind_of_cell(const std::array<IntegerTensor, 3>& corners,
                       const std::array<IntegerTensor, 2>& directions, const Level& level) {
   const Cell cell(corners);
-  const Form<6> form = Integer(6) * level.denominator * (cell.cube * cell.cube) -
+  const IntegerForm<6> form = Integer(6) * level.denominator * (cell.cube * cell.cube) -
                        level.numerator * (cell.size * (cell.size * cell.size));
   if (of_one_sign(form)) return CellKind::empty;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -12,11 +12,11 @@
 namespace tensortopo::theory {
 namespace {
 
-using Triple = std::array<IntegerTensor, 3>;
+using TensorTriple = std::array<IntegerTensor, 3>;
 
 // Without the parts along the others, times a number: an orthonormal basis but for lengths, which
 // are roots and do not matter in a chart.
-Triple orthogonal(const Triple& basis) {
+TensorTriple orthogonal(const TensorTriple& basis) {
   const auto [t1, t2, t3] = basis;
   const IntegerTensor u = t1;
   const IntegerTensor v = inner(u, u) * t2 - inner(t2, u) * u;
@@ -27,7 +27,7 @@ Triple orthogonal(const Triple& basis) {
 
 // The number of solutions of the first two equations with w = 1, by a projection in which none is
 // lost; -1 if they are solved by all points with w = 0.
-int solutions_in_chart(const Triple& basis) {
+int solutions_in_chart(const TensorTriple& basis) {
   const auto [u, v, w] = orthogonal(basis);
   // With w = 0 they say that h is zero, a quadratic form.
   for (int k = 0; k < 3; ++k) {
@@ -38,7 +38,7 @@ int solutions_in_chart(const Triple& basis) {
 }
 
 // The largest degree of f, g and h along a line with w = 1.
-int gradient_degree(const Triple& basis) {
+int gradient_degree(const TensorTriple& basis) {
   const auto [u, v, w] = orthogonal(basis);
   int degree = 0;
   for (const IntegerTensor& direction : {u, v, u + v}) {
@@ -80,13 +80,13 @@ bool is_critical_in_plane(const Plane& plane, const PointFamily& family) {
 }
 
 // A maximum first, and none of the other critical points a combination of the first two.
-Triple basis_from_maximum() {
-  const Triple span = plane_of(off_diagonal_shifted().span())->basis;
+TensorTriple basis_from_maximum() {
+  const TensorTriple span = plane_of(off_diagonal_shifted().span())->basis;
   return {span[0], span[1] + Integer(2) * span[2], span[2]};
 }
 
 // Three saddles.
-Triple basis_of_axes() { return plane_of(off_diagonal().span())->basis; }
+TensorTriple basis_of_axes() { return plane_of(off_diagonal().span())->basis; }
 
 void spurious_solutions(const Trial& trial, Facts<Rational>& facts) {
   const auto plane = plane_of(trial.field);
@@ -186,7 +186,7 @@ Check check_points_at_infinity() { return points_at_infinity; }
 
 Outcome fewer_than_nine_solutions() {
   const WitnessPlane& witness = off_diagonal_shifted();
-  const Triple basis = basis_from_maximum();
+  const TensorTriple basis = basis_from_maximum();
   const int degree = solutions_in_chart(basis);
   const bool lost = critical_minors(basis, basis[0]) == Vector3<Integer>{};
   if (degree == 9 || !lost || gradient_degree(basis) == 3) return Outcome::holds();

@@ -8,11 +8,11 @@ namespace tensortopo::theory {
 namespace {
 
 template <std::size_t Degree>
-using Form = BarycentricPolynomial<Integer, 3, Degree>;
+using IntegerForm = BarycentricPolynomial<Integer, 3, Degree>;
 
 // A form at (s, t, 1): its coefficients as a polynomial in t are polynomials in s.
 template <std::size_t Degree>
-std::array<Polynomial, Degree + 1> powers_of_t(const Form<Degree>& form) {
+std::array<Polynomial, Degree + 1> powers_of_t(const IntegerForm<Degree>& form) {
   std::array<Polynomial, Degree + 1> result;
   for (std::size_t i = 0; i < form.size; ++i) {
     const auto& exponent = form.exponents[i];
@@ -34,31 +34,31 @@ Polynomial bezout(const std::array<Polynomial, Size>& a, const std::array<Polyno
 }
 
 // Twice tr(B_i B_j B_k) for k = 1, 2, 3, as a linear form.
-Form<1> linear_form(const IntegerTensor& bi, const IntegerTensor& bj,
+IntegerForm<1> linear_form(const IntegerTensor& bi, const IntegerTensor& bj,
                     const std::array<IntegerTensor, 3>& basis) {
   const IntegerTensor twice = square(bi + bj) - square(bi) - square(bj);
-  Form<1> form;
+  IntegerForm<1> form;
   for (std::size_t k = 0; k < 3; ++k) form.coefficients[k] = inner(twice, basis[k]);
   return form;
 }
 
-Form<1> variable(std::size_t j) {
-  Form<1> form;
+IntegerForm<1> variable(std::size_t j) {
+  IntegerForm<1> form;
   form.coefficients[j] = 1;
   return form;
 }
 
 // Twice <T^2, B_i>; the solutions do not mind a common factor.
-Form<2> gradient(std::size_t i, const std::array<IntegerTensor, 3>& basis) {
-  Form<2> sum;
+IntegerForm<2> gradient(std::size_t i, const std::array<IntegerTensor, 3>& basis) {
+  IntegerForm<2> sum;
   for (std::size_t j = 0; j < 3; ++j) {
     sum = sum + variable(j) * linear_form(basis[i], basis[j], basis);
   }
   return sum;
 }
 
-Form<1> metric(std::size_t i, const std::array<IntegerTensor, 3>& basis) {
-  Form<1> form;
+IntegerForm<1> metric(std::size_t i, const std::array<IntegerTensor, 3>& basis) {
+  IntegerForm<1> form;
   for (std::size_t k = 0; k < 3; ++k) form.coefficients[k] = inner(basis[i], basis[k]);
   return form;
 }
@@ -66,8 +66,8 @@ Form<1> metric(std::size_t i, const std::array<IntegerTensor, 3>& basis) {
 }  // namespace
 
 Elimination eliminate(const std::array<IntegerTensor, 3>& basis) {
-  std::array<Form<2>, 3> f;
-  std::array<Form<1>, 3> p;
+  std::array<IntegerForm<2>, 3> f;
+  std::array<IntegerForm<1>, 3> p;
   for (std::size_t i = 0; i < 3; ++i) f[i] = gradient(i, basis), p[i] = metric(i, basis);
   const auto a = powers_of_t(p[2] * f[1] - p[1] * f[2]);
   const auto b = powers_of_t(p[0] * f[2] - p[2] * f[0]);
@@ -92,7 +92,7 @@ Conics eliminate(const IntegerTensor& first, const IntegerTensor& second) {
   // In the order of the exponents: s^2, s t, s, t^2, t, 1.
   const auto form = [](const IntegerTensor& m) {
     const Integer two(2);
-    return powers_of_t(Form<2>{{m.xx, two * m.xy, two * m.xz, m.yy, two * m.yz, m.zz}});
+    return powers_of_t(IntegerForm<2>{{m.xx, two * m.xy, two * m.xz, m.yy, two * m.yz, m.zz}});
   };
   const auto a = form(first), b = form(second);
   const Polynomial corner = bezout(a, b, 0, 0), side = bezout(a, b, 0, 1),

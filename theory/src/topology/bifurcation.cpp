@@ -50,8 +50,6 @@ Tensor companion(const Tensor& t) {
          Rational(Rational(3) * determinant(t) / size) * t;
 }
 
-std::string normal_place(const Tensor& n) { return "characteristic tensor along " + text(n); }
-
 // Second derivatives of the mode at a critical d, on the tensors of the basis made orthogonal to
 // d, up to a positive factor.
 std::vector<std::vector<Rational>> mode_bend(const Tensor& d, const Four& basis) {
@@ -68,6 +66,8 @@ std::vector<std::vector<Rational>> mode_bend(const Tensor& d, const Four& basis)
 }
 
 }  // namespace
+
+std::string normal_place(const Tensor& n) { return "characteristic tensor along " + text(n); }
 
 void bifurcation_topology(const Trial& trial, Facts<Rational>& facts) {
   const auto n = characteristic_multiple(trial.field);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "tensortopo/theory/facts.hpp"
 #include "tensortopo/theory/trial.hpp"
+#include "tensors.hpp"
 #include "topology/loop_cut.hpp"
 
 namespace tensortopo::theory {
@@ -38,6 +40,9 @@ struct LoopOutcome {
   std::optional<LoopCut> cut;  ///< if resolved
 };
 LoopOutcome loop_outcome(const LoopTetrahedron& t);
+
+/// Names a characteristic tensor.
+std::string normal_place(const Tensor& n);
 
 inline constexpr const char* kRankBelow4 = "rank below 4";
 /// Of levels too close to a critical one.

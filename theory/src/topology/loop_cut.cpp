@@ -15,7 +15,7 @@
 namespace tensortopo::theory {
 namespace {
 
-using Edge = std::array<LevelComplex::Index, 2>;
+using FaceEdge = std::array<LevelComplex::Index, 2>;
 using Face = LevelComplex::Face;
 
 /// Points with a side each, of which some are known to be on the same side and some not.
@@ -58,7 +58,7 @@ struct Link {
 };
 
 struct Graph {
-  std::map<Edge, std::size_t> points;
+  std::map<FaceEdge, std::size_t> points;
   std::vector<Link> links;
 };
 
@@ -75,8 +75,8 @@ std::optional<Graph> graph_of(const LevelComplex& complex, LoopCrossings& crossi
   Graph graph;
   for (const auto& [face, cells] : cells_at) {
     std::vector<std::size_t> ends;
-    for (const Edge& edge :
-         {Edge{face[0], face[1]}, Edge{face[1], face[2]}, Edge{face[0], face[2]}})
+    for (const FaceEdge& edge :
+         {FaceEdge{face[0], face[1]}, FaceEdge{face[1], face[2]}, FaceEdge{face[0], face[2]}})
       if (complex.is_above(edge[0]) != complex.is_above(edge[1]))
         ends.push_back(graph.points.try_emplace(edge, graph.points.size()).first->second);
     const auto found = crossings.of(face);

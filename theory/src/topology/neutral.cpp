@@ -10,8 +10,6 @@
 namespace tensortopo::theory {
 namespace {
 
-std::string normal_place(const Tensor& n) { return "characteristic tensor along " + text(n); }
-
 // The characteristic tensor, if the neutral surface is not singular.
 std::optional<Tensor> regular_normal(const Trial& trial, Facts<Rational>& facts) {
   const auto n = characteristic_multiple(trial.field);

@@ -23,19 +23,18 @@ namespace {
 using Polyline = std::vector<Vector3<double>>;
 
 constexpr int kGridLines = 12;     // in half a turn
-constexpr int kSamples = 240;      // of a line of the grid
+constexpr int kGridSamples = 240;      // of a line of the grid
 constexpr int kLatitudes = 96;     // of the triangles that carry the texture's lines
 constexpr double kRim = -0.04;     // how far behind the visible half triangles are kept
 constexpr double kNearRim = 0.09;  // cosine: lines beyond would stick out
 constexpr double kPixels = 2.5;    // of the window: edges of coloured triangles
 constexpr double kTexturePixels = 3.4;
 constexpr double kGrainPixels = 3;  // of the window
-constexpr std::size_t kMostVertices = 2500000;
+constexpr std::size_t kMostSphereVertices = 2500000;
 
 // Triangles of the visible half, latitudes around the viewer.
 SurfaceMesh visible_half(const SphereFrame& frame) {
   SurfaceMesh sphere;
-  using Index = SurfaceMesh::Index;
   const double last = std::acos(kRim);
   constexpr int around = 4 * kLatitudes;
   sphere.points.push_back(frame.viewer);
@@ -49,7 +48,7 @@ SurfaceMesh visible_half(const SphereFrame& frame) {
     }
   }
   const auto number = [](int i, int j) {
-    return i == 0 ? Index{0} : static_cast<Index>(1 + (i - 1) * around + j % around);
+    return i == 0 ? SurfaceMesh::Index{0} : static_cast<SurfaceMesh::Index>(1 + (i - 1) * around + j % around);
   };
   for (int i = 0; i < kLatitudes; ++i) {
     for (int j = 0; j < around; ++j) {
@@ -153,7 +152,7 @@ std::vector<Polyline> boundary_pieces(const TetDirections& directions, bool insi
   std::vector<Polyline> out;
   const auto& manifold = directions.manifold();
   if (manifold.complex_domain_empty()) return out;
-  constexpr int samples = 6 * kSamples;
+  constexpr int samples = 6 * kGridSamples;
   for (int loop = 0; loop < manifold.loop_count(); ++loop) {
     Polyline piece;
     const auto end = [&] {
@@ -207,7 +206,7 @@ void add_sphere(vtkRenderer& renderer, const TetDirections& directions, const Sp
                 const SphereLook& look) {
   const SurfaceMesh sphere = visible_half(frame);
   const double pixels = look.texture == Texture::none ? kPixels : kTexturePixels;
-  const FineSurface fine = fine_surface(sphere, pixels / look.radius_pixels, kMostVertices);
+  const FineSurface fine = fine_surface(sphere, pixels / look.radius_pixels, kMostSphereVertices);
   const std::vector<double> values = texture_values(directions, sphere, fine, look);
   std::vector<Colour> colours(fine.vertices.size());
   tbb::parallel_for(std::size_t{0}, colours.size(), [&](std::size_t i) {
@@ -242,11 +241,11 @@ void add_sphere(vtkRenderer& renderer, const TetDirections& directions, const Sp
     std::vector<Polyline> grid;
     for (int k = 0; k < 2 * kGridLines; ++k) {
       Polyline across, along;
-      for (int i = 0; i <= kSamples; ++i) {
+      for (int i = 0; i <= kGridSamples; ++i) {
         across.push_back(manifold.sphere_point(std::numbers::pi * k / kGridLines,
-                                               std::numbers::pi * i / kSamples));
+                                               std::numbers::pi * i / kGridSamples));
         if (k <= kGridLines)
-          along.push_back(manifold.sphere_point(2 * std::numbers::pi * i / kSamples,
+          along.push_back(manifold.sphere_point(2 * std::numbers::pi * i / kGridSamples,
                                                 std::numbers::pi * k / kGridLines));
       }
       grid.push_back(across);

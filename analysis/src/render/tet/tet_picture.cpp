@@ -28,7 +28,7 @@ namespace {
 using Polyline = std::vector<Vector3<double>>;
 
 constexpr double kSphereShare = 0.84;                                     // of its panel
-constexpr double kGrain = 1.7;                                            // pixels
+constexpr double kPanelGrain = 1.7;                                            // pixels
 constexpr double kPanelWidth = 720, kPanelHeight = 960, kLargestSide = 4096;  // pixels
 
 // Sizes that all panels share.
@@ -177,7 +177,7 @@ void draw_space(vtkRenderer& renderer, const TetPicture& picture, const Subject&
   add_domain(renderer, domain, scale.line);
   const double size = diagonal(domain->GetBounds());
   const double zoom = picture.view.zoom;
-  const double cell = kGrain * kOversampling * size / scale.least() / zoom;
+  const double cell = kPanelGrain * kOversampling * size / scale.least() / zoom;
   if (picture.beyond > 1) {
     std::vector<Polyline> edges;
     const auto& c = picture.field.corners;

@@ -24,7 +24,7 @@ constexpr int kMostRounds = 8;
 
 /// Triangles tried for each triangle of the patch: where more are needed, mending hardly ever
 /// succeeds. Boxes and triangles compared count as well, so many as one triangle.
-constexpr std::size_t kMostTried = 384, kComparedAsOne = 8;
+constexpr std::size_t kTriedPerTriangle = 384, kComparedAsOne = 8;
 
 /// Newton steps go on, four at a time, until they change no weight by more than rounding does.
 constexpr int kMostAttempts = 8;
@@ -53,7 +53,7 @@ class Untangling {
         faces_(placed_.ids.size(), 0),
         bad_(placed_.triangles.size(), 0),
         cosine_(placed_.triangles.size()),
-        most_tried_(kMostTried * placed_.triangles.size()) {
+        most_tried_(kTriedPerTriangle * placed_.triangles.size()) {
     for (std::uint32_t t = 0; t < placed_.triangles.size(); ++t) enter(t);
     for (const auto& loop : boundaries)
       for (const auto& vertex : loop) {

@@ -31,7 +31,7 @@ constexpr int kNewtonSteps = 4;
 /// A walk along the curve: the longest and the shortest step, in weights of the tetrahedron, how
 /// many there are at most, and how far outside the tetrahedron the curve may run. (Rounding puts a
 /// curve in a plane of symmetry to either side of a face.)
-constexpr double kLongestStep = 1.0 / 16, kShortestStep = 1e-6;
+constexpr double kLongestWalkStep = 1.0 / 16, kShortestWalkStep = 1e-6;
 constexpr std::size_t kMostSteps = 600;
 constexpr double kOutside = 1e-6;
 constexpr int kDepthOfStep = 2;
@@ -227,9 +227,9 @@ class Paths {
 
   /// From the last place of a line on, in a direction.
   void walk_on(std::vector<Place>& line, Weights along) const {
-    double step = kLongestStep;
+    double step = kLongestWalkStep;
     const std::size_t most = line.size() + kMostSteps;
-    while (step > kShortestStep && line.size() < most) {
+    while (step > kShortestWalkStep && line.size() < most) {
       const Weights w = normalized(line.back().weights);
       const Weights guess = scaled_sum(w, step, along);
       const auto found = on_curve(guess);
@@ -242,7 +242,7 @@ class Paths {
       line.push_back(next);
       if (const auto tangent = equations(*found).tangent())
         along = scaled_sum({}, dot(*tangent, along) < 0 ? -1 : 1, *tangent);
-      step = std::min(4 * step, kLongestStep);
+      step = std::min(4 * step, kLongestWalkStep);
     }
   }
 

@@ -10,17 +10,17 @@
 namespace tensortopo::detail {
 namespace {
 
-constexpr std::int8_t space = -1, padding = -2, other = -3;
+constexpr std::int8_t kSpace = -1, kPadding = -2, kOther = -3;
 
 constexpr std::array<std::int8_t, 256> make_table() {
   std::array<std::int8_t, 256> table{};
-  for (auto& entry : table) entry = other;
+  for (auto& entry : table) entry = kOther;
   constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   for (std::size_t i = 0; i < digits.size(); ++i)
     table[static_cast<unsigned char>(digits[i])] = static_cast<std::int8_t>(i);
-  for (const char c : {' ', '\t', '\n', '\r'}) table[static_cast<unsigned char>(c)] = space;
-  table['='] = padding;
+  for (const char c : {' ', '\t', '\n', '\r'}) table[static_cast<unsigned char>(c)] = kSpace;
+  table['='] = kPadding;
   return table;
 }
 
@@ -47,17 +47,17 @@ std::string from_base64(std::string_view text, bool prefix) {
       i += 4;
     }
     const int value = value_at(i);
-    if (value == space) continue;
-    if (value == other) {
+    if (value == kSpace) continue;
+    if (value == kOther) {
       if (prefix) break;
       throw FormatError("holds a character that is not base64");
     }
-    if (value == padding) {
+    if (value == kPadding) {
       ++pads;
     } else if (pads > 0) {
       throw FormatError("base64 goes on after its padding");
     }
-    bits = bits << 6 | static_cast<std::uint32_t>(value == padding ? 0 : value);
+    bits = bits << 6 | static_cast<std::uint32_t>(value == kPadding ? 0 : value);
     if (++digits < 4) continue;
     if (pads > 2) throw FormatError("base64 has too much padding");
     write(3 - pads);

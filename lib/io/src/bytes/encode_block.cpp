@@ -28,11 +28,11 @@ struct Free {
     libdeflate_free_compressor(compressor);
   }
 };
-using Compressor = std::unique_ptr<libdeflate_compressor, Free>;
+using DeflateCompressor = std::unique_ptr<libdeflate_compressor, Free>;
 
 /// The largest effort is the least that finds patterns: more saves one byte in a hundred.
-Compressor make_compressor(Patterns patterns) {
-  Compressor compressor(libdeflate_alloc_compressor(patterns == Patterns::some ? 1 : 0));
+DeflateCompressor make_compressor(Patterns patterns) {
+  DeflateCompressor compressor(libdeflate_alloc_compressor(patterns == Patterns::some ? 1 : 0));
   if (!compressor) throw std::bad_alloc();
   return compressor;
 }
@@ -42,7 +42,7 @@ Compressor make_compressor(Patterns patterns) {
 void append_block(std::span<const std::byte> bytes, Patterns patterns, std::string& text) {
   const std::size_t count = (bytes.size() + kBlockSize - 1) / kBlockSize;
   std::vector<std::vector<std::byte>> blocks(count);
-  tbb::enumerable_thread_specific<Compressor> compressors(
+  tbb::enumerable_thread_specific<DeflateCompressor> compressors(
       [&] { return make_compressor(patterns); });
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     libdeflate_compressor* const compressor = compressors.local().get();

@@ -23,7 +23,7 @@ constexpr std::array<std::array<char, 2>, 4096> make_pairs() {
   return pairs;
 }
 
-constexpr auto pairs = make_pairs();
+constexpr auto kPairs = make_pairs();
 
 /// Whole groups of three bytes.
 void encode(std::span<const std::byte> bytes, char* out) {
@@ -31,7 +31,7 @@ void encode(std::span<const std::byte> bytes, char* out) {
     const auto bits = std::to_integer<std::uint32_t>(bytes[i]) << 16 |
                       std::to_integer<std::uint32_t>(bytes[i + 1]) << 8 |
                       std::to_integer<std::uint32_t>(bytes[i + 2]);
-    const auto &first = pairs[bits >> 12], &second = pairs[bits & 0xfff];
+    const auto &first = kPairs[bits >> 12], &second = kPairs[bits & 0xfff];
     *out++ = first[0], *out++ = first[1], *out++ = second[0], *out++ = second[1];
   }
 }

@@ -16,8 +16,8 @@ using Tensor = SymmetricTensor<double>;
 
 std::array<double, 6> components(const Tensor& t) { return {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz}; }
 
-/// Of the deviator, about.
-double deviator_norm(const Tensor& t) {
+/// The norm of the deviator, about.
+double deviator_size(const Tensor& t) {
   const double mean = t.xx / 3 + t.yy / 3 + t.zz / 3;
   const std::array<double, 9> all{t.xx - mean, t.yy - mean, t.zz - mean, t.xy, t.yz,
                                   t.xz,        t.xy,        t.yz,        t.xz};
@@ -36,7 +36,7 @@ std::size_t take_as_zero(TetMesh& mesh, double least) {
     const Tensor before = t;
     for (double* x : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz})
       if (std::abs(*x) < least) *x = 0;
-    if (deviator_norm(t) < least) {
+    if (deviator_size(t) < least) {
       const double mean = t.xx / 3 + t.yy / 3 + t.zz / 3;
       t = {mean, mean, mean, 0, 0, 0};
     }
@@ -48,7 +48,7 @@ std::size_t take_as_zero(TetMesh& mesh, double least) {
 std::string note_of_nearly_isotropic(const TetMesh& mesh) {
   constexpr double kShare = 1e-9;
   std::vector<double> norms(mesh.tensors.size());
-  std::transform(mesh.tensors.begin(), mesh.tensors.end(), norms.begin(), deviator_norm);
+  std::transform(mesh.tensors.begin(), mesh.tensors.end(), norms.begin(), deviator_size);
   std::vector<char> is_small(norms.size(), 0);
   for (const auto& tet : mesh.tets) {
     double largest = 0;

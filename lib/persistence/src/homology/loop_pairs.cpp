@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kNoClass = std::numeric_limits<std::size_t>::max();
 
 /// The changes to a component since it last had no loops.
-struct Component {
+struct LoopComponent {
   std::vector<const LoopChange*> births, deaths;
   long rank = 0;             ///< its first Betti number
   bool is_doubtful = false;  ///< that is not known
@@ -52,10 +52,10 @@ class LoopPairing {
         add(*step.change);
       else
         // Any component may be the one.
-        for (Component& component : components_) component.is_doubtful = true;
+        for (LoopComponent& component : components_) component.is_doubtful = true;
     }
     for (std::size_t i = 0; i < components_.size(); ++i) {
-      const Component& component = components_[i];
+      const LoopComponent& component = components_[i];
       if (classes_.find(static_cast<std::uint32_t>(i)) != i || component.is_doubtful ||
           !component.deaths.empty())
         continue;
@@ -67,12 +67,12 @@ class LoopPairing {
   }
 
  private:
-  Component& component_of(std::size_t member) {
+  LoopComponent& component_of(std::size_t member) {
     return components_[classes_.find(static_cast<std::uint32_t>(member))];
   }
 
   /// Notes whether the enclosure of a change to a component overlaps one before at another point.
-  void look_at(Component& component, std::size_t point, const ModeRange& mode) {
+  void look_at(LoopComponent& component, std::size_t point, const ModeRange& mode) {
     if (point != component.last_point) {
       component.low = std::min(component.low, component.last_low);
       component.last_point = point;
@@ -93,8 +93,8 @@ class LoopPairing {
       const auto i = classes_.find(static_cast<std::uint32_t>(merge.reached[0]));
       const auto j = classes_.find(static_cast<std::uint32_t>(merge.reached[k]));
       if (i == j) continue;
-      Component a = std::move(components_[i]), b = std::move(components_[j]);
-      for (Component* part : {&a, &b}) look_at(*part, merge.point, merge.mode);
+      LoopComponent a = std::move(components_[i]), b = std::move(components_[j]);
+      for (LoopComponent* part : {&a, &b}) look_at(*part, merge.point, merge.mode);
       if (a.births.size() + a.deaths.size() < b.births.size() + b.deaths.size()) std::swap(a, b);
       a.births.insert(a.births.end(), b.births.begin(), b.births.end());
       a.deaths.insert(a.deaths.end(), b.deaths.begin(), b.deaths.end());
@@ -110,7 +110,7 @@ class LoopPairing {
   }
 
   void add(const LoopChange& change) {
-    Component& component = component_of(*change.member);
+    LoopComponent& component = component_of(*change.member);
     component.is_doubtful |= change.is_open;
     look_at(component, change.point, change.mode);
     if (component.is_doubtful) return;
@@ -126,7 +126,7 @@ class LoopPairing {
     component.is_tie = false;
   }
 
-  void make_pairs(Component& component) {
+  void make_pairs(LoopComponent& component) {
     if (!are_known(component)) return;
     std::vector<std::size_t> births, deaths;
     for (const auto& [from, to] :
@@ -138,13 +138,13 @@ class LoopPairing {
     }
   }
 
-  static bool are_known(const Component& component) {
+  static bool are_known(const LoopComponent& component) {
     return component.births.size() == 1 || component.deaths.size() == 1 ||
            are_one_mode(component.births) || are_one_mode(component.deaths);
   }
 
   UnionFind classes_;
-  std::vector<Component> components_;
+  std::vector<LoopComponent> components_;
   std::vector<LoopPair> pairs_;
 };
 

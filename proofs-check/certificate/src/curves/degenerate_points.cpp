@@ -78,16 +78,16 @@ std::array<std::size_t, 5> columns_of(const std::array<Corner, 3>& corners) {
   return likely_columns(rows);
 }
 
-enum class Place : unsigned char { open, outside, inside };
+enum class PointPlace : unsigned char { open, outside, inside };
 
 /// Are all points on the arc outside, or inside, as the weights' signs tell?
 template <class N>
-Place place_of(const Arc<N>& arc, int side) {
-  Place place = Place::inside;
+PointPlace place_of(const Arc<N>& arc, int side) {
+  PointPlace place = PointPlace::inside;
   for (const auto& weight : arc.weight) {
     const int sign = side * common_sign(weight);
-    if (sign < 0) return Place::outside;
-    if (sign == 0) place = Place::open;
+    if (sign < 0) return PointPlace::outside;
+    if (sign == 0) place = PointPlace::open;
   }
   return place;
 }
@@ -109,10 +109,10 @@ bool is_free_in_balls(const std::array<Corner, 3>& corners,
       const Arc<Ball> arc = open.back();
       open.pop_back();
       if (common_sign(arc.zero) != 0) continue;
-      const Place place = place_of(arc, side);
-      if (place == Place::outside) continue;
+      const PointPlace place = place_of(arc, side);
+      if (place == PointPlace::outside) continue;
       const std::array ends{Ball(-1) * arc.zero.front(), arc.zero.back()};
-      if (place == Place::inside && common_sign(ends) != 0) return false;  // there is a point
+      if (place == PointPlace::inside && common_sign(ends) != 0) return false;  // there is a point
       for (const Arc<Ball>& half : arc.halves()) open.push_back(half);
     }
     if (open.empty()) return true;
@@ -195,10 +195,10 @@ bool add_points(const Arc<mpz_class>& whole, int side, std::vector<FacePoint>& p
     const Arc<mpz_class> arc = std::move(open.back());
     open.pop_back();
     if (common_sign(arc.zero) != 0) continue;
-    const Place place = place_of(arc, side);
-    if (place == Place::outside) continue;
+    const PointPlace place = place_of(arc, side);
+    if (place == PointPlace::outside) continue;
     const bool is_one = has_one_zero(arc.zero);
-    if (is_one && place == Place::inside) {
+    if (is_one && place == PointPlace::inside) {
       points.emplace_back(arc, side);
     } else if (is_one) {
       FacePoint point(arc, side);

@@ -13,11 +13,11 @@ namespace certificate {
 namespace {
 
 /// A face as one of its tetrahedra has it, but for its first point.
-struct Face {
+struct TetFace {
   std::uint32_t b, c;
   int side;  ///< of the face, on which the tetrahedron is: 1 or -1
 
-  bool is_same_as(const Face& other) const { return b == other.b && c == other.c; }
+  bool is_same_as(const TetFace& other) const { return b == other.b && c == other.c; }
 };
 
 template <class... Points>
@@ -48,12 +48,12 @@ std::optional<std::string> defect_of(const std::vector<std::array<std::uint32_t,
   std::vector<std::size_t> first(points.size() + 1, 0);
   for (const auto& tet : tets) first[tet[0] + 1] += 3, ++first[tet[1] + 1];
   for (std::size_t p = 0; p < points.size(); ++p) first[p + 1] += first[p];
-  std::vector<Face> faces(4 * tets.size());
+  std::vector<TetFace> faces(4 * tets.size());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (std::size_t t = 0; t < tets.size(); ++t) {
     const auto& [a, b, c, d] = tets[t];
     const int side = sides[t];
-    for (const Face& face : {Face{b, c, side}, Face{b, d, -side}, Face{c, d, side}})
+    for (const TetFace& face : {TetFace{b, c, side}, TetFace{b, d, -side}, TetFace{c, d, side}})
       faces[next[a]++] = face;
     faces[next[b]++] = {c, d, -side};
   }
@@ -62,11 +62,11 @@ std::optional<std::string> defect_of(const std::vector<std::array<std::uint32_t,
   parallel_for<256>(points.size(), [&](std::size_t p) {
     const auto begin = faces.begin() + static_cast<std::ptrdiff_t>(first[p]),
                end = faces.begin() + static_cast<std::ptrdiff_t>(first[p + 1]);
-    std::sort(begin, end, [](const Face& x, const Face& y) {
+    std::sort(begin, end, [](const TetFace& x, const TetFace& y) {
       return std::tie(x.b, x.c, x.side) < std::tie(y.b, y.c, y.side);
     });
     // Of three or more with one face, two next to each other are on one side.
-    const auto at = std::adjacent_find(begin, end, [](const Face& x, const Face& y) {
+    const auto at = std::adjacent_find(begin, end, [](const TetFace& x, const TetFace& y) {
       return x.is_same_as(y) && x.side == y.side;
     });
     if (at != end) found[p] = static_cast<std::size_t>(at - faces.begin());
@@ -74,11 +74,11 @@ std::optional<std::string> defect_of(const std::vector<std::array<std::uint32_t,
   const auto of =
       std::find_if(found.begin(), found.end(), [&](std::size_t f) { return f < faces.size(); });
   if (of == found.end()) return std::nullopt;
-  const Face& face = faces[*of];
+  const TetFace& face = faces[*of];
   const auto p = static_cast<std::size_t>(of - found.begin());
   const auto count = std::count_if(faces.begin() + static_cast<std::ptrdiff_t>(first[p]),
                                    faces.begin() + static_cast<std::ptrdiff_t>(first[p + 1]),
-                                   [&](const Face& other) { return face.is_same_as(other); });
+                                   [&](const TetFace& other) { return face.is_same_as(other); });
   return (count > 2 ? "more than two tetrahedra share the face"
                     : "two tetrahedra are on the same side of the face") +
          of_points(face.c, p, face.b);

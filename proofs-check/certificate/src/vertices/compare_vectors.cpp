@@ -13,7 +13,7 @@
 namespace certificate {
 namespace {
 
-using Vector = Vector3<Ball>;
+using BallVector = Vector3<Ball>;
 
 enum class Shown : char { neither, yes, no };
 
@@ -30,16 +30,16 @@ constexpr double kEqual = 0x1p-16;
 bool is_positive(const Ball& x) { return x.value > x.error; }
 bool is_negative(const Ball& x) { return -x.value > x.error; }
 
-Vector vector_at(const Array& array, std::size_t v) {
+BallVector vector_at(const Array& array, std::size_t v) {
   return {Ball(array.numbers[3 * v], 0), Ball(array.numbers[3 * v + 1], 0),
           Ball(array.numbers[3 * v + 2], 0)};
 }
 
 /// The zero vector says nothing.
-bool is_zero(const Vector& v) { return v[0].value == 0 && v[1].value == 0 && v[2].value == 0; }
+bool is_zero(const BallVector& v) { return v[0].value == 0 && v[1].value == 0 && v[2].value == 0; }
 
 /// Is its length one, about? What is divided by its length in doubles is off by less than 2^-48.
-Shown has_unit_length(const Vector& v) {
+Shown has_unit_length(const BallVector& v) {
   const Ball off = dot(v, v) - Ball(1);
   if (std::abs(off.value) + off.error < 0x1p-30) return Shown::yes;
   return std::abs(off.value) - off.error > 0x1p-10 ? Shown::no : Shown::neither;
@@ -59,12 +59,12 @@ enum class Eigenvalue { largest, medium, smallest };
 
 /// With w = M v, r = w - (v w) v for a unit vector v: it is an eigenvector of M - r v^T - v r^T. As
 /// the three eigenvalues add up to 0, x is the medium one if and only if 6 x^2 <= tr(M^2).
-Shown is_eigenvector(const Tensor<Ball>& m, const Vector& v, Eigenvalue which) {
+Shown is_eigenvector(const Tensor<Ball>& m, const BallVector& v, Eigenvalue which) {
   const Conic<Ball> matrix{{m[0], m[1], m[2], m[3], m[4], m[5]}};
-  const Vector w = matrix.times(v);
+  const BallVector w = matrix.times(v);
   const Ball value = dot(v, w), length = dot(v, v), size = trace(m, m);
   if (!is_positive(size)) return Shown::neither;
-  Vector r;
+  BallVector r;
   for (std::size_t k = 0; k < 3; ++k) r[k] = length * w[k] - value * v[k];
   const Ball square = dot(r, r), six = Ball(6) * value * value;
   const Shown otherwise =
@@ -101,7 +101,7 @@ class Vectors {
                        [&](Vertex i) { return c_.field.is_zero(i); });
   }
   Point3 rounding_at(std::size_t field) const;
-  std::optional<Vector> gradient_at(std::size_t field, const Point3& x) const;
+  std::optional<BallVector> gradient_at(std::size_t field, const Point3& x) const;
 
   const LevelCase& c_;
   const PlacedSurface& placed_;
@@ -147,7 +147,7 @@ Point3 Vectors::rounding_at(std::size_t field) const {
 Shown Vectors::show_eigenvector(const Array& array, std::size_t v, Eigenvalue which) const {
   if (is_apex(v) || around_[v].count == 0) return Shown::neither;
   const std::size_t field = tets_[around_[v].first];
-  const Vector vector = vector_at(array, c_.vertices.first + v);
+  const BallVector vector = vector_at(array, c_.vertices.first + v);
   if (is_zero(vector)) return Shown::neither;
   const Shown unit = has_unit_length(vector);
   if (unit != Shown::yes) return unit;
@@ -192,7 +192,7 @@ std::array<Ball, 4> increases_along(const std::optional<Invariant>& invariant,
 }
 
 /// As long as one, if that is shown.
-std::optional<Vector> Vectors::gradient_at(std::size_t field, const Point3& x) const {
+std::optional<BallVector> Vectors::gradient_at(std::size_t field, const Point3& x) const {
   const LinearField& inside = fields_[field];
   const bool is_turned = is_negative(inside.volume());
   if (!is_turned && !is_positive(inside.volume())) return std::nullopt;
@@ -200,7 +200,7 @@ std::optional<Vector> Vectors::gradient_at(std::size_t field, const Point3& x) c
   if (is_turned)
     for (Ball& entry : m) entry = Ball(-1) * entry;
   scale_to_one(m);
-  Vector g = inside.gradient(increases_along(invariant_, m, inside));
+  BallVector g = inside.gradient(increases_along(invariant_, m, inside));
   const Ball length = square_root(dot(g, g));
   if (!(length.error < length.value)) return std::nullopt;
   for (Ball& entry : g) entry = quotient(is_turned ? Ball(-1) * entry : entry, length);
@@ -210,11 +210,11 @@ std::optional<Vector> Vectors::gradient_at(std::size_t field, const Point3& x) c
 /// The mean of the gradients in the tetrahedra around, each as long as one.
 Shown Vectors::show_normal(const Array& array, std::size_t v) const {
   if (is_apex(v) || around_[v].count == 0) return Shown::neither;
-  const Vector vector = vector_at(array, c_.vertices.first + v);
+  const BallVector vector = vector_at(array, c_.vertices.first + v);
   if (is_zero(vector)) return Shown::neither;
   const Shown unit = has_unit_length(vector);
   if (unit != Shown::yes) return unit;
-  Vector sum{};
+  BallVector sum{};
   for (std::size_t i = 0; i < around_[v].count; ++i) {
     const auto g =
         gradient_at(tets_[around_[v].first + i], c_.surface.points[c_.vertices.first + v]);
@@ -222,7 +222,7 @@ Shown Vectors::show_normal(const Array& array, std::size_t v) const {
     for (std::size_t k = 0; k < 3; ++k) sum[k] += (*g)[k];
   }
   const Ball square = dot(sum, sum), along = dot(sum, vector);
-  const Vector across = cross(sum, vector);
+  const BallVector across = cross(sum, vector);
   const Ball off = dot(across, across);
   if (!is_positive(square - Ball(0x1p-10, 0))) return Shown::neither;
   if (is_negative(along) || is_positive(off - Ball(kNormalFar, 0) * square))

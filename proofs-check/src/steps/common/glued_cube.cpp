@@ -44,9 +44,9 @@ std::vector<Square> cube_squares(int n, const IsLeftOut& left_out) {
 std::set<Point> corners(const Square& square) { return {square.begin(), square.end()}; }
 
 /// Connected parts of so many things, joined in pairs.
-class Parts {
+class JoinedParts {
  public:
-  explicit Parts(std::size_t size) : parent_(size) {
+  explicit JoinedParts(std::size_t size) : parent_(size) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
   std::size_t of(std::size_t i) const {
@@ -82,7 +82,7 @@ bool one_cycle_at_each_vertex(const std::vector<Square>& faces, const Sides& sid
   for (std::size_t face = 0; face < faces.size(); ++face)
     for (const Point& p : corners(faces[face])) around[p].push_back(face);
   return std::all_of(around.begin(), around.end(), [&](const auto& vertex) {
-    Parts parts(faces.size());
+    JoinedParts parts(faces.size());
     for (const auto& [edge, pair] : sides)
       if (edge.first == vertex.first || edge.second == vertex.first)
         parts.join(pair.front().face, pair.back().face);
@@ -92,7 +92,7 @@ bool one_cycle_at_each_vertex(const std::vector<Square>& faces, const Sides& sid
   });
 }
 
-/// Parts of the edges in one face.
+/// JoinedParts of the edges in one face.
 int count_boundary_loops(const Sides& sides) {
   std::map<Point, std::size_t> number;
   std::vector<std::array<std::size_t, 2>> ends;
@@ -102,7 +102,7 @@ int count_boundary_loops(const Sides& sides) {
     const std::size_t second = number.try_emplace(edge.second, number.size()).first->second;
     ends.push_back({first, second});
   }
-  Parts parts(number.size());
+  JoinedParts parts(number.size());
   for (const auto& [first, second] : ends) parts.join(first, second);
   int loops = 0;
   for (std::size_t i = 0; i < number.size(); ++i) loops += parts.of(i) == i ? 1 : 0;
@@ -136,7 +136,7 @@ GluedSurface glue_opposites(int n, const std::vector<TopSquare>& removed, int ke
 
   const Sides sides = sides_of(faces);
   // A face and its reverse as two sheets: orientable if no face is joined to its reverse.
-  Parts faces_joined(faces.size()), sheets(2 * faces.size());
+  JoinedParts faces_joined(faces.size()), sheets(2 * faces.size());
   GluedSurface surface{.vertices = static_cast<long>(vertices.size()),
                        .edges = static_cast<long>(sides.size()),
                        .faces = static_cast<long>(faces.size()),
