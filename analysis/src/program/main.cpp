@@ -23,6 +23,7 @@
 #include "program/options/distinct_files.hpp"
 #include "program/output/help.hpp"
 #include "program/output/versions.hpp"
+#include "program/standard_streams.hpp"
 #include "program/subcommands/subcommands.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/file_group.hpp"
@@ -124,6 +125,7 @@ ExitStatus run(const tensortopo::Action& action, const tensortopo::CommonOptions
 }  // namespace
 
 int main(int argc, char** argv) {
+  tensortopo::take_places_of_closed_streams();
   tensortopo::prepare_for_exhaustion();
   prepare_for_signals();
   keep_memory();

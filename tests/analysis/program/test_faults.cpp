@@ -68,6 +68,7 @@ std::vector<Writing> writings() {
 struct Limits {
   rlim_t memory = RLIM_INFINITY, file = RLIM_INFINITY;
   bool closed_output = false;
+  std::vector<int> missing_streams = {};
 };
 
 class Process {
@@ -89,6 +90,7 @@ class Process {
       int ends[2];
       if (pipe(ends) == 0) dup2(ends[1], STDOUT_FILENO), close(ends[0]), close(ends[1]);
     }
+    for (const int stream : limits.missing_streams) close(stream);
     unsetenv("DISPLAY");
     const rlimit none{0, 0}, memory{limits.memory, limits.memory}, file{limits.file, limits.file};
     setrlimit(RLIMIT_CORE, &none);
@@ -211,6 +213,23 @@ TEST_P(Faults, ClosedOutput) {
   Process run(folder_, logs_, GetParam().words, {RLIM_INFINITY, RLIM_INFINITY, true});
   EXPECT_EQ(run.wait(), -SIGPIPE);
   expect_all_or_nothing("closed output", false);
+}
+
+TEST_P(Faults, StandardStreamsThatAreMissing) {
+  for (int subset = 1; subset < 8; ++subset) {
+    Limits limits;
+    for (int stream = 0; stream < 3; ++stream)
+      if ((subset >> stream & 1) != 0) limits.missing_streams.push_back(stream);
+    before();
+    Process run(folder_, logs_, GetParam().words, limits);
+    const int status = run.wait();
+    // Without standard output a summary cannot be written.
+    const bool may_fail = (subset & 2) != 0 && status == 4;
+    EXPECT_TRUE(status == status_ || may_fail) << subset << ' ' << status;
+    const bool writes_a_summary = GetParam().words[0] == "extract" && (subset & 2) != 0;
+    EXPECT_TRUE(may_fail || !writes_a_summary) << subset;
+    expect_all_or_nothing("streams " + std::to_string(subset), !may_fail);
+  }
 }
 
 TEST_P(Faults, Signals) {
