@@ -105,6 +105,9 @@ TEST(HostileFiles, HaveOneReading) {
       replaced(surface, "<Polys>", "<Polys><![CDATA[1]]>"),
       replaced(surface, "</DataArray>", "<!-- --> 1</DataArray>"),
       replaced(surface, "<CellData>", "<CellData>1"),
+      // Text outside of the element, and comments in arrays, which VTK refuses.
+      surface + "1", "<?xml version=\"1.0\"?>1" + surface, surface + "<!-- --> 1",
+      replaced(surface, "</DataArray>", "<!-- --></DataArray>"),
       // Numbers that not all readers take alike.
       replaced(surface, "NumberOfPoints=\"", "NumberOfPoints=\"0x"),
       replaced(surface, "NumberOfPoints=\"", "NumberOfPoints=\" "),
@@ -143,6 +146,8 @@ TEST(HostileFiles, HaveOneReading) {
   for (const std::string& forged :
        {replaced(field, "</Piece>", "<Points/></Piece>"),
         std::string(field).replace(field.find("ascii\">") + 7, 1, "0x"),
+        field + "1", "<?xml version=\"1.0\"?>1" + field,
+        replaced(field, "</DataArray>", "<!-- --></DataArray>"),
         replaced(field, ">10 10", ">1e1 10"), replaced(field, ">10 10", ">266 10"),
         replaced(field, "NumberOfComponents=\"6\"", "NumberOfComponents=\"+6\""),
         replaced(field, "Name=\"stress\"", "Name=\"stress\" Name=\"other\""),

@@ -7,6 +7,7 @@
 #include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "bytes/base64.hpp"
 #include "bytes/format_error.hpp"
@@ -71,6 +72,31 @@ struct OffsetWalker : pugi::xml_tree_walker {
   }
 };
 
+/// VTK's parser takes one element and no text outside of it, and loses the text of an array before a
+/// comment. Comments elsewhere are taken out.
+void require_one_element(pugi::xml_document& markup) {
+  struct Walker : pugi::xml_tree_walker {
+    std::vector<pugi::xml_node> comments;
+    bool for_each(pugi::xml_node& node) override {
+      if (node.type() == pugi::node_comment) comments.push_back(node);
+      return true;
+    }
+  } walker;
+  markup.traverse(walker);
+  for (pugi::xml_node comment : walker.comments) {
+    if (comment.parent().name() == std::string_view("DataArray"))
+      throw FormatError("is not read by VTK: a comment in an array; take it out");
+    comment.parent().remove_child(comment);
+  }
+  std::size_t elements = 0;
+  for (const pugi::xml_node node : markup.children()) {
+    if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata ||
+        (node.type() == pugi::node_element && ++elements > 1))
+      throw FormatError("is not well-formed XML: there is more than the element \"" +
+                        std::string(markup.document_element().name()) + "\"; take it out");
+  }
+}
+
 std::string_view appended_block(const XmlDocument& document, pugi::xml_node array) {
   const std::uint64_t begin = count_attribute(array, "offset");
   const std::string_view all = document.appended;
@@ -109,10 +135,12 @@ std::shared_ptr<const XmlDocument> parse_xml(std::shared_ptr<const InputFile> fi
   std::string own;
   const std::string_view markup = separate(*document, own);
   const pugi::xml_parse_result parsed = document->markup.load_buffer(
-      markup.data(), markup.size(), pugi::parse_default, pugi::encoding_utf8);
+      markup.data(), markup.size(),
+      pugi::parse_default | pugi::parse_comments | pugi::parse_fragment, pugi::encoding_utf8);
   if (!parsed)
     throw FormatError(std::string("is not well-formed XML: ") + parsed.description() + " (byte " +
                       std::to_string(parsed.offset) + ")");
+  require_one_element(document->markup);
 
   document->root = document->markup.child("VTKFile");
   if (!document->root) throw FormatError("is not a VTK file: no element VTKFile");
@@ -175,6 +203,31 @@ std::vector<Value> read_array(const XmlDocument& document, pugi::xml_node array,
 
 template std::vector<double> read_array(const XmlDocument&, pugi::xml_node, std::size_t);
 template std::vector<std::int64_t> read_array(const XmlDocument&, pugi::xml_node, std::size_t);
+
+std::optional<std::string> read_string(const XmlDocument& document, pugi::xml_node array) {
+  constexpr std::size_t kMost = 4096;
+  if (array.attribute("type").value() != std::string_view("String")) return std::nullopt;
+  std::string bytes;  // with the zero at the end of the string
+  const std::string_view format = array.attribute("format").value();
+  if (format == "ascii" || format.empty()) {
+    std::string_view text = array.text().get();
+    for (auto word = take_word(text); !word.empty(); word = take_word(text)) {
+      const auto code = to_count(word);
+      if (!code || *code > 255 || bytes.size() == kMost) return std::nullopt;
+      bytes.push_back(static_cast<char>(*code));
+    }
+  } else {
+    std::string own;
+    const std::string_view block = block_of(document, array, own);
+    const std::uint64_t size = promised_size(block, document.format);
+    if (size > kMost) return std::nullopt;
+    bytes.resize(size);
+    unpack(packed_array(block, size, document.format), std::as_writable_bytes(std::span(bytes)));
+  }
+  if (bytes.empty() || bytes.find('\0') != bytes.size() - 1) return std::nullopt;
+  bytes.pop_back();
+  return bytes;
+}
 
 std::uint64_t count_attribute(pugi::xml_node node, const char* name) {
   const auto value = to_count(trimmed(node.attribute(name).value()));

@@ -77,15 +77,19 @@ std::string XmlFile::markup() {
   constexpr std::size_t kNone = std::string_view::npos, kMaxDepth = 16;
   const std::string_view all = bytes_;
   std::size_t depth = 0, text = 0;  // where the text before an element begins
+  bool is_in_array = false;
   for (std::size_t at = all.find('<'); at != kNone; text = at, at = all.find('<', at)) {
     // Some readers take arrays as they are, others replace what stands for a character.
     if (all.substr(text, at - text).find('&') != kNone) fail("a text with '&'");
+    if (depth == 0) require_blank(all.substr(text, at - text));
     const std::string_view rest = all.substr(at);
     const std::size_t begin = at;
     if (rest.starts_with("<!--")) {
       at = skip_past(all, "-->", at + 4);
       if (at != kNone && all.substr(begin + 1, at - begin - 1).find('<') != kNone)
         fail("a comment with '<'");
+      // Some readers take the text before it for the array, others that after it, or none.
+      if (is_in_array) fail("a comment in an array");
     } else if (at == 0 && rest.starts_with("<?xml ")) {
       at = skip_past(all, "?>", at);
       if (at != kNone && !is_of_utf8(all.substr(0, at))) fail("is not encoded as UTF-8");
@@ -105,10 +109,10 @@ std::string XmlFile::markup() {
           quote = all[end];
       }
       if (end >= all.size()) fail("no VTK XML file");
-      if (rest.starts_with("</"))
-        depth -= depth > 0 ? 1 : 0;
-      else if (all[end - 1] != '/' && ++depth > kMaxDepth)
-        fail("elements that are nested too deeply");
+      const bool is_end = rest.starts_with("</"), is_begin = !is_end && all[end - 1] != '/';
+      depth += is_begin ? 1 : 0, depth -= is_end && depth > 0 ? 1 : 0;
+      if (depth > kMaxDepth) fail("elements that are nested too deeply");
+      is_in_array = is_begin && rest.starts_with("<DataArray");
       if (rest.starts_with("<AppendedData")) {
         const std::size_t start = all.find_first_not_of(" \t\r\n", end + 1);
         if (start == kNone || all[start] != '_') fail("AppendedData without data");
@@ -119,7 +123,13 @@ std::string XmlFile::markup() {
     }
     if (at == kNone) fail("no VTK XML file");
   }
+  require_blank(all.substr(text));
   return bytes_;
+}
+
+/// XML has no text outside of its root element: some readers skip it, others refuse the file.
+void XmlFile::require_blank(std::string_view outside) const {
+  if (outside.find_first_not_of(" \t\r\n") != outside.npos) fail("text outside of its elements");
 }
 
 /// One encoding for all readers, without what some of them end at.

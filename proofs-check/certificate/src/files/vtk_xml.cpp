@@ -284,8 +284,9 @@ std::vector<std::string> XmlFile::component_names(const char* section,
 std::vector<double> XmlFile::numbers(const char* section, const std::string& name,
                                      std::size_t components) const {
   const pugi::xml_node array = only_array(section, name);
-  if (natural(array, "NumberOfComponents", 1) != components)
-    fail("an array of other than " + std::to_string(components) + " components");
+  if (const std::size_t is = natural(array, "NumberOfComponents", 1); is != components)
+    fail("the array '" + name + "' has " + std::to_string(is) + " components where " +
+         std::to_string(components) + " belong");
   const std::string_view type = array.attribute("type").value();
   const auto result = type == "Float64"  ? read<double>(array)
                       : type == "Float32" ? read<float>(array)
@@ -298,9 +299,11 @@ std::vector<double> XmlFile::numbers(const char* section, const std::string& nam
                       : type == "UInt16"  ? read<std::uint16_t>(array)
                       : type == "UInt8"   ? read<std::uint8_t>(array)
                                           : std::vector<double>{HUGE_VAL};
-  for (const double x : result)
-    if (!std::isfinite(x))
-      fail("a number that is not finite, an integer beyond 2^53, or of unknown type");
+  const auto bad = std::find_if(result.begin(), result.end(),
+                                [](double x) { return !std::isfinite(x); });
+  if (bad != result.end())
+    fail("number " + std::to_string(bad - result.begin()) + " of the array '" + name +
+         "' is not finite, an integer beyond 2^53, or of unknown type");
   return result;
 }
 

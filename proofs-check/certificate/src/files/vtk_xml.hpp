@@ -45,6 +45,7 @@ class XmlFile {
 
  private:
   std::string markup();
+  void require_blank(std::string_view outside) const;
   void require_utf8(std::string_view xml) const;
   void require_one_reading(const char* kind, const std::vector<std::string_view>& sections);
   std::size_t natural(pugi::xml_node node, const char* attribute, std::size_t otherwise) const;
