@@ -75,7 +75,7 @@ std::size_t place_of_cell(const TetMesh& mesh, std::int64_t cell) {
 
 // The sheets of a file, with the lines of the texture.
 std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetMesh& mesh,
-                                   Texture texture, bool recover) {
+                                   const FieldOrigin& field, Texture texture, bool recover) {
   // A file of curves has nothing to be textured.
   if (const auto all = read_poly_data(file); all->GetNumberOfPolys() == 0) return sheets_of(all);
   SurfaceInput input = read_surface(file);
@@ -88,7 +88,7 @@ std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetM
           {vectors->GetComponent(i, 0), vectors->GetComponent(i, 1), vectors->GetComponent(i, 2)});
   } else {
     require_modes(input, file);
-    locate_in_mesh(input, mesh, file);
+    locate_in_mesh(input, mesh, field, file);
   }
   set_line_field(*input.file, surface_lines(input.surface, mesh, texture, recover));
   return sheets_of(input.file);
@@ -127,6 +127,7 @@ RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
     ReadResult read = field ? read_mesh(*command.mesh, command.read)
                             : read_geometry(*command.mesh, command.read);
     mesh_ = std::move(read.mesh);
+    field_ = {read.sha256, read.report.tensor_name};
     mesh_notes_ = field ? read.report.all_notes() : read.report.notes;
     if (command.any_tet) {
       tet_ = crossed_tet(mesh_, command.frames.empty() ? command.modes.front()
@@ -149,8 +150,12 @@ RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
   for (const auto& file : command.surfaces) {
     auto sheets = command.texture == Texture::none
                       ? read_sheets(file)
-                      : textured_sheets(file, mesh_, command.texture, command.recover);
+                      : textured_sheets(file, mesh_, field_, command.texture, command.recover);
     if (sheets.empty()) empty_.push_back(file);
+    if (const std::string sha256 = origin_of(*read_poly_data(file)).sha256;
+        command.mesh && !sha256.empty() && sha256 != field_.sha256)
+      mesh_notes_.push_back(
+          fmt::format("{} was extracted from another file than this one", file.string()));
     for (Sheet& sheet : sheets) sheets_.push_back(std::move(sheet));
   }
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/input/surface_input.hpp"
 #include "render/render_command.hpp"
 
 namespace tensortopo {
@@ -35,6 +36,7 @@ class RenderSubject {
 
   const RenderCommand& command_;
   TetMesh mesh_;
+  FieldOrigin field_;
   std::vector<std::string> mesh_notes_;
   std::vector<Sheet> sheets_;
   std::vector<std::filesystem::path> empty_;

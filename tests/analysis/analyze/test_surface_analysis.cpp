@@ -255,7 +255,27 @@ TEST(EmptySurface, IsNotAFileOfCurvesNorOneThatIsNone) {
 TEST_F(SurfaceProgram, RefusesAMeshThatIsNotItsOwn) {
   const Outcome run = run_program({"analyze", surface_, "--mesh", field("s2_pushpull")});
   EXPECT_EQ(run.status, 3);
-  EXPECT_NE(run.err.find("is not of this mesh"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("another field"), std::string::npos) << run.err;
+}
+
+/// Other tensors on the same mesh.
+TEST_F(SurfaceProgram, RefusesAFieldThatIsNotItsOwn) {
+  const std::string other = folder_ / "other.vtu", picture = folder_ / "picture.png";
+  ASSERT_EQ(run_program({"convert", field("s4_slab"), "-o", other, "--zero-below", "1e-300"}).status, 0);
+  for (const auto& words : {std::vector<std::string>{"analyze", surface_, "--mesh", other},
+                            {"render", surface_, "--mesh", other, "--texture", "major", "-o", picture}}) {
+    const Outcome run = run_program(words);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("another field"), std::string::npos) << run.err;
+  }
+  // The outline of another mesh may be drawn beside it, which is said.
+  const Outcome drawn = run_program({"render", surface_, "--mesh", other, "-o", picture});
+  EXPECT_EQ(drawn.status, 0);
+  EXPECT_NE(drawn.err.find("another file"), std::string::npos) << drawn.err;
+  // What an analysis writes says as much of its field.
+  const std::string with_curvature = folder_ / "curvature.vtp";
+  ASSERT_EQ(run_program({"analyze", surface_, "--mesh", field("s4_slab"), "-o", with_curvature}).status, 0);
+  EXPECT_EQ(run_program({"analyze", with_curvature, "--mesh", other}).status, 3);
 }
 
 TEST_F(SurfaceProgram, RefusesWhatMakesNoSense) {

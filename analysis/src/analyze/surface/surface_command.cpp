@@ -151,7 +151,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
     const ReadResult read = read_mesh(command.mesh, command.read);
     analysis.mesh_notes = read.report.all_notes();
     require_modes(input, command.surface);
-    locate_in_mesh(input, read.mesh, command.surface);
+    locate_in_mesh(input, read.mesh, {read.sha256, read.report.tensor_name}, command.surface);
     SurfaceCurvature curvature = surface_curvature(surface, read.mesh);
     analysis.curvature = report_of(surface, curvature.vertices);
     analysis.normal_jump = quantiles_of(curvature.normal_jump);

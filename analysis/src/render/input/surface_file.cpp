@@ -7,9 +7,11 @@
 #include <vtkCleanPolyData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <functional>
@@ -112,6 +114,12 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
   result->SetPoints(points);
   result->SetLines(cells_of(given.lines));
   result->SetPolys(cells_of(given.polygons));
+  for (const auto& [name, text] : given.texts) {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name.c_str());
+    array->InsertNextValue(text);
+    result->GetFieldData()->AddArray(array);
+  }
   add_arrays(given.point_data, given.points.size(), *result->GetPointData());
   add_arrays(given.cell_data, given.lines.size() + given.polygons.size(), *result->GetCellData());
   return result;

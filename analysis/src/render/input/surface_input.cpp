@@ -6,7 +6,9 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <array>
@@ -44,6 +46,27 @@ double depth_in(const TetMesh& mesh, SurfaceMesh::Index tet, const Vector3<doubl
 }
 
 }  // namespace
+
+FieldOrigin origin_of(vtkPolyData& data) {
+  const auto text_of = [&](const char* name) {
+    auto* const array =
+        vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray(name));
+    return array != nullptr && array->GetNumberOfValues() == 1 ? std::string(array->GetValue(0))
+                                                               : std::string();
+  };
+  return {text_of("input_sha256"), text_of("tensor")};
+}
+
+std::string foreign_to(const FieldOrigin& surface, const FieldOrigin& field) {
+  if (!surface.sha256.empty() && surface.sha256 != field.sha256)
+    return fmt::format("was extracted from another field than that of --mesh (its input_sha256 is "
+                       "{:.12}..., that of the file is {:.12}...); extract it from this file",
+                       surface.sha256, field.sha256);
+  if (!surface.tensor.empty() && surface.tensor != field.tensor)
+    return fmt::format("was extracted from the tensor `{}`, not `{}` (--tensor)", surface.tensor,
+                       field.tensor);
+  return "";
+}
 
 SurfaceInput read_surface(const std::filesystem::path& file) {
   if (lower_extension(file) != ".vtp") fail(file, "must be a surface in .vtp");
@@ -88,7 +111,10 @@ SurfaceInput read_surface(const std::filesystem::path& file) {
   return input;
 }
 
-void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const std::filesystem::path& file) {
+void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const FieldOrigin& field,
+                    const std::filesystem::path& file) {
+  if (const std::string why = foreign_to(origin_of(*input.file), field); !why.empty())
+    fail(file, why);
   if (input.cell_ids.empty() && !input.surface.triangles.empty())
     fail(file, "has no cell data 'tet'");
   std::unordered_map<std::int64_t, SurfaceMesh::Index> index;

@@ -7,12 +7,25 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
 namespace tensortopo {
+
+/// Which field a surface is of: the bytes of its file, and the name of its array.
+struct FieldOrigin {
+  std::string sha256, tensor;  ///< empty if not known
+};
+
+/// What the file of a surface says of that.
+FieldOrigin origin_of(vtkPolyData& data);
+
+/// Why a surface is not of this field, for those whose file says of which one it is; else empty.
+std::string foreign_to(const FieldOrigin& surface, const FieldOrigin& field);
 
 /// The triangles of a .vtp file; polylines are left out.
 struct SurfaceInput {
@@ -26,8 +39,9 @@ struct SurfaceInput {
 SurfaceInput read_surface(const std::filesystem::path& file);
 
 /// Fills `surface.tet` from the ids, and makes sure that each triangle is in its tetrahedron.
-/// Throws IoError if the surface is not one of this mesh.
-void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const std::filesystem::path& file);
+/// Throws IoError if the surface is not one of this field.
+void locate_in_mesh(SurfaceInput& input, const TetMesh& mesh, const FieldOrigin& field,
+                    const std::filesystem::path& file);
 
 /// The curvature that we know is that of levels of the mode: throws IoError if the surface is one
 /// of another invariant.

@@ -82,18 +82,28 @@ std::uint64_t greatest_ratio(BlockFormat::Compressor kind) {
   }
 }
 
+/// Of a compressed array: the first words of its header.
+struct Parts {
+  std::uint64_t count, size, last;
+
+  Parts(Header& header, std::size_t block, const BlockFormat& format)
+      : count(header.next()), size(header.next()), last(header.next()) {
+    if (count > block / format.header_word)
+      throw FormatError("promises " + std::to_string(count) +
+                        " compressed blocks, more than it has room for");
+    if (count == 0 || size == 0 || last > size || size > UINT64_MAX / count)
+      throw FormatError("has a senseless compression header");
+  }
+  std::uint64_t total() const { return last == 0 ? count * size : (count - 1) * size + last; }
+};
+
 PackedArray compressed_array(std::string_view block, std::size_t expected,
                              const BlockFormat& format) {
   Header header(block, format);
-  const std::uint64_t count = header.next(), size = header.next(), last = header.next();
-  if (count > block.size() / format.header_word)
-    throw FormatError("promises " + std::to_string(count) +
-                      " compressed blocks, more than it has room for");
-  if (count == 0 || size == 0 || last > size || size > UINT64_MAX / count)
-    throw FormatError("has a senseless compression header");
-  const std::uint64_t total = last == 0 ? count * size : (count - 1) * size + last;
-  if (total != expected) throw FormatError(wrong_size(total, expected));
+  const Parts parts(header, block.size(), format);
+  if (parts.total() != expected) throw FormatError(wrong_size(parts.total(), expected));
 
+  const auto [count, size, last] = parts;
   std::vector<std::uint64_t> sizes(count);
   for (auto& s : sizes) s = header.next();
   std::string_view rest = header.rest();
@@ -140,6 +150,13 @@ class Unpacker {
 };
 
 }  // namespace
+
+std::uint64_t promised_size(std::string_view block, const BlockFormat& format) {
+  Header header(block, format);
+  return format.compressor == BlockFormat::Compressor::none
+             ? header.next()
+             : Parts(header, block.size(), format).total();
+}
 
 PackedArray packed_array(std::string_view block, std::size_t expected, const BlockFormat& format) {
   if (expected == 0) return {};

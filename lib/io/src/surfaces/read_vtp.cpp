@@ -178,6 +178,20 @@ void append(IndexLists& all, const IndexLists& more, std::size_t first_point) {
   for (const std::size_t end : more.ends) all.ends.push_back(first + end);
 }
 
+/// Texts that say nothing of the surface itself: one that cannot be read is left out.
+std::map<std::string, std::string> read_texts(const XmlDocument& document, pugi::xml_node section) {
+  std::map<std::string, std::string> texts;
+  for (const pugi::xml_node array : section.children("Array")) {
+    try {
+      if (const auto text = read_string(document, array); text && texts.size() < 1000)
+        texts[array.attribute("Name").value()] = *text;
+    } catch (const FormatError&) {
+      continue;
+    }
+  }
+  return texts;
+}
+
 }  // namespace
 
 SurfaceFile read_vtp(const std::shared_ptr<const InputFile>& file) {
@@ -185,7 +199,9 @@ SurfaceFile read_vtp(const std::shared_ptr<const InputFile>& file) {
   SurfaceFile all;
   std::vector<SurfaceArray> line_data, polygon_data;
   bool is_first = true;
-  for (const pugi::xml_node node : only_child(document->root, "PolyData").children("Piece")) {
+  const pugi::xml_node data = only_child(document->root, "PolyData");
+  all.texts = read_texts(*document, data.child("FieldData"));
+  for (const pugi::xml_node node : data.children("Piece")) {
     Piece piece = read_piece(*document, node);
     const std::size_t before = all.points.size();
     require_memory(before + piece.surface.points.size(), 0, 0);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,10 @@ std::vector<Value> read_array(const XmlDocument& document, pugi::xml_node array,
     throw FormatError("the array " + name + " " + error.what());
   }
 }
+
+/// The text of an <Array> of one string; none if it is not one, or of more than 4096 bytes. Throws
+/// FormatError.
+std::optional<std::string> read_string(const XmlDocument& document, pugi::xml_node array);
 
 /// The number of components of an array. Throws FormatError.
 std::uint64_t components_of(pugi::xml_node array);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct SurfaceFile {
   std::vector<SurfaceArray> point_data;  ///< one value for each point
   /// One value for each line, then one for each polygon.
   std::vector<SurfaceArray> cell_data;
+  /// Of a .vtp: its arrays of one string, by name; of surfaces that were extracted: `input_sha256`,
+  /// `tensor` and others.
+  std::map<std::string, std::string> texts;
 
   /// The array of this name; null if there is none.
   const SurfaceArray* find_point_data(const std::string& name) const;
