@@ -67,7 +67,11 @@ TEST(SweepCheck, TriesTheMiddlesAndBesideEachCriticalValue) {
     const double nearest = std::min(share, 1 - share);
     EXPECT_TRUE(i % 3 == 0 ? nearest > 0.25 : nearest < 0.0021) << i << ' ' << mode;
   }
-  EXPECT_EQ(modes_to_check(sweep, 4).events, 1u);
+  for (const std::size_t few : {1u, 3u, 4u}) EXPECT_EQ(modes_to_check(sweep, few).events, 1u);
+  Sweep without = sweep;
+  without.events.clear();
+  without.intervals.resize(1);
+  EXPECT_EQ(modes_to_check(without, 1).modes.size(), 1u);
   EXPECT_EQ(modes_to_check(sweep, 4).modes.size(), 4u);
 }
 

@@ -97,7 +97,8 @@ void certify_levels(const ExtractCommand& command, const std::vector<std::size_t
 
 ModesToCheck modes_to_check(const Sweep& sweep, std::size_t most) {
   ModesToCheck result;
-  const std::size_t all = sweep.events.size(), events = std::min(all, most / 4);
+  const std::size_t all = sweep.events.size();
+  const std::size_t events = std::min(all, std::max<std::size_t>(most / 4, 1));
   const auto add = [&](std::size_t i, double low, double high) {
     const SweepInterval& interval = sweep.intervals[i];
     auto mode = low < high ? mode_between(low, high) : std::nullopt;
@@ -122,6 +123,8 @@ ModesToCheck modes_to_check(const Sweep& sweep, std::size_t most) {
     add(event + 1, after.low, after.high);
     next = event + 2;
   }
+  if (all == 0 && !sweep.intervals.empty())
+    add(0, sweep.intervals[0].low, sweep.intervals[0].high);
   // Short decimals about the middle may be beyond those next to an end.
   std::sort(result.modes.begin(), result.modes.end(), [](const auto& a, const auto& b) {
     return a.mode.approx() < b.mode.approx();
@@ -165,6 +168,7 @@ SweepCheck check_sweep(const Sweep& sweep, const std::filesystem::path& input,
   const ModesToCheck chosen = modes_to_check(sweep, modes);
   TemporaryFolder folder;
   SweepCheck check;
+  check.all_events = sweep.events.size();
   check.events = chosen.events;
   check.undecided = chosen.none;
   ExtractCommand command;

@@ -26,9 +26,10 @@ struct ModesToCheck {
   std::vector<std::string> none;   ///< ranges without a double, in words
 };
 
-/// For each of `most` / 4 critical values, evenly spread over the list of them (or for all if there
-/// are no more), four modes: about the middles of the intervals before and after, and in these next
-/// to the critical value, about a thousandth of the interval away.
+/// For each of `most` / 4 critical values (at least one), evenly spread over the list of them (or for
+/// all if there are no more), four modes: about the middles of the intervals before and after, and
+/// in these next to the critical value, about a thousandth of the interval away. Without critical
+/// values the middle of the range.
 ModesToCheck modes_to_check(const Sweep& sweep, std::size_t most);
 
 /// A level of the check, and what was found of it.
@@ -40,7 +41,8 @@ struct CheckedLevel {
 /// What a comparison of a sweep with certified surfaces came to.
 struct SweepCheck {
   std::vector<CheckedLevel> levels;         ///< by mode
-  std::size_t events = 0;                   ///< critical values with levels next to them
+  std::size_t all_events = 0;               ///< critical values of the sweep
+  std::size_t events = 0;                   ///< of these, those with levels next to them
   std::size_t compared = 0;                 ///< of these, those passed by two resolved levels
   std::size_t certified = 0;                ///< claims that the checker confirms
   std::vector<std::string> contradictions;  ///< in words; there should be none
