@@ -198,6 +198,18 @@ std::string repetition_of(const Json& levels) {
   return {};
 }
 
+/// Tetrahedra in which the deviator vanishes.
+std::size_t count_isotropic(const InputFile& input) {
+  const auto is_isotropic = [&](std::uint32_t v) {
+    const auto& [xx, yy, zz, xy, yz, xz] = input.tensors[v];
+    return xx == yy && yy == zz && xy == 0 && yz == 0 && xz == 0;
+  };
+  return static_cast<std::size_t>(
+      std::count_if(input.tets.begin(), input.tets.end(), [&](const auto& tet) {
+        return std::all_of(tet.begin(), tet.end(), is_isotropic);
+      }));
+}
+
 Subject subject_of(const std::string& file, const std::string& tensor, const std::string& order,
                    const InputFile& input) {
   Subject s;
@@ -205,6 +217,7 @@ Subject subject_of(const std::string& file, const std::string& tensor, const std
   s.listing = listing_of(order), s.names = input.names;
   s.names_say_order = input.names_say_order;
   s.points = input.points.size(), s.tetrahedra = input.tets.size();
+  s.isotropic = count_isotropic(input);
   s.other_cells = input.other_cells, s.symmetrized = input.symmetrized;
   s.doubled_points = input.doubled_points;
   s.sha256 = input.sha256();

@@ -119,7 +119,8 @@ std::string text_of(const LevelReport& level, bool of_curves) {
     text += "; and " + std::to_string(level.components.size() - kShown) + " more";
   text += "\n  tetrahedra without claims: ";
   if (level.left_out.empty()) text += "none";
-  for (const auto& [reason, tets] : level.left_out) text += listed(reason, tets) + ' ';
+  for (const auto& [reason, tets] : level.left_out)
+    text += (text.ends_with(' ') ? "" : ", ") + listed(reason, tets);
   text += '\n';
   if (level.claims_stability) text += stability_text(level, of_curves);
   const std::string residual =
@@ -187,6 +188,8 @@ std::vector<std::string> Report::unmet(const Demands& demands) const {
   }
   if (demands.complete) {
     if (levels.empty()) result.push_back("complete: no level");
+    if (subject.tetrahedra > 0 && subject.isotropic == subject.tetrahedra)
+      result.push_back("complete: all tensors are isotropic, so that no mode is defined");
     if (subject.other_cells > 0)
       result.push_back("complete: " + counted(subject.other_cells, "cell") +
                        " of the input that are no tetrahedra");
@@ -212,6 +215,7 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
                          ? ""
                          : ", though the file's names do not say so: " + printable(s.names)) +
           "), " + counted(s.points, "point") + ", " + counted_tets(s.tetrahedra) +
+          (s.isotropic > 0 ? " (in " + std::to_string(s.isotropic) + " all tensors are isotropic: no mode is defined)" : "") +
           (s.symmetrized > 0 ? ", " + counted(s.symmetrized, "tensor") + " symmetrized" : "") +
           (s.other_cells > 0 ? ", " + counted(s.other_cells, "other cell") + " skipped" : "") +
           (s.doubled_points > 0 ? ", torn: " + counted(s.doubled_points, "point") +
@@ -312,6 +316,7 @@ std::string to_json(const Report& report, const std::vector<std::string>& unmet)
                      {"names_say_order", s.names_say_order},
                      {"points", s.points},
                      {"tetrahedra", s.tetrahedra},
+                     {"isotropic_tetrahedra", s.isotropic},
                      {"other_cells", s.other_cells},
                      {"symmetrized_tensors", s.symmetrized},
                      {"doubled_points", s.doubled_points},

@@ -96,5 +96,29 @@ TEST(ForgedFiles, DemandsAreMetOrNot) {
   EXPECT_EQ(forged.unmet({{"0"}, "", false}).size(), 1u);
 }
 
+/// Where no mode is defined nothing is left out; but a verdict says where that is.
+TEST(ForgedFiles, TetrahedraWithoutAModeAreCounted) {
+  Court court("isotropic");
+  for (std::size_t isotropic = 0; isotropic <= 2; ++isotropic) {
+    TetMesh mesh = two_tets_at_an_edge();
+    for (std::size_t t = 0; t < isotropic; ++t)
+      for (const auto v : mesh.tets[t])
+        mesh.tensors[static_cast<std::size_t>(v)] = {3, 3, 3, 0, 0, 0};
+    const Exhibit e = exhibit(mesh, {"0"});
+    EXPECT_EQ(court.verdict(e), "certified") << court.report();
+    EXPECT_EQ(court.report().find("(in " + std::to_string(isotropic) + " all tensors") !=
+                  std::string::npos,
+              isotropic > 0)
+        << court.report();
+  }
+  certificate::Report report;
+  report.levels.emplace_back();
+  report.subject.tetrahedra = 2;
+  for (std::size_t isotropic = 0; isotropic <= 2; ++isotropic) {
+    report.subject.isotropic = isotropic;
+    EXPECT_EQ(report.unmet({{}, "", true}).size(), isotropic == 2 ? 1u : 0u);
+  }
+}
+
 }  // namespace
 }  // namespace tensortopo::test

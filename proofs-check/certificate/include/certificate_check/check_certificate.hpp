@@ -98,6 +98,7 @@ struct Subject {
   bool names_say_order = false; ///< whether these names spell `order`
   std::string sha256;           ///< of the field's numbers, as derived
   std::size_t points = 0, tetrahedra = 0;
+  std::size_t isotropic = 0;    ///< tetrahedra in which all tensors are, so that no mode is defined
   std::size_t other_cells = 0;  ///< of the input: neither tetrahedra nor faces, lines or points
   std::size_t doubled_points = 0;  ///< of tetrahedra, at the place of another: surfaces are torn there
   std::size_t symmetrized = 0;  ///< tensors of nine components, of which two differ that should not
@@ -110,7 +111,7 @@ struct Subject {
 struct Demands {
   std::vector<std::string> modes;  ///< fractions or decimals: each must be a level
   std::string tensor;              ///< empty: any
-  bool complete = false;           ///< nothing of the input may be left out, nor skipped
+  bool complete = false;  ///< nothing of the input may be left out, nor skipped, nor all isotropic
 };
 
 /// What came of a certificate's claims, each counted once.

@@ -52,6 +52,7 @@ void add_subject(const Subject& part, bool is_first, Subject& all) {
     return;
   }
   all.points += part.points, all.tetrahedra += part.tetrahedra;
+  all.isotropic += part.isotropic;
   all.other_cells += part.other_cells, all.doubled_points += part.doubled_points;
   all.symmetrized += part.symmetrized;
   all.vertices += part.vertices, all.cells += part.cells;
