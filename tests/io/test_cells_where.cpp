@@ -69,7 +69,27 @@ TEST(CellsWhere, IsRefusedWithWhatThereIs) {
   expect("FA >", kInapplicable, {"--where 'FA >'"});
   expect("v > 0", kInapplicable, {"--where 'v > 0'"});
   expect(std::string(5000, '(') + "1" + std::string(5000, ')'), kInapplicable, {"too long"});
+  for (const std::string program :
+       {"z := 0.5", "FA += 1", "FA > 0; FA", "var a[2]; FA", "if (FA > 0) { 1 }"})
+    expect(program, kInapplicable, {"not assign"});
   expect("fa", invalid, {"--where leaves no cell (2 are left out)"});
+}
+
+/// An array called as what the tensors and places give.
+TEST(CellsWhere, AmbiguousNamesAreRefused) {
+  ReadOptions options;
+  options.tensor = "stress";
+  for (const std::string name : {"magnitude", "x", "mode"})
+    for (const bool on_points : {false, true}) {
+      TextVtu text = cells_with_arrays();
+      (on_points ? text.point_data : text.cell_data) +=
+          TextVtu::array(name, 1, on_points ? "1 2 3 4 5" : "1 2");
+      const auto file = put("named.vtu", text.str());
+      options.where = name + " > 0";
+      expect_error(file, kInapplicable, {"`" + name + "`", "rename"}, options);
+      options.where = "region > 0";
+      EXPECT_EQ(read_mesh(file, options).mesh.tets.size(), 2u);
+    }
 }
 
 TEST(CellsWhere, CountsWhatIsLeftOutAndChangesNothingElse) {

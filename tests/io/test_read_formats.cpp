@@ -157,6 +157,21 @@ TEST(ReadLegacyText, KnowsEveryKindOfAttribute) {
   EXPECT_EQ(result.mesh.tensors[3], (SymmetricTensor<double>{1, 2, 3, 4, 5, 9}));
 }
 
+TEST(ReadLegacyText, NotesThatItsLastNumberMayBeCutOff) {
+  const auto notes_of = [](const std::string& end) {
+    return read_mesh(put("cut.vtk", text_legacy("POINT_DATA 4\nTENSORS6 t double\n1 2 3 4 5 6 "
+                                                "1 2 3 4 5 7 1 2 3 4 5 8 1 2 3 4 5 1" +
+                                                end)))
+        .report.notes;
+  };
+  for (const std::string end : {"\n", "234.5\n", " ", "\r\n"}) EXPECT_TRUE(notes_of(end).empty());
+  for (const std::string end : {"", "2", "234."}) {
+    const auto notes = notes_of(end);
+    ASSERT_EQ(notes.size(), 1u) << end;
+    EXPECT_NE(notes[0].find("cut off"), std::string::npos) << notes[0];
+  }
+}
+
 TEST(ReadMesh, SumsTheBytesOfTheFile) {
   const auto one = put("a.vtu", TextVtu{}.str()), two = put("b.vtu", TextVtu{}.str());
   const auto other = put("c.vtu", TextVtu{}.str() + " ");

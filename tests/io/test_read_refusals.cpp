@@ -32,6 +32,24 @@ TEST(ReadRefuses, EmptyAndForeignFiles) {
                invalid, {"POLYDATA", "line 4"});
 }
 
+/// VTK refuses such files, or reads other numbers.
+TEST(ReadRefuses, MoreThanOneElementAndCommentsInArrays) {
+  const std::string text = TextVtu{}.str();
+  const auto put_with = [&](const std::string& before, const std::string& more) {
+    std::string changed = text;
+    const std::size_t at = before.empty() ? text.size() : changed.find(before);
+    EXPECT_NE(at, std::string::npos);
+    return put("more.vtu", changed.insert(at, more));
+  };
+  expect_error(put_with("", "more"), invalid, {"not well-formed", "VTKFile"});
+  expect_error(put_with("", "<a/>"), invalid, {"not well-formed"});
+  expect_error(put_with("<VTKFile", "more"), invalid, {"not well-formed"});
+  expect_error(put_with("</DataArray>", "<!-- -->"), invalid, {"comment"});
+  for (const std::string before : {"", "<VTKFile", "<Points>", "<DataArray"})
+    EXPECT_EQ(read_mesh(put_with(before, "<!-- a comment -->\n")).mesh.tensors,
+              read_mesh(put("a.vtu", text)).mesh.tensors);
+}
+
 TEST(ReadRefuses, NoTensors) {
   TextVtu text;
   text.point_data = TextVtu::array("u", 3, "0 0 0 0 0 0 0 0 0 0 0 0");
@@ -53,6 +71,28 @@ TEST(ReadRefuses, SeveralCandidatesUnlessOneIsNamed) {
   EXPECT_EQ(read_mesh(file, options).mesh.tensors[1], (SymmetricTensor<double>{1, 2, 3, 0, 0, 0}));
   options.tensor = "strian";
   expect_error(file, invalid, {"no array `strian`", "`stress` (6)"}, options);
+}
+
+TEST(ReadNotes, ThatCellsHaveTensorsAsWell) {
+  TextVtu text;
+  EXPECT_TRUE(read_mesh(put("one.vtu", text.str())).report.notes.empty());
+  for (const std::string name : {"strain", "stress"}) {
+    text.cell_data = TextVtu::array(name, 6, "1 2 3 4 5 6");
+    const auto file = put("both.vtu", text.str());
+    for (const std::string asked : {"", "stress"})
+      for (const bool of_cells : {false, true}) {
+        ReadOptions options;
+        options.tensor = asked, options.cell_to_point = of_cells;
+        const ReadReport report = read_mesh(file, options).report;
+        const bool are_others = asked.empty() || name == asked;
+        EXPECT_EQ(std::count_if(report.notes.begin(), report.notes.end(),
+                                [](const std::string& n) {
+                                  return n.find("as well") != std::string::npos;
+                                }),
+                  are_others ? 1 : 0)
+            << name << ' ' << asked << ' ' << of_cells;
+      }
+  }
 }
 
 TEST(ReadRefuses, TwoArraysOfOneName) {

@@ -52,6 +52,7 @@ struct Quantity {
   std::string name;
   bool on_points = true;
   std::function<std::vector<double>()> values;
+  bool is_of_field_too = false;  ///< an array with the name of what tensors or places give
 };
 
 /// Frobenius norm, without overflow on the way.
@@ -68,18 +69,23 @@ std::vector<Quantity> quantities(const RawGrid& grid, const TensorChoice* choice
   std::vector<Quantity> list;
   const auto add_arrays = [&](const std::vector<ArraySource>& arrays, bool on_points) {
     for (const ArraySource& array : arrays)
-      if (array.components == 1) list.push_back({array.name, on_points, array.values});
+      if (array.components == 1) list.push_back({array.name, on_points, array.values, false});
   };
   add_arrays(grid.point_data, true);
   add_arrays(grid.cell_data, false);
   const auto add = [&](const char* name, bool on_points, auto value, std::size_t count) {
-    if (std::any_of(list.begin(), list.end(), [&](const auto& q) { return q.name == name; }))
+    const auto array =
+        std::find_if(list.begin(), list.end(), [&](const auto& q) { return q.name == name; });
+    if (array != list.end()) {
+      array->is_of_field_too = true;
       return;
+    }
     list.push_back({name, on_points, [value, count] {
                       std::vector<double> all(count);
                       for (std::size_t i = 0; i < count; ++i) all[i] = value(i);
                       return all;
-                    }});
+                    },
+                    false});
   };
   for (std::size_t k = 0; k < 3; ++k)
     add(
@@ -126,6 +132,21 @@ std::string with_operators(const std::string& text) {
   return result;
 }
 
+/// Whether an expression does more than compare numbers: the parser's language has variables,
+/// statements and loops.
+bool is_program(const std::string& text) {
+  bool is_quoted = false;
+  char before = ' ';
+  for (const char c : text) {
+    is_quoted = is_quoted != (c == '"');
+    if (is_quoted) continue;
+    const bool is_assignment = c == '=' && std::string(":+-*/%").find(before) != std::string::npos;
+    if (is_assignment || c == ';' || c == '{' || c == '[') return true;
+    before = c;
+  }
+  return false;
+}
+
 /// A condition on the quantities of one piece.
 class Condition {
  public:
@@ -134,6 +155,8 @@ class Condition {
     const bool is_name =
         std::any_of(known.begin(), known.end(), [&](const Quantity& q) { return q.name == text; });
     if (text.size() > most_characters) fail("is too long");
+    if (!is_name && is_program(text))
+      fail("is no condition: it may compare numbers, not assign them (== for =, and for ;)");
     // In an expression a name that is no identifier stands between quotation marks.
     const auto spelled = [](const std::string& name) {
       return is_plain(name) ? name : '"' + name + '"';
@@ -151,6 +174,9 @@ class Condition {
     for (const Quantity& q : known) {
       const int variable = parser_->GetScalarVariableIndex(spelled(q.name));
       if (variable < 0 || !parser_->GetScalarVariableNeeded(variable)) continue;
+      if (q.is_of_field_too)
+        fail("`" + q.name + "` is an array of the file, and what the field has by this name; " +
+             "rename the array");
       if (std::any_of(used_.begin(), used_.end(),
                       [&](const Used& u) { return u.variable == variable; }))
         fail("there are two arrays `" + q.name + "`");

@@ -52,10 +52,30 @@ std::vector<RawGrid> read_grids(const std::shared_ptr<const InputFile>& file,
   return grids;
 }
 
+/// What whoever has such a mesh can do, or nothing.
+std::string_view remedy_of(MeshDefect::Kind kind, const ReadOptions& options,
+                           const ReadReport& report) {
+  using Kind = MeshDefect::Kind;
+  switch (kind) {
+    case Kind::out_of_range:
+      return "; give the mesh in other units of length";
+    case Kind::degenerate_cell:
+    case Kind::duplicated_cell:
+      return "; take such cells out of the mesh, or leave them out with --where";
+    case Kind::overlapping_cells:
+    case Kind::inverted_cell:
+      return report.quadratic_cells > 0 && options.quadratic == QuadraticCells::split
+                 ? "; --quadratic corners takes the quadratic cells by their corners"
+                 : "";
+    default:
+      return "";
+  }
+}
+
 /// Refuses meshes that are unfit; else their outer faces.
-/// @param left_out  cells that the caller did not want
 std::vector<OuterFace> check(const std::filesystem::path& file, const TetMesh& mesh,
-                             std::size_t left_out) {
+                             const ReadOptions& options, const ReadReport& report) {
+  const std::size_t left_out = report.cells_left_out;
   if (mesh.tets.empty())
     throw IoError(IoError::Kind::invalid, file,
                   left_out > 0 ? fmt::format("--where leaves no cell ({} are left out)", left_out)
@@ -69,6 +89,7 @@ std::vector<OuterFace> check(const std::filesystem::path& file, const TetMesh& m
   if (defects.size() > 1)
     text += "; " + std::to_string(defects.size() - 1) + " more defects" +
             (defects.size() >= 1000 ? " at least" : "");
+  text += remedy_of(defects.front().kind, options, report);
   throw IoError(IoError::Kind::invalid, file, text);
 }
 
@@ -192,6 +213,7 @@ SplitCells read_unchecked(const std::shared_ptr<const InputFile>& file, const Re
   const TensorChoice choice = choose_tensor(grids, options);
   report.tensor_name = choice.name;
   report.components = choice.taken;
+  if (!choice.note.empty()) report.notes.push_back(choice.note);
   std::vector<std::vector<SymmetricTensor<double>>> tensors(grids.size());
   std::size_t points = 0;
   for (std::size_t k = 0; k < grids.size(); ++k) {
@@ -242,13 +264,13 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
   }
   if (options.zero_below > 0)
     report.tensors_with_zeros = take_as_zero(result.mesh, options.zero_below);
-  const auto outer = check(file->path, result.mesh, report.cells_left_out);
+  const auto outer = check(file->path, result.mesh, options, report);
   report.torn_faces = torn_faces(split.grids, split.map, result.mesh, outer);
   report.unreferenced_points = count_unreferenced_points(result.mesh);
   write_notes(options, report);
   if (std::string note = note_of_nearly_isotropic(result.mesh); !note.empty())
     report.notes.push_back(std::move(note));
-  if (report.torn_faces.count > 0 && in_same_places(result.mesh, report.torn_faces.vertices))
+  if (report.torn_faces.count > 0 && options.materials.empty() && in_same_places(result.mesh, report.torn_faces.vertices))
     report.notes.push_back(
         "points of torn faces are doubled; --merge-points makes one of those with equal tensors, "
         "with --mean of all in one place");
@@ -304,8 +326,8 @@ std::string TornFaces::text() const {
     return fmt::format("{} {} {} of cell {}", v[0], v[1], v[2], cells[side]);
   };
   return fmt::format(
-      "{} faces lie on others that they are not (vertices {}, on {}): surfaces are torn there",
-      count, face(0), face(1));
+      "{} {} without being shared (vertices {}, on {}): surfaces are torn there",
+      count, count == 1 ? "face lies on another" : "faces lie on others", face(0), face(1));
 }
 
 ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options) {

@@ -236,6 +236,23 @@ TensorChoice choose_in(const RawGrid& grid, const ReadOptions& options) {
 
 }  // namespace
 
+namespace {
+
+/// That the other of points and cells has tensors as well, which a reader might mean; empty if not.
+std::string note_of_others(const RawGrid& grid, const TensorChoice& choice,
+                           const ReadOptions& options) {
+  Sources others;
+  for (const ArraySource& source : choice.on_cells ? grid.point_data : grid.cell_data)
+    if (may_be_tensor(source) && (options.tensor.empty() || source.name == options.tensor))
+      others.push_back(source);
+  if (others.empty() || choice.values != CellValues::one) return "";
+  return fmt::format("tensor `{}` of {} taken; {} have {} as well{}", choice.name,
+                     choice.on_cells ? "cells" : "points", choice.on_cells ? "points" : "cells",
+                     listed(others, true), choice.on_cells ? "" : " (--cell-to-point)");
+}
+
+}  // namespace
+
 TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& options) {
   for (RawGrid& each : grids) join_named(each, options.tensor);
   const auto with_points =
@@ -246,6 +263,7 @@ TensorChoice choose_tensor(std::vector<RawGrid>& grids, const ReadOptions& optio
   if (printable(choice.name) != choice.name)
     refuse(grid,
            "the name of the array `" + choice.name + "` has control characters; rename the array");
+  choice.note = note_of_others(grid, choice, options);
   return choice;
 }
 

@@ -18,6 +18,7 @@ struct TensorChoice {
   TensorComponents taken;
   CellValues values = CellValues::one;  ///< if on cells
   std::size_t per_cell = 1;             ///< tensors, one after the other
+  std::string note = "";                ///< of tensors that were not taken, or empty
 };
 
 /// The array asked for, or the only candidate. Throws IoError with the arrays that there are.

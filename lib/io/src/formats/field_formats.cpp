@@ -46,7 +46,7 @@ std::vector<RawGrid> read_one_vtu(const FieldSource& source) {
 
 std::vector<RawGrid> read_one_legacy(const FieldSource& source) {
   std::vector<RawGrid> grids;
-  grids.push_back(read_legacy(source.file));
+  grids.push_back(read_legacy(source));
   return grids;
 }
 

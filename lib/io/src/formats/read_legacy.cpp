@@ -65,6 +65,12 @@ class LegacyReader {
     return std::move(grid_);
   }
 
+  /// Whether the file's text ends with a digit, which others may have followed.
+  bool ends_with_a_number() const {
+    const char last = file_->bytes.empty() ? ' ' : file_->bytes.back();
+    return !scan_.is_binary() && ((last >= '0' && last <= '9') || last == '.');
+  }
+
  private:
   void read_header() {
     const std::string_view first = scan_.line();
@@ -333,8 +339,13 @@ class LegacyReader {
 
 }  // namespace
 
-RawGrid read_legacy(const std::shared_ptr<const InputFile>& file) {
-  return LegacyReader(file).read();
+RawGrid read_legacy(const FieldSource& source) {
+  LegacyReader reader(source.file);
+  RawGrid grid = reader.read();
+  if (reader.ends_with_a_number())
+    source.notes.emplace_back(
+        "ends without an end of line: if the file was cut off, its last number is not whole");
+  return grid;
 }
 
 }  // namespace tensortopo::detail

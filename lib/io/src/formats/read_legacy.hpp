@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-
-#include "bytes/input_file.hpp"
-#include "grids/raw_grid.hpp"
+#include "formats/field_format.hpp"
 
 namespace tensortopo::detail {
 
-/// The grid of a legacy .vtk file (versions up to 5.1, ASCII or binary). Throws IoError.
-RawGrid read_legacy(const std::shared_ptr<const InputFile>& file);
+/// The grid of a legacy .vtk file (versions up to 5.1, ASCII or binary). Notes that a number ends
+/// with the file. Throws IoError.
+RawGrid read_legacy(const FieldSource& source);
 
 }  // namespace tensortopo::detail
