@@ -81,3 +81,16 @@ def test_what_is_no_tensor_is_refused():
     with pytest.raises(ValueError, match="masked"):
         tt.mode(masked)
     assert tt.mode(masked[:1])[0] == 0
+
+
+def test_integers_are_taken_exactly_or_refused():
+    exact = [0, 2**53, -(2**53), 2**60, -(2**63), 3 * 2**61]
+    inexact = [2**53 + 1, -(2**53) - 1, 2**60 + 1, 2**63 - 1]
+    for number in exact:
+        tensor = np.array([[number, 0, 0, 0, 0, 0]], dtype=np.int64 if number < 2**62 else np.uint64)
+        assert tt.mode(tensor).shape == (1,)
+    for number in inexact:
+        with pytest.raises(ValueError, match=f"no double is {number}"):
+            tt.mode(np.array([[number, 0, 0, 1, 0, 0]], dtype=np.int64))
+    with pytest.raises(ValueError, match="no double is 18446744073709551615"):
+        tt.mode(np.array([[2**64 - 1, 0, 0, 1, 0, 0]], dtype=np.uint64))

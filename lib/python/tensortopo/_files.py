@@ -239,9 +239,12 @@ def read(
     try:
         import meshio
     except ImportError as error:
+        formats = ", ".join(_PROGRAMS_FORMATS)
         raise FileError(
-            f"{file}: only .vtu is read without the program and meshio; put tensortopo on the path, "
-            "or name it with TENSORTOPO_PROGRAM"
+            f"{file}: fields are read from .vtu, {formats}, and with meshio from its formats"
+            if has_program()
+            else f"{file}: only .vtu is read without the program and meshio; put tensortopo on the "
+            "path, or name it with TENSORTOPO_PROGRAM"
         ) from error
     from ._bridges import from_meshio
 

@@ -34,6 +34,11 @@ def real_array(values: Any, name: str) -> Array:
         raise ValueError(f"{name}: expected real numbers, not {array.dtype}")
     if array.dtype.kind == "f" and array.dtype.itemsize > 8:
         raise ValueError(f"{name}: {array.dtype} holds more than a double")
+    if array.dtype.kind in "iu" and array.dtype.itemsize == 8:
+        large = array[(array > 2**53) | (array < -(2**53))].tolist()
+        inexact = next((x for x in large if int(float(x)) != x), None)
+        if inexact is not None:
+            raise ValueError(f"{name}: no double is {inexact}; round what is to be rounded yourself")
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
