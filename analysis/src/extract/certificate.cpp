@@ -11,6 +11,7 @@
 #include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_text.hpp"
+#include "tensortopo/mesh/as_size.hpp"
 
 namespace tensortopo {
 
@@ -29,6 +30,9 @@ void count(const CertifiedCurves& kind, Kinds& kinds) {
   kinds["faces"] += kind.faces.size(), kinds["tetrahedra"] += kind.tets.size();
   kinds["curves"] += kind.curves.size(), kinds["no others"] += 1;
 }
+
+/// Undecided tetrahedra that reports name.
+constexpr std::size_t kMostListed = 100;
 
 /// @param output  the surface, or the polylines
 /// @param levels  of it
@@ -51,7 +55,11 @@ CertificateReport write_levels(const std::filesystem::path& file, CertificateSub
     report.certified += level.claims();
     count(level, report.kinds);
     report.undecided_cells += level.undecided.size();
-    for (const auto& cell : level.undecided) ++report.undecided[cell.reason];
+    for (const auto& cell : level.undecided) {
+      ++report.undecided[cell.reason];
+      if (report.listed.size() < kMostListed)
+        report.listed.emplace_back(read.mesh.cell_ids[as_size(cell.tet)], cell.reason);
+    }
   }
   return report;
 }

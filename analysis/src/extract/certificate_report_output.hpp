@@ -20,6 +20,9 @@ inline nlohmann::ordered_json certificate_json(
   for (const auto& [reason, count] : certificate->undecided) undecided[reason] = count;
   auto kinds = nlohmann::ordered_json::object();
   for (const auto& [kind, count] : certificate->kinds) kinds[kind] = count;
+  auto cells = nlohmann::ordered_json::array();
+  for (const auto& [cell, reason] : certificate->listed)
+    cells.push_back({{"cell", cell}, {"reason", reason}});
   nlohmann::ordered_json beyond;
   if (certificate->counts_beyond_checker)
     beyond = {{"tubes", certificate->tubes}, {"critical", certificate->at_critical}};
@@ -28,9 +31,25 @@ inline nlohmann::ordered_json certificate_json(
           {"kinds", std::move(kinds)},
           {"refuted", 0},
           {"undecided", std::move(undecided)},
+          {"undecided_cells", std::move(cells)},
           {"beyond_checker", std::move(beyond)},
           {"path", certificate->path.string()},
           {"bytes", certificate->bytes}};
+}
+
+/// How many tetrahedra are undecided for each reason, and the first of them.
+inline std::string undecided_text(const CertificateReport& certificate) {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  for (const auto& [reason, count] : certificate.undecided) {
+    text += fmt::format("{}{} {} (cell{}", text.empty() ? "" : ", ", count, reason,
+                        count == 1 ? "" : "s");
+    std::size_t named = 0;
+    for (const auto& [cell, why] : certificate.listed)
+      if (why == reason && named++ < kMost) text += fmt::format(" {}", cell);
+    text += named > kMost || named < count ? " ...)" : ")";
+  }
+  return text;
 }
 
 /// A line, or nothing.

@@ -18,6 +18,7 @@
 #include "report/page.hpp"
 #include "report/page_arrays.hpp"
 #include "require_folder.hpp"
+#include "shell_word.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -209,8 +210,8 @@ std::string certificate_part(const ReportCommand& command, const std::string& re
   };
   std::string flags;
   for (const ModePart& part : made.parts) flags += " --mode " + part.mode.text();
-  if (!command.uncertainty.empty()) flags += " --uncertainty '" + command.uncertainty + "'";
-  const std::string file = html_text(command.input.filename().string());
+  if (!command.uncertainty.empty()) flags += " --uncertainty " + shell_word(command.uncertainty);
+  const std::string file = html_text(shell_word(command.input.filename().string()));
   return fmt::format(
              "<p><span class=\"verdict {0}\" id=\"verdict\">{0}</span> {1} of {2} claims derived "
              "again, from the bits of the tensors, by a checker that shares no code with the "

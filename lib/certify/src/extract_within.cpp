@@ -15,7 +15,8 @@ namespace {
 /// A tetrahedron is given up after so many doublings in a row without much effect.
 constexpr int kPatience = 2;
 constexpr double kEffect = 0.8;
-/// Or when it has so many triangles: one more doubling would take as long as all the others did.
+/// Or when it has more triangles than this, some four times as many at most: one more doubling would
+/// take as long as all the others did.
 constexpr int kMostTriangles = 5000;
 
 /// For each tetrahedron the bound on its distances, 0 where nothing is claimed or there.

@@ -147,6 +147,20 @@ TENSORS stress double)" << first_tensor << R"(
   return file;
 }
 
+TEST(ExtractFailures, UndecidedTetrahedraOfACertificateAreNamed) {
+  const Folder folder;
+  const Outcome run = run_program({"extract", mesh_with_a_zero(folder), "-o", folder / "s.vtp",
+                                   "--mode", "0.5", "--certify", folder / "c.json", "--json"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  const std::string said = "1 tetrahedron undecided, so that nothing is certified of the surface "
+                           "there: 1 zero_deviator_inside (cell 0)";
+  EXPECT_NE(run.err.find(said), std::string::npos) << run.err;
+  const auto cells = nlohmann::json::parse(run.out)["certificate"]["undecided_cells"];
+  ASSERT_EQ(cells.size(), 1u);
+  EXPECT_EQ(cells[0]["cell"], 0);
+  EXPECT_EQ(cells[0]["reason"], "zero_deviator_inside");
+}
+
 TEST(ExtractFailures, AnUnresolvedTetrahedronIsNamedAndTheRestIsWritten) {
   const Folder folder;
   const std::string out = folder / "s.vtp";
@@ -288,7 +302,7 @@ TEST(ExtractFailures, ATornMeshIsSaidToBeSoAndRefusedIfStrict) {
     words.push_back(level == "--mode" ? "0.1" : "magnitude");
     if (level != "--mode") words.insert(words.end(), {"--value", "3/2"});
     const std::string about =
-        "4 faces lie on others that they are not (vertices 1 2 5 of cell 1, "
+        "4 faces lie on others without being shared (vertices 1 2 5 of cell 1, "
         "on 1 2 6 of cell 0)";
     const Outcome text = run_program(words);
     EXPECT_EQ(text.status, 0);

@@ -22,7 +22,7 @@
 namespace tensortopo::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 /// In a process of its own, so that this one stays small: a child's ru_maxrss is at least what its
 /// parent held when it was made.
@@ -143,13 +143,13 @@ TEST(ExtractMemory, SaysHowManyPiecesItTook) {
   const Folder folder;
   const Outcome run = extract_slab(folder, {"--mode", "0.5", "--memory", "2GiB", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
-  const json report = json::parse(run.out);
+  const Json report = Json::parse(run.out);
   EXPECT_EQ(report.at("pieces"), 1);
   EXPECT_EQ(report.at("memory").at("limit_bytes"), std::uint64_t{2} << 30);
   EXPECT_GT(report.at("memory").at("peak_bytes"), 10'000'000u);
   const Outcome pieces = extract_slab(folder, {"--mode", "0.5", "--pieces", "3", "--json"});
-  EXPECT_EQ(json::parse(pieces.out).at("pieces"), 3);
-  EXPECT_FALSE(json::parse(pieces.out).contains("memory"));
+  EXPECT_EQ(Json::parse(pieces.out).at("pieces"), 3);
+  EXPECT_FALSE(Json::parse(pieces.out).contains("memory"));
 }
 
 TEST(ExtractMemory, IsRefusedWhereNothingFits) {

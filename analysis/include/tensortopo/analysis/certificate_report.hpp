@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tensortopo {
 
@@ -18,6 +20,8 @@ struct CertificateReport {
   std::map<std::string, std::size_t> kinds;      ///< the same by kind
   std::map<std::string, std::size_t> undecided;  ///< tetrahedra, over all modes, by reason
   std::size_t undecided_cells = 0;
+  /// Of the first of these the number in the file, and the reason.
+  std::vector<std::pair<std::int64_t, std::string>> listed;
   /// Proved by arguments that the checker does not have, which it may leave open: sheets that are
   /// thin tubes, and tetrahedra taken at a mode next to a critical one.
   std::size_t tubes = 0, at_critical = 0;

@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "bench/bench_command.hpp"
+#include "shell_word.hpp"
 
 namespace tensortopo {
 namespace {
@@ -28,13 +29,6 @@ std::string value_in(const char* file, const std::string& key) {
     return from == std::string::npos ? "" : line.substr(from);
   }
   return "";
-}
-
-/// A path as one word of a shell's command.
-std::string quoted(const std::string& path) {
-  std::string text = "'";
-  for (const char c : path) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
 }
 
 }  // namespace
@@ -59,7 +53,7 @@ std::string commit_text() {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return "unknown";
-  const std::string command = "git -C " + quoted(program.parent_path().string()) +
+  const std::string command = "git -C " + shell_word(program.parent_path().string()) +
                               " describe --always --dirty --abbrev=12 2> /dev/null";
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   char line[128] = "";

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "counted.hpp"
+#include "extract/certificate_report_output.hpp"
 #include "program/options/common_options.hpp"
 #include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -59,7 +60,9 @@ inline bool say_undecided(const std::optional<CertificateReport>& certificate, b
   if (!certificate || certificate->undecided_cells == 0) return false;
   if (!quiet)
     std::cerr << "tensortopo: " << certificate->path.string() << ": "
-              << counted_tets(certificate->undecided_cells) << " undecided\n";
+              << counted_tets(certificate->undecided_cells)
+              << " undecided, so that nothing is certified of the surface there: "
+              << undecided_text(*certificate) << '\n';
   return true;
 }
 

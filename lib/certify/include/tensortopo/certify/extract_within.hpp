@@ -23,7 +23,8 @@ struct ExtractionWithin {
 /// @param options  `density` is where sampling begins; `keep_topology` is about `extraction`
 /// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`: where
 /// the singular line of a neutral surface passes through, triangles beside it stay long. So is one
-/// that has more than 5,000 triangles: it would soon take longer than all others.
+/// that has more than 5,000 triangles (a doubling may have made 20,000 of fewer): it would soon take
+/// longer than all others.
 ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
                                 double largest_distance, const ExtractOptions& options = {});
 
