@@ -142,7 +142,7 @@ struct ReadResult {
 ///           replaced by its mean. 6 components are in the order that their names in the file spell
 ///           (`S11 S22 ...`, `stress_xx ...`), else in `options.components` order, else in VTK's.
 ///           Names that spell no order are refused unless the caller gives one. Tensors that
-///           belong to points win over tensors that belong to cells.
+///           belong to points win over tensors that belong to cells, which a note says.
 /// Cells     Splitting joins each cell's smallest vertex to the faces away from it, and each face
 ///           is split from its own smallest vertex, so cells that share a face agree on it. Parts
 ///           of a cell with coinciding corners that have no volume are left out. Quadratic cells
