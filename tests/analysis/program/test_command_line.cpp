@@ -116,11 +116,27 @@ TEST(CommandLine, ReportsSayWhatMadeThem) {
 }
 
 TEST(CommandLine, ALongRestIsEstimated) {
-  EXPECT_EQ(time_left(0.5, 1), "");
-  EXPECT_EQ(time_left(0.001, 100), "");
-  EXPECT_EQ(time_left(0.5, 40), " (40 s left)");
-  EXPECT_EQ(time_left(0.25, 300), " (15 min left)");
-  EXPECT_EQ(time_left(0.1, 3600), " (9 h left)");
+  EXPECT_EQ(TimeLeft().after(0.5, 1), "");
+  EXPECT_EQ(TimeLeft().after(0.001, 100), "");
+  EXPECT_EQ(TimeLeft().after(0.5, 40), " (40 s left)");
+  EXPECT_EQ(TimeLeft().after(0.25, 300), " (15 min left)");
+  EXPECT_EQ(TimeLeft().after(0.1, 3600), " (9 h left)");
+}
+
+/// By the pace at which it goes now: here each round fills half of what is left, and takes four times
+/// as long as the one before.
+TEST(CommandLine, TheRestIsEstimatedByThePresentPace) {
+  TimeLeft even, slower;
+  for (double second = 1; second < 90; ++second) even.after(second / 100, second);
+  EXPECT_EQ(even.after(0.9, 90), " (10 s left)");
+  double seconds = 0, length = 1, left = 1;
+  std::string said;
+  for (int round = 0; round < 4; ++round, length *= 4, left /= 2)
+    for (double share = 0; share < 1; share += 1 / (2 * length))
+      said = slower.after(1 - left + left / 2 * share, seconds += 0.5);
+  EXPECT_EQ(seconds, 85);
+  ASSERT_TRUE(said.starts_with(" (") && said.ends_with(" s left)")) << said;
+  EXPECT_NEAR(std::stod(said.substr(2)), 64, 2);  // and 6 at the pace of all rounds
 }
 
 TEST(CommandLine, WhatIsNotInThePictureIsSaid) {

@@ -24,9 +24,14 @@ bool is_terminal_with_escapes() {
 
 }  // namespace
 
-std::string time_left(double fraction, double seconds) {
-  if (seconds < 3 || fraction < 0.02 || fraction >= 1) return "";
-  const double left = seconds * (1 - fraction) / fraction;
+std::string TimeLeft::after(double fraction, double seconds) {
+  while (past_.size() > 1 && past_[1].seconds <= seconds / 2) past_.pop_front();
+  const Moment then = past_.front();
+  if (seconds >= past_.back().seconds + std::max(0.5, seconds / 64))
+    past_.push_back({fraction, seconds});
+  const double pace = (fraction - then.fraction) / (seconds - then.seconds);
+  if (seconds < 3 || fraction < 0.02 || fraction >= 1 || !(pace > 0)) return "";
+  const double left = (1 - fraction) / pace;
   if (left < 90) return fmt::format(" ({:.0f} s left)", std::max(1.0, left));
   if (left < 90 * 60) return fmt::format(" ({:.0f} min left)", left / 60);
   return fmt::format(" ({:.0f} h left)", left / 3600);
@@ -63,7 +68,7 @@ void ProgressBar::show(std::string_view stage, double fraction) {
   const auto full = static_cast<std::size_t>(part * static_cast<double>(kWidth));
   const std::string line =
       fmt::format("\r\033[K[{}{}] {:3.0f} % {}{}", std::string(full, '#'),
-                  std::string(kWidth - full, '.'), 100 * part, stage, time_left(part, seconds));
+                  std::string(kWidth - full, '.'), 100 * part, stage, left_.after(part, seconds));
   std::fputs(line.c_str(), stderr);
   shown_ = true;
 }
@@ -72,7 +77,7 @@ void ProgressBar::show_line(std::string_view stage, double fraction, double seco
   if (seconds < static_cast<double>(next_line_.count())) return;
   next_line_ = std::chrono::seconds(static_cast<long>(seconds)) + kLineInterval;
   std::fputs(fmt::format("tensortopo: {:.0f} %, {}{}\n", std::floor(100 * fraction), stage,
-                         time_left(fraction, seconds))
+                         left_.after(fraction, seconds))
                  .c_str(),
              stderr);
 }

@@ -3,12 +3,27 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <string>
 #include <string_view>
 
 #include "tensortopo/analysis/progress.hpp"
 
 namespace tensortopo {
+
+/// How long the rest of a work will take, at its pace in the last half of the time so far.
+class TimeLeft {
+ public:
+  /// "", or " (3 min left)": nothing is said of short runs and of small parts.
+  /// @param fraction  of the work that is done, after so many seconds; neither falls
+  std::string after(double fraction, double seconds);
+
+ private:
+  struct Moment {
+    double fraction = 0, seconds = 0;
+  };
+  std::deque<Moment> past_{Moment{}};
+};
 
 /// Says on standard error what goes on, how much of it is done, and how long it will take about.
 ///
@@ -39,10 +54,7 @@ class ProgressBar {
   bool full_ = false;  ///< the stage has been shown as done
   Clock::time_point start_ = Clock::now(), last_{};
   std::chrono::seconds next_line_;
+  TimeLeft left_;
 };
-
-/// "", or how long the rest will take about, if a part of the work took so many seconds: " (3 min
-/// left)". Nothing is said of short runs and of small parts.
-std::string time_left(double fraction, double seconds);
 
 }  // namespace tensortopo
