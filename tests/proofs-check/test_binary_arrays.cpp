@@ -5,13 +5,13 @@
 
 #include <bit>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/files.hpp"
+#include "support/folder.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -48,9 +48,6 @@ std::string stored(const std::string& bytes) {
 /// One tetrahedron, of which the points are given as they are stored.
 class BinaryArrays : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   static std::string points(bool highest_first) {
     std::string bytes;
     for (const double x : {0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.})
@@ -59,7 +56,7 @@ class BinaryArrays : public testing::Test {
   }
   /// Whether the checker reads a field with these points.
   bool is_read(const std::string& points, const std::string& attributes) const {
-    const std::string name = (folder_ / "field.vtu").string();
+    const std::string name = folder_ / "field.vtu";
     const auto array = [](const char* type, const char* of, const char* count, const char* numbers) {
       return std::string("<DataArray type=\"") + type + "\" Name=\"" + of +
              "\" NumberOfComponents=\"" + count + "\" format=\"ascii\">" + numbers + "</DataArray>";
@@ -83,8 +80,7 @@ class BinaryArrays : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / "tensortopo_binary_arrays";
+  Folder folder_;
 };
 
 /// Some readers stop at a sign of the end, or do not look at bits that stand for nothing.

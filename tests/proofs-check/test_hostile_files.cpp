@@ -11,6 +11,7 @@
 #include "files/files.hpp"
 #include "files/parse_document.hpp"
 #include "proofs-check/forgeries/forgery.hpp"
+#include "support/folder.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -168,9 +169,8 @@ TEST(HostileFiles, HaveOneReading) {
 
 /// Regions of volume are no faces: that they are left out is counted.
 TEST(HostileFiles, SkippedCellsAreCounted) {
-  const auto folder = std::filesystem::temp_directory_path() / "tensortopo_skipped_cells";
-  std::filesystem::create_directories(folder);
-  const std::string name = (folder / "field.vtu").string();
+  const Folder folder;
+  const std::string name = folder / "field.vtu";
   const Exhibit& e = honest_exhibits()[0];
   const std::string field = e.field_text(), end = "\" Name=\"types\" format=\"ascii\">";
   ASSERT_NE(field.find(">10"), std::string::npos);
@@ -183,7 +183,6 @@ TEST(HostileFiles, SkippedCellsAreCounted) {
     std::ofstream(name) << replaced(field, ">10", std::string(">") + type);
     EXPECT_EQ(certificate::read_input(certificate::read_file(name), "stress", "vtk").other_cells, 0u) << type;
   }
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Printable, ShowsNothingThatIsNotSeen) {

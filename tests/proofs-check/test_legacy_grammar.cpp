@@ -3,7 +3,6 @@
 // Legacy files that VTK reads otherwise than a reader of words or of lines would.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "certificate_check/check_certificate.hpp"
 #include "files/files.hpp"
+#include "support/folder.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -34,9 +34,8 @@ std::string grid_with(const std::string& information) {
 }
 
 TEST(LegacyGrammar, IsThatOfVtk) {
-  const auto folder = std::filesystem::temp_directory_path() / "tensortopo_legacy_grammar";
-  std::filesystem::create_directories(folder);
-  const std::string name = (folder / "field.vtk").string();
+  const Folder folder;
+  const std::string name = folder / "field.vtk";
   const auto is_read = [&](const std::string& text) {
     std::ofstream(name, std::ios::binary) << text;
     try {
@@ -148,7 +147,6 @@ TEST(LegacyGrammar, IsThatOfVtk) {
     ++refused;
   }
   EXPECT_EQ(refused, 62u);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
