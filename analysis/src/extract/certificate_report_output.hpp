@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "extract/topology_json.hpp"
 #include "tensortopo/analysis/certificate_report.hpp"
 
 namespace tensortopo {
@@ -20,9 +21,6 @@ inline nlohmann::ordered_json certificate_json(
   for (const auto& [reason, count] : certificate->undecided) undecided[reason] = count;
   auto kinds = nlohmann::ordered_json::object();
   for (const auto& [kind, count] : certificate->kinds) kinds[kind] = count;
-  auto cells = nlohmann::ordered_json::array();
-  for (const auto& [cell, reason] : certificate->listed)
-    cells.push_back({{"cell", cell}, {"reason", reason}});
   nlohmann::ordered_json beyond;
   if (certificate->counts_beyond_checker)
     beyond = {{"tubes", certificate->tubes}, {"critical", certificate->at_critical}};
@@ -31,7 +29,11 @@ inline nlohmann::ordered_json certificate_json(
           {"kinds", std::move(kinds)},
           {"refuted", 0},
           {"undecided", std::move(undecided)},
-          {"undecided_cells", std::move(cells)},
+          {"undecided_cells",
+           listed_cells_json(certificate->listed,
+                             [](const auto& listed) -> nlohmann::ordered_json {
+                               return {{"cell", listed.first}, {"reason", listed.second}};
+                             })},
           {"beyond_checker", std::move(beyond)},
           {"path", certificate->path.string()},
           {"bytes", certificate->bytes}};

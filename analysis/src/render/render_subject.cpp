@@ -74,10 +74,11 @@ std::size_t place_of_cell(const TetMesh& mesh, std::int64_t cell) {
 }
 
 // The sheets of a file, with the lines of the texture.
-std::vector<Sheet> textured_sheets(const std::filesystem::path& file, const TetMesh& mesh,
+std::vector<Sheet> textured_sheets(const std::filesystem::path& file, vtkPolyData* all,
+                                   const TetMesh& mesh,
                                    const FieldOrigin& field, Texture texture, bool recover) {
   // A file of curves has nothing to be textured.
-  if (const auto all = read_poly_data(file); all->GetNumberOfPolys() == 0) return sheets_of(all);
+  if (all->GetNumberOfPolys() == 0) return sheets_of(all);
   SurfaceInput input = read_surface(file);
   if (texture == Texture::dominant) {
     vtkDataArray* const vectors = input.file->GetPointData()->GetArray("dominant_eigenvector");
@@ -148,11 +149,12 @@ RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
     }
   }
   for (const auto& file : command.surfaces) {
+    const auto data = read_poly_data(file);
     auto sheets = command.texture == Texture::none
-                      ? read_sheets(file)
-                      : textured_sheets(file, mesh_, field_, command.texture, command.recover);
+                      ? sheets_of(data)
+                      : textured_sheets(file, data, mesh_, field_, command.texture, command.recover);
     if (sheets.empty()) empty_.push_back(file);
-    if (const std::string sha256 = origin_of(*read_poly_data(file)).sha256;
+    if (const std::string sha256 = origin_of(*data).sha256;
         command.mesh && !sha256.empty() && sha256 != field_.sha256)
       mesh_notes_.push_back(
           fmt::format("{} was extracted from another file than this one", file.string()));

@@ -168,8 +168,7 @@ SweepCheck check_sweep(const Sweep& sweep, const std::filesystem::path& input,
   const ModesToCheck chosen = modes_to_check(sweep, modes);
   TemporaryFolder folder;
   SweepCheck check;
-  check.all_events = sweep.events.size();
-  check.events = chosen.events;
+  check.events = sweep.events.size();
   check.undecided = chosen.none;
   ExtractCommand command;
   command.input = input;

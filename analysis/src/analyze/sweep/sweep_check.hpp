@@ -41,8 +41,7 @@ struct CheckedLevel {
 /// What a comparison of a sweep with certified surfaces came to.
 struct SweepCheck {
   std::vector<CheckedLevel> levels;         ///< by mode
-  std::size_t all_events = 0;               ///< critical values of the sweep
-  std::size_t events = 0;                   ///< of these, those with levels next to them
+  std::size_t events = 0;                   ///< critical values of the sweep
   std::size_t compared = 0;                 ///< of these, those passed by two resolved levels
   std::size_t certified = 0;                ///< claims that the checker confirms
   std::vector<std::string> contradictions;  ///< in words; there should be none

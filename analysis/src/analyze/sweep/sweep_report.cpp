@@ -58,7 +58,7 @@ Json json_of(const MeshCriticalPoint& point) {
 }
 
 Json json_of(const SweepCheck& check) {
-  Json json{{"critical_values", check.all_events},
+  Json json{{"critical_values", check.events},
             {"critical_values_compared", check.compared},
             {"certified", check.certified},
             {"contradictions", check.contradictions},
@@ -77,7 +77,7 @@ std::string text_of(const SweepCheck& check) {
   std::string text = fmt::format(
       "\nchecked with {} surfaces, extracted and certified ({} claims confirmed), {} of {} "
       "critical values\npassed: {} contradictions, {} undecided\n",
-      check.levels.size(), check.certified, check.compared, check.all_events,
+      check.levels.size(), check.certified, check.compared, check.events,
       check.contradictions.size(), check.undecided.size());
   for (const auto& words : check.contradictions) text += "contradiction: " + words + '\n';
   for (const auto& words : check.undecided) text += "undecided: " + words + '\n';

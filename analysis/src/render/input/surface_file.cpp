@@ -125,10 +125,6 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
   return result;
 }
 
-std::vector<Sheet> read_sheets(const std::filesystem::path& file) {
-  return sheets_of(read_poly_data(file));
-}
-
 std::vector<Sheet> sheets_of(vtkPolyData* all) {
   if (all->GetNumberOfPolys() + all->GetNumberOfLines() == 0) return {};
   vtkPointData* const data = all->GetPointData();

@@ -45,6 +45,18 @@ double depth_in(const TetMesh& mesh, SurfaceMesh::Index tet, const Vector3<doubl
   return std::min({a, b, c, 1 - a - b - c});
 }
 
+/// Why a surface is not of this field, for those whose file says of which one it is; else empty.
+std::string foreign_to(const FieldOrigin& surface, const FieldOrigin& field) {
+  if (!surface.sha256.empty() && surface.sha256 != field.sha256)
+    return fmt::format("was extracted from another field than that of --mesh (its input_sha256 is "
+                       "{:.12}..., that of the file is {:.12}...); extract it from this file",
+                       surface.sha256, field.sha256);
+  if (!surface.tensor.empty() && surface.tensor != field.tensor)
+    return fmt::format("was extracted from the tensor `{}`, not `{}` (--tensor)", surface.tensor,
+                       field.tensor);
+  return "";
+}
+
 }  // namespace
 
 FieldOrigin origin_of(vtkPolyData& data) {
@@ -55,17 +67,6 @@ FieldOrigin origin_of(vtkPolyData& data) {
                                                                : std::string();
   };
   return {text_of("input_sha256"), text_of("tensor")};
-}
-
-std::string foreign_to(const FieldOrigin& surface, const FieldOrigin& field) {
-  if (!surface.sha256.empty() && surface.sha256 != field.sha256)
-    return fmt::format("was extracted from another field than that of --mesh (its input_sha256 is "
-                       "{:.12}..., that of the file is {:.12}...); extract it from this file",
-                       surface.sha256, field.sha256);
-  if (!surface.tensor.empty() && surface.tensor != field.tensor)
-    return fmt::format("was extracted from the tensor `{}`, not `{}` (--tensor)", surface.tensor,
-                       field.tensor);
-  return "";
 }
 
 SurfaceInput read_surface(const std::filesystem::path& file) {

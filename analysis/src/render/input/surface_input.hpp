@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
 #include "tensortopo/mesh/tet_mesh.hpp"
 
@@ -23,9 +22,6 @@ struct FieldOrigin {
 
 /// What the file of a surface says of that.
 FieldOrigin origin_of(vtkPolyData& data);
-
-/// Why a surface is not of this field, for those whose file says of which one it is; else empty.
-std::string foreign_to(const FieldOrigin& surface, const FieldOrigin& field);
 
 /// The triangles of a .vtp file; polylines are left out.
 struct SurfaceInput {
