@@ -123,8 +123,9 @@ std::string unresolved_advice(const ExtractReport& report) {
       report.unresolved.begin(), report.unresolved.end(),
       [](const UnresolvedReport& cell) { return cell.reason.starts_with("level_constant_"); });
   if (found == report.unresolved.end()) return {};
-  if (std::all_of(report.unresolved.begin(), report.unresolved.end(),
-                  [](const UnresolvedReport& cell) { return cell.reason == "level_constant_in_cell"; }))
+  if (std::all_of(
+          report.unresolved.begin(), report.unresolved.end(),
+          [](const UnresolvedReport& cell) { return cell.reason == "level_constant_in_cell"; }))
     return "the whole tetrahedra have this mode, so that it has no surface in them";
   return fmt::format(
       "where the level is constant, ask for a mode next to it, for example --mode {}, which holds "

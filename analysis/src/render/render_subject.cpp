@@ -75,8 +75,8 @@ std::size_t place_of_cell(const TetMesh& mesh, std::int64_t cell) {
 
 // The sheets of a file, with the lines of the texture.
 std::vector<Sheet> textured_sheets(const std::filesystem::path& file, vtkPolyData* all,
-                                   const TetMesh& mesh,
-                                   const FieldOrigin& field, Texture texture, bool recover) {
+                                   const TetMesh& mesh, const FieldOrigin& field, Texture texture,
+                                   bool recover) {
   // A file of curves has nothing to be textured.
   if (all->GetNumberOfPolys() == 0) return sheets_of(all);
   SurfaceInput input = read_surface(file);
@@ -150,9 +150,10 @@ RenderSubject::RenderSubject(const RenderCommand& command) : command_(command) {
   }
   for (const auto& file : command.surfaces) {
     const auto data = read_poly_data(file);
-    auto sheets = command.texture == Texture::none
-                      ? sheets_of(data)
-                      : textured_sheets(file, data, mesh_, field_, command.texture, command.recover);
+    auto sheets =
+        command.texture == Texture::none
+            ? sheets_of(data)
+            : textured_sheets(file, data, mesh_, field_, command.texture, command.recover);
     if (sheets.empty()) empty_.push_back(file);
     if (const std::string sha256 = origin_of(*data).sha256;
         command.mesh && !sha256.empty() && sha256 != field_.sha256)

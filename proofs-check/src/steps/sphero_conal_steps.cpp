@@ -55,7 +55,8 @@ struct Chart {
 struct ChartEigenvalues {
   Polynomial b1, b2, b3, plus, minus;
 
-  explicit ChartEigenvalues(const Chart& c, const Polynomial& medium = variable("b2")) : b2(medium) {
+  explicit ChartEigenvalues(const Chart& c, const Polynomial& medium = variable("b2"))
+      : b2(medium) {
     b1 = b2 + square(c.A) * variable("g");
     b3 = b2 - square(c.B) * variable("g");
     plus = b2 + (b1 - b2) * square(c.sin_theta);

@@ -27,8 +27,8 @@ bool of_one_sign(const IntegerForm<Degree>& form) {
 
 // Forms in the weights of the corners, for T their combination.
 struct Cell {
-  IntegerForm<2> size;                               // |T|^2
-  IntegerForm<3> cube;                               // tr T^3
+  IntegerForm<2> size;                        // |T|^2
+  IntegerForm<3> cube;                        // tr T^3
   std::array<IntegerTensor, 6> square_terms;  // of T^2, in the order of a quadratic form
   const std::array<IntegerTensor, 3>& corners;
 
@@ -99,7 +99,7 @@ CellKind kind_of_cell(const std::array<IntegerTensor, 3>& corners,
                       const std::array<IntegerTensor, 2>& directions, const Level& level) {
   const Cell cell(corners);
   const IntegerForm<6> form = Integer(6) * level.denominator * (cell.cube * cell.cube) -
-                       level.numerator * (cell.size * (cell.size * cell.size));
+                              level.numerator * (cell.size * (cell.size * cell.size));
   if (of_one_sign(form)) return CellKind::empty;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!is_met_once(form, i)) return CellKind::unclear;

@@ -35,7 +35,7 @@ Polynomial bezout(const std::array<Polynomial, Size>& a, const std::array<Polyno
 
 // Twice tr(B_i B_j B_k) for k = 1, 2, 3, as a linear form.
 IntegerForm<1> linear_form(const IntegerTensor& bi, const IntegerTensor& bj,
-                    const std::array<IntegerTensor, 3>& basis) {
+                           const std::array<IntegerTensor, 3>& basis) {
   const IntegerTensor twice = square(bi + bj) - square(bi) - square(bj);
   IntegerForm<1> form;
   for (std::size_t k = 0; k < 3; ++k) form.coefficients[k] = inner(twice, basis[k]);

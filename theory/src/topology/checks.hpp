@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "tensors.hpp"
 #include "tensortopo/theory/facts.hpp"
 #include "tensortopo/theory/trial.hpp"
-#include "tensors.hpp"
 #include "topology/loop_cut.hpp"
 
 namespace tensortopo::theory {

@@ -123,8 +123,7 @@ ModesToCheck modes_to_check(const Sweep& sweep, std::size_t most) {
     add(event + 1, after.low, after.high);
     next = event + 2;
   }
-  if (all == 0 && !sweep.intervals.empty())
-    add(0, sweep.intervals[0].low, sweep.intervals[0].high);
+  if (all == 0 && !sweep.intervals.empty()) add(0, sweep.intervals[0].low, sweep.intervals[0].high);
   // Short decimals about the middle may be beyond those next to an end.
   std::sort(result.modes.begin(), result.modes.end(), [](const auto& a, const auto& b) {
     return a.mode.approx() < b.mode.approx();

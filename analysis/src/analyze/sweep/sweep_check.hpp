@@ -26,10 +26,10 @@ struct ModesToCheck {
   std::vector<std::string> none;   ///< ranges without a double, in words
 };
 
-/// For each of `most` / 4 critical values (at least one), evenly spread over the list of them (or for
-/// all if there are no more), four modes: about the middles of the intervals before and after, and
-/// in these next to the critical value, about a thousandth of the interval away. Without critical
-/// values the middle of the range.
+/// For each of `most` / 4 critical values (at least one), evenly spread over the list of them (or
+/// for all if there are no more), four modes: about the middles of the intervals before and after,
+/// and in these next to the critical value, about a thousandth of the interval away. Without
+/// critical values the middle of the range.
 ModesToCheck modes_to_check(const Sweep& sweep, std::size_t most);
 
 /// A level of the check, and what was found of it.

@@ -24,9 +24,9 @@ struct Sheet {
 /// What a .vtp file holds; nothing, where a field has no such surface. Throws IoError.
 vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file);
 
-/// The sheets of what a file holds, by ascending mode (or value, or kind), with the normals that the
-/// file gives; cells that the cell array `stable` says are not are sheets of their own; none if that
-/// is neither triangles nor lines.
+/// The sheets of what a file holds, by ascending mode (or value, or kind), with the normals that
+/// the file gives; cells that the cell array `stable` says are not are sheets of their own; none if
+/// that is neither triangles nor lines.
 std::vector<Sheet> sheets_of(vtkPolyData* all);
 
 }  // namespace tensortopo

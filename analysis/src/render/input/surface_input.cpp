@@ -48,9 +48,10 @@ double depth_in(const TetMesh& mesh, SurfaceMesh::Index tet, const Vector3<doubl
 /// Why a surface is not of this field, for those whose file says of which one it is; else empty.
 std::string foreign_to(const FieldOrigin& surface, const FieldOrigin& field) {
   if (!surface.sha256.empty() && surface.sha256 != field.sha256)
-    return fmt::format("was extracted from another field than that of --mesh (its input_sha256 is "
-                       "{:.12}..., that of the file is {:.12}...); extract it from this file",
-                       surface.sha256, field.sha256);
+    return fmt::format(
+        "was extracted from another field than that of --mesh (its input_sha256 is "
+        "{:.12}..., that of the file is {:.12}...); extract it from this file",
+        surface.sha256, field.sha256);
   if (!surface.tensor.empty() && surface.tensor != field.tensor)
     return fmt::format("was extracted from the tensor `{}`, not `{}` (--tensor)", surface.tensor,
                        field.tensor);
@@ -61,8 +62,7 @@ std::string foreign_to(const FieldOrigin& surface, const FieldOrigin& field) {
 
 FieldOrigin origin_of(vtkPolyData& data) {
   const auto text_of = [&](const char* name) {
-    auto* const array =
-        vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray(name));
+    auto* const array = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray(name));
     return array != nullptr && array->GetNumberOfValues() == 1 ? std::string(array->GetValue(0))
                                                                : std::string();
   };

@@ -23,7 +23,7 @@ namespace {
 using Polyline = std::vector<Vector3<double>>;
 
 constexpr int kGridLines = 12;     // in half a turn
-constexpr int kGridSamples = 240;      // of a line of the grid
+constexpr int kGridSamples = 240;  // of a line of the grid
 constexpr int kLatitudes = 96;     // of the triangles that carry the texture's lines
 constexpr double kRim = -0.04;     // how far behind the visible half triangles are kept
 constexpr double kNearRim = 0.09;  // cosine: lines beyond would stick out
@@ -48,7 +48,8 @@ SurfaceMesh visible_half(const SphereFrame& frame) {
     }
   }
   const auto number = [](int i, int j) {
-    return i == 0 ? SurfaceMesh::Index{0} : static_cast<SurfaceMesh::Index>(1 + (i - 1) * around + j % around);
+    return i == 0 ? SurfaceMesh::Index{0}
+                  : static_cast<SurfaceMesh::Index>(1 + (i - 1) * around + j % around);
   };
   for (int i = 0; i < kLatitudes; ++i) {
     for (int j = 0; j < around; ++j) {

@@ -28,7 +28,7 @@ namespace {
 using Polyline = std::vector<Vector3<double>>;
 
 constexpr double kSphereShare = 0.84;                                     // of its panel
-constexpr double kPanelGrain = 1.7;                                            // pixels
+constexpr double kPanelGrain = 1.7;                                       // pixels
 constexpr double kPanelWidth = 720, kPanelHeight = 960, kLargestSide = 4096;  // pixels
 
 // Sizes that all panels share.

@@ -29,8 +29,8 @@ struct PackedArray {
   std::vector<std::string_view> parts;  ///< compressed; of an array that is not, its bytes
 };
 
-/// How many unpacked bytes the header of a block promises, without the block being looked at. Throws
-/// FormatError.
+/// How many unpacked bytes the header of a block promises, without the block being looked at.
+/// Throws FormatError.
 std::uint64_t promised_size(std::string_view block, const BlockFormat& format);
 
 /// Finds the `expected` bytes of the array whose block begins at the front of `block` (which may go

@@ -80,7 +80,8 @@ std::vector<Quantity> quantities(const RawGrid& grid, const TensorChoice* choice
       array->is_of_field_too = true;
       return;
     }
-    list.push_back({name, on_points, [value, count] {
+    list.push_back({name, on_points,
+                    [value, count] {
                       std::vector<double> all(count);
                       for (std::size_t i = 0; i < count; ++i) all[i] = value(i);
                       return all;

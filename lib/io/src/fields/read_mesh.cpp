@@ -270,7 +270,8 @@ ReadResult read_checked(const std::shared_ptr<const InputFile>& file, const Read
   write_notes(options, report);
   if (std::string note = note_of_nearly_isotropic(result.mesh); !note.empty())
     report.notes.push_back(std::move(note));
-  if (report.torn_faces.count > 0 && options.materials.empty() && in_same_places(result.mesh, report.torn_faces.vertices))
+  if (report.torn_faces.count > 0 && options.materials.empty() &&
+      in_same_places(result.mesh, report.torn_faces.vertices))
     report.notes.push_back(
         "points of torn faces are doubled; --merge-points makes one of those with equal tensors, "
         "with --mean of all in one place");
@@ -325,9 +326,9 @@ std::string TornFaces::text() const {
     const auto& v = vertices[side];
     return fmt::format("{} {} {} of cell {}", v[0], v[1], v[2], cells[side]);
   };
-  return fmt::format(
-      "{} {} without being shared (vertices {}, on {}): surfaces are torn there",
-      count, count == 1 ? "face lies on another" : "faces lie on others", face(0), face(1));
+  return fmt::format("{} {} without being shared (vertices {}, on {}): surfaces are torn there",
+                     count, count == 1 ? "face lies on another" : "faces lie on others", face(0),
+                     face(1));
 }
 
 ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options) {

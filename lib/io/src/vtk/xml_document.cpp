@@ -72,8 +72,8 @@ struct OffsetWalker : pugi::xml_tree_walker {
   }
 };
 
-/// VTK's parser takes one element and no text outside of it, and loses the text of an array before a
-/// comment. Comments elsewhere are taken out.
+/// VTK's parser takes one element and no text outside of it, and loses the text of an array before
+/// a comment. Comments elsewhere are taken out.
 void require_one_element(pugi::xml_document& markup) {
   struct Walker : pugi::xml_tree_walker {
     std::vector<pugi::xml_node> comments;
