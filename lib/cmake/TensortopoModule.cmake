@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # tensortopo_module(NAME HEADERS h... SOURCES s... [ROUNDING_SOURCES s...] [PUBLIC target...]
-#   [PRIVATE target...] [REUSE_PRECOMPILED_NUMBERS])
+#   [PRIVATE target...] [REUSE_PRECOMPILED_NUMBERS] [LIGHTLY_OPTIMISED])
 # One folder of lib as one target tensortopo::NAME. Headers are named relative to
 # include/tensortopo/NAME, sources relative to src. ROUNDING_SOURCES compute with directed rounding,
 # of intervals of doubles mostly. REUSE_PRECOMPILED_NUMBERS is for targets whose flags are those of
-# tensortopo_scalar, which makes the precompiled headers.
+# tensortopo_scalar, which makes the precompiled headers. LIGHTLY_OPTIMISED targets are not worth much
+# of the optimiser's time.
 function(tensortopo_module name)
-  cmake_parse_arguments(arg "REUSE_PRECOMPILED_NUMBERS" ""
+  cmake_parse_arguments(arg "REUSE_PRECOMPILED_NUMBERS;LIGHTLY_OPTIMISED" ""
     "HEADERS;SOURCES;ROUNDING_SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target tensortopo_${name})
   list(TRANSFORM arg_HEADERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/include/tensortopo/${name}/")
@@ -32,6 +33,9 @@ function(tensortopo_module name)
     POSITION_INDEPENDENT_CODE ON
     VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
   set_property(GLOBAL APPEND PROPERTY TENSORTOPO_TARGETS ${target})
+  if(arg_LIGHTLY_OPTIMISED)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
 
   if(arg_ROUNDING_SOURCES)
     # A target of its own, because precompiled headers hold for equal flags only.

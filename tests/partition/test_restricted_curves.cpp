@@ -80,7 +80,7 @@ TEST(RestrictedCurves, AreThoseOfThePartAndSoIsTheCertificate) {
         lines += whole.curves.lines.size();
       }
   }
-  EXPECT_GE(lines, 500u);
+  EXPECT_GE(lines, at_least(250));
 }
 
 TEST(RestrictedCurves, AreOfTetrahedraThatThePieceOwns) {

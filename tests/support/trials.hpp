@@ -11,7 +11,7 @@
 
 namespace tensortopo::test {
 
-/// The environment variable TENSORTOPO_TEST_MULTIPLIER (of the short suite: a half), or 1.
+/// The environment variable TENSORTOPO_TEST_MULTIPLIER (of the short suite: a third), or 1.
 inline double multiplier() {
   const char* text = std::getenv("TENSORTOPO_TEST_MULTIPLIER");
   const double factor = text != nullptr ? std::atof(text) : 1;
@@ -20,6 +20,13 @@ inline double multiplier() {
 
 /// A number of trials times the multiplier.
 inline int trials(int count) { return std::max(1, static_cast<int>(count * multiplier())); }
+
+/// How many of what is compared a test must see: what half of the trials show, or less in proportion.
+inline std::size_t at_least(std::size_t of_half) {
+  const double share = std::min(1.0, 2 * multiplier());
+  const auto less = static_cast<std::size_t>(share * static_cast<double>(of_half));
+  return std::min(of_half, std::max<std::size_t>(1, less));
+}
 
 /// Is this the short suite, which tries fewer inputs?
 inline bool is_short() { return multiplier() < 1; }

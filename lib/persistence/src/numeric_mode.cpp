@@ -61,23 +61,24 @@ TetWeights newton_direction(const Deviators& corners, const TetWeights& weights,
   const auto side = [&](Eigen::Index i) {
     return corners[used[static_cast<std::size_t>(i) + 1]] - corners[used[0]];
   };
+  // Rows and columns from n on are zero: they add eigenvalues of zero, whose axes no other has part in.
   const auto gradient = [&](const Deviator<double>& at) {
-    Eigen::VectorXd g(n);
+    Eigen::Vector3d g = Eigen::Vector3d::Zero();
     const double p = norm_form(at), power = p * p * std::sqrt(p);
     for (Eigen::Index i = 0; i < n; ++i) g(i) = derivative(at, side(i)) / power;
     return g;
   };
-  Eigen::MatrixXd second(n, n);
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   for (Eigen::Index j = 0; j < n; ++j)
     second.col(j) = (gradient(t + kStep * side(j)) - gradient(t - kStep * side(j))) / (2 * kStep);
   if (!second.allFinite()) return direction;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((second + second.transpose()) / 2);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((second + second.transpose()) / 2);
   if (solver.info() != Eigen::Success) return direction;
   const auto& axes = solver.eigenvectors();
   const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
   if (!(largest > 0)) return direction;
-  const Eigen::VectorXd size = solver.eigenvalues().cwiseAbs().cwiseMax(1e-9 * largest);
-  const Eigen::VectorXd step = axes * (axes.transpose() * gradient(t)).cwiseQuotient(size);
+  const Eigen::Vector3d size = solver.eigenvalues().cwiseAbs().cwiseMax(1e-9 * largest);
+  const Eigen::Vector3d step = axes * (axes.transpose() * gradient(t)).cwiseQuotient(size);
   for (Eigen::Index i = 0; i < n; ++i) {
     direction[used[static_cast<std::size_t>(i) + 1]] += step(i);
     direction[used[0]] -= step(i);
@@ -96,7 +97,8 @@ TetWeights direction_of_rise(const Deviators& corners, const TetWeights& weights
   const double p = norm_form(t), q = determinant_form(t);
   const auto side = [&](std::size_t i) { return corners[used[i + 1]] - corners[used[0]]; };
   const auto n = static_cast<Eigen::Index>(used.size() - 1);
-  Eigen::MatrixXd second(n, n);
+  // The largest eigenvalue is wanted if it is positive; rows from n on add eigenvalues of zero.
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {
       const auto u = side(static_cast<std::size_t>(i)), v = side(static_cast<std::size_t>(j));
@@ -104,10 +106,10 @@ TetWeights direction_of_rise(const Deviators& corners, const TetWeights& weights
       second(i, j) = 4 * p * p * inner(square(m + k) - mm - square(k), thrice(u)) -
                      12 * p * q * norm_form(u, v) - 12 * q * norm_form(t, u) * norm_form(t, v);
     }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(second);
-  if (solver.info() != Eigen::Success || !(solver.eigenvalues()(n - 1) > 0)) return direction;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(second);
+  if (solver.info() != Eigen::Success || !(solver.eigenvalues()(2) > 0)) return direction;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double x = solver.eigenvectors()(i, n - 1);
+    const double x = solver.eigenvectors()(i, 2);
     direction[used[static_cast<std::size_t>(i) + 1]] += x;
     direction[used[0]] -= x;
   }

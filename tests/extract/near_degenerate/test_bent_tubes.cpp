@@ -32,7 +32,7 @@ TEST(BentTubes, AreMeshedAsRingsThatFollowTheCurve) {
   }
   std::cout << tubes << " tubes of rings, " << others << " others; " << not_embedded << " of " << crossed
             << " tetrahedra with defects\n";
-  EXPECT_GT(crossed, 20u);
+  EXPECT_GT(crossed, at_least(20));
   EXPECT_LE(3 * others, tubes);
   EXPECT_LE(4 * not_embedded, crossed);
 }

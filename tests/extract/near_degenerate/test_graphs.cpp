@@ -44,7 +44,7 @@ TEST(GraphSheets, AreThoseThatBruteForceSees) {
   }
   std::cout << compared << " tetrahedra with several loops, " << discs << " times discs, "
             << with_holes << " times a sheet with holes\n";
-  EXPECT_GT(compared, 50);
+  EXPECT_GE(compared, static_cast<int>(at_least(50)));
 }
 
 }  // namespace

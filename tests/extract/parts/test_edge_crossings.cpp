@@ -119,7 +119,7 @@ TEST(EdgeCrossings, AreTheRootsThatSturmCountsNextToTheLevel) {
         << exact_text(ends[0]) << exact_text(ends[1]) << " at " << mode.text();
     crossed += !exact.empty();
   }
-  EXPECT_GT(crossed, 25);
+  EXPECT_GT(crossed, static_cast<int>(at_least(25)));
 }
 
 RC_GTEST_PROP(EdgeCrossings, OfSmallIntegersAreRightOrRefused, ()) {

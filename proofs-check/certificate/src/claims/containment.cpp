@@ -59,24 +59,23 @@ bool is_near(const Point3& x, std::span<const Point3> corners, const std::array<
 }  // namespace
 
 std::array<double, 4> weights_near(const Point3& x, std::span<const Point3> corners) {
-  const auto size = static_cast<Eigen::Index>(corners.size()) - 1;
-  const Eigen::Map<const Eigen::Vector3d> origin(corners[0].data());
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    edges.col(i) = Eigen::Map<const Eigen::Vector3d>(
-                       corners[static_cast<std::size_t>(i) + 1].data()) - origin;
-  const Eigen::Vector3d rest = Eigen::Map<const Eigen::Vector3d>(x.data()) - origin;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> w;
-  if (size == 3) {
-    w = edges.partialPivLu().solve(rest);
-  } else {
-    const auto solver = edges.householderQr();
-    w = solver.solve(rest);
-    w += solver.solve(rest - edges * w);
+  const auto vector = [](const Point3& p) { return Eigen::Map<const Eigen::Vector3d>(p.data()); };
+  const Eigen::Vector3d rest = vector(x) - vector(corners[0]);
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    axes.col(static_cast<Eigen::Index>(i) - 1) = vector(corners[i]) - vector(corners[0]);
+  // Normals for the axes that an edge or a face lacks.
+  if (corners.size() == 2) axes.col(1) = axes.col(0).unitOrthogonal();
+  if (corners.size() <= 3) axes.col(2) = axes.col(0).cross(axes.col(1)).stableNormalized();
+  const Eigen::FullPivLU<Eigen::Matrix3d> solver(axes);
+  Eigen::Vector3d w = solver.solve(rest);
+  w += solver.solve(rest - axes * w);
+  std::array<double, 4> result{1};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    result[i] = std::max(0.0, w(static_cast<Eigen::Index>(i) - 1));
+    result[0] -= w(static_cast<Eigen::Index>(i) - 1);
   }
-  std::array<double, 4> result{std::max(0.0, 1 - w.sum())};
-  for (Eigen::Index i = 0; i < size; ++i)
-    result[static_cast<std::size_t>(i) + 1] = std::max(0.0, w(i));
+  result[0] = std::max(0.0, result[0]);
   return result;
 }
 

@@ -53,9 +53,8 @@ void MovedVertices::move(std::size_t vertex, double reach) {
   for (Eigen::Index i = 0; i < size; ++i)
     edges.col(i) = point(static_cast<std::size_t>(i + 1)) - point(0);
   using Small = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram =
-      edges.transpose() * edges;
-  const auto solver = gram.partialPivLu();
+  const Eigen::LDLT<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>> solver(
+      edges.transpose().lazyProduct(edges));
   // The nearest point of the carrier's plane, corrected once for rounding.
   const Eigen::Vector3d rest =
       Eigen::Map<const Eigen::Vector3d>(c_.surface.points[c_.vertices.first + vertex].data()) -
