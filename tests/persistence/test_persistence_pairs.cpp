@@ -30,7 +30,7 @@ ModeMaximum curve(std::size_t number, double length) {
 ModeMerge merge(double low, double high, std::vector<std::size_t> reached, bool is_proved = true) {
   ModeMerge made;
   made.mode = {low, high};
-  made.reached = std::move(reached);
+  (is_proved ? made.reached : made.possible.emplace()) = std::move(reached);
   made.is_proved = is_proved;
   return made;
 }
@@ -93,6 +93,14 @@ TEST(PersistencePairs, UnprovedPointsMakePairsUncertain) {
   EXPECT_FALSE(pairs[1].is_certain);
   EXPECT_TRUE(pairs[2].is_certain);
   EXPECT_EQ(pairs[1].merge, std::optional<std::size_t>(1));
+  // It may come before.
+  tree.merges.back().mode.high = 0.1;
+  EXPECT_FALSE(persistence_pairs(tree)[2].is_certain);
+  // What is not known to be elsewhere may join any.
+  tree.merges.pop_back();
+  EXPECT_TRUE(persistence_pairs(tree)[2].is_certain);
+  tree.merges.front().possible.reset();
+  for (const auto& pair : persistence_pairs(tree)) EXPECT_FALSE(pair.is_certain);
 }
 
 // A merge with a wide enclosure may come after several with narrow ones, not only after the next.

@@ -31,8 +31,7 @@ class Heights {
       best = std::max(best, tree.maxima[i].mode.low);
     }
     for (const ModeMerge& merge : tree.merges)
-      if (merge.mode.high >= mode && !(merge.is_proved && merge.mode.low > mode))
-        for (const std::size_t i : merge.reached) is_doubtful_[class_of(i)] = 1;
+      if (merge.mode.high >= mode && !(merge.is_proved && merge.mode.low > mode)) doubt(merge);
   }
 
   std::optional<double> of(const std::optional<std::size_t>& maximum) {
@@ -41,6 +40,12 @@ class Heights {
   }
 
  private:
+  void doubt(const ModeMerge& merge) {
+    if (!merge.is_proved && !merge.possible) std::fill(is_doubtful_.begin(), is_doubtful_.end(), 1);
+    if (!merge.is_proved && !merge.possible) return;
+    for (const std::size_t i : merge.is_proved ? merge.reached : *merge.possible)
+      is_doubtful_[class_of(i)] = 1;
+  }
   std::size_t class_of(std::size_t i) { return classes_.find(static_cast<std::uint32_t>(i)); }
 
   const MergeTree& tree_;

@@ -11,6 +11,7 @@
 #include "tensortopo/scalar/elementary.hpp"
 #include "tensortopo/scalar/rational.hpp"
 #include "tensortopo/tensor/mode.hpp"
+#include "touched_maxima.hpp"
 
 namespace tensortopo {
 namespace {
@@ -60,7 +61,10 @@ bool is_exactly_linear(const SymmetricTensor<double>& tensor) {
 class Ends {
  public:
   Ends(const TetMesh& mesh, const CurveMesh& curves)
-      : mesh_(mesh), stars_(mesh), ascent_(mesh, stars_, landmarks_) {
+      : mesh_(mesh),
+        stars_(mesh),
+        ascent_(mesh, stars_, landmarks_),
+        touched_(mesh, stars_, ascent_, curves) {
     landmarks_.add_curves(mesh, curves);
     for (std::size_t line = 0; line < curves.lines.size(); ++line)
       for (const auto v : curves.lines[line])
@@ -73,11 +77,13 @@ class Ends {
   void add(const MeshCriticalPoint& point, std::size_t maximum) {
     if (point.dimension == 0) ascent_.set_maximum(point.vertices[0], maximum);
     landmarks_.add_point(mesh_, stars_, point.vertices, point.weights, point.deviator, maximum);
+    touched_.add(point, maximum);
   }
 
   bool is_on_curve(Index vertex) const { return on_curves_.contains(vertex); }
   const VertexStars& stars() const { return stars_; }
   Ascent& ascent() { return ascent_; }
+  TouchedMaxima& touched() { return touched_; }
 
   /// Where paths lead to from one of the parts of a link.
   std::optional<std::size_t> above(const std::vector<TetDeparture>& part, double level) {
@@ -91,6 +97,7 @@ class Ends {
   VertexStars stars_;
   Landmarks landmarks_;
   Ascent ascent_;
+  TouchedMaxima touched_;
   std::unordered_map<Index, std::size_t> on_curves_;
 };
 
@@ -154,11 +161,8 @@ class Building {
     ModeMerge merge;
     merge.point = index;
     merge.mode = {point.low, point.high};
-    if (point.effect.change == LocalChange::undecided) {
-      // The maxima above the vertices around stand for those that it may join.
-      for (const Index v : point.around) reach(merge, v, point.low);
-      for (const Index v : point.vertices) reach(merge, v, point.low);
-    } else {
+    bool meets = true;
+    if (point.effect.change != LocalChange::undecided) {
       const auto ways = departures(mesh_, ends_.stars(), point);
       const auto outer =
           parts_on_boundary(point.link, parts_of_sign(point.link, Verdict::positive));
@@ -169,18 +173,18 @@ class Building {
           merge.reached.push_back(*maximum);
           merge.touches_boundary.push_back(outer[i]);
         } else {
-          merge.is_proved = merge.has_paths = false;
+          merge.is_proved = false;
           merge.is_proved_inside &= outer[i] != 0;
         }
       }
-      if (ways.size() == 1) {
-        merge.tet = tet_of(point);
-        tree_.others.push_back(std::move(merge));
-        return;
-      }
+      meets = ways.size() > 1;
     }
+    const auto& signs = point.link.signs;
+    merge.may_be_maximum = point.effect.change == LocalChange::undecided &&
+                           std::count(signs.begin(), signs.end(), Verdict::positive) == 0;
+    if (!merge.is_proved) merge.possible = ends_.touched().at(point);
     merge.tet = tet_of(point);
-    tree_.merges.push_back(std::move(merge));
+    (meets ? tree_.merges : tree_.others).push_back(std::move(merge));
   }
 
   /// The component comes to touch the boundary there, or its loops or voids change: the mode falls
@@ -191,17 +195,6 @@ class Building {
     const auto falls = parts_on_boundary(point.link, parts_of_sign(point.link, Verdict::negative));
     return (is_outer && outer_rises[0] == 0) ||
            std::count(falls.begin(), falls.end(), 0) + (is_outer ? 1 : 0) > 1;
-  }
-
-  void reach(ModeMerge& merge, Index vertex, double low) {
-    if (vertex < 0 || deviator(mesh_.tensors[as_size(vertex)]) == Deviator<double>{}) return;
-    const SymmetricTensor<double>& t = mesh_.tensors[as_size(vertex)];
-    const auto mode = mode_range(deviator_box({t, t, t, t}, {1, 0, 0, 0}));
-    if (mode[1] < low) return;
-    if (const auto maximum = ends_.ascent().from_vertex(vertex))
-      merge.reached.push_back(*maximum);
-    else
-      merge.has_paths = false;
   }
 
   const TetMesh& mesh_;

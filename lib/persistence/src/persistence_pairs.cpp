@@ -12,11 +12,13 @@
 namespace tensortopo {
 namespace {
 
+constexpr double kBelowAll = -2;  // below all modes
+
 /// A component of {mode >= m}, by its class.
 struct Component {
   std::size_t oldest = 0;      ///< maximum
   ModeRange birth;             ///< of the oldest one, whichever that is
-  double doubtful_until = -2;  ///< points that are not proved touch it up to this mode
+  double doubtful_until = kBelowAll;  ///< points that are not proved touch it up to this mode
   /// Maxima that died in it, by the lower bound of the mode at which they did.
   std::multimap<double, std::size_t> died = {};
 };
@@ -70,15 +72,32 @@ std::vector<MergePair> persistence_pairs(const MergeTree& tree) {
   const auto class_of = [&](std::size_t maximum) {
     return classes.find(static_cast<std::uint32_t>(maximum));
   };
+  // Points that may join what they touch, or not, each before the first that may come after it.
+  std::vector<const ModeMerge*> open;
+  for (const ModeMerge& merge : tree.merges)
+    if (!merge.is_proved) open.push_back(&merge);
+  std::stable_sort(open.begin(), open.end(), [](const ModeMerge* a, const ModeMerge* b) {
+    return a->mode.high > b->mode.high;
+  });
+  auto next = open.begin();
+  double all_doubtful_until = kBelowAll;
+  const auto pass = [&](double low) {
+    for (; next != open.end() && (*next)->mode.high >= low; ++next) {
+      const double until = (*next)->mode.high;
+      if (!(*next)->possible) {
+        all_doubtful_until = std::max(all_doubtful_until, until);
+        continue;
+      }
+      for (const std::size_t i : *(*next)->possible) {
+        double& component = components[class_of(i)].doubtful_until;
+        component = std::max(component, until);
+      }
+    }
+  };
   for (std::size_t m = 0; m < tree.merges.size(); ++m) {
     const ModeMerge& merge = tree.merges[m];
-    if (!merge.is_proved)
-      for (const std::size_t i : merge.reached) {
-        double& until = components[class_of(i)].doubtful_until;
-        until = std::max(until, merge.mode.high);
-      }
-    // An undecided point may join what it touches, or not.
     if (!merge.is_proved) continue;
+    pass(merge.mode.low);
     for (std::size_t i = 1; i < merge.reached.size(); ++i) {
       const auto first = class_of(merge.reached[0]), second = class_of(merge.reached[i]);
       if (first == second) {
@@ -96,7 +115,7 @@ std::vector<MergePair> persistence_pairs(const MergeTree& tree) {
         pair.is_tie = pairs[older.oldest].is_tie = true;
       for (const Component* part : {&older, &younger})
         if (note_exchanges(tree, *part, m, pairs)) pair.is_tie = true;
-      pair.is_certain = younger.doubtful_until < merge.mode.low;
+      pair.is_certain = std::max(younger.doubtful_until, all_doubtful_until) < merge.mode.low;
       older.doubtful_until = std::max(older.doubtful_until, younger.doubtful_until);
       older.birth = {std::max(older.birth.low, younger.birth.low),
                      std::max(older.birth.high, younger.birth.high)};
@@ -106,8 +125,11 @@ std::vector<MergePair> persistence_pairs(const MergeTree& tree) {
       components[class_of(merge.reached[0])] = std::move(older);
     }
   }
+  pass(kBelowAll);
   for (MergePair& pair : pairs)
-    if (!pair.merge) pair.is_certain = components[class_of(pair.maximum)].doubtful_until < -1;
+    if (!pair.merge)
+      pair.is_certain =
+          std::max(components[class_of(pair.maximum)].doubtful_until, all_doubtful_until) < -1;
   return pairs;
 }
 

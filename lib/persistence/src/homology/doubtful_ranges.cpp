@@ -65,9 +65,12 @@ std::vector<ModeRange> doubtful_ranges(const MergeTree& tree) {
   std::vector<ModeRange> ranges;
   for (const ModeMerge& merge : tree.merges) {
     if (merge.is_proved) continue;
-    double until = merge.has_paths && !merge.reached.empty() ? merge.mode.low : -2;
-    for (const std::size_t i : merge.reached)
-      until = std::min(until, meetings.since(merge.reached[0], i));
+    double until = -2;
+    if (merge.possible && !merge.possible->empty() && !merge.may_be_maximum) {
+      until = merge.mode.low;
+      for (const std::size_t i : *merge.possible)
+        until = std::min(until, meetings.since(merge.possible->front(), i));
+    }
     ranges.push_back({until, merge.mode.high});
   }
   return ranges;

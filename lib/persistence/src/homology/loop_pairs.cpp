@@ -86,7 +86,10 @@ class LoopPairing {
 
   void add(const ModeMerge& merge) {
     if (!merge.is_proved) {
-      for (const std::size_t i : merge.reached) component_of(i).is_doubtful = true;
+      if (merge.possible)
+        for (const std::size_t i : *merge.possible) component_of(i).is_doubtful = true;
+      else
+        for (LoopComponent& component : components_) component.is_doubtful = true;
       return;
     }
     for (std::size_t k = 1; k < merge.reached.size(); ++k) {

@@ -78,6 +78,10 @@ class Joining {
         reached.push_back(result_.member[merge.reached[i]]);
     merge.is_proved = surface ? merge.is_proved_inside : merge.is_proved;
     if (merge.is_proved && reached.size() < 2) return;
+    if (!merge.is_proved && merge.possible) {
+      for (std::size_t& i : *merge.possible) i = result_.member[i];
+      if (surface) merge.possible->push_back(*surface);
+    }
     merge.reached = std::move(reached);
     merges_.emplace_back(std::move(merge), std::nullopt);
   }

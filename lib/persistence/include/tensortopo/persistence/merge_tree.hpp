@@ -56,8 +56,11 @@ struct ModeMerge {
   bool is_proved = false;
   /// The same of the parts that do not touch the boundary of the mesh.
   bool is_proved_inside = false;
-  /// Each path that was looked for is there; where the link is not known, from the vertices around.
-  bool has_paths = true;
+  /// If it is not proved: all maxima in whose components the point may be, and perhaps others;
+  /// nothing if these are not known. (None are known that are no maxima of the tree.)
+  std::optional<std::vector<std::size_t>> possible;
+  /// It is not known whether the mode rises from there: a component may be born instead.
+  bool may_be_maximum = false;
 };
 
 /// How the components of {mode >= m} of a piecewise linear field come and meet as m falls.
