@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "files/component_names.hpp"
 #include "files/files.hpp"
 #include "files/parse_document.hpp"
+#include "files/word_number.hpp"
 #include "proofs-check/forgeries/forgery.hpp"
 #include "support/folder.hpp"
 
@@ -230,6 +233,41 @@ TEST(Formats, NamesOfComponentsAreObeyedOrRefused) {
                                              {"SXX", "SYY", "SZZ", "SXY", "SXZ", "SYZ"},
                                              {"00", "01", "02", "11", "12", "22"}})
     EXPECT_EQ(named(names), "malformed") << names[4];
+}
+
+// Nothing could derive what components are called, in which unit numbers are, or which array others
+// shall take for normals.
+TEST(HostileFiles, SurfacesSayNothingBesideNumbers) {
+  Court court("beside_numbers");
+  const Exhibit& e = honest_exhibits()[0];
+  const std::string field = e.field_text(), cert = e.certificate.dump();
+  const auto verdict_of = [&](const std::string& attributes, const std::string& key) {
+    std::string surface = replaced(e.surface_text(), "<CellData>", "<CellData" + attributes + ">");
+    if (!key.empty())
+      surface = replaced(
+          surface, "</DataArray>",
+          "<InformationKey name=\"" + key + "\" location=\"a\">MPa</InformationKey></DataArray>");
+    return court.verdict(field, surface, cert);
+  };
+  for (const char* harmless : {"", " Scalars=\"tet\"", " Normals=\"normal\""})
+    EXPECT_EQ(verdict_of(harmless, "L2_NORM_RANGE"), "certified") << harmless << court.report();
+  for (const char* lie :
+       {" Normals=\"medium_eigenvector\"", " GlobalIds=\"tet\"", " TCoords=\"mode\""})
+    EXPECT_EQ(verdict_of(lie, ""), "malformed") << lie;
+  EXPECT_EQ(verdict_of("", "UNITS_LABEL"), "malformed");
+  EXPECT_EQ(
+      court.verdict(
+          field, replaced(e.surface_text(), "Name=\"tet\"", "Name=\"tet\" ComponentName0=\"-1\""),
+          cert),
+      "malformed");
+}
+
+TEST(HostileFiles, IntegersArePlainDoubles) {
+  EXPECT_EQ(certificate::number_of_word<std::int64_t>("9007199254740992"), 0x1p53);
+  EXPECT_EQ(certificate::number_of_word<std::int64_t>("-9007199254740992"), -0x1p53);
+  EXPECT_EQ(certificate::number_of_word<std::uint64_t>("9007199254740993"), HUGE_VAL);
+  EXPECT_EQ(certificate::number_of_word<std::int64_t>("9007199254740993"), HUGE_VAL);
+  EXPECT_EQ(certificate::number_of_word<std::int64_t>("-9007199254740993"), HUGE_VAL);
 }
 
 TEST(Formats, SpellingsOfAllOrders) {

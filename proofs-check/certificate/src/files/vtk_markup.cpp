@@ -69,6 +69,20 @@ bool is_known(const pugi::xml_node& element, std::string_view attribute) {
          attribute.find_first_not_of("0123456789", kName.size()) == std::string_view::npos;
 }
 
+/// What a surface or curve says of its arrays beside their numbers, which nothing could derive.
+std::string claim_beside_numbers(const pugi::xml_node& element, std::string_view attribute) {
+  const std::string_view name = element.name(), value = element.attribute(attribute.data()).value();
+  if (attribute.starts_with("ComponentName")) return "names of components";
+  if (name == "InformationKey" && attribute == "name" && value != "L2_NORM_RANGE" &&
+      value != "L2_NORM_FINITE_RANGE")
+    return "the key " + std::string(value);
+  // Scalars and vectors only say what is shown first.
+  if ((name == "PointData" || name == "CellData") && attribute != "Scalars" &&
+      attribute != "Vectors" && (attribute != "Normals" || value != "normal"))
+    return std::string(attribute) + " that are '" + std::string(value) + "'";
+  return {};
+}
+
 }  // namespace
 
 /// The part that is XML: from the underscore of the appended data on the bytes are none. Comments
@@ -152,7 +166,8 @@ void XmlFile::require_one_reading(const char* kind,
                                   const std::vector<std::string_view>& sections) {
   struct Walker : pugi::xml_tree_walker {
     const XmlFile& file;
-    explicit Walker(const XmlFile& f) : file(f) {}
+    bool is_field;
+    Walker(const XmlFile& f, bool field) : file(f), is_field(field) {}
     bool for_each(pugi::xml_node& node) override {
       std::vector<std::string_view> names;
       for (const pugi::xml_attribute a : node.attributes()) names.push_back(a.name());
@@ -160,16 +175,19 @@ void XmlFile::require_one_reading(const char* kind,
       if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
         file.fail("attribute '" + std::string(*twice) + "' is given twice");
       if (node.type() == pugi::node_element)
-        for (const std::string_view name : names)
+        for (const std::string_view name : names) {
           if (!is_known(node, name))
             file.fail("attribute '" + std::string(name) + "' of '" + node.name() +
                       "', which is not known here");
+          if (const auto claim = claim_beside_numbers(node, name); !is_field && !claim.empty())
+            file.fail("has " + claim + ", which only a field may have");
+        }
       if (node.name() == std::string_view("DataArray") && !is_numeric(node.attribute("type").value()))
         file.fail("has an array of type '" + std::string(node.attribute("type").value()) +
                   "', which is not known here");
       return true;
     }
-  } walker(*this);
+  } walker(*this, kind == std::string_view("UnstructuredGrid"));
   document_.traverse(walker);
   const auto only = [&](pugi::xml_node parent, const std::vector<std::string_view>& names) {
     std::vector<std::string_view> seen;

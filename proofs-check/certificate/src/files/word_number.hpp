@@ -13,12 +13,14 @@
 
 namespace certificate {
 
-/// The same number; of integers that doubles do not hold there is none.
+/// The same number; of integers beyond 2^53, which doubles do not all hold, there is none.
 template <class Stored>
 double in_double(Stored x) {
-  const auto result = static_cast<double>(x);
-  return std::is_integral_v<Stored> && sizeof(Stored) == 8 && std::abs(result) > 0x1p53 ? HUGE_VAL
-                                                                                       : result;
+  if constexpr (std::is_integral_v<Stored> && sizeof(Stored) == 8) {
+    constexpr auto kMost = Stored{1} << 53;
+    if (x > kMost || (std::is_signed_v<Stored> && x < -kMost)) return HUGE_VAL;
+  }
+  return static_cast<double>(x);
 }
 
 /// The number that a whole word spells, as a type stores it: of integers digits, perhaps after a
