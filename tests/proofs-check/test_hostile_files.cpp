@@ -124,6 +124,7 @@ TEST(HostileFiles, HaveOneReading) {
       // Bytes that others decode otherwise.
       "\xef\xbb\xbf" + surface, "\xff\xfe" + surface, "<?xml version=\"1.0\" encoding=\"UTF-16\"?>" + surface,
       "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + surface,
+      "<?xml version=\"1.0\" NumberOfTuples=\"3\"?>" + surface, "<?xml encoding=\"UTF-8\"?>" + surface,
       replaced(surface, "<Polys>", "<Polys>\xe9"), replaced(surface, "<Polys>", "<Polys>\x01"),
       // What others obey, or take for the end of a tag, or leave out.
       replaced(surface, "<PolyData>", "<PolyData TimeValues=\"0 1\">"),

@@ -54,8 +54,10 @@ TetMesh random_field(std::uint64_t seed, Random& random) {
   return mesh;
 }
 
+/// @param marks  attributes of the last part's tensors
 certificate::Report check_parts(const TetMesh& mesh, const std::vector<std::int32_t>& owner,
-                                int parts, const ModeValue& mode, Random& random) {
+                                int parts, const ModeValue& mode, Random& random,
+                                const std::string& marks = {}) {
   ExtractOptions options;
   options.keep_topology = true;
   const auto pieces = extract_pieces(mesh, owner, parts, mode, options);
@@ -64,7 +66,9 @@ certificate::Report check_parts(const TetMesh& mesh, const std::vector<std::int3
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const Exhibit part =
         part_of(part_mesh(mesh, owner, static_cast<int>(p), random), pieces[p], mode);
-    files.add(part.field_text(), part.surface_text(), part.certificate_text());
+    std::string field = part.field_text();
+    if (p + 1 == pieces.size()) field.insert(field.find("Name=\"stress\""), marks + " ");
+    files.add(field, part.surface_text(), part.certificate_text());
   }
   const SurfaceInvariants known = surface_invariants(whole.surface);
   Json claims{{"tetrahedra", mesh.tets.size()},
@@ -97,6 +101,22 @@ TEST(CertifiedParts, AreWhatTheWholeIs) {
   Compared compared("certified surfaces in parts", 3);
   for (int i = 0; i < trials(8); ++i)
     require_certified(20261126u + static_cast<unsigned>(i), compared);
+}
+
+TEST(CertifiedParts, NamesOfComponentsOfAnyPartAreShown) {
+  Random random(20261128);
+  TetMesh mesh = cube_mesh(2);
+  fill_with_smooth_tensors(mesh, 3);
+  const auto names_with = [&](const std::string& marks) {
+    const auto report = check_parts(mesh, slabs(mesh, 2), 2, ModeValue::parse("1/5"), random, marks);
+    EXPECT_EQ(report.status(), "certified") << to_text(report);
+    return report.subject.names;
+  };
+  EXPECT_EQ(names_with("").find("tt"), std::string::npos);
+  std::string marks;
+  for (const char* name : {"rr", "tt", "zz", "rt", "tz", "rz"})
+    marks += " ComponentName" + std::to_string(std::count(marks.begin(), marks.end(), '=')) + "=\"" + name + '"';
+  EXPECT_NE(names_with(marks).find("tt"), std::string::npos);
 }
 
 /// Tetrahedra around an edge between two isotropic vertices, all around or not.

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,14 +17,31 @@
 namespace certificate {
 namespace {
 
-/// Does an XML declaration name no other encoding?
+/// Is it an XML declaration of version 1, with no other encoding, and nothing else in it?
 bool is_of_utf8(std::string_view declaration) {
   std::string text(declaration);
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const std::size_t place = text.find("encoding");
-  if (place == text.npos) return true;
-  return text.find("encoding=\"utf-8\"") == place || text.find("encoding='utf-8'") == place ||
-         text.find("encoding=\"us-ascii\"") == place || text.find("encoding=\"ascii\"") == place;
+  for (char& c : text)
+    if (c == '\'') c = '"';
+  std::istringstream words(text);
+  std::string word;
+  words >> word;  // <?xml
+  std::vector<std::string> found;
+  while (words >> word) found.push_back(word);
+  if (!found.empty() && found.back() != "?>" && found.back().ends_with("?>")) {
+    found.back().resize(found.back().size() - 2);
+    found.push_back("?>");
+  }
+  auto next = found.begin();
+  const auto take = [&](const std::set<std::string>& one_of) {
+    const bool is_there = next != found.end() && one_of.contains(*next);
+    next += is_there ? 1 : 0;
+    return is_there;
+  };
+  if (!take({"version=\"1.0\"", "version=\"1.1\""})) return false;
+  take({"encoding=\"utf-8\"", "encoding=\"us-ascii\"", "encoding=\"ascii\""});
+  take({"standalone=\"yes\"", "standalone=\"no\""});
+  return take({"?>"}) && next == found.end();
 }
 
 std::size_t skip_past(std::string_view text, std::string_view end, std::size_t from) {
@@ -106,7 +124,7 @@ std::string XmlFile::markup() {
       if (is_in_array) fail("a comment in an array");
     } else if (at == 0 && rest.starts_with("<?xml ")) {
       at = skip_past(all, "?>", at);
-      if (at != kNone && !is_of_utf8(all.substr(0, at))) fail("is not encoded as UTF-8");
+      if (at != kNone && !is_of_utf8(all.substr(0, at))) fail("an XML declaration of another version or encoding, or with more");
     } else if (rest.starts_with("<?")) {
       fail("an instruction");
     } else if (rest.starts_with("<!")) {

@@ -55,6 +55,9 @@ void add_subject(const Subject& part, bool is_first, Subject& all) {
   all.isotropic += part.isotropic;
   all.other_cells += part.other_cells, all.doubled_points += part.doubled_points;
   all.symmetrized += part.symmetrized;
+  // Names of any part that do not spell the order are shown.
+  if (!part.names.empty() && !part.names_say_order && (all.names.empty() || all.names_say_order))
+    all.names = part.names, all.names_say_order = false;
   all.vertices += part.vertices, all.cells += part.cells;
   for (const std::string& name : part.bound_only)
     if (std::find(all.bound_only.begin(), all.bound_only.end(), name) == all.bound_only.end())
