@@ -110,7 +110,9 @@ TEST(HostileFiles, HaveOneReading) {
       replaced(surface, "</DataArray>", "<!-- --> 1</DataArray>"),
       replaced(surface, "<CellData>", "<CellData>1"),
       // Text outside of the element, and comments in arrays, which VTK refuses.
-      surface + "1", "<?xml version=\"1.0\"?>1" + surface, surface + "<!-- --> 1",
+      surface + "1",
+      "<?xml version=\"1.0\"?>1" + surface,
+      surface + "<!-- --> 1",
       replaced(surface, "</DataArray>", "<!-- --></DataArray>"),
       // Numbers that not all readers take alike.
       replaced(surface, "NumberOfPoints=\"", "NumberOfPoints=\"0x"),
@@ -122,10 +124,14 @@ TEST(HostileFiles, HaveOneReading) {
       replaced(surface, "<Polys>", "<!-- <AppendedData>_ --><Polys>"),
       replaced(surface, "<Polys>", "<?a <AppendedData>_?><Polys>"),
       // Bytes that others decode otherwise.
-      "\xef\xbb\xbf" + surface, "\xff\xfe" + surface, "<?xml version=\"1.0\" encoding=\"UTF-16\"?>" + surface,
+      "\xef\xbb\xbf" + surface,
+      "\xff\xfe" + surface,
+      "<?xml version=\"1.0\" encoding=\"UTF-16\"?>" + surface,
       "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + surface,
-      "<?xml version=\"1.0\" NumberOfTuples=\"3\"?>" + surface, "<?xml encoding=\"UTF-8\"?>" + surface,
-      replaced(surface, "<Polys>", "<Polys>\xe9"), replaced(surface, "<Polys>", "<Polys>\x01"),
+      "<?xml version=\"1.0\" NumberOfTuples=\"3\"?>" + surface,
+      "<?xml encoding=\"UTF-8\"?>" + surface,
+      replaced(surface, "<Polys>", "<Polys>\xe9"),
+      replaced(surface, "<Polys>", "<Polys>\x01"),
       // What others obey, or take for the end of a tag, or leave out.
       replaced(surface, "<PolyData>", "<PolyData TimeValues=\"0 1\">"),
       replaced(surface, "NumberOfComponents=\"3\"", "NumberOfComponents=\"3\" TimeStep=\"1\""),

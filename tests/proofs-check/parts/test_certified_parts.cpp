@@ -108,14 +108,16 @@ TEST(CertifiedParts, NamesOfComponentsOfAnyPartAreShown) {
   TetMesh mesh = cube_mesh(2);
   fill_with_smooth_tensors(mesh, 3);
   const auto names_with = [&](const std::string& marks) {
-    const auto report = check_parts(mesh, slabs(mesh, 2), 2, ModeValue::parse("1/5"), random, marks);
+    const auto report =
+        check_parts(mesh, slabs(mesh, 2), 2, ModeValue::parse("1/5"), random, marks);
     EXPECT_EQ(report.status(), "certified") << to_text(report);
     return report.subject.names;
   };
   EXPECT_EQ(names_with("").find("tt"), std::string::npos);
   std::string marks;
   for (const char* name : {"rr", "tt", "zz", "rt", "tz", "rz"})
-    marks += " ComponentName" + std::to_string(std::count(marks.begin(), marks.end(), '=')) + "=\"" + name + '"';
+    marks += " ComponentName" + std::to_string(std::count(marks.begin(), marks.end(), '=')) +
+             "=\"" + name + '"';
   EXPECT_NE(names_with(marks).find("tt"), std::string::npos);
 }
 

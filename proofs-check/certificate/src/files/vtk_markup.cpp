@@ -124,7 +124,8 @@ std::string XmlFile::markup() {
       if (is_in_array) fail("a comment in an array");
     } else if (at == 0 && rest.starts_with("<?xml ")) {
       at = skip_past(all, "?>", at);
-      if (at != kNone && !is_of_utf8(all.substr(0, at))) fail("an XML declaration of another version or encoding, or with more");
+      if (at != kNone && !is_of_utf8(all.substr(0, at)))
+        fail("an XML declaration of another version or encoding, or with more");
     } else if (rest.starts_with("<?")) {
       fail("an instruction");
     } else if (rest.starts_with("<!")) {
