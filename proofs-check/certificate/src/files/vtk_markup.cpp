@@ -94,9 +94,10 @@ std::string claim_beside_numbers(const pugi::xml_node& element, std::string_view
   if (name == "InformationKey" && attribute == "name" && value != "L2_NORM_RANGE" &&
       value != "L2_NORM_FINITE_RANGE")
     return "the key " + std::string(value);
-  // Scalars and vectors only say what is shown first.
-  if ((name == "PointData" || name == "CellData") && attribute != "Scalars" &&
-      attribute != "Vectors" && (attribute != "Normals" || value != "normal"))
+  // Scalars and vectors only say what is shown first; parts have the whole surface's normals.
+  const bool is_section = name == "PointData" || name == "CellData";
+  const bool are_normals = attribute == "Normals" && (value == "normal" || value == "whole_normal");
+  if (is_section && attribute != "Scalars" && attribute != "Vectors" && !are_normals)
     return std::string(attribute) + " that are '" + std::string(value) + "'";
   return {};
 }
