@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,21 @@ TEST(HostileDocuments, WhatIsWellFormedIsReadAsOthersReadIt) {
   EXPECT_EQ(parse_json(document.dump(2, ' ', true)), document);
   const auto bytes = Json::to_cbor(document);
   EXPECT_EQ(parse_cbor(std::string(bytes.begin(), bytes.end())), document);
+}
+
+// As where two arguments changed places.
+TEST(HostileDocuments, OtherFilesAreNamedAsSuch) {
+  const Folder folder;
+  const std::string file = folder / "s.vtp";
+  for (const char* bytes : {"<?xml version=\"1.0\"?><VTKFile/>", "<VTKFile/>", "# vtk DataFile Version 3.0\n"}) {
+    std::ofstream(file) << bytes;
+    try {
+      certificate::check_certificate(file, file, file);
+      ADD_FAILURE() << bytes;
+    } catch (const Malformed& error) {
+      EXPECT_NE(error.problem().find("FIELD SURFACE CERTIFICATE"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(HostileFiles, PipesAndDevicesAreNotRead) {

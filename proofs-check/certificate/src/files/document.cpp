@@ -193,6 +193,13 @@ void require_shape(const std::string& file, const Json& document, const Shape& s
     throw Malformed(file, wrong.starts_with(": ") ? wrong.substr(2) : wrong);
 }
 
+/// Fields, surfaces and curves are no documents.
+void require_document(const File& file) {
+  const std::string_view bytes = file.bytes;
+  if (bytes.starts_with('<') || bytes.starts_with("# vtk"))
+    throw Malformed(file.name, "is a VTK file, no certificate; the order is FIELD SURFACE CERTIFICATE");
+}
+
 bool has_format(const Json& document, const char* format) {
   return document.is_object() && document.contains("format") && document["format"] == format;
 }
@@ -200,6 +207,7 @@ bool has_format(const Json& document, const char* format) {
 }  // namespace
 
 Json read_document(const File& source) {
+  require_document(source);
   const std::string& file = source.name;
   Json document;
   try {
@@ -240,6 +248,7 @@ bool is_of_curves(const Json& document) {
 }
 
 Json read_parts_document(const File& source) {
+  require_document(source);
   const std::string& file = source.name;
   static const Shape surface_shape(parts_shape("surface", {{"triangles", "natural"},
                                                            {"euler_characteristic", "integer"},
