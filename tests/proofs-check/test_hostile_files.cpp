@@ -68,13 +68,15 @@ TEST(HostileDocuments, WhatIsWellFormedIsReadAsOthersReadIt) {
 TEST(HostileDocuments, OtherFilesAreNamedAsSuch) {
   const Folder folder;
   const std::string file = folder / "s.vtp";
-  for (const char* bytes : {"<?xml version=\"1.0\"?><VTKFile/>", "<VTKFile/>", "# vtk DataFile Version 3.0\n"}) {
+  for (const char* bytes :
+       {"<?xml version=\"1.0\"?><VTKFile/>", "<VTKFile/>", "# vtk DataFile Version 3.0\n"}) {
     std::ofstream(file) << bytes;
     try {
       certificate::check_certificate(file, file, file);
       ADD_FAILURE() << bytes;
     } catch (const Malformed& error) {
-      EXPECT_NE(error.problem().find("FIELD SURFACE CERTIFICATE"), std::string::npos) << error.what();
+      EXPECT_NE(error.problem().find("FIELD SURFACE CERTIFICATE"), std::string::npos)
+          << error.what();
     }
   }
 }

@@ -197,7 +197,8 @@ void require_shape(const std::string& file, const Json& document, const Shape& s
 void require_document(const File& file) {
   const std::string_view bytes = file.bytes;
   if (bytes.starts_with('<') || bytes.starts_with("# vtk"))
-    throw Malformed(file.name, "is a VTK file, no certificate; the order is FIELD SURFACE CERTIFICATE");
+    throw Malformed(file.name,
+                    "is a VTK file, no certificate; the order is FIELD SURFACE CERTIFICATE");
 }
 
 bool has_format(const Json& document, const char* format) {
