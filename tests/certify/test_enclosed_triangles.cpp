@@ -47,7 +47,7 @@ TEST(EnclosedTriangles, EncloseWhatIsExact) {
   Random random(20261126);
   test::Compared compared("vectors that are not exact", 1000);
   double worst = 0;
-  for (int trial = 0; trial < test::trials(2000); ++trial) {
+  for (int trial = 0; trial < test::trials(2000, 1000); ++trial) {
     // Without errors; with small ones; with errors like the triangle, which itself may be thin.
     const double error = std::array{0.0, 1e-14, 1e-2}[static_cast<std::size_t>(trial) % 3];
     const double thin = trial % 2 == 0 ? 1 : 1e-10;

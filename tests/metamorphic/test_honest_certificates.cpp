@@ -81,7 +81,7 @@ TEST_P(HonestCertificates, AreNotRefuted) {
 }
 
 TEST_P(HonestCertificates, OfOtherInvariantsAreNotRefuted) {
-  const int count = GetParam() == Family::special_meshes ? 1 : full_or_short(4, 2);
+  const int count = GetParam() == Family::special_meshes ? trials(1) : trials(4, 2);
   Tally tally =
       judge(GetParam(), "invariant", count, [](const FieldCase& c) { return c.invariant; });
   EXPECT_GT(tally.triangles, 0u);

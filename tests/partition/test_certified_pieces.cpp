@@ -74,7 +74,7 @@ void require_certificate_of_whole(std::uint64_t seed, Compared& compared) {
 
 TEST(CertifiedPieces, HaveTheCertificateOfTheWholeMesh) {
   Compared compared("certificates with claims", 3);
-  for (int i = 0; i < full_or_short(16, 8); ++i)
+  for (int i = 0; i < trials(16, 8); ++i)
     require_certificate_of_whole(20261124u + static_cast<unsigned>(i), compared);
 }
 

@@ -56,7 +56,7 @@ void require_bits_of_whole(std::uint64_t seed, Compared& compared) {
 
 TEST(StreamedPieces, HaveTheSurfaceAndTheCertificateOfTheWhole) {
   Compared compared("surfaces with triangles", 3);
-  for (int i = 0; i < full_or_short(8, 4); ++i)
+  for (int i = 0; i < trials(8, 4); ++i)
     require_bits_of_whole(20261124u + static_cast<unsigned>(i), compared);
 }
 

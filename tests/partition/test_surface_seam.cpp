@@ -92,7 +92,7 @@ RC_GTEST_PROP(SurfaceSeams, GiveTheComponentsOfTheWhole, ()) {
 /// Surfaces of all modes, also with isotropic vertices, and pieces that have no more than a vertex
 /// in common.
 TEST(SurfaceSeams, GiveTheComponentsAtEveryMode) {
-  const int fields = full_or_short(4, 2);
+  const int fields = trials(4, 2);
   Compared surfaces("surfaces of several components", static_cast<std::size_t>(fields));
   for (int field = 0; field < fields; ++field) {
     Random random(20261127u + static_cast<unsigned>(field));

@@ -85,7 +85,7 @@ void require_components(unsigned seed, Compared& compared) {
 
 TEST(WholeInParts, PartsHaveTheComponentsOfTheWhole) {
   Compared compared("surfaces of several components", 2);
-  for (int i = 0; i < full_or_short(8, 4); ++i)
+  for (int i = 0; i < trials(8, 4); ++i)
     require_components(20261127u + static_cast<unsigned>(i), compared);
 }
 

@@ -40,7 +40,7 @@ TEST(EnclosedLinkingNumber, IsThatOfPolygonsInside) {
   Random random(20261110);
   Compared polygons("polygons inside boxes", 500), linked("linked ones", 100);
   std::map<int, int> numbers;
-  for (int trial = 0; trial < trials(300); ++trial) {
+  for (int trial = 0; trial < trials(300, 150); ++trial) {
     const auto a = random_polygon(random), b = random_polygon(random);
     const double radius = trial % 2 == 0 ? 1e-9 : 1e-3;
     const auto number = enclosed_linking_number(boxes_around(a, radius), boxes_around(b, radius));

@@ -252,7 +252,7 @@ std::vector<Exhibit> honest_ones(Random& random) {
   for (const Exhibit& e : honest_exhibits())
     if (e.certificate["levels"].size() == 1 && e.mesh.tets.size() > 1) result.push_back(e);
   for (const char* mode : {"0", "1/4"}) result.push_back(exhibit(two_tets_at_an_edge(), {mode}));
-  for (int i = 0; i < full_or_short(8, 4); ++i) {
+  for (int i = 0; i < trials(8, 4); ++i) {
     TetMesh mesh = cube_mesh(1);
     fill_with_normal_tensors(mesh, static_cast<std::uint64_t>(random.integer(0, 1000000)));
     for (auto& tensor : mesh.tensors)
@@ -269,7 +269,7 @@ TEST(FewerClaims, AreNotRefuted) {
   for (const Exhibit& honest : honest_ones(random)) {
     const std::string all = court.verdict(honest);
     EXPECT_TRUE(all == "certified" || all == "undecided") << court.report();
-    for (int i = 0; i < full_or_short(6, 3); ++i) {
+    for (int i = 0; i < trials(6, 3); ++i) {
       std::set<Index> out;
       for (Index t = 0; t < static_cast<Index>(honest.mesh.tets.size()); ++t)
         if (random.integer(0, 2) == 0) out.insert(t);

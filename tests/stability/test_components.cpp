@@ -71,7 +71,7 @@ void expect_stable_components(const TetMesh& mesh, const ModeValue& mu,
 
 TEST(StableComponents, AreInEveryMember) {
   Compared compared("members of boxes with stable components", 20);
-  for (int k = 0; k < full_or_short(20, 10); ++k) {
+  for (int k = 0; k < trials(20, 10); ++k) {
     Random random(900 + static_cast<std::uint64_t>(k));
     TetMesh mesh = cube_mesh(3);
     fill_with_smooth_tensors(mesh, 900 + static_cast<std::uint64_t>(k), 4, 3);

@@ -79,7 +79,7 @@ void expect_several_kinds(const Tally& tally, const Compared& compared) {
 TEST(StableCrossings, OfSurfacesAreInEachMember) {
   Compared compared("stable crossings in members", 1000);
   Tally tally;
-  for (int k = 0; k < full_or_short(24, 12); ++k) {
+  for (int k = 0; k < trials(24, 12); ++k) {
     const auto seed = 4100 + static_cast<std::uint64_t>(k);
     Random random(seed);
     TetMesh mesh = cube_mesh(2);
@@ -111,7 +111,7 @@ TEST(StableCrossings, OfSurfacesAreInEachMember) {
 TEST(StableCrossings, OfCurvesAreInEachMember) {
   Compared compared("stable crossings in members", 200);
   Tally tally;
-  for (int k = 0; k < full_or_short(12, 6); ++k) {
+  for (int k = 0; k < trials(12, 6); ++k) {
     const auto seed = 4200 + static_cast<std::uint64_t>(k);
     Random random(seed);
     TetMesh mesh = cube_mesh(3);

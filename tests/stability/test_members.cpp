@@ -39,12 +39,12 @@ struct LevelInTet {
 
 TEST(StableTetrahedra, AreTheSameInRandomMembers) {
   Compared compared("members of boxes", 100);
-  expect_the_same_in_members(1, trials(40), {20, false}, LevelInTet::draw, compared);
+  expect_the_same_in_members(1, trials(40, 20), {20, false}, LevelInTet::draw, compared);
 }
 
 TEST(StableTetrahedra, AreTheSameInMembersMovedTowardsCriticalPoints) {
   Compared compared("members of boxes", 100);
-  expect_the_same_in_members(100001, trials(8), {0, true}, LevelInTet::draw, compared);
+  expect_the_same_in_members(100001, trials(8, 4), {0, true}, LevelInTet::draw, compared);
 }
 
 // The same with fields that shrink.
@@ -69,7 +69,7 @@ RC_GTEST_PROP(StableTetrahedra, HaveTheSameSheetsInAMember, ()) {
 TEST(StableTetrahedra, StaySoIfTheRadiusShrinks) {
   Compared compared("tetrahedra that were stable before", 100);
   Random random(7);
-  for (int k = 0; k < trials(10); ++k) {
+  for (int k = 0; k < trials(10, 5); ++k) {
     TetMesh mesh = cube_mesh(3);
     fill_with_smooth_tensors(mesh, static_cast<std::uint64_t>(k), 4, 3);
     const auto mu = ModeValue::parse(kLevels[static_cast<std::size_t>(k) % kLevels.size()]);

@@ -6,9 +6,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
-
-#include "trials.hpp"
 
 namespace tensortopo::test {
 
@@ -17,9 +14,8 @@ namespace tensortopo::test {
 class Compared {
  public:
   /// @param what  is compared, as messages say it
-  /// @param of_half  as many are asked for of half the trials, fewer of fewer trials
-  explicit Compared(std::string what, std::size_t of_half = 1)
-      : what_(std::move(what)), at_least_(at_least(of_half)) {}
+  explicit Compared(std::string what, std::size_t at_least = 1)
+      : what_(std::move(what)), at_least_(at_least) {}
   ~Compared() {
     if (testing::Test::IsSkipped() || testing::Test::HasFatalFailure()) return;
     EXPECT_GE(count_, at_least_) << "too few comparisons: " << what_;

@@ -18,14 +18,9 @@ inline double multiplier() {
   return factor > 0 ? factor : 1;
 }
 
-/// A number of trials times the multiplier.
-inline int trials(int count) { return std::max(1, static_cast<int>(count * multiplier())); }
-
-/// How many of what is compared a test must see: what half of the trials show, or less in proportion.
-inline std::size_t at_least(std::size_t of_half) {
-  const double share = std::min(1.0, 2 * multiplier());
-  const auto less = static_cast<std::size_t>(share * static_cast<double>(of_half));
-  return std::min(of_half, std::max<std::size_t>(1, less));
+/// A number of trials times the multiplier; at least so many, where fewer show too little.
+inline int trials(int count, int least = 1) {
+  return std::max(least, static_cast<int>(count * multiplier()));
 }
 
 /// Is this the short suite, which tries fewer inputs?

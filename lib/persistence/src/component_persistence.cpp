@@ -41,8 +41,10 @@ class Heights {
 
  private:
   void doubt(const ModeMerge& merge) {
-    if (!merge.is_proved && !merge.possible) std::fill(is_doubtful_.begin(), is_doubtful_.end(), 1);
-    if (!merge.is_proved && !merge.possible) return;
+    if (!merge.is_proved && !merge.possible) {
+      std::fill(is_doubtful_.begin(), is_doubtful_.end(), 1);
+      return;
+    }
     for (const std::size_t i : merge.is_proved ? merge.reached : *merge.possible)
       is_doubtful_[class_of(i)] = 1;
   }

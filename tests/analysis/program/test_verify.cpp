@@ -19,7 +19,7 @@ Json without_seconds(Json json) {
 
 TEST(Verify, ReportsEveryStatementAsJson) {
   const Outcome run =
-      run_program({"verify", "--fields", std::to_string(full_or_short(12, 6)), "--seed", "3", "--json"});
+      run_program({"verify", "--fields", std::to_string(trials(12, 6)), "--seed", "3", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const Json json = Json::parse(run.out);

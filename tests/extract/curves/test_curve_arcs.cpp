@@ -37,7 +37,7 @@ TEST(CurveArcs, TransitionsAreThoseOfTangentsAcrossInRationals) {
   Random random(seed);
   Compared fields("fields", 150), zeros("transitions", 50), several("several in one field", 10);
   std::size_t skipped = 0;
-  for (int trial = 0; trial < trials(500); ++trial) {
+  for (int trial = 0; trial < trials(500, 250); ++trial) {
     const auto entry = [&](int bound) {
       return static_cast<double>(random.integer(-bound, bound));
     };

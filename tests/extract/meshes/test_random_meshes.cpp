@@ -30,7 +30,7 @@ TEST_P(RandomMeshes, OfSmoothFieldsHaveTheTopologyThatFineMarchingTetrahedraSee)
   const std::uint64_t seed = 20240803;
   SCOPED_TRACE("mode " + mode + ", " + announce(seed));
   int decided = 0;
-  const int count = full_or_short(4, 2);
+  const int count = trials(4, 2);
   for (int trial = 0; trial < count; ++trial) {
     TetMesh mesh = cube_mesh(3);
     fill_with_smooth_tensors(mesh, seed + static_cast<std::uint64_t>(trial));

@@ -20,7 +20,7 @@ TEST(GraphSheets, AreThoseThatBruteForceSees) {
   SCOPED_TRACE(announce(seed));
   Random random(seed);
   int compared = 0, discs = 0, with_holes = 0;
-  for (int trial = 0; trial < trials(2500); ++trial) {
+  for (int trial = 0; trial < trials(2500, 1250); ++trial) {
     TetTensors tensors = random.tet_tensors();
     // A common part brings the tensors together, so that graphs are frequent.
     const auto common = std::ldexp(1.0, trial % 3) * random.tensor();
@@ -44,7 +44,7 @@ TEST(GraphSheets, AreThoseThatBruteForceSees) {
   }
   std::cout << compared << " tetrahedra with several loops, " << discs << " times discs, "
             << with_holes << " times a sheet with holes\n";
-  EXPECT_GE(compared, static_cast<int>(at_least(50)));
+  EXPECT_GT(compared, 50);
 }
 
 }  // namespace

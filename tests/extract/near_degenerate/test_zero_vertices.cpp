@@ -31,7 +31,7 @@ TEST(ZeroVertex, OneGivesAConeOverEachCurveOfTheOppositeFace) {
   SCOPED_TRACE(announce(seed));
   Random random(seed);
   int sheets = 0, loops = 0;
-  for (int trial = 0; trial < trials(120); ++trial) {
+  for (int trial = 0; trial < trials(120, 60); ++trial) {
     const char* mode = kLevels[static_cast<std::size_t>(trial) % kLevels.size()];
     TetTensors tensors = random.tet_tensors();
     const auto zero = static_cast<std::size_t>(trial) % 4;
@@ -63,7 +63,7 @@ TEST(ZeroVertex, OneGivesAConeOverEachCurveOfTheOppositeFace) {
                 1);
     sheets += static_cast<int>(expected), loops += seen->closed_loops;
   }
-  EXPECT_GT(sheets, static_cast<int>(at_least(50)));
+  EXPECT_GT(sheets, 50);
   EXPECT_GT(loops, 0);
 }
 
@@ -192,7 +192,7 @@ TEST(ZeroVertex, NoSurfaceEndsAtAnEdgeBetweenTwoOfThemInside) {
   const std::uint64_t seed = 20241105;
   SCOPED_TRACE(announce(seed));
   int joined = 0;
-  for (int trial = 0; trial < trials(6); ++trial) {
+  for (int trial = 0; trial < trials(6, 3); ++trial) {
     TetMesh mesh = cube_mesh(3);
     fill_with_normal_tensors(mesh, seed + static_cast<std::uint64_t>(trial));
     const Index first = 21,
@@ -217,7 +217,7 @@ TEST(ZeroVertex, NoSurfaceEndsAtAnEdgeBetweenTwoOfThemInside) {
         }
     }
   }
-  EXPECT_GE(joined, static_cast<int>(at_least(8)));
+  EXPECT_GT(joined, 10);
 }
 
 // Components, crossings and fans do not depend on frame, units, or numbering.

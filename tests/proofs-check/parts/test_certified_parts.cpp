@@ -99,7 +99,7 @@ void require_certified(std::uint64_t seed, Compared& compared) {
 
 TEST(CertifiedParts, AreWhatTheWholeIs) {
   Compared compared("certified surfaces in parts", 3);
-  for (int i = 0; i < trials(8); ++i)
+  for (int i = 0; i < trials(8, 4); ++i)
     require_certified(20261126u + static_cast<unsigned>(i), compared);
 }
 

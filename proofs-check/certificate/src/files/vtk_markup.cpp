@@ -18,7 +18,7 @@ namespace certificate {
 namespace {
 
 /// Is it an XML declaration of version 1, with no other encoding, and nothing else in it?
-bool is_of_utf8(std::string_view declaration) {
+bool is_plain_declaration(std::string_view declaration) {
   std::string text(declaration);
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (char& c : text)
@@ -125,7 +125,7 @@ std::string XmlFile::markup() {
       if (is_in_array) fail("a comment in an array");
     } else if (at == 0 && rest.starts_with("<?xml ")) {
       at = skip_past(all, "?>", at);
-      if (at != kNone && !is_of_utf8(all.substr(0, at)))
+      if (at != kNone && !is_plain_declaration(all.substr(0, at)))
         fail("an XML declaration of another version or encoding, or with more");
     } else if (rest.starts_with("<?")) {
       fail("an instruction");
@@ -199,7 +199,8 @@ void XmlFile::require_one_reading(const char* kind,
           if (!is_known(node, name))
             file.fail("attribute '" + std::string(name) + "' of '" + node.name() +
                       "', which is not known here");
-          if (const auto claim = claim_beside_numbers(node, name); !is_field && !claim.empty())
+          if (is_field) continue;
+          if (const auto claim = claim_beside_numbers(node, name); !claim.empty())
             file.fail("has " + claim + ", which only a field may have");
         }
       if (node.name() == std::string_view("DataArray") && !is_numeric(node.attribute("type").value()))
