@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "append_format.hpp"
 #include "bench/bench_command.hpp"
 #include "short_text.hpp"
 
@@ -103,45 +103,44 @@ std::string to_json(const BenchReport& report) {
 
 std::string to_text(const BenchReport& report) {
   std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} tetrahedra, modes{}, {} threads, medians of {}\n",
-                 report.input.string(), report.tetrahedra, modes_text(report.modes), report.threads,
-                 report.series.front().seconds.size());
-  fmt::format_to(out, "{:<28} {:>10} {:>10} {:>14}\n", "", "seconds", "triangles", "extract over");
+  append_format(text, "{}: {} tetrahedra, modes{}, {} threads, medians of {}\n",
+                report.input.string(), report.tetrahedra, modes_text(report.modes), report.threads,
+                report.series.front().seconds.size());
+  append_format(text, "{:<28} {:>10} {:>10} {:>14}\n", "", "seconds", "triangles", "extract over");
   const double ours = report.series.front().median();
   for (const BenchSeries& series : report.series) {
-    fmt::format_to(out, "{:<28} {:>10.4f} {:>10} {:>14.3f}\n", series.name, series.median(),
-                   series.triangles, ours / series.median());
+    append_format(text, "{:<28} {:>10.4f} {:>10} {:>14.3f}\n", series.name, series.median(),
+                  series.triangles, ours / series.median());
   }
   for (const auto& [stage, seconds] : report.stages) {
-    fmt::format_to(out, "  {:<26} {:>10.4f}\n", stage, seconds);
+    append_format(text, "  {:<26} {:>10.4f}\n", stage, seconds);
   }
   for (const BenchRatio& ratio : report.ratios) {
     const std::string value = ratio.value ? fmt::format("{:.3f}", *ratio.value) : "none";
-    fmt::format_to(out, "{:<42} {:>10}{}{}\n", ratio.name, value, ratio.note.empty() ? "" : "  ",
-                   ratio.note);
+    append_format(text, "{:<42} {:>10}{}{}\n", ratio.name, value, ratio.note.empty() ? "" : "  ",
+                  ratio.note);
   }
   if (!report.errors.empty())
-    fmt::format_to(out, "{:<16} {:>12} {:>12}  {:>22} {:>24}\n", "errors", "rms", "largest",
-                   "components", "crossings missed, extra");
+    append_format(text, "{:<16} {:>12} {:>12}  {:>22} {:>24}\n", "errors", "rms", "largest",
+                  "components", "crossings missed, extra");
   for (const MethodErrors& e : report.errors) {
-    fmt::format_to(out, "{:<16} {:>12.4g} {:>12.4g}", e.method, e.distance.root_mean_square(),
-                   e.distance.largest());
+    append_format(text, "{:<16} {:>12.4g} {:>12.4g}", e.method, e.distance.root_mean_square(),
+                  e.distance.largest());
     if (e.method != "reference")
-      fmt::format_to(
-          out, "  {:>22} {:>24}",
+      append_format(
+          text, "  {:>22} {:>24}",
           fmt::format("{} ({} wrong) of {}", e.components - e.extra, e.wrong_topology,
                       e.true_components),
           fmt::format("{}, {} of {}", e.missed_crossings, e.extra_crossings, e.true_crossings));
-    fmt::format_to(out, "  {}\n", e.setting);
+    append_format(text, "  {}\n", e.setting);
   }
   for (const ErrorCurve& curve : report.curves)
     for (const ErrorPoint& point : curve.points)
-      fmt::format_to(out, "{:<16} {:<16} {:>10.4f} s {:>12.4g} rms {:>10} triangles\n",
-                     curve.method, point.setting, point.seconds, point.root_mean_square,
-                     point.triangles);
-  fmt::format_to(out, "peak memory {:.0f} MB\n",
-                 static_cast<double>(report.peak_memory_bytes) / 1e6);
+      append_format(text, "{:<16} {:<16} {:>10.4f} s {:>12.4g} rms {:>10} triangles\n",
+                    curve.method, point.setting, point.seconds, point.root_mean_square,
+                    point.triangles);
+  append_format(text, "peak memory {:.0f} MB\n",
+                static_cast<double>(report.peak_memory_bytes) / 1e6);
   return text;
 }
 

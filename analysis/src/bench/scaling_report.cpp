@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "append_format.hpp"
 #include "bench/scaling.hpp"
 #include "render/charts/line_chart.hpp"
 
@@ -60,21 +60,20 @@ std::string to_json(const ScalingReport& report) {
 
 std::string to_text(const ScalingReport& report) {
   std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}, {} threads\n{:>12} {:>12} {:>12} {:>12} {:>12}\n", report.field,
-                 report.threads, name_of(report.over), "tetrahedra", "triangles", "extract",
-                 "vtk_contour");
+  append_format(text, "{}, {} threads\n{:>12} {:>12} {:>12} {:>12} {:>12}\n", report.field,
+                report.threads, name_of(report.over), "tetrahedra", "triangles", "extract",
+                "vtk_contour");
   for (const ScalingPoint& point : report.points) {
     const std::string vtk =
         point.vtk_seconds > 0 ? fmt::format("{:.4f}", point.vtk_seconds) : std::string("-");
-    fmt::format_to(out, "{:>12g} {:>12} {:>12} {:>12.4f} {:>12}\n", point.x, point.tetrahedra,
-                   point.triangles, point.seconds, vtk);
+    append_format(text, "{:>12g} {:>12} {:>12} {:>12.4f} {:>12}\n", point.x, point.tetrahedra,
+                  point.triangles, point.seconds, vtk);
   }
   if (std::isfinite(report.exponent))
-    fmt::format_to(out, "seconds grow like {}^{:.2f}\n", name_of(report.over), report.exponent);
+    append_format(text, "seconds grow like {}^{:.2f}\n", name_of(report.over), report.exponent);
   if (std::isfinite(report.serial_share))
-    fmt::format_to(out, "serial share {:.1f} % of the time with one thread (Amdahl's law)\n",
-                   100 * report.serial_share);
+    append_format(text, "serial share {:.1f} % of the time with one thread (Amdahl's law)\n",
+                  100 * report.serial_share);
   return text;
 }
 

@@ -5,17 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "append_format.hpp"
 #include "counted.hpp"
 #include "generate/truth.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/lower_extension.hpp"
-#include "tensortopo/hash/number_hash.hpp"
 
 namespace tensortopo {
 
@@ -146,13 +146,12 @@ std::string to_json(const ConformanceReport& report) {
 std::string to_text(const ConformanceReport& report) {
   const SurfaceScore& s = report.score;
   std::string text;
-  const auto out = std::back_inserter(text);
   const auto row = [&](const char* what, const std::string& value) {
-    fmt::format_to(out, "{:<34} {}\n", what, value);
+    append_format(text, "{:<34} {}\n", what, value);
   };
-  fmt::format_to(out, "{} against mode {} of {}: {}\n", report.surface.string(),
-                 short_text(report.mode), report.input.string(),
-                 s.conforms() ? "conforms" : "does not conform");
+  append_format(text, "{} against mode {} of {}: {}\n", report.surface.string(),
+                short_text(report.mode), report.input.string(),
+                s.conforms() ? "conforms" : "does not conform");
   row("components matched", std::to_string(s.matched.size()));
   row("  of these of another topology", std::to_string(s.wrong_topology()));
   row("components missed", std::to_string(s.missed.size()));
@@ -180,14 +179,14 @@ std::string to_text(const ConformanceReport& report) {
   if (s.undecided > 0) row("tetrahedra without truth", std::to_string(s.undecided));
   for (const auto& m : s.matched)
     if (!m.same_topology())
-      fmt::format_to(out, "wrong   {}\n  truth {}\n", text_of(m.given), text_of(m.truth));
-  for (const auto& c : s.missed) fmt::format_to(out, "missed  {}\n", text_of(c));
-  for (const auto& c : s.extra) fmt::format_to(out, "extra   {}\n", text_of(c));
+      append_format(text, "wrong   {}\n  truth {}\n", text_of(m.given), text_of(m.truth));
+  for (const auto& c : s.missed) append_format(text, "missed  {}\n", text_of(c));
+  for (const auto& c : s.extra) append_format(text, "extra   {}\n", text_of(c));
   constexpr std::size_t most = 20;
   for (std::size_t i = 0; i < std::min(most, s.edges.size()); ++i)
-    fmt::format_to(out, "edge {} {}: {} crossings, not {}\n", s.edges[i].vertices[0],
-                   s.edges[i].vertices[1], s.edges[i].truth, s.edges[i].given);
-  if (s.edges.size() > most) fmt::format_to(out, "and {} edges more\n", s.edges.size() - most);
+    append_format(text, "edge {} {}: {} crossings, not {}\n", s.edges[i].vertices[0],
+                  s.edges[i].vertices[1], s.edges[i].truth, s.edges[i].given);
+  if (s.edges.size() > most) append_format(text, "and {} edges more\n", s.edges.size() - most);
   return text;
 }
 

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "conformance/suite.hpp"
+
+#include "append_format.hpp"
 
 namespace tensortopo {
 
@@ -92,9 +93,8 @@ using Tallies = std::map<std::string, std::map<std::string, Tally>>;
 
 void table(std::string& text, const char* what, const std::vector<std::string>& order,
            const std::vector<std::string>& methods, const Tallies& tallies) {
-  const auto out = std::back_inserter(text);
-  fmt::format_to(
-      out,
+  append_format(
+      text,
       "| {} | method | cases | right | components | missed | extra | other topology | holes | "
       "pinched | crossings | missed | extra | empty | distance, median | largest |\n",
       what);
@@ -107,13 +107,13 @@ void table(std::string& text, const char* what, const std::vector<std::string>& 
       if (found == tallies.at(name).end()) continue;  // not subdivided so often
       const Tally& t = found->second;
       const auto [median, largest] = t.distance();
-      fmt::format_to(out,
-                     "| {} | {} | {} | {:.0f} % | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} "
-                     "| {} | {} |\n",
-                     method == methods.front() ? name : "", method, t.cases,
-                     percent(t.right, t.cases), t.components, t.missed, t.extra, t.wrong, t.holes,
-                     t.non_manifold, t.crossings, t.missed_crossings, t.extra_crossings, t.empty,
-                     median, largest);
+      append_format(text,
+                    "| {} | {} | {} | {:.0f} % | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} "
+                    "| {} | {} |\n",
+                    method == methods.front() ? name : "", method, t.cases,
+                    percent(t.right, t.cases), t.components, t.missed, t.extra, t.wrong, t.holes,
+                    t.non_manifold, t.crossings, t.missed_crossings, t.extra_crossings, t.empty,
+                    median, largest);
     }
   text += '\n';
 }
@@ -140,8 +140,8 @@ std::string to_markdown(const SuiteReport& report) {
   std::sort(modes.begin(), modes.end(),
             [&](const auto& a, const auto& b) { return values[a] < values[b]; });
   std::string text = kIntroduction;
-  fmt::format_to(
-      std::back_inserter(text),
+  append_format(
+      text,
       "{} cases, of which {} are left out because some tetrahedron is undecided (each is named "
       "in its truth file).\n\n",
       report.cases, report.undecided);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 
+#include "append_format.hpp"
 #include "counted.hpp"
 #include "extract/certificate_report_output.hpp"
 #include "short_text.hpp"
@@ -171,22 +171,21 @@ std::string improvement_line(const ModeValue& mode, const ImprovementCounts& cou
 
 std::string to_text(const ExtractReport& report) {
   std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {}, {}, tensor '{}': {}\n", report.input.string(),
-                 counted(report.vertices, "vertex", "vertices"), counted_tets(report.tetrahedra),
-                 report.tensor_name, report.components.text());
+  append_format(text, "{}: {}, {}, tensor '{}': {}\n", report.input.string(),
+                counted(report.vertices, "vertex", "vertices"), counted_tets(report.tetrahedra),
+                report.tensor_name, report.components.text());
   if (!report.surfaces.empty()) {
-    fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n", "mode",
-                   "vertices", "triangles", "parts", "loops", "euler", "area", "residual",
-                   "manifold", "tets");
+    append_format(text, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n", "mode",
+                  "vertices", "triangles", "parts", "loops", "euler", "area", "residual",
+                  "manifold", "tets");
   }
   for (const SurfaceReport& s : report.surfaces) {
     const SurfaceInvariants& known = s.invariants;
-    fmt::format_to(out, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9} {:>8} {:>8}\n",
-                   short_text(s.mode), s.vertices, s.triangles, known.components,
-                   known.boundary_loops, known.euler_characteristic, known.area,
-                   std::isnan(s.max_abs_residual) ? "-" : fmt::format("{:.1e}", s.max_abs_residual),
-                   known.manifold ? "yes" : "no", s.statistics.tets_crossed);
+    append_format(text, "{:>10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9} {:>8} {:>8}\n",
+                  short_text(s.mode), s.vertices, s.triangles, known.components,
+                  known.boundary_loops, known.euler_characteristic, known.area,
+                  std::isnan(s.max_abs_residual) ? "-" : fmt::format("{:.1e}", s.max_abs_residual),
+                  known.manifold ? "yes" : "no", s.statistics.tets_crossed);
   }
   for (const SurfaceReport& s : report.surfaces)
     if (s.stability) text += stability_line(s);
@@ -199,36 +198,34 @@ std::string to_text(const ExtractReport& report) {
   for (const CurveReport& c : report.curves)
     if (c.stability) text += stability_line(c);
   if (!report.curves.empty()) {
-    fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13} {:>9} {:>8}\n", "curves", "vertices",
-                   "parts", "closed", "length", "residual", "tets");
+    append_format(text, "{:>10} {:>9} {:>6} {:>6} {:>13} {:>9} {:>8}\n", "curves", "vertices",
+                  "parts", "closed", "length", "residual", "tets");
   }
   for (const CurveReport& c : report.curves) {
-    fmt::format_to(out, "{:>10} {:>9} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8}\n", short_text(c.mode),
-                   c.invariants.vertices, c.invariants.components, c.invariants.closed_components,
-                   c.invariants.length, c.max_residual, c.statistics.tets_crossed);
+    append_format(text, "{:>10} {:>9} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8}\n", short_text(c.mode),
+                  c.invariants.vertices, c.invariants.components, c.invariants.closed_components,
+                  c.invariants.length, c.max_residual, c.statistics.tets_crossed);
   }
   const ExtractStatistics total = total_statistics(report);
   if (total.zero_deviator_vertices > 0) {
-    fmt::format_to(out,
-                   "isotropic, where the mode is undefined: {} ({} on surfaces), {} {}\n",
-                   counted(total.zero_deviator_vertices, "vertex", "vertices"),
-                   counted(total.cone_points, "cone point"), total.tets_undefined,
-                   total.tets_undefined == 1 ? "whole tetrahedron" : "whole tetrahedra");
+    append_format(text, "isotropic, where the mode is undefined: {} ({} on surfaces), {} {}\n",
+                  counted(total.zero_deviator_vertices, "vertex", "vertices"),
+                  counted(total.cone_points, "cone point"), total.tets_undefined,
+                  total.tets_undefined == 1 ? "whole tetrahedron" : "whole tetrahedra");
   }
   if (total.tets_nearby > 0) {
-    fmt::format_to(
-        out, "critical mode: {} meshed at a mode next to it, of the same topology\n",
-        counted_tets(total.tets_nearby));
+    append_format(text, "critical mode: {} meshed at a mode next to it, of the same topology\n",
+                  counted_tets(total.tets_nearby));
   }
   if (total.sheets_loops > 0) {
-    fmt::format_to(out, "filled between their boundary loops, without a vertex inside: {}\n",
-                   counted(total.sheets_loops, "sheet"));
+    append_format(text, "filled between their boundary loops, without a vertex inside: {}\n",
+                  counted(total.sheets_loops, "sheet"));
   }
-  if (report.torn_faces.count > 0) fmt::format_to(out, "{}\n", report.torn_faces.text());
+  if (report.torn_faces.count > 0) append_format(text, "{}\n", report.torn_faces.text());
   if (report.written) {
-    fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",
-                   report.output.string(), report.bytes, report.seconds_read,
-                   report.seconds_extract, report.seconds_write);
+    append_format(text, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",
+                  report.output.string(), report.bytes, report.seconds_read, report.seconds_extract,
+                  report.seconds_write);
   }
   return text + text_of(report.certificate);
 }

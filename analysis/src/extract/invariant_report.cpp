@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "append_format.hpp"
 #include "counted.hpp"
 #include "extract/certificate_report_output.hpp"
 #include "extract/topology_json.hpp"
@@ -76,25 +76,24 @@ std::string to_json(const InvariantReport& report) {
 
 std::string to_text(const InvariantReport& report) {
   std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {}, {}, tensor '{}': {}\n", report.input.string(),
-                 counted(report.vertices, "vertex", "vertices"), counted_tets(report.tetrahedra),
-                 report.tensor_name, report.components.text());
+  append_format(text, "{}: {}, {}, tensor '{}': {}\n", report.input.string(),
+                counted(report.vertices, "vertex", "vertices"), counted_tets(report.tetrahedra),
+                report.tensor_name, report.components.text());
   if (!report.surfaces.empty())
-    fmt::format_to(out, "{:>20} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n",
-                   name_of(report.surfaces[0].level.invariant()), "vertices", "triangles", "parts",
-                   "loops", "euler", "area", "residual", "manifold", "tets");
+    append_format(text, "{:>20} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13} {:>9} {:>8} {:>8}\n",
+                  name_of(report.surfaces[0].level.invariant()), "vertices", "triangles", "parts",
+                  "loops", "euler", "area", "residual", "manifold", "tets");
   for (const auto& s : report.surfaces)
-    fmt::format_to(out, "{:>20} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8} {:>8}\n",
-                   short_text(s.level), s.vertices, s.triangles, s.topology.components,
-                   s.topology.boundary_loops, s.topology.euler_characteristic, s.topology.area,
-                   s.max_abs_residual, s.topology.manifold ? "yes" : "no",
-                   s.statistics.tets_crossed);
-  if (report.torn_faces.count > 0) fmt::format_to(out, "{}\n", report.torn_faces.text());
+    append_format(text, "{:>20} {:>9} {:>9} {:>6} {:>6} {:>6} {:>13.6g} {:>9.1e} {:>8} {:>8}\n",
+                  short_text(s.level), s.vertices, s.triangles, s.topology.components,
+                  s.topology.boundary_loops, s.topology.euler_characteristic, s.topology.area,
+                  s.max_abs_residual, s.topology.manifold ? "yes" : "no",
+                  s.statistics.tets_crossed);
+  if (report.torn_faces.count > 0) append_format(text, "{}\n", report.torn_faces.text());
   if (report.written)
-    fmt::format_to(out, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",
-                   report.output.string(), report.bytes, report.seconds_read,
-                   report.seconds_extract, report.seconds_write);
+    append_format(text, "{}: {} bytes written ({:.2f} s read, {:.2f} s extract, {:.2f} s write)\n",
+                  report.output.string(), report.bytes, report.seconds_read, report.seconds_extract,
+                  report.seconds_write);
   return text + text_of(report.certificate);
 }
 

@@ -5,26 +5,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "append_format.hpp"
 #include "counted.hpp"
 #include "require_folder.hpp"
 #include "short_text.hpp"
-#include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/certify/reference_points.hpp"
 #include "tensortopo/families/kuhn_mesh.hpp"
+#include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/io/file_group.hpp"
 #include "tensortopo/io/lower_extension.hpp"
-#include "tensortopo/hash/number_hash.hpp"
 #include "tensortopo/io/write_mesh.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/io/write_text.hpp"
+#include "tensortopo/mesh/append_surface.hpp"
 
 namespace tensortopo {
 
@@ -269,28 +269,27 @@ std::string to_json(const GenerateReport& report) {
 
 std::string to_text(const GenerateReport& report) {
   std::string text;
-  const auto out = std::back_inserter(text);
   for (const Generated& file : report.files) {
-    fmt::format_to(out, "{}: {} ({})\n", file.field.string(), file.truth.note,
-                   counted_tets(file.truth.tetrahedra));
+    append_format(text, "{}: {} ({})\n", file.field.string(), file.truth.note,
+                  counted_tets(file.truth.tetrahedra));
     for (const LevelTruth& level : file.truth.levels) {
       long euler = 0;
       std::size_t loops = 0;
       for (const auto& c : level.components)
         euler += c.euler_characteristic, loops += c.boundary_loops;
-      fmt::format_to(out, "  mode {:>9}: {:>4} components, Euler characteristic {:>4}, {:>4} loops",
-                     short_text(level.mode), level.components.size(), euler, loops);
+      append_format(text, "  mode {:>9}: {:>4} components, Euler characteristic {:>4}, {:>4} loops",
+                    short_text(level.mode), level.components.size(), euler, loops);
       if (!level.undecided.empty()) {
         std::map<std::string, int> reasons;
         for (const auto& cell : level.undecided) ++reasons[cell.reason];
-        fmt::format_to(out, "; undecided:");
-        for (const auto& [reason, count] : reasons) fmt::format_to(out, " {} {}", count, reason);
+        append_format(text, "; undecided:");
+        for (const auto& [reason, count] : reasons) append_format(text, " {} {}", count, reason);
       }
       if (level.reference) {
         const auto& r = *level.reference;
-        fmt::format_to(out, "; within {:.2g}, vertices {:.1g}", r.distance, r.point_bound);
+        append_format(text, "; within {:.2g}, vertices {:.1g}", r.distance, r.point_bound);
         if (r.coarse_cells > 0)
-          fmt::format_to(out, " (in {} tetrahedra only {:.2g})", r.coarse_cells, r.coarse_distance);
+          append_format(text, " (in {} tetrahedra only {:.2g})", r.coarse_cells, r.coarse_distance);
       }
       text += '\n';
     }

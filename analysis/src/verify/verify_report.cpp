@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
 
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "verify/verify_command.hpp"
+
+#include "append_format.hpp"
 
 namespace tensortopo {
 namespace {
@@ -72,11 +72,10 @@ std::string to_json(const VerifyReport& report) {
 
 std::string to_text(const VerifyReport& report) {
   std::string text;
-  const auto out = std::back_inserter(text);
   if (report.mesh) {
     const MeshStrata& m = *report.mesh;
-    fmt::format_to(
-        out,
+    append_format(
+        text,
         "{}: {} tetrahedra; of rank 4: {}, 3: {}, 2: {}, 1: {}, 0: {}\n"
         "    with a zero tensor at a vertex {}, with a common eigenvector {}, with a "
         "characteristic tensor of determinant 0 {}, of mode -1 {}; its modes are {:.10f} to "
@@ -84,37 +83,37 @@ std::string to_text(const VerifyReport& report) {
         m.file.string(), m.tetrahedra, m.of_rank[4], m.of_rank[3], m.of_rank[2], m.of_rank[1],
         m.of_rank[0], m.with_zero_vertex, m.with_common_eigenvector, m.neutral_characteristic,
         m.degenerate_characteristic, m.least_characteristic_mode, m.greatest_characteristic_mode);
-    fmt::format_to(out, "    statements are tried on {} of the {} tetrahedra (--fields)\n", m.tried,
-                   m.tetrahedra);
+    append_format(text, "    statements are tried on {} of the {} tetrahedra (--fields)\n", m.tried,
+                  m.tetrahedra);
   }
-  fmt::format_to(out, "{:<28} {:<22} {:>6} {:>8}  {} | {}\n", "id", "verdict", "fields", "seconds",
-                 "in the paper", "what it says");
+  append_format(text, "{:<28} {:<22} {:>6} {:>8}  {} | {}\n", "id", "verdict", "fields", "seconds",
+                "in the paper", "what it says");
   std::map<StatementVerdict, int> count;
   for (const theory::Verification& v : report.statements) {
     const theory::Statement& statement = *theory::find_statement(v.id);
-    fmt::format_to(out, "{:<28} {:<22} {:>6} {:>8.3f}  {} | {}\n", v.id, words(v.verdict), v.tried,
-                   v.seconds, statement.paper, statement.claim);
+    append_format(text, "{:<28} {:<22} {:>6} {:>8.3f}  {} | {}\n", v.id, words(v.verdict), v.tried,
+                  v.seconds, statement.paper, statement.claim);
     ++count[v.verdict];
     if (v.tried > 0 && v.configurations < theory::kFewConfigurations) {
-      fmt::format_to(out, "    few: the fields are {} configurations, up to rotation and scaling\n",
-                     v.configurations);
+      append_format(text, "    few: the fields are {} configurations, up to rotation and scaling\n",
+                    v.configurations);
     }
     if (!statement.corrected.empty()) {
-      fmt::format_to(out, "    corrected: {}\n", statement.corrected);
+      append_format(text, "    corrected: {}\n", statement.corrected);
     }
     const bool reason = v.verdict == StatementVerdict::undecided;
     if (!v.witness.empty()) {
-      fmt::format_to(out, "    {}: {}\n", reason ? "why" : "witness", v.witness);
+      append_format(text, "    {}: {}\n", reason ? "why" : "witness", v.witness);
     }
     for (const auto& [why, lacking] : v.not_applicable) {
-      fmt::format_to(out, "    not on {} fields: {}\n", lacking, why);
+      append_format(text, "    not on {} fields: {}\n", lacking, why);
     }
   }
-  fmt::format_to(out,
-                 "{} statements over {}: {} hold, {} hold as corrected, {} refuted, {} undecided\n",
-                 report.statements.size(), theory::name(report.arithmetic),
-                 count[StatementVerdict::holds], count[StatementVerdict::corrected],
-                 count[StatementVerdict::refuted], count[StatementVerdict::undecided]);
+  append_format(text,
+                "{} statements over {}: {} hold, {} hold as corrected, {} refuted, {} undecided\n",
+                report.statements.size(), theory::name(report.arithmetic),
+                count[StatementVerdict::holds], count[StatementVerdict::corrected],
+                count[StatementVerdict::refuted], count[StatementVerdict::undecided]);
   return text;
 }
 

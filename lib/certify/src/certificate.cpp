@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/certify/certificate.hpp"
 
-#include <fmt/format.h>
-
+#include <array>
+#include <charconv>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -19,7 +18,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 using detail::DocumentWriter;
 
-std::string exact(double x) { return fmt::format("{:a}", x); }
+/// A number that is not negative, in hexadecimal: all of its digits.
+std::string exact(double x) {
+  std::array<char, 32> digits;
+  const char* end = std::to_chars(digits.begin(), digits.end(), x, std::chars_format::hex).ptr;
+  return "0x" + std::string(digits.data(), end);
+}
 
 /// What the file calls vertices and tetrahedra of the mesh.
 struct Ids {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tensortopo/sweep/sweep.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -147,7 +147,11 @@ std::optional<ModeValue> mode_between(double low, double high) {
   if (!(std::nextafter(low, 2.0) < high)) return std::nullopt;
   const double middle = low + (high - low) / 2;
   for (int digits = 0; digits <= 17; ++digits) {
-    const std::string text = fmt::format("{:.{}e}", middle, digits);
+    std::array<char, 32> characters;
+    const char* end = std::to_chars(characters.begin(), characters.end(), middle,
+                                    std::chars_format::scientific, digits)
+                          .ptr;
+    const std::string text(characters.data(), end);
     const double value = std::strtod(text.c_str(), nullptr);
     // What rounds to a double between two others is itself between them. ModeValue holds no
     // numbers next to zero.

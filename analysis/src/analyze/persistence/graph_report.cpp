@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "analyze/persistence/graph_command.hpp"
+#include "append_format.hpp"
 #include "counted.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 
@@ -101,54 +100,50 @@ std::string to_json(const GraphReport& report) {
 
 std::string to_text(const GraphReport& report) {
   std::string text;
-  const auto out = std::back_inserter(text);
   std::size_t maxima = 0, minima = 0, positive = 0;
   for (const ContourNode& node : report.tree.nodes) {
     maxima += node.maximum.has_value();
     minima += node.minimum.has_value();
   }
   for (const ModeRegion& region : report.regions.regions) positive += region.sign > 0;
-  fmt::format_to(out,
-                 "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, ",
-                 report.input.string(), report.tetrahedra, maxima, minima,
-                 report.tree.nodes.size() - maxima - minima);
+  append_format(text, "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, ",
+                report.input.string(), report.tetrahedra, maxima, minima,
+                report.tree.nodes.size() - maxima - minima);
   if (report.tree.has_loops) {
     text += "no arcs: the mesh has holes through it, and the Reeb graph may be no tree\n"
             "regions of the neutral surface: not known, for the same reason\n";
   } else {
-    fmt::format_to(out, "{} arcs{}\n", report.tree.arcs.size(),
-                   report.tree.is_complete ? ""
-                                           : " (not complete: points or curves are not proved)");
-    fmt::format_to(out, "regions of the neutral surface: {} positive, {} negative, {} borders{}\n",
-                   positive, report.regions.regions.size() - positive,
-                   report.regions.borders.size(),
-                   report.regions.is_complete ? "" : " (not complete)");
+    append_format(
+        text, "{} arcs{}\n", report.tree.arcs.size(),
+        report.tree.is_complete ? "" : " (not complete: points or curves are not proved)");
+    append_format(text, "regions of the neutral surface: {} positive, {} negative, {} borders{}\n",
+                  positive, report.regions.regions.size() - positive, report.regions.borders.size(),
+                  report.regions.is_complete ? "" : " (not complete)");
   }
   for (const ModeRegion& region : report.regions.regions)
     if (!region.curves.empty())
-      fmt::format_to(out, "  a {} region with {}\n",
-                     region.sign > 0 ? "positive" : "negative",
-                     counted(region.curves.size(), "degenerate curve"));
+      append_format(text, "  a {} region with {}\n", region.sign > 0 ? "positive" : "negative",
+                    counted(region.curves.size(), "degenerate curve"));
   CurveArcCounts all;
   for (const GraphCurve& curve : report.curves) all += curve.arcs;
-  fmt::format_to(out, "degenerate curves: {}\n", report.curves.size());
-  fmt::format_to(out,
-                 "  in tetrahedra: {} of wedges, {} of trisectors, {} of both, {} not proved\n",
-                 counted(all.wedges, "arc"), all.trisectors, all.mixed, all.not_proved);
-  fmt::format_to(out, "  transitions: {} inside tetrahedra, {} at faces, where the sign jumps\n",
-                 all.zeros, all.jumps);
+  append_format(text, "degenerate curves: {}\n", report.curves.size());
+  append_format(text,
+                "  in tetrahedra: {} of wedges, {} of trisectors, {} of both, {} not proved\n",
+                counted(all.wedges, "arc"), all.trisectors, all.mixed, all.not_proved);
+  append_format(text, "  transitions: {} inside tetrahedra, {} at faces, where the sign jumps\n",
+                all.zeros, all.jumps);
   std::size_t certified = 0;
   for (const CurveLink& link : report.links) certified += !link.obstacle;
-  fmt::format_to(out, "linking numbers other than 0: {} of {} pairs of closed curves", report.links.size(),
-                 report.pairs_of_closed);
-  if (!report.links.empty()) fmt::format_to(out, ", {} of them certified", certified);
-  fmt::format_to(out, " (of all pairs {} certified", report.certified_pairs);
+  append_format(text, "linking numbers other than 0: {} of {} pairs of closed curves",
+                report.links.size(), report.pairs_of_closed);
+  if (!report.links.empty()) append_format(text, ", {} of them certified", certified);
+  append_format(text, " (of all pairs {} certified", report.certified_pairs);
   for (const auto& [obstacle, count] : report.link_obstacles)
-    fmt::format_to(out, ", {} undecided: {}", count, name_of(obstacle));
+    append_format(text, ", {} undecided: {}", count, name_of(obstacle));
   if (report.not_linkable > 0)
-    fmt::format_to(out, ", {} not known of polygons either", report.not_linkable);
+    append_format(text, ", {} not known of polygons either", report.not_linkable);
   text += ")\n";
-  if (!report.output.empty()) fmt::format_to(out, "\n{}\n", report.output.string());
+  if (!report.output.empty()) append_format(text, "\n{}\n", report.output.string());
   return text;
 }
 

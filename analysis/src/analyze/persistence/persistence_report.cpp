@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "analyze/persistence/persistence_chart.hpp"
 #include "analyze/persistence/persistence_command.hpp"
+#include "append_format.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 
 namespace tensortopo {
@@ -96,7 +96,6 @@ std::size_t loops_born(const ModeHomology& homology, PairKind kind) {
 /// Loops and voids, in words.
 std::string homology_text(const ModeHomology& homology) {
   std::string text;
-  const auto out = std::back_inserter(text);
   for (std::size_t side = 0; side < 2; ++side) {
     const PairKind kind = side == 0 ? PairKind::superlevel : PairKind::sublevel;
     std::array<long, 3> most{};
@@ -107,16 +106,16 @@ std::string homology_text(const ModeHomology& homology) {
         most[k] = std::max(most[k], *interval.betti[k]);
         known[k] += (interval.high - interval.low) / 2;
       }
-    fmt::format_to(out, "{{mode {} m}}:", side == 0 ? ">=" : "<=");
+    append_format(text, "{{mode {} m}}:", side == 0 ? ">=" : "<=");
     for (std::size_t k = 0; k < 3; ++k) {
       if (known[k] == 0)
-        fmt::format_to(out, " number of {} not known,", kFeatureNames[k]);
+        append_format(text, " number of {} not known,", kFeatureNames[k]);
       else
-        fmt::format_to(
-            out, " {} {} at most{},", most[k], kFeatureNames[k],
+        append_format(
+            text, " {} {} at most{},", most[k], kFeatureNames[k],
             known[k] < 0.999 ? fmt::format(" (known for {:.3g} of all m)", known[k]) : "");
     }
-    fmt::format_to(out, " {} loops appear\n", loops_born(homology, kind));
+    append_format(text, " {} loops appear\n", loops_born(homology, kind));
   }
   text +=
       "Of loops only those are paired of which no others are in one component (--json lists all)\n";
@@ -159,10 +158,9 @@ std::string to_json(const PersistenceReport& report) {
 std::string to_text(const PersistenceReport& report) {
   const ModePersistence& found = report.persistence;
   std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} tetrahedra\n\n", report.input.string(), report.tetrahedra);
-  fmt::format_to(out, "{:<30} {:>8} {:>8}", "", "pairs", "ties");
-  for (const double r : kNoise) fmt::format_to(out, " {:>10}", fmt::format("> {:g}", r));
+  append_format(text, "{}: {} tetrahedra\n\n", report.input.string(), report.tetrahedra);
+  append_format(text, "{:<30} {:>8} {:>8}", "", "pairs", "ties");
+  for (const double r : kNoise) append_format(text, " {:>10}", fmt::format("> {:g}", r));
   text += "  certainly survive relative noise\n";
   const auto row = [&](const std::string& name, const auto& pairs) {
     std::size_t ties = 0;
@@ -172,8 +170,8 @@ std::string to_text(const PersistenceReport& report) {
       for (std::size_t i = 0; i < kNoise.size(); ++i)
         survivors[i] += pair->is_certain && survived_noise(*pair) > kNoise[i];
     }
-    fmt::format_to(out, "{:<30} {:>8} {:>8}", name, pairs.size(), ties);
-    for (const std::size_t n : survivors) fmt::format_to(out, " {:>10}", n);
+    append_format(text, "{:<30} {:>8} {:>8}", name, pairs.size(), ties);
+    for (const std::size_t n : survivors) append_format(text, " {:>10}", n);
     text += '\n';
   };
   for (const PairKind kind : {PairKind::superlevel, PairKind::sublevel, PairKind::extended}) {
@@ -205,11 +203,11 @@ std::string to_text(const PersistenceReport& report) {
     return survived_noise(*a) > survived_noise(*b);
   });
   first.resize(std::min(first.size(), kMostPairs));
-  fmt::format_to(out, "\n{:<11} {:<10} {:>14} {:>14} {:>12}  born at\n", "kind", "", "birth",
-                 "death", "survives");
+  append_format(text, "\n{:<11} {:<10} {:>14} {:>14} {:>12}  born at\n", "kind", "", "birth",
+                "death", "survives");
   for (const PersistencePair* pair : first)
-    fmt::format_to(
-        out, "{:<11} {:<10} {:>14.9f} {:>14} {:>12.4g}  ({:.6g}, {:.6g}, {:.6g}){}{}{}\n",
+    append_format(
+        text, "{:<11} {:<10} {:>14.9f} {:>14} {:>12.4g}  ({:.6g}, {:.6g}, {:.6g}){}{}{}\n",
         name_of(pair->kind),
         std::array{"component", "loop", "void"}[static_cast<std::size_t>(pair->dimension)],
         pair->birth.middle(),
@@ -221,20 +219,20 @@ std::string to_text(const PersistenceReport& report) {
         : pair->dimension == 2 ? ", around a curve"
                                : ", a curve",
         pair->is_tie ? ", tie" : "", pair->is_certain ? "" : ", not certain");
-  if (all.size() > kMostPairs) fmt::format_to(out, "(--json lists the {} pairs)\n", all.size());
+  if (all.size() > kMostPairs) append_format(text, "(--json lists the {} pairs)\n", all.size());
   const std::size_t open = found.not_proved[0].size() + found.not_proved[1].size();
   const std::size_t cells = found.unresolved_curve_cells[0] + found.unresolved_curve_cells[1];
   if (open > 0)
-    fmt::format_to(out,
-                   "{} critical points are not proved; pairs that they may concern are not "
-                   "certain\n",
-                   open);
-  if (cells > 0) fmt::format_to(out, "degenerate curves are not known in {} tetrahedra\n", cells);
+    append_format(text,
+                  "{} critical points are not proved; pairs that they may concern are not "
+                  "certain\n",
+                  open);
+  if (cells > 0) append_format(text, "degenerate curves are not known in {} tetrahedra\n", cells);
   if (report.homology.isotropic_vertices > 0)
-    fmt::format_to(out, "{} vertices are isotropic: loops and voids are not certain\n",
-                   report.homology.isotropic_vertices);
+    append_format(text, "{} vertices are isotropic: loops and voids are not certain\n",
+                  report.homology.isotropic_vertices);
   for (const auto& file : {report.output, report.picture})
-    if (!file.empty()) fmt::format_to(out, "\n{}\n", file.string());
+    if (!file.empty()) append_format(text, "\n{}\n", file.string());
   return text;
 }
 

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "analyze/surface/surface_command.hpp"
+
+#include "append_format.hpp"
 
 namespace tensortopo {
 namespace {
@@ -220,20 +221,19 @@ std::string to_json(const SurfaceAnalysis& analysis) {
 
 std::string to_text(const SurfaceAnalysis& analysis) {
   std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} vertices, {} triangles, area {:.6g}\n\n", analysis.surface.string(),
-                 analysis.vertices, analysis.triangles, analysis.invariants.area);
-  fmt::format_to(out, "{:>10} {:>10} {:>10} {:>14} {:>8} {:>8}\n", "component",
-                 analysis.part_values.empty() ? "mode" : "value", "triangles", "area", "Euler",
-                 "loops");
+  append_format(text, "{}: {} vertices, {} triangles, area {:.6g}\n\n", analysis.surface.string(),
+                analysis.vertices, analysis.triangles, analysis.invariants.area);
+  append_format(text, "{:>10} {:>10} {:>10} {:>14} {:>8} {:>8}\n", "component",
+                analysis.part_values.empty() ? "mode" : "value", "triangles", "area", "Euler",
+                "loops");
   const auto& parts = analysis.invariants.parts;
   const auto& numbers = analysis.part_values.empty() ? analysis.part_modes : analysis.part_values;
   for (std::size_t i = 0; i < std::min(parts.size(), kMostRows); ++i)
-    fmt::format_to(out, "{:>10} {:>10} {:>10} {:>14.6g} {:>8} {:>8}\n", i,
-                   numbers.empty() ? "" : fmt::format("{:g}", numbers[i]), parts[i].triangles,
-                   parts[i].area, parts[i].euler_characteristic, parts[i].boundary_loops);
+    append_format(text, "{:>10} {:>10} {:>10} {:>14.6g} {:>8} {:>8}\n", i,
+                  numbers.empty() ? "" : fmt::format("{:g}", numbers[i]), parts[i].triangles,
+                  parts[i].area, parts[i].euler_characteristic, parts[i].boundary_loops);
   if (parts.size() > kMostRows)
-    fmt::format_to(out, "{:>10} (--json lists all {})\n", "...", parts.size());
+    append_format(text, "{:>10} (--json lists all {})\n", "...", parts.size());
   const TriangleQuality& quality = analysis.quality;
   text += '\n' + text_of(fmt::format("smallest angle of a triangle, degrees (median {:.1f})",
                                      quality.median_angle),
@@ -253,12 +253,12 @@ std::string to_text(const SurfaceAnalysis& analysis) {
   if (analysis.ridges) text += text_of(*analysis.ridges);
   if (analysis.smooth) text += text_of("curvature (fitted)", *analysis.smooth);
   if (analysis.median_difference)
-    fmt::format_to(out, "  median difference of the mean curvatures: {:.4g}\n",
-                   *analysis.median_difference);
+    append_format(text, "  median difference of the mean curvatures: {:.4g}\n",
+                  *analysis.median_difference);
   if (analysis.forth && analysis.back)
     text += fmt::format("\ndistance to {}, sampled\n", analysis.against.string()) +
             text_of("forth", *analysis.forth) + text_of("back", *analysis.back);
-  if (!analysis.output.empty()) fmt::format_to(out, "\n{}\n", analysis.output.string());
+  if (!analysis.output.empty()) append_format(text, "\n{}\n", analysis.output.string());
   return text;
 }
 

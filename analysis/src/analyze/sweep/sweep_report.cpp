@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "analyze/sweep/sweep_command.hpp"
+#include "append_format.hpp"
 #include "counted.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
@@ -136,15 +136,14 @@ std::string to_json(const SweepReport& report) {
 std::string to_text(const SweepReport& report) {
   const Sweep& sweep = report.sweep;
   std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} tetrahedra, modes from {} to {}\n\n", report.input.string(),
-                 report.tetrahedra, short_text(report.options.from), short_text(report.options.to));
-  fmt::format_to(out, "{:>12} {:>10} {:>8} {:>8} {:>14}\n", "mode", "components", "Euler", "loops",
-                 "area");
+  append_format(text, "{}: {} tetrahedra, modes from {} to {}\n\n", report.input.string(),
+                report.tetrahedra, short_text(report.options.from), short_text(report.options.to));
+  append_format(text, "{:>12} {:>10} {:>8} {:>8} {:>14}\n", "mode", "components", "Euler", "loops",
+                "area");
   for (const std::size_t i : sweep.samples) {
     const SweepLevel& level = sweep.levels[i];
-    fmt::format_to(out, "{:>12.6g} {:>10} {:>8} {:>8} {:>14.6g}", level.mode.approx(),
-                   level.components, level.euler_characteristic, level.boundary_loops, level.area);
+    append_format(text, "{:>12.6g} {:>10} {:>8} {:>8} {:>14.6g}", level.mode.approx(),
+                  level.components, level.euler_characteristic, level.boundary_loops, level.area);
     text +=
         level.unresolved > 0 ? fmt::format("  {} tetrahedra unresolved\n", level.unresolved) : "\n";
   }
@@ -157,15 +156,15 @@ std::string to_text(const SweepReport& report) {
       undecided += point.effect.change == LocalChange::undecided;
   }
   for (const std::size_t n : sweep.looked_at) looked_at += n;
-  fmt::format_to(out,
-                 "\n{} critical values ({} points, of {} at which the level of a cell changes);\n"
-                 "between them the topology is constant{}\n",
-                 sweep.events.size(), points, looked_at,
-                 undecided > 0 ? fmt::format("; what {} of them change is undecided",
-                                             counted(undecided, "point"))
-                               : "");
+  append_format(text,
+                "\n{} critical values ({} points, of {} at which the level of a cell changes);\n"
+                "between them the topology is constant{}\n",
+                sweep.events.size(), points, looked_at,
+                undecided > 0 ? fmt::format("; what {} of them change is undecided",
+                                            counted(undecided, "point"))
+                              : "");
   for (const auto& [change, count] : count_changes(sweep))
-    fmt::format_to(out, "  {:<10} {:>7}\n", change, count);
+    append_format(text, "  {:<10} {:>7}\n", change, count);
 
   std::vector<const SweepInterval*> widest;
   for (const SweepInterval& interval : sweep.intervals) widest.push_back(&interval);
@@ -173,34 +172,34 @@ std::string to_text(const SweepReport& report) {
     return a->high - a->low > b->high - b->low;
   });
   widest.resize(std::min(widest.size(), kWidestIntervals));
-  fmt::format_to(out, "\nwidest ranges of one topology\n{:>12} {:>12} {:>10} {:>8} {:>8}\n", "from",
-                 "to", "components", "Euler", "loops");
+  append_format(text, "\nwidest ranges of one topology\n{:>12} {:>12} {:>10} {:>8} {:>8}\n", "from",
+                "to", "components", "Euler", "loops");
   for (const SweepInterval* interval : widest) {
     const SweepLevel* level = interval->level ? &sweep.levels[*interval->level] : nullptr;
-    fmt::format_to(out, "{:>12.8g} {:>12.8g} {:>10} {:>8} {:>8}\n", interval->low, interval->high,
-                   level ? fmt::format("{}", level->components) : "?",
-                   text_of(interval->euler_characteristic),
-                   level ? fmt::format("{}", level->boundary_loops) : "?");
+    append_format(text, "{:>12.8g} {:>12.8g} {:>10} {:>8} {:>8}\n", interval->low, interval->high,
+                  level ? fmt::format("{}", level->components) : "?",
+                  text_of(interval->euler_characteristic),
+                  level ? fmt::format("{}", level->boundary_loops) : "?");
   }
   if (points > kMostPoints) {
-    fmt::format_to(out, "\n(--json lists the {} critical values)\n", sweep.events.size());
+    append_format(text, "\n(--json lists the {} critical values)\n", sweep.events.size());
   } else if (points > 0) {
-    fmt::format_to(out, "\n{:>20} {:<10} {:>6}  where\n", "critical value", "change", "Euler");
+    append_format(text, "\n{:>20} {:<10} {:>6}  where\n", "critical value", "change", "Euler");
     for (const SweepEvent& event : sweep.events)
       for (const MeshCriticalPoint& point : event.points)
-        fmt::format_to(out, "{:>20.15g} {:<10} {:>6}  {} {}{}\n", (point.low + point.high) / 2,
-                       name_of(point.effect.change),
-                       point.effect.change == LocalChange::undecided
-                           ? "?"
-                           : fmt::format("{:+}", point.effect.euler_change),
-                       kPlaces[dimension_of(point)], fmt::join(vertices_of(point), " "),
-                       point.effect.on_boundary ? ", on the boundary" : "");
+        append_format(text, "{:>20.15g} {:<10} {:>6}  {} {}{}\n", (point.low + point.high) / 2,
+                      name_of(point.effect.change),
+                      point.effect.change == LocalChange::undecided
+                          ? "?"
+                          : fmt::format("{:+}", point.effect.euler_change),
+                      kPlaces[dimension_of(point)], fmt::join(vertices_of(point), " "),
+                      point.effect.on_boundary ? ", on the boundary" : "");
   }
   for (const std::size_t i : sweep.contradictions)
-    fmt::format_to(out, "contradiction: the Euler characteristic at {} is {}\n",
-                   short_text(sweep.levels[i].mode), sweep.levels[i].euler_characteristic);
+    append_format(text, "contradiction: the Euler characteristic at {} is {}\n",
+                  short_text(sweep.levels[i].mode), sweep.levels[i].euler_characteristic);
   if (report.check) text += text_of(*report.check);
-  if (!report.picture.empty()) fmt::format_to(out, "\n{}\n", report.picture.string());
+  if (!report.picture.empty()) append_format(text, "\n{}\n", report.picture.string());
   return text;
 }
 

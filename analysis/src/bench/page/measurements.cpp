@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "append_format.hpp"
 #include "bench/bench_command.hpp"
 #include "bench/methods.hpp"
 #include "bench/page/arithmetic.hpp"
@@ -62,7 +63,7 @@ class Page {
  private:
   template <class... Arguments>
   void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+    append_format(text_, format, std::forward<Arguments>(arguments)...);
   }
   static std::string name(const std::filesystem::path& field) { return field.stem().string(); }
   void tell(std::string_view stage) {

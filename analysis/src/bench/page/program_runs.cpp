@@ -3,7 +3,6 @@
 #include "bench/page/program_runs.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,9 +10,9 @@
 #include <array>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <utility>
 
+#include "append_format.hpp"
 #include "bench/bench_command.hpp"
 #include "bench/timing.hpp"
 #include "short_text.hpp"
@@ -128,8 +127,8 @@ std::string programs_table(const MeasurementsCommand& command, TimeBudget& budge
       const double peak =
           plain.median([](const ProgramRun& run) { return static_cast<double>(run.peak_bytes); });
       const auto& report = certified.report();
-      fmt::format_to(
-          std::back_inserter(text),
+      append_format(
+          text,
           "| {} | {}{} | {} | {} | {} | {} | {} | {:.2f} | {:.0f} % | {:.1f} | {:.1f} | {:.1f} | "
           "{:.1f} |\n",
           input.stem().string(), mode.sign() == 0 ? "" : "±", short_text(mode),

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -102,15 +101,14 @@ std::string to_ply(const SurfaceMesh& surface, const CurveMesh& curves) {
 
 std::string to_obj(const SurfaceMesh& surface, const CurveMesh& curves) {
   std::string text;
-  const auto out = std::back_inserter(text);
   for (const auto* list : {&surface.points, &curves.points})
-    for (const auto& p : *list) fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
+    for (const auto& p : *list) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
   for (const auto& t : surface.triangles)
-    fmt::format_to(out, "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
   const auto first = static_cast<CurveMesh::Index>(surface.points.size()) + 1;
   for (const auto& line : curves.lines) {
     text += 'l';
-    for (const auto v : line) fmt::format_to(out, " {}", first + v);
+    for (const auto v : line) text += fmt::format(" {}", first + v);
     text += '\n';
   }
   return text;
@@ -118,9 +116,8 @@ std::string to_obj(const SurfaceMesh& surface, const CurveMesh& curves) {
 
 std::string to_off(const SurfaceMesh& surface) {
   std::string text = fmt::format("OFF\n{} {} 0\n", surface.points.size(), surface.triangles.size());
-  const auto out = std::back_inserter(text);
-  for (const auto& p : surface.points) fmt::format_to(out, "{} {} {}\n", p.x, p.y, p.z);
-  for (const auto& t : surface.triangles) fmt::format_to(out, "3 {} {} {}\n", t[0], t[1], t[2]);
+  for (const auto& p : surface.points) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+  for (const auto& t : surface.triangles) text += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
   return text;
 }
 
