@@ -21,8 +21,8 @@ using detail::DocumentWriter;
 /// A number that is not negative, in hexadecimal: all of its digits.
 std::string exact(double x) {
   std::array<char, 32> digits;
-  const char* end = std::to_chars(digits.begin(), digits.end(), x, std::chars_format::hex).ptr;
-  return "0x" + std::string(digits.data(), end);
+  char* const end = std::to_chars(digits.begin(), digits.end(), x, std::chars_format::hex).ptr;
+  return "0x" + std::string(digits.begin(), end);
 }
 
 /// What the file calls vertices and tetrahedra of the mesh.

@@ -148,10 +148,10 @@ std::optional<ModeValue> mode_between(double low, double high) {
   const double middle = low + (high - low) / 2;
   for (int digits = 0; digits <= 17; ++digits) {
     std::array<char, 32> characters;
-    const char* end = std::to_chars(characters.begin(), characters.end(), middle,
+    char* const end = std::to_chars(characters.begin(), characters.end(), middle,
                                     std::chars_format::scientific, digits)
                           .ptr;
-    const std::string text(characters.data(), end);
+    const std::string text(characters.begin(), end);
     const double value = std::strtod(text.c_str(), nullptr);
     // What rounds to a double between two others is itself between them. ModeValue holds no
     // numbers next to zero.

@@ -11,7 +11,6 @@
 #include <string_view>
 #include <utility>
 
-#include "append_format.hpp"
 #include "bench/bench_command.hpp"
 #include "bench/methods.hpp"
 #include "bench/page/arithmetic.hpp"
@@ -63,7 +62,7 @@ class Page {
  private:
   template <class... Arguments>
   void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    append_format(text_, format, std::forward<Arguments>(arguments)...);
+    text_ += fmt::format(format, std::forward<Arguments>(arguments)...);
   }
   static std::string name(const std::filesystem::path& field) { return field.stem().string(); }
   void tell(std::string_view stage) {
