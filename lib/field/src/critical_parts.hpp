@@ -92,30 +92,31 @@ void in_parts(const Range& x, const Value& value, const Slope& slope, const Take
 
 /// The first and second derivative of the mode at a tensor, times positive numbers; the second
 /// one where the first vanishes.
+template <class Scalar>
 struct Derivatives {
-  explicit Derivatives(const IntervalTensor& at)
+  explicit Derivatives(const Deviator<Scalar>& at)
       : t(at), m(thrice(at)), mm(square(m)), p(norm_form(at)), q(determinant_form(at)) {}
 
-  Range first(const IntervalTensor& u) const {
-    return Range(2) * p * inner(mm, thrice(u)) - Range(6) * q * norm_form(t, u);
+  Scalar first(const Deviator<Scalar>& u) const {
+    return Scalar(2) * p * inner(mm, thrice(u)) - Scalar(6) * q * norm_form(t, u);
   }
   // From Q - mode P^(3/2), as Q = tr M^3 / 3 for M three times a traceless tensor.
-  Range second(const IntervalTensor& u, const IntervalTensor& v) const {
+  Scalar second(const Deviator<Scalar>& u, const Deviator<Scalar>& v) const {
     const auto k = thrice(v);
-    const Range cubic = inner(square(m + k) - mm - square(k), thrice(u));
-    return Range(4) * p * p * cubic - Range(12) * p * q * norm_form(u, v) -
-           Range(12) * q * norm_form(t, u) * norm_form(t, v);
+    const Scalar cubic = inner(square(m + k) - mm - square(k), thrice(u));
+    return Scalar(4) * p * p * cubic - Scalar(12) * p * q * norm_form(u, v) -
+           Scalar(12) * q * norm_form(t, u) * norm_form(t, v);
   }
 
-  IntervalTensor t;
-  SymmetricTensor<Range> m, mm;
-  Range p, q;
+  Deviator<Scalar> t;
+  SymmetricTensor<Scalar> m, mm;
+  Scalar p, q;
 };
 
 /// (In mode_along_segments.cpp.)
 DeviatorBox box_of(const IntervalTensor& t);
 
-inline void look_around(CriticalPoint& point, const Derivatives& d,
+inline void look_around(CriticalPoint& point, const Derivatives<Range>& d,
                         std::span<const SymmetricTensor<double>> around) {
   for (std::size_t i = 0; i < around.size(); ++i)
     point.towards[i] = sign_in(d.first(enclosure(around[i])));
@@ -142,8 +143,9 @@ inline void set_weights(CriticalPoint& point, std::array<double, Count> weights,
 
 /// The tensors critical on what is orthogonal to N (given by its line and a place on it), up to
 /// sign: N^2 - (|N|^2 / 3) I - (tr N^3 / |N|^2) N, times a positive number.
-inline IntervalTensor critical_tensor(const SymmetricTensor<Range>& m, const Range& p,
-                                      const Range& q) {
+template <class Scalar>
+Deviator<Scalar> critical_tensor(const SymmetricTensor<Scalar>& m, const Scalar& p,
+                                 const Scalar& q) {
   return deviator(p * square(m) - q * m);
 }
 

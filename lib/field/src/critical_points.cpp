@@ -46,7 +46,7 @@ CriticalPoint critical_vertex(const SymmetricTensor<double>& tensor,
   const IntervalTensor t = enclosure(tensor);
   enclose_mode(point, t);
   point.deviator = box_of(t);
-  look_around(point, Derivatives(t), around);
+  look_around(point, Derivatives<Range>(t), around);
   return point;
 }
 
@@ -74,7 +74,7 @@ std::vector<CriticalPoint> critical_points_on_edge(
     point.is_certain = root.is_certain;
     point.index = root.slope < 0 ? 1 : 0;
     point.deviator = box_of(t);
-    if (point.is_certain) look_around(point, Derivatives(t), around);
+    if (point.is_certain) look_around(point, Derivatives<Range>(t), around);
     points.push_back(std::move(point));
   }
   return points;

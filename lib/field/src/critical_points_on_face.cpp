@@ -151,7 +151,7 @@ class FaceSearch {
     const Tensor t = Range(-sign) * normalized(critical_tensor(thrice(n), p, q));
     enclose_mode(point, t);
     point.deviator = box_of(t);
-    const Derivatives d(t);
+    const Derivatives<Range> d(t);
     const Tensor u = corners_[1] - corners_[0], v = corners_[2] - corners_[0];
     const Range uu = d.second(u, u), uv = d.second(u, v), vv = d.second(v, v);
     const Range det = uu * vv - uv * uv;

@@ -10,8 +10,6 @@ namespace tensortopo::detail {
 
 namespace {
 
-using Chain = std::vector<RationalPolynomial>;
-
 RationalPolynomial remainder(const RationalPolynomial& p, const RationalPolynomial& divisor) {
   if (p.is_zero() || p.degree() < divisor.degree()) return p;
   // Times a power of its first coefficient, so that the quotient is in integers.
@@ -23,21 +21,8 @@ RationalPolynomial remainder(const RationalPolynomial& p, const RationalPolynomi
   return rest;
 }
 
-// Signed remainders, each times a positive number.
-Chain signed_remainders(const RationalPolynomial& zeros, const RationalPolynomial& other) {
-  Chain chain{zeros};
-  RationalPolynomial next = remainder(zeros.prime() * remainder(other, zeros), zeros);
-  while (!next.is_zero()) {
-    chain.push_back(next);
-    if (next.degree() == 0) break;
-    const auto& before = chain[chain.size() - 2];
-    next = RationalPolynomial{} - remainder(before, chain.back());
-  }
-  return chain;
-}
-
 template <class SignOf>
-int variations(const Chain& chain, const SignOf& sign) {
+int variations(const std::vector<RationalPolynomial>& chain, const SignOf& sign) {
   int count = 0;
   Sign last = Sign::zero;
   for (const auto& p : chain) {
@@ -51,24 +36,48 @@ int variations(const Chain& chain, const SignOf& sign) {
 
 }  // namespace
 
-int tarski_query(const RationalPolynomial& zeros, const RationalPolynomial& other) {
-  if (zeros.degree() == 0) return 0;
-  const Chain chain = signed_remainders(zeros, other);
-  const auto at_infinity = [](const RationalPolynomial& p) { return sign_of(p.data().back()); };
-  return variations(chain,
-                    [&](const RationalPolynomial& p) {
-                      return p.degree() % 2 == 0 ? at_infinity(p) : -at_infinity(p);
-                    }) -
-         variations(chain, at_infinity);
+RemainderChain::RemainderChain(const RationalPolynomial& zeros, const RationalPolynomial& other)
+    : chain_{zeros} {
+  if (zeros.degree() == 0) return;
+  RationalPolynomial next = remainder(zeros.prime() * remainder(other, zeros), zeros);
+  while (!next.is_zero()) {
+    chain_.push_back(next);
+    if (next.degree() == 0) break;
+    const auto& before = chain_[chain_.size() - 2];
+    next = RationalPolynomial{} - remainder(before, chain_.back());
+  }
 }
 
-int tarski_query_on_unit(const RationalPolynomial& zeros, const RationalPolynomial& other) {
-  if (zeros.degree() == 0) return 0;
-  const Chain chain = signed_remainders(zeros, other);
-  const auto at = [](int x) {
-    return [x](const RationalPolynomial& p) { return sign_of(p.evaluate(Rational(x))); };
+int RemainderChain::query(const Rational& low, const Rational& high) const {
+  const auto at = [](const Rational& x) {
+    return [&x](const RationalPolynomial& p) { return sign_of(p.evaluate(x)); };
   };
-  return variations(chain, at(0)) - variations(chain, at(1));
+  return variations(chain_, at(low)) - variations(chain_, at(high));
+}
+
+int RemainderChain::query() const {
+  const auto at_infinity = [](const RationalPolynomial& p) { return sign_of(p.data().back()); };
+  const auto at_minus_infinity = [&](const RationalPolynomial& p) {
+    return p.degree() % 2 == 0 ? at_infinity(p) : -at_infinity(p);
+  };
+  return variations(chain_, at_minus_infinity) - variations(chain_, at_infinity);
+}
+
+int tarski_query(const RationalPolynomial& zeros, const RationalPolynomial& other) {
+  return RemainderChain(zeros, other).query();
+}
+
+int tarski_query(const RationalPolynomial& zeros, const RationalPolynomial& other,
+                 const Rational& low, const Rational& high) {
+  return RemainderChain(zeros, other).query(low, high);
+}
+
+RationalPolynomial without_zeros_at(RationalPolynomial polynomial,
+                                    const std::vector<Rational>& places) {
+  for (const Rational& place : places)
+    while (polynomial.evaluate(place) == 0)
+      polynomial /= RationalPolynomial{Rational(-place), Rational(1)};
+  return polynomial;
 }
 
 }  // namespace tensortopo::detail

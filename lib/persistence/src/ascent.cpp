@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "tensortopo/scalar/elementary.hpp"
 
@@ -11,7 +12,7 @@ namespace tensortopo::persistence {
 namespace {
 
 constexpr int kMostSteps = 600;
-constexpr int kMostTries = 8;  // of moves from one place
+constexpr std::size_t kMostTries = 8;  // of moves from one place
 
 TetWeights between(const TetWeights& from, const TetWeights& to, double x) {
   TetWeights weights;
@@ -125,7 +126,7 @@ Ascent::Reached Ascent::vertex_in_sight(const TetPlace& place, const std::vector
     return std::tie(a.angle, a.vertex, a.tet) < std::tie(b.angle, b.vertex, b.tet);
   });
   const double most = elementary::acos(std::clamp(level, -1.0, 1.0)) / 3;
-  int tries = 0;
+  std::size_t tries = 0;
   for (std::size_t i = 0; i < seen.size() && tries < kMostTries; ++i) {
     if (i > 0 && seen[i].vertex == seen[i - 1].vertex) continue;
     if (!(seen[i].angle < most)) break;
@@ -187,7 +188,8 @@ std::vector<Ascent::Move> Ascent::moves(const TetPlace& place, const std::vector
   return found;
 }
 
-Ascent::Reached Ascent::climb(TetPlace place, double level) const {
+/// Ends at the last place where it reaches nothing.
+Ascent::Reached Ascent::climb(TetPlace& place, double level) const {
   for (int step = 0; step < kMostSteps; ++step) {
     const auto star = star_of(place);
     if (auto reached = maximum_in_sight(place, star, level)) return reached;
@@ -205,7 +207,39 @@ Ascent::Reached Ascent::climb(TetPlace place, double level) const {
   return {};
 }
 
-Ascent::Reached Ascent::step_from_vertex(Index vertex) const {
+/// Where climbing ends beside a crest, or along one that is about as high everywhere: goes through
+/// the maxima of edges and faces. By what `TouchedMaxima` says, the largest mode that a component
+/// has in a tetrahedron is at one of these unless it is at a vertex or on a curve.
+std::optional<std::size_t> Ascent::walk(const TetPlace& start, double level) {
+  constexpr std::size_t kMostPlaces = 300;
+  std::vector<TetPlace> places{start};
+  std::set<SimplexMaxima::Simplex> seen;
+  for (std::size_t i = 0; i < places.size() && i < kMostPlaces; ++i) {
+    const auto star = star_of(places[i]);
+    if (const auto reached = maximum_in_sight(places[i], star, level)) return reached.maximum;
+    if (const auto reached = vertex_in_sight(places[i], star, level))
+      if (const auto maximum = from_vertex(*reached.vertex)) return maximum;
+    for (const Index tet : star) {
+      const TetPlace here = seen_from(places[i], tet);
+      for (const auto& simplex : simplices_of(mesh_, tet)) {
+        if (seen.contains(simplex)) continue;
+        for (const SimplexMaximum& maximum : along_.along(simplex)) {
+          if (!(maximum.high > level)) continue;
+          TetPlace there{tet, {}};
+          for (std::size_t k = 0; k < 4; ++k)
+            if (maximum.weights[k] > 0)
+              there.weights[corner_of(mesh_, tet, simplex[k])] = maximum.weights[k];
+          if (!is_above(tet, here.weights, there.weights, level)) continue;
+          seen.insert(simplex);
+          places.push_back(there);
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Ascent::Reached Ascent::step_from_vertex(Index vertex) {
   const auto star = stars_.of(vertex);
   if (star.empty()) return {};
   struct Way {
@@ -242,8 +276,11 @@ Ascent::Reached Ascent::step_from_vertex(Index vertex) const {
     if (*weights == departure.towards) return {w, {}};
     places.push_back({{way.tet, *weights}, level});
   }
-  for (std::size_t i = 0; i < places.size() && i < kMostTries; ++i)
-    if (auto reached = climb(places[i].first, places[i].second)) return reached;
+  if (places.size() > kMostTries) places.resize(kMostTries);
+  for (auto& [place, level] : places)
+    if (auto reached = climb(place, level)) return reached;
+  for (const auto& [place, level] : places)
+    if (const auto maximum = walk(place, level)) return {{}, maximum};
   return {};
 }
 
@@ -272,7 +309,10 @@ std::optional<std::size_t> Ascent::finish(const Reached& reached) {
 }
 
 std::optional<std::size_t> Ascent::from_place(const TetPlace& place, double level) {
-  return finish(climb(place, level));
+  TetPlace end = place;
+  if (const auto reached = climb(end, level))
+    if (const auto maximum = finish(reached)) return maximum;
+  return walk(end, level);
 }
 
 std::optional<std::size_t> Ascent::leave(const TetDeparture& way, double level) {

@@ -10,6 +10,7 @@
 #include "departures.hpp"
 #include "landmarks.hpp"
 #include "numeric_mode.hpp"
+#include "simplex_maxima.hpp"
 
 namespace tensortopo::persistence {
 
@@ -22,8 +23,9 @@ struct TetPlace {
 /// Finds and proves paths that lead up to maxima of the mode. Not for several threads at once.
 class Ascent {
  public:
-  Ascent(const TetMesh& mesh, const VertexStars& stars, const Landmarks& landmarks)
-      : mesh_(mesh), stars_(stars), landmarks_(landmarks) {}
+  Ascent(const TetMesh& mesh, const VertexStars& stars, const Landmarks& landmarks,
+         SimplexMaxima& along)
+      : mesh_(mesh), stars_(stars), landmarks_(landmarks), along_(along) {}
 
   /// The vertex is a maximum itself.
   void set_maximum(TetMesh::Index vertex, std::size_t maximum) { known_[vertex] = maximum; }
@@ -48,8 +50,9 @@ class Ascent {
     TetPlace to;
   };
 
-  Reached climb(TetPlace place, double level) const;
-  Reached step_from_vertex(Index vertex) const;
+  Reached climb(TetPlace& place, double level) const;
+  std::optional<std::size_t> walk(const TetPlace& start, double level);
+  Reached step_from_vertex(Index vertex);
   std::optional<std::size_t> finish(const Reached& reached);
 
   std::vector<Index> star_of(const TetPlace& place) const;
@@ -65,6 +68,7 @@ class Ascent {
   const TetMesh& mesh_;
   const VertexStars& stars_;
   const Landmarks& landmarks_;
+  SimplexMaxima& along_;
   std::unordered_map<Index, std::optional<std::size_t>> known_;
 };
 

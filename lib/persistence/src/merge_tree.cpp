@@ -63,8 +63,9 @@ class Ends {
   Ends(const TetMesh& mesh, const CurveMesh& curves)
       : mesh_(mesh),
         stars_(mesh),
-        ascent_(mesh, stars_, landmarks_),
-        touched_(mesh, stars_, ascent_, curves) {
+        along_(mesh),
+        ascent_(mesh, stars_, landmarks_, along_),
+        touched_(mesh, stars_, ascent_, along_, curves) {
     landmarks_.add_curves(mesh, curves);
     for (std::size_t line = 0; line < curves.lines.size(); ++line)
       for (const auto v : curves.lines[line])
@@ -96,6 +97,7 @@ class Ends {
   const TetMesh& mesh_;
   VertexStars stars_;
   Landmarks landmarks_;
+  SimplexMaxima along_;
   Ascent ascent_;
   TouchedMaxima touched_;
   std::unordered_map<Index, std::size_t> on_curves_;
@@ -104,7 +106,13 @@ class Ends {
 class Building {
  public:
   Building(const TetMesh& mesh, const MeshCriticalValues& values, const CurveExtraction& curves)
-      : mesh_(mesh), values_(values), curves_(curves.curves), ends_(mesh, curves.curves) {}
+      : mesh_(mesh), values_(values), curves_(curves.curves), ends_(mesh, curves.curves) {
+    knows_all_maxima_ =
+        curves.unresolved.empty() &&
+        std::none_of(values.points.begin(), values.points.end(), [](const auto& point) {
+          return point.effect.change == LocalChange::undecided;
+        });
+  }
 
   MergeTree run() {
     tree_.maxima = maxima_of(mesh_, curves_);
@@ -169,7 +177,7 @@ class Building {
       if (ways.empty() || (ways.size() == 1 && !changes_more_than_components(point, outer))) return;
       merge.is_proved = merge.is_proved_inside = true;
       for (std::size_t i = 0; i < ways.size(); ++i) {
-        if (const auto maximum = ends_.above(ways[i], point.high)) {
+        if (const auto maximum = above(ways[i], point)) {
           merge.reached.push_back(*maximum);
           merge.touches_boundary.push_back(outer[i]);
         } else {
@@ -187,6 +195,17 @@ class Building {
     (meets ? tree_.merges : tree_.others).push_back(std::move(merge));
   }
 
+  /// A maximum of the component into which one part of the link leads: by a path, or because there
+  /// is no other.
+  std::optional<std::size_t> above(const std::vector<TetDeparture>& part,
+                                   const MeshCriticalPoint& point) {
+    if (const auto maximum = ends_.above(part, point.high)) return maximum;
+    if (!knows_all_maxima_) return std::nullopt;
+    for (const TetDeparture& way : part)
+      if (const auto maximum = ends_.touched().only_one_from(way.tet, point)) return maximum;
+    return std::nullopt;
+  }
+
   /// The component comes to touch the boundary there, or its loops or voids change: the mode falls
   /// in several parts of the link, what is outside of the mesh counting as one.
   static bool changes_more_than_components(const MeshCriticalPoint& point,
@@ -201,6 +220,7 @@ class Building {
   const MeshCriticalValues& values_;
   const CurveMesh& curves_;
   Ends ends_;
+  bool knows_all_maxima_ = false;
   MergeTree tree_;
 };
 

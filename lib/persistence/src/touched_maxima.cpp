@@ -3,6 +3,7 @@
 #include "touched_maxima.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "tensortopo/field/critical_points.hpp"
 #include "tensortopo/tensor/deviator.hpp"
@@ -11,16 +12,6 @@ namespace tensortopo::persistence {
 namespace {
 
 constexpr std::size_t kMostTets = 2000;
-constexpr double kNone = -2;  // below all modes
-
-/// The largest mode at which one of the points may be a maximum along its simplex.
-double largest_mode(const std::vector<CriticalPoint>& points, int dimension) {
-  double largest = kNone;
-  for (const CriticalPoint& point : points)
-    if (!point.is_certain || point.index == dimension) largest = std::max(largest, point.high);
-  return largest;
-}
-
 }  // namespace
 
 struct TouchedMaxima::Region {
@@ -41,8 +32,8 @@ TouchedMaxima::Simplex TouchedMaxima::sorted(Simplex simplex) {
 }
 
 TouchedMaxima::TouchedMaxima(const TetMesh& mesh, const VertexStars& stars, Ascent& ascent,
-                             const CurveMesh& curves)
-    : mesh_(mesh), stars_(stars), ascent_(ascent) {
+                             SimplexMaxima& along, const CurveMesh& curves)
+    : mesh_(mesh), stars_(stars), ascent_(ascent), along_(along) {
   for (std::size_t line = 0; line < curves.lines.size(); ++line) {
     const std::size_t component = as_size(curves.component[line]);
     in_tets_[static_cast<Index>(curves.tet[line])].insert(component);
@@ -57,58 +48,71 @@ TouchedMaxima::TouchedMaxima(const TetMesh& mesh, const VertexStars& stars, Asce
 
 void TouchedMaxima::add(const MeshCriticalPoint& point, std::size_t maximum) {
   for (const Index tet : stars_.around(point.vertices)) in_tets_[tet].insert(maximum);
+  tops_.insert({maximum, {point.high, point.gap_low}});
 }
 
-bool TouchedMaxima::may_have_maximum(const Simplex& simplex, double low) {
-  const auto [found, is_new] = largest_.try_emplace(simplex, kNone);
-  if (is_new) {
-    const auto tensor = [&](std::size_t i) { return mesh_.tensors[as_size(simplex[i])]; };
-    found->second =
-        simplex[1] < 0
-            ? largest_mode(critical_points_on_edge({tensor(2), tensor(3)}, {}), 1)
-            : largest_mode(critical_points_on_face({tensor(1), tensor(2), tensor(3)}, {}), 2);
+bool TouchedMaxima::may_be_above(const Top& top, const MeshCriticalPoint& point) {
+  return top.high >= point.low && !(point.low > 0 && top.gap_low > point.gap_high);
+}
+
+void TouchedMaxima::add_maxima(const std::set<std::size_t>& maxima, const MeshCriticalPoint& point,
+                               Region& region) const {
+  for (const std::size_t maximum : maxima) {
+    const auto found = tops_.find(maximum);
+    if (found == tops_.end() || may_be_above(found->second, point)) region.maxima.insert(maximum);
   }
-  return found->second >= low;
 }
 
 void TouchedMaxima::look_at(Index tet, const MeshCriticalPoint& point, Region& region) {
   if (const auto found = in_tets_.find(tet); found != in_tets_.end())
-    region.maxima.insert(found->second.begin(), found->second.end());
+    add_maxima(found->second, point, region);
   const auto& corners = mesh_.tets[as_size(tet)];
   for (const Index v : corners) {
     if (point.dimension == 0 && v == point.vertices[0]) continue;
     const SymmetricTensor<double>& t = mesh_.tensors[as_size(v)];
     if (!region.seen_vertices.insert(v).second || deviator(t) == Deviator<double>{}) continue;
-    if (mode_range(deviator_box({t, t, t, t}, {1, 0, 0, 0}))[1] < point.low) continue;
+    const CriticalPoint vertex = critical_vertex(t, {});
+    if (!may_be_above({vertex.high, vertex.gap_low}, point)) continue;
     if (const auto maximum = ascent_.from_vertex(v))
       region.maxima.insert(*maximum);
     else
       region.add(stars_.around(std::array{v}));
   }
-  for (int used = 1; used < 15; ++used) {
-    Simplex simplex{-1, -1, -1, -1};
-    int count = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      if ((used >> i & 1) != 0) simplex[i] = corners[i], ++count;
-    if (count < 2) continue;
-    simplex = sorted(simplex);
+  for (const Simplex& simplex : simplices_of(mesh_, tet)) {
     if (!region.seen.insert(simplex).second) continue;
     if (const auto found = on_carriers_.find(simplex); found != on_carriers_.end())
       region.maxima.insert(found->second.begin(), found->second.end());
-    if (!may_have_maximum(simplex, point.low)) continue;
-    std::vector<Index> vertices(simplex.begin() + (4 - count), simplex.end());
-    region.add(stars_.around(vertices));
+    const auto& maxima = along_.along(simplex);
+    if (std::any_of(maxima.begin(), maxima.end(), [&](const SimplexMaximum& maximum) {
+          return may_be_above({maximum.high, maximum.gap_low}, point);
+        }))
+      region.add(stars_.around(vertices_of(simplex)));
   }
 }
 
 std::optional<std::vector<std::size_t>> TouchedMaxima::at(const MeshCriticalPoint& point) {
   Region region;
   region.add(stars_.around(point.vertices));
-  for (std::size_t i = 0; i < region.tets.size(); ++i) {
-    if (region.tets.size() > kMostTets) return std::nullopt;
-    look_at(region.tets[i], point, region);
-  }
+  if (!look_around(region, point, SIZE_MAX)) return std::nullopt;
   return std::vector<std::size_t>(region.maxima.begin(), region.maxima.end());
+}
+
+std::optional<std::size_t> TouchedMaxima::only_one_from(Index tet, const MeshCriticalPoint& point) {
+  Region region;
+  region.add({tet});
+  if (!look_around(region, point, 1) || region.maxima.empty()) return std::nullopt;
+  return *region.maxima.begin();
+}
+
+/// False if there is too much to look at, or more maxima.
+bool TouchedMaxima::look_around(Region& region, const MeshCriticalPoint& point,
+                                std::size_t most_maxima) {
+  for (std::size_t i = 0; i < region.tets.size(); ++i) {
+    if (region.tets.size() > kMostTets) return false;
+    look_at(region.tets[i], point, region);
+    if (region.maxima.size() > most_maxima) return false;
+  }
+  return true;
 }
 
 }  // namespace tensortopo::persistence

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "tensortopo/field/critical_points.hpp"
+#include "tensortopo/field/exact_critical_points.hpp"
 #include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/tet_complex.hpp"
 #include "tensortopo/tensor/deviator.hpp"
@@ -90,7 +91,7 @@ class Collecting {
   /// Looks at all simplices of a dimension, in parallel, and keeps their points in order.
   template <class Look>
   void for_each(std::size_t count, int dimension, const Look& look) {
-    constexpr std::size_t kBlock = 512;
+    constexpr std::size_t kBlock = 128;
     std::vector<Points> kept((count + kBlock - 1) / kBlock);
     std::vector<std::size_t> looked_at(kept.size(), 0);
     tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t block) {
@@ -103,6 +104,8 @@ class Collecting {
         if (point.effect.change == LocalChange::regular) return;
         point.low = found.low;
         point.high = found.high;
+        point.gap_low = found.gap_low;
+        point.gap_high = found.gap_high;
         point.dimension = dimension;
         point.weights = found.weights;
         point.is_certain = found.is_certain;
@@ -129,6 +132,20 @@ class Collecting {
     return point.high > low_ && point.low < high_;
   }
 
+  /// Whether intervals of doubles leave something open.
+  bool is_open(const CriticalPoint& point) const {
+    return is_in_range(point) &&
+           (!point.is_certain || std::find(point.towards.begin(), point.towards.end(),
+                                           Verdict::unknown) != point.towards.end());
+  }
+
+  /// The points of a simplex, in intervals or where those do not tell in rational arithmetic.
+  template <class Exact>
+  std::vector<CriticalPoint> decided(std::vector<CriticalPoint> points, const Exact& exact) const {
+    const auto open = [&](const CriticalPoint& point) { return is_open(point); };
+    return std::any_of(points.begin(), points.end(), open) ? exact() : std::move(points);
+  }
+
   void vertices() {
     const Around<3> around(mesh_.points.size(), [&](const auto& tell) {
       for (const auto& t : mesh_.tets) {
@@ -145,7 +162,9 @@ class Collecting {
       // Without a mode there is none at which something could change.
       if (faces.empty() || d == Deviator<double>{}) return;
       const auto neighbours = vertices_of(faces);
-      const auto point = critical_vertex(tensor, tensors_of(neighbours));
+      const auto around_it = tensors_of(neighbours);
+      CriticalPoint point = critical_vertex(tensor, around_it);
+      if (is_open(point)) point = exact_critical_vertex(tensor, around_it);
       SignedLink link{point.towards, {}};
       for (const auto& f : faces)
         link.triangles.push_back(
@@ -167,9 +186,11 @@ class Collecting {
     for_each(complex_.edges.size(), 1, [&](std::size_t e, const auto& keep) {
       const auto& ends = complex_.edges[e];
       const auto ring = vertices_of(around.of(e));
-      for (const auto& point : critical_points_on_edge(
-               {mesh_.tensors[as_size(ends[0])], mesh_.tensors[as_size(ends[1])]},
-               tensors_of(ring))) {
+      const std::array tensors{mesh_.tensors[as_size(ends[0])], mesh_.tensors[as_size(ends[1])]};
+      const auto around_it = tensors_of(ring);
+      for (const auto& point : decided(critical_points_on_edge(tensors, around_it), [&] {
+             return exact_critical_points_on_edge(tensors, around_it);
+           })) {
         SignedLink link{point.towards, {}};
         const int n = static_cast<int>(ring.size());
         const Verdict along = point.is_certain ? sign_of_rise(point.index == 0) : Verdict::unknown;
@@ -193,10 +214,13 @@ class Collecting {
         for (const Index v : mesh_.tets[as_size(complex_.tets[as_size(t)])])
           if (std::find(corners.begin(), corners.end(), v) == corners.end()) apices.push_back(v);
       }
-      for (const auto& point : critical_points_on_face(
-               {mesh_.tensors[as_size(corners[0])], mesh_.tensors[as_size(corners[1])],
-                mesh_.tensors[as_size(corners[2])]},
-               tensors_of(apices))) {
+      const std::array tensors{mesh_.tensors[as_size(corners[0])],
+                               mesh_.tensors[as_size(corners[1])],
+                               mesh_.tensors[as_size(corners[2])]};
+      const auto around_it = tensors_of(apices);
+      for (const auto& point : decided(critical_points_on_face(tensors, around_it), [&] {
+             return exact_critical_points_on_face(tensors, around_it);
+           })) {
         SignedLink link{point.towards, {}};
         // Around an extremum one sign, around a saddle four times the other.
         const int n = static_cast<int>(apices.size());
@@ -214,9 +238,10 @@ class Collecting {
   void tets() {
     for_each(mesh_.tets.size(), 3, [&](std::size_t t, const auto& keep) {
       const auto& v = mesh_.tets[t];
-      for (const auto& point :
-           critical_points_in_tet({mesh_.tensors[as_size(v[0])], mesh_.tensors[as_size(v[1])],
-                                   mesh_.tensors[as_size(v[2])], mesh_.tensors[as_size(v[3])]})) {
+      const std::array tensors{mesh_.tensors[as_size(v[0])], mesh_.tensors[as_size(v[1])],
+                               mesh_.tensors[as_size(v[2])], mesh_.tensors[as_size(v[3])]};
+      for (const auto& point : decided(critical_points_in_tet(tensors),
+                                       [&] { return exact_critical_points_in_tet(tensors); })) {
         // An octahedron, two opposite vertices for each direction.
         SignedLink link;
         for (int i = 0; i < 6; ++i)

@@ -16,6 +16,8 @@ namespace tensortopo {
 struct MeshCriticalPoint {
   /// The mode there is within.
   double low = -1, high = 1;
+  /// 1 - mode^2 there is within: see `CriticalPoint`.
+  double gap_low = 0, gap_high = 1;
   std::array<TetMesh::Index, 4> vertices;  ///< of the simplex that it is inside of; -1 fills up
   int dimension = 0;                       ///< of that simplex
   Vector3<double> point{};                 ///< about where
