@@ -184,7 +184,7 @@ TEST(OpenPoints, CertainPairsAreThoseOfSampledFields) {
 // As real fields are: a plane of symmetry but for rounding, so that degenerate curves of mode 1
 // cross edges at less than doubles show.
 TEST(OpenPoints, OnPlanesOfSymmetryAreDecided) {
-  Compared compared("ranks that are not zero", 300), decided("points next to a curve", 30);
+  Compared compared("ranks that are not zero", 60), decided("points next to a curve", 30);
   Random random(20261129);
   for (int trial = 0; trial < trials(60, 20); ++trial) {
     TetMesh mesh = field_of_late_merge();

@@ -63,6 +63,12 @@ def main():
         run("extract", slab, "-o", "s.vtp", "--mode", "1/2", "--certify", "s.json")
         run("extract", slab, "-o", "p.vtp", "--mode", "1/2", "--memory", "2GiB")
         run("check", slab, "s.vtp", "s.json")
+        (pathlib.Path(folder) / "isotropic.vtk").write_text(
+            "# vtk DataFile Version 3.0\nisotropic vertex\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+            "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+            "POINT_DATA 4\nFIELD f 1\nstress 6 4 double\n200 200 200 0 0 0\n"
+            "-160 660 -500 -380 -480 140\n-160 360 -200 -180 400 300\n476 -876 400 -532 20 140\n")
+        run("extract", "isotropic.vtk", "-o", "t.vtp", "--mode", "4/5", "--strict")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--uncertainty", "1%")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--mode", "1", "--min-persistence", "0.02")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--mode", "1", "--min-area", "5",

@@ -8,7 +8,7 @@
 namespace tensortopo {
 
 /// Gives each fan of triangles a vertex of its own where the true surface has several vertices at
-/// one place, as around a isotropic vertex of the mesh: there merging points by place
+/// one place, as around an isotropic vertex of the mesh: there merging points by place
 /// pinches what is no pinch. Places are compared as float32 if the given ones may be rounded to it.
 void split_fans(GivenSurface& given, const SurfaceMesh& truth);
 

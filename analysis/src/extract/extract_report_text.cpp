@@ -151,9 +151,11 @@ std::vector<std::string> doubtful_lines(const ExtractReport& report) {
                                   short_text(s.mode), what));
     else if (!s.embedded.value_or(true))
       lines.push_back(fmt::format(
-          "mode {}: triangles of different tetrahedra intersect: the mesh overlaps itself, or "
+          "mode {}: triangles of different tetrahedra intersect: {}the mesh overlaps itself, or "
           "vertices have the same coordinates after rounding",
-          short_text(s.mode)));
+          short_text(s.mode),
+          s.statistics.cone_points > 0 ? "parts touch at isotropic vertices, where all modes meet, "
+                                       : ""));
   }
   if (!report.surfaces.empty() && report.tetrahedra > 0 &&
       report.surfaces.front().statistics.tets_undefined == report.tetrahedra)

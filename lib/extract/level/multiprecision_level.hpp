@@ -33,7 +33,7 @@ const Level<Scalar>& level_in(const ModeValue& value) {
 
 /// Whether a double hardly tells modes within a tube of the level from that of the tube: 1 - mode^2
 /// is of second order in the offset from the degenerate curve. Offsets themselves are exact enough.
-/// (At gaps above, multiprecision were seen to cost time and to settle nothing.)
+/// (At gaps above, more digits cost time and settle nothing.)
 template <class Scalar>
 bool is_inconclusive_in_double(const Level<Scalar>& level) {
   constexpr double kSmallestGap = 1e-9;

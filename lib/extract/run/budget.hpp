@@ -6,22 +6,22 @@
 
 namespace tensortopo {
 
-/// How many cells the refinement of a simplex of the mesh may take: a little settles nearly
-/// everything, and where the level is next to a critical value no number would, so that is looked
-/// at before the usual one is spent. Great budget is for thin tubes, next to modes 1 and -1, whose
-/// cells are across them as small as they are thin.
+/// How many cells the refinement of a simplex of the mesh may take. A small budget settles nearly
+/// everything. Where the level is next to a critical value no number would, so that is looked at
+/// before the regular one is spent. The large one is for thin tubes, next to modes 1 and -1, whose
+/// cells are as small as the tubes are thin.
 enum class Budget { small, regular, large };
 
 /// A tube along the whole of a face takes some 100 (1 - mode^2)^(-1/4) cells: at the modes next to
-/// 1 and -1, whose signs take 50 digits, this is given up.
+/// 1 and -1, whose signs take 50 digits, the large budget is hardly larger than the regular one.
 inline std::size_t face_cell_limit(Budget budget, double gap) {
   constexpr double kNarrowest = 1e-15;
   const bool in_reach = gap > kNarrowest;
   return budget != Budget::large ? 5000 : in_reach ? 1000000 : 10000;
 }
 
-/// Levels so thin that the greater number has been of no use get the usual one, and those at which
-/// that is of none, a tenth. Cells along a tube grow in number like (1 - mode^2)^(-1/4): with the
+/// Tubes so thin that the large budget is never enough get the regular one, and those for which that
+/// is never enough a tenth of it. Cells along a tube grow in number like (1 - mode^2)^(-1/4): with the
 /// least factor seen, 29, they are more than 50,000 from 1 - mode^2 = 1e-13 on.
 inline std::size_t tet_cell_limit(Budget budget, double gap) {
   constexpr double kNarrowest = 2e-7, kNarrowestOfRegular = 1e-13;

@@ -16,7 +16,7 @@ namespace {
 using Index = SurfaceMesh::Index;
 using Origins = std::vector<std::array<Index, 2>>;
 
-/// Cuts the triangles with two vertices isotropic. Those made halfway count as others: there
+/// Cuts the triangles with two isotropic vertices. Those made halfway count as others: there
 /// is no more than one fan at each.
 void cut_at_halfway(SurfaceMesh& surface, std::vector<char>& is_zero, std::span<const Index> sector,
                     Origins& origins) {
@@ -53,7 +53,7 @@ void cut_at_halfway(SurfaceMesh& surface, std::vector<char>& is_zero, std::span<
   surface.tet = std::move(tet);
 }
 
-/// One side of a triangle that ends at a vertex isotropic.
+/// One side of a triangle that ends at an isotropic vertex.
 struct Ray {
   Index apex, other;
   std::uint32_t corner;  ///< 3 * triangle + which of its corners the apex is

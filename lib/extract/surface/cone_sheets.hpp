@@ -10,7 +10,7 @@
 
 namespace tensortopo {
 
-/// The sheets of all tetrahedra with vertices isotropic, read off their triangles.
+/// The sheets of all tetrahedra with isotropic vertices, read off their triangles.
 ///
 /// @param is_apex  of each vertex: the mode is undefined there, see `separate_fans`
 /// @param copies  `LevelTopology::copies`; sheets are named by the originals

@@ -43,7 +43,7 @@ std::vector<Index> sectors(const SurfaceInput<Scalar>& input, const VertexSides&
     const auto crossings = meshes.boundary.crossings.rows[as_size(cells.tet_edges[t][edge])];
     auto ends = kTetEdges[edge];
     if (v[as_size(ends[0])] > v[as_size(ends[1])]) std::swap(ends[0], ends[1]);
-    // The face that holds both vertices isotropic and one end is opposite the other end.
+    // The face that holds both isotropic vertices and one end is opposite the other end.
     const auto face_at = [&](int end) {
       return triangles + as_size(cells.tet_faces[t][as_size(ends[end == 0 ? 1 : 0])]);
     };

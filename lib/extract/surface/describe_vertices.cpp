@@ -36,7 +36,7 @@ class GradientsInTet {
     tet_ = tet;
     known_ = 0;
     const auto& v = mesh_.tets[as_size(tet)];
-    // A vertex isotropic must not decide on the scale.
+    // An isotropic vertex must not decide on the scale.
     std::size_t other = 0;
     while (field_.is_zero[as_size(v[other])]) ++other;
     std::array<Deviator<Scalar>, 4> tensors;

@@ -17,8 +17,8 @@
 namespace tensortopo {
 
 /// The sheets of the level in one tetrahedron, decided by proof: either the whole tetrahedron is
-/// monotone and has one boundary loop, which then bounds a disc (every sheet of a linear field
-/// reaches a face), or, next to modes -1 and 1, that no critical value is near, or the refinement
+/// monotone, and its boundary loops say which sheets are discs and which have holes (see
+/// `graph_sheets`), or, next to modes -1 and 1, that no critical value is near, or the refinement
 /// says.
 template <class Scalar>
 struct CellTopology {
@@ -40,7 +40,8 @@ struct CellTopology {
 /// Joins the arcs of the faces into loops and decides what sheets they bound.
 /// @param isotopic if there is one: another level of the same sign from which no critical value
 ///                 separates this one, so that the proof may be made there
-/// @param budget   great only where the usual has failed: what that has tried is not tried again
+/// @param budget   large only where the regular one has failed: what that has tried is not tried
+///                 again
 /// @return nothing if the proof does not close within the budget, or contradicts the faces
 template <class Scalar>
 std::optional<CellTopology<Scalar>> prove_cell(const TetWithCurves<Scalar>& tet,

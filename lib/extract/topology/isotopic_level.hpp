@@ -19,7 +19,8 @@ std::optional<Sheets> sheets_of_isotopic_level(const TetWithCurves<Scalar>& tet,
                                                const BoundaryLoops& loops,
                                                const Level<Scalar>& other, Budget budget);
 
-/// The second way.
+/// The same at a level farther from modes 1 and -1 that is found here: see
+/// `sheets_of_near_degenerate_level`.
 ///
 /// @param open_until there is no critical gap from the level's own to this one
 template <class Scalar>

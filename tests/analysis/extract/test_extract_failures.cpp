@@ -222,6 +222,38 @@ TEST(ExtractFailures, StrictRefusesWhatIsUnresolvedAndWritesNothing) {
 }
 
 // Two tetrahedra through each other: each surface is right, together they intersect.
+TEST(ExtractFailures, SurfacesThatTouchAtIsotropicVerticesAreSaid) {
+  const Folder folder;
+  const std::string file = folder / "isotropic.vtk";
+  std::ofstream(file) << R"(# vtk DataFile Version 3.0
+a tetrahedron with an isotropic vertex, at which two sheets meet
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 double
+0 0 0  1 0 0  0 1 0  0 0 1
+CELLS 1 5
+4 0 1 2 3
+CELL_TYPES 1
+10
+POINT_DATA 4
+FIELD f 1
+stress 6 4 double
+200 200 200 0 0 0
+-160 660 -500 -380 -480 140
+-160 360 -200 -180 400 300
+476 -876 400 -532 20 140
+)";
+  std::vector<std::string> words{"extract", file, "-o", folder / "s.vtp", "--mode", "4/5"};
+  const Outcome plain = run_program(words);
+  EXPECT_EQ(plain.status, 0) << plain.err;
+  std::filesystem::remove(folder / "s.vtp");
+  words.push_back("--strict");
+  const Outcome strict = run_program(words);
+  EXPECT_EQ(strict.status, 1);
+  EXPECT_NE(strict.err.find("parts touch at isotropic vertices"), std::string::npos) << strict.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "s.vtp"));
+}
+
 TEST(ExtractFailures, StrictRefusesSurfacesOfAMeshThatOverlapsItself) {
   const Folder folder;
   const std::string file = folder / "overlap.vtk";

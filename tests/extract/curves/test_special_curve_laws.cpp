@@ -28,7 +28,7 @@ TetMesh special_mesh(int trial, Random& random) {
   for (auto& t : mesh.tensors) {
     for (double* entry : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.xz})
       *entry = random.integer(-bound, bound);
-    // No further vertices isotropic: between two of them there is no mode either.
+    // No further isotropic vertices: between two of them there is no mode either.
     if (deviator(t) == Deviator<double>{}) t.xy = 1;
     if (trial % 5 == 1) t.xz = t.yz = 0;  // plane strain
   }

@@ -227,7 +227,7 @@ TEST(SpecialCurves, InAPlaneOfSymmetryMayCloseInOneFace) {
   }
 }
 
-// Around a vertex isotropic there is one ray for each degenerate point of the faces
+// Around an isotropic vertex there is one ray for each degenerate point of the faces
 // opposite.
 TEST(SpecialCurves, AroundAVertexWithoutDeviatorAreRays) {
   TetMesh mesh = cube_mesh(2);

@@ -237,7 +237,7 @@ TEST_P(Strata, HaveTheTopologyThatBruteForceSees) {
     const Extraction extraction = extract(reference_tet_mesh(tensors), mode);
     const auto& known = extraction.statistics;
     // No lattice resolves a level at its critical value, through a vertex, or as near to mode 1;
-    // vertices isotropic have tests of their own.
+    // isotropic vertices have tests of their own.
     if (!extraction.unresolved.empty() || known.vertices_on_level > 0) return;
     if (known.tets_nearby > 0 || known.zero_deviator_vertices > 0) return;
     const double level = ModeValue::parse(mode).approx();

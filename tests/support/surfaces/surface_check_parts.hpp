@@ -51,7 +51,7 @@ class BoundaryOracle {
   std::set<std::array<TetMesh::Index, 3>> boundary_faces_;  // corners in order
 };
 
-/// Whether the mode is undefined at a vertex: its carrier is a isotropic vertex of the mesh,
+/// Whether the mode is undefined at a vertex: its carrier is an isotropic vertex of the mesh,
 /// or lies between such vertices. False for surfaces without carriers.
 bool has_no_mode(const SurfaceMesh& surface, const TetMesh& mesh, std::size_t vertex);
 

@@ -55,7 +55,7 @@ Relations<Vertices> relations_of(const std::array<Covector<Rational>, Vertices>&
   return result;
 }
 
-/// The point isotropic, if it is in the interior.
+/// The isotropic point, if it is in the interior.
 template <std::size_t Vertices>
 std::optional<SpecialPoint> zero_point(const Row<Vertices>& kernel) {
   int positive = 0, negative = 0;

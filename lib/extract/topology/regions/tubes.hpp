@@ -17,7 +17,7 @@ struct NearDegenerateSheets {
 
 namespace detail {
 
-/// The first way, for a level with nothing but the degenerate curve beyond it. Tubes do not touch
+/// The sheets of a level with nothing but the degenerate curve beyond it: tubes. They do not touch
 /// edges: each ends in two closed curves on faces, around the two ends of its arc.
 template <class Scalar>
 std::optional<NearDegenerateSheets> tubes(const TetWithCurves<Scalar>& tet,

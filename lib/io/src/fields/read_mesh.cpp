@@ -60,8 +60,9 @@ std::string_view remedy_of(MeshDefect::Kind kind, const ReadOptions& options,
     case Kind::out_of_range:
       return "; give the mesh in other units of length";
     case Kind::degenerate_cell:
-    case Kind::duplicated_cell:
       return "; take such cells out of the mesh, or leave them out with --where";
+    case Kind::duplicated_cell:
+      return "; take one of the cells out of the mesh";
     case Kind::overlapping_cells:
     case Kind::inverted_cell:
       return report.quadratic_cells > 0 && options.quadratic == QuadraticCells::split

@@ -63,12 +63,12 @@ struct CurveExtraction {
 /// strain (`degenerate_on_a_surface`; lines along the common eigenvector are extracted all the
 /// same), or all of it (`degenerate_throughout`); where it has no deviator (`no_deviator_in_cell`);
 /// or where 150 digits do not separate points. Elsewhere each component is closed or ends on the
-/// boundary, at a point isotropic, or at a listed tetrahedron. The exception are curves of
+/// boundary, at an isotropic point, or at a listed tetrahedron. The exception are curves of
 /// even multiplicity, along which the eigenvectors do not turn over: in special position they may
 /// end, or one may branch into two, as they can where a general curve cannot.
 ///
 /// Sampling is by the turning of the dominant eigenvector.
-/// Requires  a valid mesh (see `validate`).
+/// @pre the mesh is valid, see `validate`
 /// The result does not depend on the number of threads, nor (but for the numbers that it names) on
 /// how the mesh is numbered.
 CurveExtraction extract_degenerate_curves(const TetMesh& mesh, Degeneracy kind,

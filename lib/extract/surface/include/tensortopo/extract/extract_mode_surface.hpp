@@ -28,7 +28,7 @@ struct ExtractStatistics {
   std::size_t tets_crossed = 0;       ///< hold triangles
   std::size_t tets_monotone = 0;      ///< crossed, and one monotone disc each
   std::size_t tets_refined = 0;       ///< needed a refinement for the proof
-  std::size_t tets_coned = 0;         ///< crossed, and have a vertex isotropic
+  std::size_t tets_coned = 0;         ///< crossed, and have an isotropic vertex
   std::size_t tets_undefined = 0;     ///< isotropic at all four vertices: no mode, no surface
   std::size_t sheets_small = 0;       ///< meshed without inner samples
   std::size_t sheets_bisected = 0;    ///< meshed by bisection of edges, see `MeshingMethod::bisection`
@@ -39,10 +39,10 @@ struct ExtractStatistics {
   std::size_t sheets_subdivision = 0;  ///< meshed from the proof's subdivision
   std::size_t sheets_loops =
       0;  ///< meshed between their boundary loops, as nothing else was possible
-  std::size_t sheets_cones = 0;       ///< straight lines from vertices isotropic
+  std::size_t sheets_cones = 0;       ///< straight lines from isotropic vertices
   std::size_t tets_nearby = 0;        ///< meshed at a level next to mu, which stands for mu + 0
   std::size_t vertices_on_level = 0;  ///< vertices whose mode is exactly mu (counted as below)
-  std::size_t zero_deviator_vertices = 0;  ///< of tetrahedra: vertices isotropic, or mode
+  std::size_t zero_deviator_vertices = 0;  ///< isotropic vertices of tetrahedra
   std::size_t cone_points = 0;             ///< vertices of the surface there, one for each fan
   /// Time of each stage, in seconds.
   double seconds_edges = 0, seconds_faces = 0, seconds_tets = 0, seconds_stitch = 0;
@@ -73,8 +73,8 @@ struct Extraction {
 /// there is no critical value in between. Points on either side of a saddle are then about 2^-20 of
 /// the tetrahedron apart.
 ///
-/// At a vertex z of the mesh isotropic the mode is undefined, and in a tetrahedron around
-/// it constant on each ray from z: the level there is the cone with apex z over the level on the
+/// At an isotropic vertex z of the mesh the mode is undefined, and in a tetrahedron around it
+/// constant on each ray from z: the level there is the cone with apex z over the level on the
 /// opposite face; with a second such vertex y, the flat triangles from the edge zy to the crossings
 /// of the opposite edge. Fans of triangles that meet at z in nothing but the point have a vertex
 /// each there (`Carrier::vertex`, several at one place), so the surface is a manifold. Along zy two

@@ -55,7 +55,7 @@ struct LevelTopology {
     Index tet = -1;             ///< position in the mesh
     std::vector<Sheet> sheets;  ///< all that it has
   };
-  /// A sheet of a tetrahedron with vertices isotropic, a disc, in the order of its
+  /// A sheet of a tetrahedron with isotropic vertices, a disc, in the order of its
   /// triangles' boundary. With one such vertex it is the cone over an arc of the opposite face,
   /// {from, to, tip}, or over a closed curve of it, {smallest vertex, tip}; with two the join of
   /// them with a crossing of the opposite edge, {crossing, tip, halfway, other tip}.
@@ -69,7 +69,7 @@ struct LevelTopology {
   std::vector<Edge> edges;  ///< those with crossings, in order of their vertices
   std::vector<Face> faces;  ///< those with curves, in order of their vertices
   std::vector<Tet> tets;    ///< those with sheets and a deviator at each vertex, ascending
-  std::vector<Cone> cones;  ///< those with sheets and a vertex isotropic, ascending
+  std::vector<Cone> cones;  ///< those with sheets and an isotropic vertex, ascending
   /// A crossing's vertex, and another at the same place: where parts of the surface meet in a
   /// crossing only, each but the first has such a copy for itself. All else is in terms of
   /// `vertex`.
