@@ -19,7 +19,7 @@ def test_generated_fields_are_those_of_the_program(program, tmp_path):
         assert made.note and made.modes
         compared += 1
     assert compared == 4
-    with pytest.raises(ValueError, match="no 'other'"):
+    with pytest.raises(ValueError, match="no 'other'; there are linear, "):
         tt.generate("other")
 
 
@@ -29,6 +29,7 @@ def test_a_sweep_is_that_of_the_program(program, tmp_path):
     theirs = json.loads(program("analyze", tmp_path / "f.vtu", "--sweep=-0.5:0.5:3", "--json", "--quiet"))
     ours = field.sweep(-0.5, 0.5, 3)
     assert len(ours.events) > 3 and not ours.contradictions
+    assert ours.complete == theirs["complete"]
     assert len(ours.events) == len(theirs["events"])
     for mine, other in zip(ours.events, theirs["events"]):
         assert (mine.low, mine.high) == (other["low"], other["high"])

@@ -45,3 +45,4 @@ def test_degenerate_modes_are_no_surfaces(slab):
 
 def test_an_array_of_dimension_0_is_one_mode(slab):
     assert slab.mode_surface(np.array(0.3)).modes == slab.mode_surface(0.3).modes
+    assert slab.mode_surface(np.str_("3/10")).modes == slab.mode_surface("3/10").modes

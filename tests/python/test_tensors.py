@@ -75,6 +75,8 @@ def test_what_is_no_tensor_is_refused():
             tt.mode(bad)
     with pytest.raises(ValueError, match="not symmetric"):
         tt.mode([[0, 1, 0], [0, 0, 0], [0, 0, 1]])
+    with pytest.raises(ValueError, match="an order of six"):
+        tt.mode(np.eye(3), components="voigt")
     with pytest.raises(ValueError, match="no order"):
         tt.mode(np.zeros(6), components="other")
     masked = np.ma.array([[1.0, 0, -1, 0, 0, 0], [9, 1, 2, 3, 4, 5]], mask=[[0] * 6, [1] * 6])

@@ -27,6 +27,7 @@ SymmetricTensor<double> mode_slope(const Deviator<double>& t);
 /// The level of a tetrahedron's linear field as a function of the place, in double: for meshing.
 class LevelInTet {
  public:
+  /// @param level  has to live as long as this
   /// @pre no vertex of the tetrahedron is isotropic
   LevelInTet(const TetMesh& mesh, const ScaledField<double>& field, TetMesh::Index tet,
              const Level<double>& level);

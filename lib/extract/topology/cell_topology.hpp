@@ -56,6 +56,7 @@ bool add_subdivision(const TetWithCurves<Scalar>& tet, const Level<Scalar>& leve
                      CellTopology<Scalar>& proved, Budget budget = Budget::regular);
 
 /// Cuts some cells of the subdivision.
+/// @pre there is one
 /// @return false if it cannot be proved again; then there is none
 template <class Scalar>
 bool refine_subdivision(const TetWithCurves<Scalar>& tet, const Level<Scalar>& level,
@@ -83,6 +84,7 @@ struct InnerVertex {
 };
 
 /// For each node of the subdivision mesh on an edge of the tetrahedron, the crossing that it is.
+/// @pre there is a subdivision
 template <class Scalar>
 std::map<std::uint32_t, CrossingKey> crossings_of_subdivision(const TetWithCurves<Scalar>& tet,
                                                               const CellTopology<Scalar>& proved);
@@ -94,6 +96,7 @@ InnerVertex<Scalar> node_point(const Refinement<Scalar, 4>& refinement,
                                const SubdivisionMesh::Node& node, const Level<Scalar>& level);
 
 /// Where the subdivision mesh of the proved topology meets the face arcs.
+/// @pre there is a subdivision
 /// One for each node of the subdivision mesh; `arc` is -1 for nodes off the faces or on an edge.
 template <class Scalar>
 std::vector<SampleRequest<Scalar>> subdivision_requests(const TetWithCurves<Scalar>& tet,

@@ -141,7 +141,12 @@ void define_families(py::module_& m) {
       [](const std::string& kind, std::uint64_t seed, int member, int members,
          std::size_t tetrahedra) {
         const auto found = field_kind(kind);
-        if (!found) throw py::value_error("kind: there is no '" + kind + "'");
+        if (!found) {
+          std::string known;
+          for (const FieldKind each : all_field_kinds())
+            known += (known.empty() ? "" : ", ") + std::string(name_of(each));
+          throw py::value_error("kind: there is no '" + kind + "'; there are " + known);
+        }
         FamilyMember made;
         std::unique_ptr<Mesh> mesh;
         {

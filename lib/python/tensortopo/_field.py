@@ -238,7 +238,9 @@ class Field:
             manifold, as in the paper. ("graph" is the old name of the former, deprecated.)
         strict : bool, default False
             Raise if a cell stays unresolved, the mesh is torn (faces lie on others without being
-            shared), or the deviator is zero everywhere, so that there is no mode.
+            shared), or the deviator is zero everywhere, so that there is no mode. (The program's
+            ``--strict`` also refuses surfaces that are not embedded; nothing here looks for that but
+            ``certify=True``.)
 
         Returns
         -------

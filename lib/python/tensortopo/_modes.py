@@ -61,7 +61,7 @@ def exact_mode(mode: Mode) -> Fraction:
 
 def mode_texts(modes: Union[Mode, Sequence[Mode]]) -> list[str]:
     """The texts of one mode or of several."""
-    if getattr(modes, "shape", None) == ():
+    if not isinstance(modes, str) and getattr(modes, "shape", None) == ():
         modes = modes[()]  # the number in an array of dimension 0
     if isinstance(modes, (str, numbers.Number, Decimal)) or not hasattr(modes, "__iter__"):
         return [mode_text(modes)]

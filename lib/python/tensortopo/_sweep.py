@@ -102,6 +102,8 @@ class Sweep:
         One more: before, between and after the events.
     contradictions : tuple of int
         Levels whose Euler characteristic is not what the events between say. There should be none.
+    complete : bool
+        There are none, the change at each event is known, and no tetrahedron of a level is unresolved.
     """
 
     levels: tuple[SweepLevel, ...]
@@ -109,6 +111,15 @@ class Sweep:
     events: tuple[SweepEvent, ...]
     intervals: tuple[SweepInterval, ...]
     contradictions: tuple[int, ...]
+
+    @property
+    def complete(self) -> bool:
+        return (
+            not self.contradictions
+            and all(i.euler_characteristic is not None or not i.low < i.high for i in self.intervals)
+            and all(event.euler_change is not None for event in self.events)
+            and all(level.unresolved == 0 for level in self.levels)
+        )
 
     def __repr__(self) -> str:
         return f"Sweep({len(self.levels)} levels, {len(self.events)} events)"

@@ -48,6 +48,8 @@ def _from_matrices(matrices: Array, symmetrize: bool) -> Array:
     bad = gaps > _ASYMMETRY * norms
     if bad.any() and not symmetrize:
         where = tuple(int(i) for i in np.argwhere(bad)[0])
+        if not where:
+            raise ValueError("tensors: the matrix is not symmetric")
         index = where[0] if len(where) == 1 else where
         raise ValueError(f"tensors: the matrix {index} is not symmetric (symmetrize=True takes means)")
     rows = np.empty(matrices.shape[:-2] + (6,))
@@ -61,6 +63,8 @@ def tensor_rows(tensors: Any, components: str = "vtk", symmetrize: bool = False)
     """Tensors of shape (..., 6) or (..., 3, 3) as rows xx, yy, zz, xy, yz, xz."""
     array = real_array(tensors, "tensors")
     if array.ndim >= 2 and array.shape[-2:] == (3, 3):
+        if components != "vtk":
+            raise ValueError(f"components: '{components}' is an order of six, and these are matrices")
         return _from_matrices(array, symmetrize)
     if array.ndim < 1 or array.shape[-1] != 6:
         raise ValueError("tensors: expected shape (..., 6) or (..., 3, 3), not " + str(array.shape))

@@ -93,6 +93,8 @@ const FieldFormatEntry* find_entry(const std::filesystem::path& file) {
 
 const FieldFormatEntry& format_of(const std::filesystem::path& file) {
   if (const FieldFormatEntry* const entry = find_entry(file)) return *entry;
+  if (std::error_code error; std::filesystem::is_directory(file, error))
+    throw IoError(IoError::Kind::invalid, file, "is a folder");
   throw IoError(IoError::Kind::invalid, file,
                 "has the unknown extension \"" + lower_extension(file) + "\"; known are " +
                     field_extensions());

@@ -22,7 +22,7 @@ bool File::has_extension(std::string_view extension) const {
 File read_file(const std::string& name) {
   std::error_code error;
   const auto status = std::filesystem::status(name, error);
-  if (!std::filesystem::exists(status)) throw Malformed(name, "cannot be read");
+  if (!std::filesystem::exists(status)) throw Malformed(name, "cannot be read: no such file");
   // A pipe or device may never end.
   if (!std::filesystem::is_regular_file(status)) throw Malformed(name, "is no regular file");
   std::ifstream stream(name, std::ios::binary);

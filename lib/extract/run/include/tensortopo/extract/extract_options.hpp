@@ -10,7 +10,7 @@ namespace tensortopo {
 
 /// How densely curves and sheets are sampled.
 struct Sampling {
-  /// Samples per unit (radian) of turning of the medium eigenvector.
+  /// Samples per unit (radian) of turning of the medium eigenvector. @pre positive
   double resolution = 4;
   /// The largest turning between neighbouring samples, in radians.
   double largest_turn() const { return 1 / resolution; }
