@@ -26,8 +26,8 @@ bool is_known(Verdict v) { return v == Verdict::positive || v == Verdict::negati
 
 /// Whether two may be enclosures of the same point.
 bool overlap(const CriticalPoint& a, const CriticalPoint& b) {
-  bool near = a.low <= b.high && b.low <= a.high && a.gap_low <= b.gap_high &&
-              b.gap_low <= a.gap_high;
+  bool near =
+      a.low <= b.high && b.low <= a.high && a.gap_low <= b.gap_high && b.gap_low <= a.gap_high;
   for (std::size_t i = 0; i < 4; ++i) near &= std::abs(a.weights[i] - b.weights[i]) < 1e-9;
   return near;
 }
@@ -166,8 +166,8 @@ TEST(ExactCriticalPoints, OfFacesNextToPlanesOfSymmetryAreDecidedAsIn50Digits) {
       const auto is_it = [&](const CriticalPoint& p) {
         bool same = (p.low > 0) == (mode(known.tensor) > 0);
         for (std::size_t i = 0; i < 3; ++i)
-          same &= std::abs(p.weights[i] -
-                           static_cast<double>(Real50(known.weights[i] / sum))) < 1e-9;
+          same &=
+              std::abs(p.weights[i] - static_cast<double>(Real50(known.weights[i] / sum))) < 1e-9;
         return same;
       };
       const auto point = std::find_if(exact.begin(), exact.end(), is_it);
@@ -216,8 +216,8 @@ TEST(ExactZeros, AreSeparatedAndHaveExactSigns) {
   };
   // Zeros 1/7 (double), 1/2, 5/7 and sqrt(1/3); 0 and 1 are at the ends.
   const RationalPolynomial irrational{Rational(-1), Rational(0), Rational(3)};
-  const auto polynomial = root(1, 7) * root(1, 7) * root(1, 2) * root(5, 7) * root(0, 1) *
-                          root(1, 1) * irrational;
+  const auto polynomial =
+      root(1, 7) * root(1, 7) * root(1, 2) * root(5, 7) * root(0, 1) * root(1, 1) * irrational;
   const ExactZeros zeros(polynomial, Rational(0), Rational(1));
   ASSERT_EQ(zeros.zeros().size(), 4u);
   const std::array<double, 4> expected{1.0 / 7, 0.5, std::sqrt(1.0 / 3), 5.0 / 7};
@@ -228,8 +228,9 @@ TEST(ExactZeros, AreSeparatedAndHaveExactSigns) {
     EXPECT_EQ(zeros.sign_at(zero, polynomial), Sign::zero);
     EXPECT_EQ(zeros.sign_at(zero, polynomial.prime()) == Sign::zero, i == 0);
     EXPECT_EQ(zeros.sign_at(zero, irrational) == Sign::zero, i == 2);
-    EXPECT_EQ(zeros.sign_at(zero, root(1, 2)),
-              i == 0 ? Sign::negative : i == 1 ? Sign::zero : Sign::positive);
+    EXPECT_EQ(zeros.sign_at(zero, root(1, 2)), i == 0   ? Sign::negative
+                                               : i == 1 ? Sign::zero
+                                                        : Sign::positive);
     if (i != 2) continue;
     // Rational numbers on both sides of sqrt(1/3), closer to it than doubles are to each other.
     const Rational unit("100000000000000000000000000000000000000");

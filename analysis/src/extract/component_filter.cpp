@@ -73,7 +73,8 @@ ComponentFilter::ComponentFilter(const ExtractCommand& command, std::span<const 
   if (area_ != 0 && std::all_of(modes.begin(), modes.end(), is_degenerate))
     throw UsageError("--min-area: degenerate curves (--mode 1 or -1) have none; --min-length");
   if (length_ != 0 && std::none_of(modes.begin(), modes.end(), is_degenerate))
-    throw UsageError("--min-length: is of degenerate curves (--mode 1 or -1); for surfaces there is --min-area");
+    throw UsageError(
+        "--min-length: is of degenerate curves (--mode 1 or -1); for surfaces there is --min-area");
   if (command.other)
     throw UsageError(option +
                      ": only for surfaces of the methods `bisection` and `manifold`, and curves");

@@ -20,9 +20,9 @@ inline std::size_t face_cell_limit(Budget budget, double gap) {
   return budget != Budget::large ? 5000 : in_reach ? 1000000 : 10000;
 }
 
-/// Tubes so thin that the large budget is never enough get the regular one, and those for which that
-/// is never enough a tenth of it. Cells along a tube grow in number like (1 - mode^2)^(-1/4): with the
-/// least factor seen, 29, they are more than 50,000 from 1 - mode^2 = 1e-13 on.
+/// Tubes so thin that the large budget is never enough get the regular one, and those for which
+/// that is never enough a tenth of it. Cells along a tube grow in number like (1 - mode^2)^(-1/4):
+/// with the least factor seen, 29, they are more than 50,000 from 1 - mode^2 = 1e-13 on.
 inline std::size_t tet_cell_limit(Budget budget, double gap) {
   constexpr double kNarrowest = 2e-7, kNarrowestOfRegular = 1e-13;
   if (!(gap > kNarrowestOfRegular)) return 5000;

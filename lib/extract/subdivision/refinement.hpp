@@ -76,8 +76,8 @@ class Refinement {
   ///     large, which is so around a single point at which no size is small enough
   bool run(std::size_t budget, double smallest = 0);
 
-  /// Cuts some of the cells, and refines again until every cell is simple. If that takes a new start
-  /// (see `run`), the cells of then are simple as well, but the cuts are forgotten.
+  /// Cuts some of the cells, and refines again until every cell is simple. If that takes a new
+  /// start (see `run`), the cells of then are simple as well, but the cuts are forgotten.
   /// @return false as for `run`
   bool cut_cells(const LevelSimplex<Scalar, Vertices>& simplex, const Level<Scalar>& level,
                  std::span<const std::uint32_t> cells, std::size_t budget);

@@ -46,8 +46,7 @@ Saddle saddle_in_intervals(const std::array<Tensor, 4>& corners) {
 struct ExactSaddle {
   /// @pre the tensors are independent
   explicit ExactSaddle(const std::array<SymmetricTensor<double>, 4>& given) {
-    for (std::size_t i = 0; i < 4; ++i)
-      field.vertex[i] = deviator(tensor_cast<Rational>(given[i]));
+    for (std::size_t i = 0; i < 4; ++i) field.vertex[i] = deviator(tensor_cast<Rational>(given[i]));
     const auto n = normalized(characteristic_direction(field));
     p = norm_form(n), q = determinant_form(n);
     g = normalized(critical_tensor(thrice(n), p, q));
@@ -66,8 +65,8 @@ struct ExactSaddle {
     saddle.g = enclosure(g);
     for (std::size_t i = 0; i < 4; ++i) {
       // Normalized tensors differ from those given by powers of two.
-      const Range scale = root_of(norm_form(corners[i])) /
-                          root_of(enclosure(Rational(norm_form(field.vertex[i]))));
+      const Range scale =
+          root_of(norm_form(corners[i])) / root_of(enclosure(Rational(norm_form(field.vertex[i]))));
       saddle.weights[i] = enclosure(weights[i]) / scale;
     }
     saddle.set_signs();
@@ -154,8 +153,8 @@ std::vector<CriticalPoint> exact_critical_points_in_tet(
   const Tensor t = Range(-sign) * saddle.g;
   enclose_mode(point, t);
   point.deviator = box_of(t);
-  const Rational det = second_determinant(
-      Derivatives<Rational>(Rational(-sign) * exact.g), exact.field.vertex);
+  const Rational det =
+      second_determinant(Derivatives<Rational>(Rational(-sign) * exact.g), exact.field.vertex);
   point.is_certain = det != 0;
   point.index = det < 0 ? 1 : 2;
   return {point};

@@ -114,7 +114,8 @@ bool is_free_of_critical_values(std::span<const SymmetricTensor<double>> tensors
 bool is_critical_on_edge(const SymmetricTensor<double>& first,
                          const SymmetricTensor<double>& second, const ModeValue& mu) {
   const Tensor a = exact_deviator(first);
-  const Line line(a, exact_deviator(second) - a);  // of multiples: another way to run along the edge
+  const Line line(a,
+                  exact_deviator(second) - a);  // of multiples: another way to run along the edge
   if (line.increase().is_zero()) return false;
   // Critical points at the ends do not count.
   const auto zeros = detail::without_zeros_at(line.increase(), {Rational(0), Rational(1)});
@@ -137,7 +138,8 @@ bool is_critical_on_edge(const SymmetricTensor<double>& first,
 bool is_critical_on_plane(const std::array<SymmetricTensor<double>, 3>& tensors,
                           const ModeValue& mu) {
   if (exact_rank(std::span<const SymmetricTensor<double>>(tensors)) < 3) return false;
-  const auto [a, b] = rational_complement({exact_deviator(tensors[0]), exact_deviator(tensors[1]), exact_deviator(tensors[2])});
+  const auto [a, b] = rational_complement(
+      {exact_deviator(tensors[0]), exact_deviator(tensors[1]), exact_deviator(tensors[2])});
   const auto line = line_with_all_zeros(a, b, 3, cubic_of);
   if (line.empty()) return false;
   const auto value = to_scalar<Rational>(mu);

@@ -81,9 +81,7 @@ void narrow_gap(CriticalPoint& point, const RationalLine& line, const ExactZeros
 struct PlaneIndex {
   Sign determinant, first;
   bool is_certain() const { return determinant != Sign::zero; }
-  int index() const {
-    return determinant == Sign::negative ? 1 : first == Sign::positive ? 0 : 2;
-  }
+  int index() const { return determinant == Sign::negative ? 1 : first == Sign::positive ? 0 : 2; }
 };
 
 }  // namespace
@@ -120,7 +118,8 @@ std::vector<CriticalPoint> exact_critical_points_on_edge(
     point.is_certain = slope != Sign::zero;
     point.index = slope == Sign::negative ? 1 : 0;
     for (std::size_t i = 0; i < around.size(); ++i)
-      point.towards[i] = verdict(zeros.sign_at(zero, line.increase_towards(exact_deviator(around[i]))));
+      point.towards[i] =
+          verdict(zeros.sign_at(zero, line.increase_towards(exact_deviator(around[i]))));
     points.push_back(std::move(point));
   }
   return points;

@@ -84,8 +84,8 @@ inline std::array<Deviator<Rational>, 2> rational_complement(
                                          {zero, zero, one, zero, zero},
                                          {zero, zero, zero, one, zero},
                                          {zero, zero, zero, zero, one}}) {
-    const auto across = in_integers(
-        characteristic_direction(TetrahedronField<Rational>{{t[0], t[1], t[2], axis}}));
+    const auto across =
+        in_integers(characteristic_direction(TetrahedronField<Rational>{{t[0], t[1], t[2], axis}}));
     const Rational norm = norm_form(across);
     if (norm == 0) continue;
     const Rational product = n == 0 ? zero : norm_form(found[0], across);

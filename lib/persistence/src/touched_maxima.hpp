@@ -34,8 +34,8 @@ class TouchedMaxima {
  public:
   using Index = TetMesh::Index;
   /// @param curves  those of mode 1: each component is the maximum of its number
-  TouchedMaxima(const TetMesh& mesh, const VertexStars& stars, Ascent& ascent,
-                SimplexMaxima& along, const CurveMesh& curves);
+  TouchedMaxima(const TetMesh& mesh, const VertexStars& stars, Ascent& ascent, SimplexMaxima& along,
+                const CurveMesh& curves);
   /// A point that is a maximum.
   void add(const MeshCriticalPoint& point, std::size_t maximum);
 
