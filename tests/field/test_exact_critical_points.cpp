@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "exact_zeros.hpp"
+#include "rational/exact_zeros.hpp"
 #include "support/fields/random_fields.hpp"
 #include "support/trials.hpp"
 #include "tensortopo/field/critical_points.hpp"

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "rational_line.hpp"
-#include "rational_polynomial.hpp"
+#include "rational/rational_line.hpp"
+#include "rational/rational_polynomial.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/scalar/sign.hpp"
 #include "tensortopo/tensor/mode.hpp"

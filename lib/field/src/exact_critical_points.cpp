@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "critical_parts.hpp"
-#include "exact_zeros.hpp"
-#include "rational_line.hpp"
+#include "rational/exact_zeros.hpp"
+#include "rational/rational_line.hpp"
 
 namespace tensortopo {
 namespace {

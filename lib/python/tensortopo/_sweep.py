@@ -102,8 +102,6 @@ class Sweep:
         One more: before, between and after the events.
     contradictions : tuple of int
         Levels whose Euler characteristic is not what the events between say. There should be none.
-    complete : bool
-        There are none, the change at each event is known, and no tetrahedron of a level is unresolved.
     """
 
     levels: tuple[SweepLevel, ...]
@@ -114,6 +112,7 @@ class Sweep:
 
     @property
     def complete(self) -> bool:
+        """No contradictions, the change at each event is known, and no tetrahedron is unresolved."""
         return (
             not self.contradictions
             and all(i.euler_characteristic is not None or not i.low < i.high for i in self.intervals)

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "extract/curves/points/degenerate_forms.hpp"
-#include "rational_polynomial.hpp"
+#include "rational/rational_polynomial.hpp"
 #include "tensortopo/scalar/rational.hpp"
 
 namespace tensortopo::test {

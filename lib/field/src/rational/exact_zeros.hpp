@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "rational_polynomial.hpp"
+#include "rational/rational_polynomial.hpp"
 #include "tensortopo/scalar/sign.hpp"
 
 namespace tensortopo::detail {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "exact_zeros.hpp"
+#include "rational/exact_zeros.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "rational_polynomial.hpp"
+#include "rational/rational_polynomial.hpp"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "rational_polynomial.hpp"
+#include "rational/rational_polynomial.hpp"
 #include "tensortopo/field/characteristic_tensor.hpp"
 #include "tensortopo/tensor/mode.hpp"
 
