@@ -46,13 +46,14 @@ struct ModeMerge {
   std::size_t point = 0;    ///< as an index into `MeshCriticalValues::points`
   ModeRange mode;           ///< there
   TetMesh::Index tet = -1;  ///< one that it is in
-  /// Maxima to which paths lead from the point along which the mode is larger than at it: for each
-  /// part of the link with a larger mode one. A path not proved is left out.
+  /// For each part of the link with a larger mode a maximum of the component into which it leads: one
+  /// to which a path leads along which the mode is larger than at the point, or the only one that
+  /// the component can have. Parts for which neither is proved are left out.
   std::vector<std::size_t> reached;
   /// One for each of `reached`, if the link is known: the part touches the link's boundary, and so
   /// the point reaches the boundary of the mesh by it.
   std::vector<char> touches_boundary;
-  /// The link is known, and each part of it has its path.
+  /// The link is known, and each part of it has its maximum.
   bool is_proved = false;
   /// The same of the parts that do not touch the boundary of the mesh.
   bool is_proved_inside = false;
@@ -80,7 +81,8 @@ struct MergeTree {
 /// link has several. From each part of such a link a path leads up to a maximum. The paths consist
 /// of segments inside tetrahedra on each of which the mode is proved to be larger than at the point
 /// (`is_mode_above`), the first one by the sign of derivatives (`rise_from`). Where they run is
-/// found in floating point. Components of isotropic points are left out of the domain.
+/// found in floating point. Where none is found, the maxima that the component can have are
+/// enclosed, and if that is a single one it is taken. Components of isotropic points are left out of the domain.
 ///
 /// A path to a curve ends at a vertex of the extracted polyline, and the mode is proved to be
 /// larger around it up to 2^-36 of the tensor's size; that the curve's own point is that close to
