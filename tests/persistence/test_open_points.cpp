@@ -184,7 +184,8 @@ TEST(OpenPoints, CertainPairsAreThoseOfSampledFields) {
 // As real fields are: a plane of symmetry but for rounding, so that degenerate curves of mode 1
 // cross edges at less than doubles show.
 TEST(OpenPoints, OnPlanesOfSymmetryAreDecided) {
-  Compared compared("ranks that are not zero", 60), decided("points next to a curve", 30);
+  Compared compared("ranks that are not zero", 60), decided("points next to a curve", 30),
+      added("fields without an open point", 5);
   Random random(20261129);
   for (int trial = 0; trial < trials(60, 20); ++trial) {
     TetMesh mesh = field_of_late_merge();
@@ -199,7 +200,13 @@ TEST(OpenPoints, OnPlanesOfSymmetryAreDecided) {
       EXPECT_NE(point.effect.change, LocalChange::undecided) << "trial " << trial;
       decided.count(point.gap_high < 1e-20);
     }
-    compare_with_samples(mesh, mode_persistence(mesh, input), trial, compared);
+    const ModePersistence found = mode_persistence(mesh, input);
+    compare_with_samples(mesh, found, trial, compared);
+    if (!found.not_proved[0].empty() || !found.not_proved[1].empty()) continue;
+    // Births and deaths of all dimensions, at these points as well, make up the mesh's homology.
+    const ModeHomology homology = mode_homology(mesh, input);
+    EXPECT_TRUE(homology.adds_up[0] && homology.adds_up[1]) << "trial " << trial;
+    ++added;
   }
 }
 

@@ -221,6 +221,23 @@ TEST(SweepProgram, SaysTheSameWhateverTheThreads) {
   EXPECT_EQ(said[0], said[1]);
 }
 
+// Degenerate curves run in planes of symmetry, but for rounding: rationals decide what happens there.
+TEST(SweepProgram, LeavesNothingOpenOnPlanesOfSymmetry) {
+  const Outcome sweep =
+      run_program({"analyze", field("s3_three"), "--sweep=-1:1:2", "--levels", "0", "--json"});
+  ASSERT_EQ(sweep.status, 0) << sweep.err;
+  const Json changes = Json::parse(sweep.out).at("changes");
+  EXPECT_FALSE(changes.contains("undecided")) << changes;
+  const Outcome persistence =
+      run_program({"analyze", field("s3_three"), "--persistence", "--json"});
+  ASSERT_EQ(persistence.status, 0) << persistence.err;
+  const Json pairs = Json::parse(persistence.out).at("pairs");
+  EXPECT_GT(pairs.size(), 700u);
+  const auto certain = std::count_if(pairs.begin(), pairs.end(),
+                                     [](const Json& pair) { return pair.at("certain") == true; });
+  EXPECT_GT(certain, 660);
+}
+
 TEST(SweepProgram, SaysThatAnIsotropicFieldHasNoMode) {
   const Folder folder;
   const std::string file = folder / "isotropic.vtk";
