@@ -221,7 +221,8 @@ TEST(SweepProgram, SaysTheSameWhateverTheThreads) {
   EXPECT_EQ(said[0], said[1]);
 }
 
-// Degenerate curves run in planes of symmetry, but for rounding: rationals decide what happens there.
+// Degenerate curves run in planes of symmetry, but for rounding: rationals decide what happens
+// there.
 TEST(SweepProgram, LeavesNothingOpenOnPlanesOfSymmetry) {
   const Outcome sweep =
       run_program({"analyze", field("s3_three"), "--sweep=-1:1:2", "--levels", "0", "--json"});
