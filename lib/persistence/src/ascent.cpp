@@ -224,7 +224,7 @@ std::optional<std::size_t> Ascent::walk(const TetPlace& start, double level) {
       for (const auto& simplex : simplices_of(mesh_, tet)) {
         if (seen.contains(simplex)) continue;
         for (const SimplexMaximum& maximum : along_.along(simplex)) {
-          if (!(maximum.high > level)) continue;
+          if (!(maximum.bound.high > level)) continue;
           TetPlace there{tet, {}};
           for (std::size_t k = 0; k < 4; ++k)
             if (maximum.weights[k] > 0)

@@ -29,7 +29,7 @@ const std::vector<SimplexMaximum>& SimplexMaxima::along(const Simplex& simplex) 
   const int dimension = is_edge ? 1 : 2;
   for (const CriticalPoint& p : points) {
     if (p.is_certain && p.index != dimension) continue;
-    SimplexMaximum maximum{p.high, p.gap_low, {}};
+    SimplexMaximum maximum{{p.high, p.gap_low}, {}};
     std::copy_n(p.weights.begin(), dimension + 1, maximum.weights.end() - (dimension + 1));
     found->second.push_back(maximum);
   }

@@ -12,10 +12,15 @@
 
 namespace tensortopo::persistence {
 
+/// How large the mode may be at a point.
+struct ModeBound {
+  double high = 1;     ///< the mode is not larger,
+  double gap_low = 0;  ///< and 1 - mode^2 not smaller
+};
+
 /// A point that may be a local maximum of the mode along an edge or a face.
 struct SimplexMaximum {
-  double high = 1;                  ///< the mode there is not larger,
-  double gap_low = 0;               ///< and 1 - mode^2 not smaller
+  ModeBound bound;                  ///< of the mode there
   std::array<double, 4> weights{};  ///< about where
 };
 

@@ -12,6 +12,7 @@ namespace tensortopo::persistence {
 namespace {
 
 constexpr std::size_t kMostTets = 2000;
+
 }  // namespace
 
 struct TouchedMaxima::Region {
@@ -48,18 +49,18 @@ TouchedMaxima::TouchedMaxima(const TetMesh& mesh, const VertexStars& stars, Asce
 
 void TouchedMaxima::add(const MeshCriticalPoint& point, std::size_t maximum) {
   for (const Index tet : stars_.around(point.vertices)) in_tets_[tet].insert(maximum);
-  tops_.insert({maximum, {point.high, point.gap_low}});
+  bounds_.insert({maximum, {point.high, point.gap_low}});
 }
 
-bool TouchedMaxima::may_be_above(const Top& top, const MeshCriticalPoint& point) {
-  return top.high >= point.low && !(point.low > 0 && top.gap_low > point.gap_high);
+bool TouchedMaxima::may_be_above(const ModeBound& bound, const MeshCriticalPoint& point) {
+  return bound.high >= point.low && !(point.low > 0 && bound.gap_low > point.gap_high);
 }
 
 void TouchedMaxima::add_maxima(const std::set<std::size_t>& maxima, const MeshCriticalPoint& point,
                                Region& region) const {
   for (const std::size_t maximum : maxima) {
-    const auto found = tops_.find(maximum);
-    if (found == tops_.end() || may_be_above(found->second, point)) region.maxima.insert(maximum);
+    const auto found = bounds_.find(maximum);
+    if (found == bounds_.end() || may_be_above(found->second, point)) region.maxima.insert(maximum);
   }
 }
 
@@ -84,7 +85,7 @@ void TouchedMaxima::look_at(Index tet, const MeshCriticalPoint& point, Region& r
       region.maxima.insert(found->second.begin(), found->second.end());
     const auto& maxima = along_.along(simplex);
     if (std::any_of(maxima.begin(), maxima.end(), [&](const SimplexMaximum& maximum) {
-          return may_be_above({maximum.high, maximum.gap_low}, point);
+          return may_be_above(maximum.bound, point);
         }))
       region.add(stars_.around(vertices_of(simplex)));
   }

@@ -48,16 +48,12 @@ class TouchedMaxima {
  private:
   using Simplex = SimplexMaxima::Simplex;
   struct Region;
-  /// A point that may be a maximum of what it is in: the mode there, and 1 - mode^2.
-  struct Top {
-    double high, gap_low;
-  };
 
   bool look_around(Region& region, const MeshCriticalPoint& point, std::size_t most_maxima);
   void look_at(Index tet, const MeshCriticalPoint& point, Region& region);
   void add_maxima(const std::set<std::size_t>& maxima, const MeshCriticalPoint& point,
                   Region& region) const;
-  static bool may_be_above(const Top& top, const MeshCriticalPoint& point);
+  static bool may_be_above(const ModeBound& bound, const MeshCriticalPoint& point);
   static Simplex sorted(Simplex simplex);
 
   const TetMesh& mesh_;
@@ -66,7 +62,7 @@ class TouchedMaxima {
   SimplexMaxima& along_;
   std::unordered_map<Index, std::set<std::size_t>> in_tets_;  ///< maxima
   std::map<Simplex, std::set<std::size_t>> on_carriers_;      ///< curves, on edges and faces
-  std::unordered_map<std::size_t, Top> tops_;                 ///< of maxima that are points
+  std::unordered_map<std::size_t, ModeBound> bounds_;         ///< of maxima that are points
 };
 
 }  // namespace tensortopo::persistence

@@ -23,13 +23,9 @@ ExactZeros::ExactZeros(const RationalPolynomial& polynomial, const Rational& low
   isolate(low, high);
 }
 
-int ExactZeros::count(const Rational& low, const Rational& high) const {
-  return chain_.query(low, high);
-}
-
 /// @pre neither is a zero
 void ExactZeros::isolate(const Rational& low, const Rational& high) {
-  const int zeros = count(low, high);
+  const int zeros = chain_.query(low, high);
   if (zeros == 0) return;
   if (zeros == 1) {
     zeros_.push_back(narrowed(low, high));
@@ -56,7 +52,7 @@ ExactZeros::Zero ExactZeros::narrowed(Rational low, Rational high) const {
     const Rational middle = (low + high) / 2;
     const Sign there = sign(middle);
     if (there == Sign::zero) return {middle, middle};
-    const bool is_lower = changes ? there != at_low : count(low, middle) == 1;
+    const bool is_lower = changes ? there != at_low : chain_.query(low, middle) == 1;
     (is_lower ? high : low) = middle;
   }
   return {low, high};

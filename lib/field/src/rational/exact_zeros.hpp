@@ -26,7 +26,6 @@ class ExactZeros {
   Sign sign_at(const Zero& zero, const RationalPolynomial& other) const;
 
  private:
-  int count(const Rational& low, const Rational& high) const;
   void isolate(const Rational& low, const Rational& high);
   Zero narrowed(Rational low, Rational high) const;
 
