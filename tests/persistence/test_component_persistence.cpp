@@ -55,6 +55,34 @@ TEST(ComponentPersistence, WholeComponentsStay) {
   }
 }
 
+// What is not proved on one side can hide nothing where the mode changes less on the other, and
+// can be decisive elsewhere; values that are given are those that are known with all proofs.
+TEST(ComponentPersistence, IsKnownWhereOnlyTheLargerChangeIsOpen) {
+  Compared known("components with a value", 12), open("components without", 3);
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const TetMesh mesh = noisy_cube_of(2, seed);
+    const PersistenceInput proved = persistence_input(mesh);
+    PersistenceInput below = proved, unresolved = proved;
+    for (ModeMerge& merge : below.trees[1].merges) merge.is_proved = false, merge.possible.reset();
+    unresolved.curves[0].unresolved.push_back({});
+    for (const char* mode : {"-0.8", "-0.5", "0.3", "0.6", "0.9"}) {
+      const SurfaceMesh surface =
+          extract_mode_surface<double>(mesh, ModeValue::parse(mode)).surface;
+      const double level = std::stod(mode);
+      const auto expected = component_persistence(mesh, proved, surface, level);
+      for (const PersistenceInput* input : {&below, &unresolved}) {
+        const auto found = component_persistence(mesh, *input, surface, level);
+        ASSERT_EQ(found.size(), expected.size());
+        for (std::size_t c = 0; c < found.size(); ++c) {
+          if (!expected[c]) continue;
+          (found[c] ? known : open).count(true);
+          EXPECT_EQ(found[c].value_or(*expected[c]), *expected[c]) << seed << " at " << mode;
+        }
+      }
+    }
+  }
+}
+
 TEST(ComponentPersistence, WholeCurvesStay) {
   Compared compared("curves", 30);
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tensortopo/analysis/usage_error.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
 namespace tensortopo {
@@ -87,8 +88,11 @@ ComponentFilter::ComponentFilter(const ExtractCommand& command, std::span<const 
 
 void ComponentFilter::prepare(const TetMesh& mesh) {
   if (input_) return;
-  input_ = persistence_input(mesh);
-  mode_persistence_ = mode_persistence(mesh, *input_);
+  CanonicalMesh canonical = canonical_mesh(mesh);
+  numbers_ = inverse_permutation(canonical.vertices);
+  mesh_ = std::move(canonical.mesh);
+  input_ = persistence_input(mesh_);
+  mode_persistence_ = mode_persistence(mesh_, *input_);
 }
 
 std::optional<FilterReport> ComponentFilter::apply(const TetMesh& mesh, const ModeValue& mode,
@@ -98,7 +102,7 @@ std::optional<FilterReport> ComponentFilter::apply(const TetMesh& mesh, const Mo
   if (persistence_ > 0) {
     prepare(mesh);
     report.persistence = keep_at_least(
-        surface, component_persistence(mesh, *input_, surface, mode.approx()), persistence_);
+        surface, component_persistence(mesh_, *input_, surface, mode.approx(), numbers_), persistence_);
   }
   return report.of_filters();
 }

@@ -126,4 +126,12 @@ CanonicalMesh canonical_mesh(const TetMesh& mesh) {
   return result;
 }
 
+TetMesh in_canonical_order(const TetMesh& mesh) {
+  CanonicalMesh canonical = canonical_mesh(mesh);
+  if (!mesh.cell_ids.empty())
+    for (const Index t : canonical.tets)
+      canonical.mesh.cell_ids.push_back(mesh.cell_ids[as_size(t)]);
+  return std::move(canonical.mesh);
+}
+
 }  // namespace tensortopo

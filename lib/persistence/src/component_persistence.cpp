@@ -11,14 +11,23 @@
 namespace tensortopo {
 namespace {
 
+/// The largest mode in a component of {mode >= m}.
+struct Height {
+  double at_least = 0;      ///< of its maxima that are known
+  bool is_exact = false;    ///< it has no others of a larger mode
+};
+
 /// Components of {mode >= m}: the largest mode in each, by one of its maxima.
+///
+/// What is not proved may join more to a component, so that its largest mode is larger, but not
+/// beyond 1.
 class Heights {
  public:
-  Heights(const MergeTree& tree, double mode)
+  Heights(const MergeTree& tree, const CurveExtraction& curves, double mode)
       : tree_(tree),
         classes_(tree.maxima.size()),
         best_(tree.maxima.size(), -1),
-        is_doubtful_(tree.maxima.size(), 0) {
+        is_doubtful_(tree.maxima.size(), curves.unresolved.empty() ? 0 : 1) {
     for (const ModeMerge& merge : tree.merges) {
       if (merge.mode.high < mode) break;
       for (const std::size_t i : merge.reached)
@@ -34,9 +43,11 @@ class Heights {
       if (merge.mode.high >= mode && !(merge.is_proved && merge.mode.low > mode)) doubt(merge);
   }
 
-  std::optional<double> of(const std::optional<std::size_t>& maximum) {
-    if (!maximum || is_doubtful_[class_of(*maximum)] != 0) return std::nullopt;
-    return best_[class_of(*maximum)];
+  /// Of the component with this maximum, if one is known; each reaches to the level at least.
+  Height of(const std::optional<std::size_t>& maximum, double level) {
+    if (!maximum) return {level, false};
+    const std::size_t c = class_of(*maximum);
+    return {best_[c], is_doubtful_[c] == 0 || best_[c] >= 1};
   }
 
  private:
@@ -119,7 +130,8 @@ struct Kept {
 
 std::vector<std::optional<double>> component_persistence(const TetMesh& mesh,
                                                          const PersistenceInput& input,
-                                                         const SurfaceMesh& surface, double mode) {
+                                                         const SurfaceMesh& surface, double mode,
+                                                         std::span<const TetMesh::Index> numbers) {
   std::size_t components = 0;
   for (const auto c : surface.component) components = std::max(components, as_size(c) + 1);
   const auto edges = crossing_edges(surface, components);
@@ -134,6 +146,7 @@ std::vector<std::optional<double>> component_persistence(const TetMesh& mesh,
       return mode_range(deviator_box({t, t, t, t}, {1, 0, 0, 0}));
     };
     auto [v, w] = *edges[c];
+    if (!numbers.empty()) v = numbers[as_size(v)], w = numbers[as_size(w)];
     if (mode_at(v)[0] < mode_at(w)[0]) std::swap(v, w);
     if (!(mode_at(v)[0] > mode && mode_at(w)[1] < mode)) continue;
     above.push_back(v), below.push_back(w), known.push_back(c);
@@ -142,14 +155,16 @@ std::vector<std::optional<double>> component_persistence(const TetMesh& mesh,
       maxima_above_vertices(mesh, input.values, input.curves[0], input.trees[0], above);
   const auto minima = maxima_above_vertices(opposite(mesh), opposite(input.values), input.curves[1],
                                             input.trees[1], below);
-  Heights heights(input.trees[0], mode), depths(input.trees[1], -mode);
+  Heights heights(input.trees[0], input.curves[0], mode),
+      depths(input.trees[1], input.curves[1], -mode);
   const double level = signed_lode_angle(mode);
   std::vector<std::optional<double>> result(components);
   for (std::size_t i = 0; i < known.size(); ++i) {
-    const auto highest = heights.of(maxima[i]), lowest = depths.of(minima[i]);
-    if (highest && lowest)
-      result[known[i]] =
-          std::min(signed_lode_angle(*highest) - level, level + signed_lode_angle(*lowest));
+    const Height highest = heights.of(maxima[i], mode), lowest = depths.of(minima[i], -mode);
+    const double rise = signed_lode_angle(highest.at_least) - level,
+                 fall = level + signed_lode_angle(lowest.at_least);
+    // The smaller of the two, which the other cannot be smaller than.
+    if (rise <= fall ? highest.is_exact : lowest.is_exact) result[known[i]] = std::min(rise, fall);
   }
   return result;
 }

@@ -8,9 +8,11 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "mesh.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
 #include "watched.hpp"
 
 namespace tensortopo::python {
@@ -20,12 +22,12 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-py::object cell_of(const Mesh& self, TetMesh::Index tet) {
+py::object cell_of(const TetMesh& mesh, TetMesh::Index tet) {
   if (tet < 0) return py::none();
-  return py::int_(self.mesh.cell_ids[as_size(tet)]);
+  return py::int_(mesh.cell_ids[as_size(tet)]);
 }
 
-py::dict dict_of(const Mesh& self, const PersistencePair& p) {
+py::dict dict_of(const TetMesh& mesh, const PersistencePair& p) {
   const auto range = [](const ModeRange& r) { return py::make_tuple(r.low, r.high); };
   const auto place = [](const Vector3<double>& v) { return py::make_tuple(v.x, v.y, v.z); };
   const auto if_dead = [&](const py::object& value) { return p.has_death ? value : py::none(); };
@@ -33,18 +35,18 @@ py::dict dict_of(const Mesh& self, const PersistencePair& p) {
                   "birth"_a = p.birth.middle(), "birth_range"_a = range(p.birth),
                   "death"_a = if_dead(py::float_(p.death.middle())),
                   "death_range"_a = range(p.death), "angle_persistence"_a = angle_persistence(p),
-                  "survives"_a = survived_noise(p), "birth_tet"_a = cell_of(self, p.birth_tet),
+                  "survives"_a = survived_noise(p), "birth_tet"_a = cell_of(mesh, p.birth_tet),
                   "birth_point"_a = place(p.birth_point),
-                  "death_tet"_a = if_dead(cell_of(self, p.death_tet)),
+                  "death_tet"_a = if_dead(cell_of(mesh, p.death_tet)),
                   "death_point"_a = if_dead(place(p.death_point)), "curve"_a = p.curve,
                   "lasting"_a = p.is_lasting, "tie"_a = p.is_tie, "certain"_a = p.is_certain);
 }
 
-py::dict dict_of(const Mesh& self, const LoopEvent& e) {
+py::dict dict_of(const TetMesh& mesh, const LoopEvent& e) {
   return py::dict("kind"_a = std::string(name_of(e.kind)),
                   "event"_a = e.is_birth ? "birth" : "death", "mode"_a = e.mode.middle(),
                   "mode_range"_a = py::make_tuple(e.mode.low, e.mode.high), "count"_a = e.count,
-                  "paired"_a = e.paired, "tet"_a = cell_of(self, e.tet),
+                  "paired"_a = e.paired, "tet"_a = cell_of(mesh, e.tet),
                   "point"_a = py::make_tuple(e.place.x, e.place.y, e.place.z), "curve"_a = e.curve,
                   "tie"_a = e.is_tie);
 }
@@ -58,14 +60,17 @@ py::list list_of(const std::vector<BettiInterval>& intervals) {
 }
 
 py::dict persistence(const Mesh& self, const py::object& progress) {
-  const auto [made, homology] = watched(progress, [&](const Progress& report) {
-    const PersistenceInput input = persistence_input(self.mesh, report);
-    return std::pair(mode_persistence(self.mesh, input), mode_homology(self.mesh, input));
+  const auto [mesh, made, homology] = watched(progress, [&](const Progress& report) {
+    TetMesh ordered = in_canonical_order(self.mesh);
+    const PersistenceInput input = persistence_input(ordered, report);
+    ModePersistence components = mode_persistence(ordered, input);
+    ModeHomology others = mode_homology(ordered, input);
+    return std::tuple(std::move(ordered), std::move(components), std::move(others));
   });
   py::list pairs, curves, loops;
   for (const auto* list : {&made.pairs, &homology.pairs})
-    for (const PersistencePair& p : *list) pairs.append(dict_of(self, p));
-  for (const LoopEvent& e : homology.loops) loops.append(dict_of(self, e));
+    for (const PersistencePair& p : *list) pairs.append(dict_of(mesh, p));
+  for (const LoopEvent& e : homology.loops) loops.append(dict_of(mesh, e));
   for (const CurvePersistence& c : made.curves)
     curves.append(py::dict("mode"_a = c.mode, "component"_a = c.component, "closed"_a = c.is_closed,
                            "length"_a = c.length, "pair"_a = c.pair));

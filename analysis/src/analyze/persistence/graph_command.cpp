@@ -17,6 +17,7 @@
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/lower_extension.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
 #include "tensortopo/persistence/linking_number.hpp"
 
 namespace tensortopo {
@@ -137,16 +138,17 @@ GraphReport run_graph(const GraphCommand& command, const Progress& progress) {
   }
   if (progress) progress("reading", 0);
   GraphReport report;
-  ReadResult read = read_analyzed(command.input, command.read, report);
+  // In this order the result does not depend on how the mesh is numbered.
+  TetMesh mesh = in_canonical_order(read_analyzed(command.input, command.read, report).mesh);
   report.output = command.output;
-  const PersistenceInput input = persistence_input(read.mesh, progress);
-  report.tree = contour_tree(read.mesh, input);
+  const PersistenceInput input = persistence_input(mesh, progress);
+  report.tree = contour_tree(mesh, input);
   report.regions = mode_regions(report.tree, input);
   SidesArcs arcs;
-  arcs[0].emplace(read.mesh, Degeneracy::linear, input.curves[0].curves);
-  arcs[1].emplace(read.mesh, Degeneracy::planar, input.curves[1].curves);
+  arcs[0].emplace(mesh, Degeneracy::linear, input.curves[0].curves);
+  arcs[1].emplace(mesh, Degeneracy::planar, input.curves[1].curves);
   std::vector<ClosedCurve> closed;
-  CertifiedLinks links(read.mesh);
+  CertifiedLinks links(mesh);
   add_curves(report, input, arcs, links, closed);
   add_links(report, links, closed);
   const auto linear = static_cast<std::size_t>(
@@ -160,7 +162,7 @@ GraphReport run_graph(const GraphCommand& command, const Progress& progress) {
     report.curve_of_node.push_back(curve);
   }
   if (!command.output.empty()) write_tree(report, command.output);
-  report.cell_ids = std::move(read.mesh.cell_ids);
+  report.cell_ids = std::move(mesh.cell_ids);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -12,6 +12,7 @@
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/lower_extension.hpp"
 #include "tensortopo/io/write_text.hpp"
+#include "tensortopo/mesh/canonical_mesh.hpp"
 
 namespace tensortopo {
 namespace {
@@ -55,11 +56,12 @@ PersistenceReport run_persistence(const PersistenceCommand& command, const Progr
   require_name(command.picture, ".png");
   if (progress) progress("reading", 0);
   PersistenceReport report;
-  ReadResult read = read_analyzed(command.input, command.read, report);
-  const PersistenceInput found = persistence_input(read.mesh, progress);
-  report.persistence = mode_persistence(read.mesh, found);
-  report.homology = mode_homology(read.mesh, found);
-  report.cell_ids = std::move(read.mesh.cell_ids);
+  // In this order the result does not depend on how the mesh is numbered.
+  TetMesh mesh = in_canonical_order(read_analyzed(command.input, command.read, report).mesh);
+  const PersistenceInput found = persistence_input(mesh, progress);
+  report.persistence = mode_persistence(mesh, found);
+  report.homology = mode_homology(mesh, found);
+  report.cell_ids = std::move(mesh.cell_ids);
   if (!command.output.empty()) write_pairs(report.pairs(), command.output);
   if (!command.picture.empty()) draw(report, command.picture);
   report.output = command.output;

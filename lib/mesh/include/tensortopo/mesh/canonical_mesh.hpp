@@ -31,6 +31,10 @@ struct CanonicalMesh {
 /// The result does not depend on the number of threads.
 CanonicalMesh canonical_mesh(const TetMesh& mesh);
 
+/// The mesh in its canonical order, each tetrahedron with its id.
+/// @pre the mesh is valid, and has `cell_ids` or none
+TetMesh in_canonical_order(const TetMesh& mesh);
+
 /// The inverse of a permutation: result[permutation[i]] = i.
 std::vector<TetMesh::Index> inverse_permutation(const std::vector<TetMesh::Index>& permutation);
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tensortopo/mesh/curve_mesh.hpp"
@@ -19,11 +20,14 @@ namespace tensortopo {
 /// In a field whose angles differ by less than half of that both components have counterparts.
 /// @param surface  of the mode, as extracted; its vertices on edges of the mesh say which
 ///                 components it is between
-/// @return for each component; nothing where that is not known: no edge crosses it once, or a
-///         critical point without a proof touches what is on a side of it
+/// @param numbers  in `mesh` of the vertices of the mesh that the surface was extracted from;
+///                 empty if that is `mesh`
+/// @return for each component; nothing where that is not known: no edge crosses it once, or on the
+///         side where the mode changes less a critical point without a proof may join more to it
 std::vector<std::optional<double>> component_persistence(const TetMesh& mesh,
                                                          const PersistenceInput& input,
-                                                         const SurfaceMesh& surface, double mode);
+                                                         const SurfaceMesh& surface, double mode,
+                                                         std::span<const TetMesh::Index> numbers = {});
 
 /// How much each component of the degenerate curves of mode 1 or -1 matters: the persistence of its
 /// pair in the signed Lode angle; nothing where the pair is not certain.
