@@ -102,7 +102,8 @@ std::optional<FilterReport> ComponentFilter::apply(const TetMesh& mesh, const Mo
   if (persistence_ > 0) {
     prepare(mesh);
     report.persistence = keep_at_least(
-        surface, component_persistence(mesh_, *input_, surface, mode.approx(), numbers_), persistence_);
+        surface, component_persistence(mesh_, *input_, surface, mode.approx(), numbers_),
+        persistence_);
   }
   return report.of_filters();
 }

@@ -28,9 +28,9 @@ class ComponentFilter {
   void prepare(const TetMesh& mesh);
 
   double persistence_ = 0, area_ = 0, length_ = 0;  ///< least ones; 0 for any
-  TetMesh mesh_;                          ///< in canonical order, once it is needed
-  std::vector<TetMesh::Index> numbers_;   ///< in `mesh_` of the vertices of the mesh given
-  std::optional<PersistenceInput> input_; ///< of `mesh_`
+  TetMesh mesh_;                                    ///< in canonical order, once it is needed
+  std::vector<TetMesh::Index> numbers_;    ///< in `mesh_` of the vertices of the mesh given
+  std::optional<PersistenceInput> input_;  ///< of `mesh_`
   ModePersistence mode_persistence_;
 };
 

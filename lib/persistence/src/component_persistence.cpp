@@ -13,8 +13,8 @@ namespace {
 
 /// The largest mode in a component of {mode >= m}.
 struct Height {
-  double at_least = 0;      ///< of its maxima that are known
-  bool is_exact = false;    ///< it has no others of a larger mode
+  double at_least = 0;    ///< of its maxima that are known
+  bool is_exact = false;  ///< it has no others of a larger mode
 };
 
 /// Components of {mode >= m}: the largest mode in each, by one of its maxima.

@@ -24,10 +24,9 @@ namespace tensortopo {
 ///                 empty if that is `mesh`
 /// @return for each component; nothing where that is not known: no edge crosses it once, or on the
 ///         side where the mode changes less a critical point without a proof may join more to it
-std::vector<std::optional<double>> component_persistence(const TetMesh& mesh,
-                                                         const PersistenceInput& input,
-                                                         const SurfaceMesh& surface, double mode,
-                                                         std::span<const TetMesh::Index> numbers = {});
+std::vector<std::optional<double>> component_persistence(
+    const TetMesh& mesh, const PersistenceInput& input, const SurfaceMesh& surface, double mode,
+    std::span<const TetMesh::Index> numbers = {});
 
 /// How much each component of the degenerate curves of mode 1 or -1 matters: the persistence of its
 /// pair in the signed Lode angle; nothing where the pair is not certain.
