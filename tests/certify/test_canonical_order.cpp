@@ -175,6 +175,11 @@ RC_GTEST_PROP(CanonicalOrder, IsAnOrderOfTheSameMesh, ()) {
     std::sort(given.begin(), given.end());
     RC_ASSERT(corners == given);
   }
+  const TetMesh ordered = in_canonical_order(mesh);
+  RC_ASSERT(ordered.tets == canonical.mesh.tets);
+  RC_ASSERT(ordered.cell_ids.size() == mesh.cell_ids.size());
+  for (std::size_t t = 0; t < ordered.cell_ids.size(); ++t)
+    RC_ASSERT(ordered.cell_ids[t] == mesh.cell_ids[as_size(canonical.tets[t])]);
   TetMesh numbered = canonical.mesh;
   numbered.cell_ids = mesh.cell_ids;
   RC_ASSERT(validate(numbered).empty());
