@@ -21,6 +21,7 @@
 
 #include "program/exhaustion.hpp"
 #include "program/options/distinct_files.hpp"
+#include "program/options/given_values.hpp"
 #include "program/output/help.hpp"
 #include "program/output/versions.hpp"
 #include "program/standard_streams.hpp"
@@ -100,6 +101,7 @@ void silence_vtk() {
 // Runs what the caller chose; every way to fail ends here.
 ExitStatus run(const tensortopo::Action& action, const tensortopo::CommonOptions& common) {
   try {
+    tensortopo::require_given_values(common);
     tensortopo::require_distinct_files(common);
     const int threads = common.threads;
     std::optional<tbb::global_control> control;

@@ -146,6 +146,20 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
   }
 }
 
+// As a script writes them whose variable is not set.
+TEST(Usage, EmptyTextsAreNoValues) {
+  const Folder folder;
+  const std::string in = field("s4_slab"), out = folder / "s.vtp";
+  for (const std::string option : {"--certify", "--where", "--tensor", "--mask", "--materials",
+                                   "--uncertainty", "--mode", "--threads"})
+    expect_line(run_program({"extract", in, "-o", out, "--mode", "0.5", option, ""}), 2, option);
+  expect_line(run_program({"extract", in, "-o", "", "--mode", "0.5"}), 2, "--output");
+  expect_line(run_program({"extract", "", "-o", out, "--mode", "0.5"}), 2, "INPUT");
+  expect_line(run_program({"analyze", in, "--persistence", "-o", ""}), 2, "--output");
+  expect_line(run_program({"check", in, "", out}), 2, "OUTPUT");
+  EXPECT_TRUE(folder.files().empty());
+}
+
 TEST(Usage, OptionsOfAnotherTaskAreRefused) {
   const Folder folder;
   const std::string in = field("s4_slab"), s = folder / "s.vtp", g = folder / "g.vtu";
