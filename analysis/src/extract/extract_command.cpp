@@ -383,7 +383,7 @@ std::vector<ModeValue> modes_to_extract(std::span<const ModeValue> modes, bool g
 void require_surface_extension(const std::filesystem::path& output, bool curves) {
   const SurfaceFormat* const format = surface_format_of(output);
   if (std::error_code error; std::filesystem::is_directory(output, error))
-    throw UsageError(fmt::format("{}: is a folder", output.string()));
+    throw IoError(IoError::Kind::unwritable, output, "is a folder");
   if (format == nullptr)
     throw UsageError(fmt::format("{}: the name must end in {} (no format for '{}')",
                                  output.string(), surface_extensions(),

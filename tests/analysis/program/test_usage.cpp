@@ -270,6 +270,25 @@ TEST(Usage, AFolderIsNoFileToCheck) {
   expect_line(run_program({"check", here, here, here}), 3, "is no regular file");
 }
 
+TEST(Usage, AFileOfAnotherFormatIsNamedAsOneToCheck) {
+  const Folder folder;
+  const std::string in = field("s4_slab"), cert = folder / "c.json", ply = folder / "s.ply";
+  const Outcome run = run_program(
+      {"extract", in, "-o", folder / "s.vtp", "--mode", "0.5", "--certify", cert, "--quiet"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  ASSERT_EQ(run_program({"extract", in, "-o", ply, "--mode", "0.5", "--quiet"}).status, 0);
+  expect_line(run_program({"check", in, ply, cert}), 3, "s.ply: no VTK XML file");
+}
+
+TEST(Usage, AFolderIsNoFileToWrite) {
+  const Folder folder;
+  for (const char* name : {"surfaces", "surfaces.vtp"}) {
+    std::filesystem::create_directory(folder / name);
+    expect_line(run_program({"extract", field("s4_slab"), "-o", folder / name, "--mode", "0"}), 4,
+                "is a folder");
+  }
+}
+
 /// Not after minutes of work.
 TEST(Usage, AFolderThatIsNotThereIsFoundOutFirst) {
   const Folder folder;
