@@ -109,7 +109,8 @@ std::string claim_beside_numbers(const pugi::xml_node& element, std::string_view
 std::string XmlFile::markup() {
   constexpr std::size_t kNone = std::string_view::npos, kMaxDepth = 16;
   const std::string_view all = bytes_;
-  if (const std::size_t first = all.find_first_not_of(" \t\r\n"); first == kNone || all[first] != '<')
+  if (const std::size_t first = all.find_first_not_of(" \t\r\n");
+      first == kNone || all[first] != '<')
     fail("no VTK XML file, which begins with '<'");
   std::size_t depth = 0, text = 0;  // where the text before an element begins
   bool is_in_array = false;
