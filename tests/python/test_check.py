@@ -3,6 +3,7 @@
 """Certificates and their checker."""
 import json
 
+import numpy as np
 import pytest
 
 import tensortopo as tt
@@ -50,3 +51,25 @@ def test_what_is_no_certificate_is_an_error(slab):
         tt.check(slab, surface)
     with pytest.raises(tt.FileError):
         tt.check(slab, surface, b"{}")
+
+
+@pytest.mark.parametrize("ids", ["spread", "triangles between"])
+def test_fields_with_other_cell_ids_are_certified(slab, ids, tmp_path):
+    n = len(slab.tets)
+    cell_ids = 3 * np.arange(n) + 7 if ids == "spread" else np.arange(n) + 5
+    field = tt.Field(slab.points, slab.tensors, slab.tets, cell_ids=cell_ids)
+    surface, curves = field.mode_surface("1/2", certify=True), field.degenerate_curves(certify=True)
+    assert set(surface.cell_ids) <= set(cell_ids)
+    assert tt.check(field, surface, expect_complete=True)
+    assert tt.check(field, curves).refuted == 0
+    # Of the positions alone nothing would be right.
+    plain = tt.Field(slab.points, slab.tensors, slab.tets)
+    assert tt.check(plain, surface).status == "refuted"
+
+
+@pytest.mark.parametrize("cell_ids", [[1, 0], [0, 0], [0, 10**15]])
+def test_cell_ids_that_number_no_file_are_refused(slab, cell_ids):
+    field = tt.Field(slab.points, slab.tensors, slab.tets[:2], cell_ids=cell_ids)
+    surface = field.mode_surface("1/2", certify=True)
+    with pytest.raises(ValueError, match="cell_ids"):
+        tt.check(field, surface)

@@ -11,7 +11,7 @@ from typing import Any, Callable, Optional, Sequence, Union
 
 from ._errors import FileError
 from ._field import Field
-from ._files import write
+from ._files import write, write_at_ids
 from ._modes import Mode, mode_texts
 from ._partition import MergedSurface
 from ._surface import Curves, Surface
@@ -106,7 +106,8 @@ def check(
     FileError
         For files that are not what they should be.
     ValueError
-        If there is no certificate.
+        If there is no certificate; for a `Field` whose ``cell_ids``, by which certificates name its
+        tetrahedra, are not those of cells of a file in ascending order.
     """
     from . import _checker
 
@@ -120,7 +121,10 @@ def check(
     with tempfile.TemporaryDirectory(prefix="tensortopo-") as folder:
         files = []
         for what, name in ((field, "field.vtu"), (output, "output.vtp")):
-            if isinstance(what, (Field, Surface, MergedSurface, Curves)):
+            if isinstance(what, Field):
+                write_at_ids(Path(folder) / name, what)
+                files.append(str(Path(folder) / name))
+            elif isinstance(what, (Surface, MergedSurface, Curves)):
                 write(Path(folder) / name, what)
                 files.append(str(Path(folder) / name))
             else:

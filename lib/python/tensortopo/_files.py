@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _core
 from ._curve_pieces import MergedCurves
@@ -25,7 +26,7 @@ from ._vtk_xml import XmlArray, XmlPiece, piece_text, read_piece, write_whole
 
 # What the program reads beyond plain .vtu; lib/io has the table.
 _PROGRAMS_FORMATS = (".pvtu", ".vtk", ".vti", ".pvd", ".frd", ".e", ".exo", ".nii", ".nii.gz")
-_TETRA = 10
+_VERTEX, _TETRA = 1, 10
 _GHOST = 1 | 32  # bits of vtkGhostType: another piece's cell, and one that is hidden
 _FLAT = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36}  # points, lines, faces
 _LINEAR_NAMES = {11: "voxels", 12: "hexahedra", 13: "wedges", 14: "pyramids"}
@@ -257,16 +258,17 @@ def read(
     return from_meshio(mesh, tensor, components, symmetrize=symmetrize)
 
 
-def _field_text(field: Field) -> str:
-    n = len(field.tets)
-    cells: dict[str, Any] = {
-        "connectivity": field.tets.astype(np.int64).ravel(),
-        "offsets": np.arange(4, 4 * n + 1, 4, dtype=np.int64),
-        "types": np.full(n, _TETRA, dtype=np.uint8),
-    }
+def _field_text(field: Field, at: npt.NDArray[np.int64], count: int) -> str:
+    """Of tetrahedra that are the cells `at` of so many; all others are points."""
+    sizes, types = np.ones(count, dtype=np.int64), np.full(count, _VERTEX, dtype=np.uint8)
+    sizes[at], types[at] = 4, _TETRA
+    offsets = np.cumsum(sizes)
+    connectivity = np.zeros(sizes.sum(), dtype=np.int64)
+    connectivity[(offsets[at] - 4)[:, None] + np.arange(4)] = field.tets
+    cells: dict[str, Any] = {"connectivity": connectivity, "offsets": offsets, "types": types}
     return piece_text(
         "UnstructuredGrid",
-        {"NumberOfPoints": len(field.points), "NumberOfCells": n},
+        {"NumberOfPoints": len(field.points), "NumberOfCells": count},
         {
             "PointData": {field.tensor_name: field.tensors},
             "Points": {"Points": field.points},
@@ -275,6 +277,22 @@ def _field_text(field: Field) -> str:
         marks={"Tensors": field.tensor_name},
         names={field.tensor_name: tuple(name.upper() for name in COMPONENT_ORDERS["vtk"])},
     )
+
+
+def write_at_ids(path: Path, field: Field) -> None:
+    """Writes a field so that its tetrahedra are the cells that `Field.cell_ids` says.
+
+    Raises
+    ------
+    ValueError
+        If they are not in this order, or so large that the file would mostly be other cells.
+    """
+    ids = field.cell_ids
+    count = int(ids[-1]) + 1 if len(ids) else 0
+    if np.any(np.diff(ids) <= 0) or np.any(ids < 0) or count > 16 * len(ids) + 1_000_000:
+        raise ValueError("field: its cell_ids are not those of cells of a file in ascending order; "
+                         "check the file, or leave cell_ids out")  # fmt: skip
+    path.write_text(_field_text(field, ids, count), encoding="utf-8")
 
 
 def _output_text(output: Union[_Output, MergedSurface, MergedCurves]) -> str:
@@ -328,6 +346,8 @@ def write(
 
     The arrays of a .vtp are those that the program writes, with the same names and numbers, so that
     ``tensortopo check`` takes it. Tensors are in VTK's order, which the names of their components spell.
+    A field's tetrahedra are numbered from 0, whatever its ``cell_ids``: certificates made before of
+    a field with others are not about that file.
 
     Parameters
     ----------
@@ -346,5 +366,9 @@ def write(
     wanted = ".vtu" if isinstance(what, Field) else ".vtp"
     if file.suffix.lower() != wanted:
         raise ValueError(f"{file}: the name of a {type(what).__name__} must end in {wanted}")
-    data = _field_text(what).encode("utf-8") if isinstance(what, Field) else output_bytes(what)
+    if isinstance(what, Field):
+        n = len(what.tets)
+        data = _field_text(what, np.arange(n), n).encode("utf-8")
+    else:
+        data = output_bytes(what)
     write_whole({file: data})
