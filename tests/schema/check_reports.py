@@ -69,6 +69,22 @@ def main():
             "POINT_DATA 4\nFIELD f 1\nstress 6 4 double\n200 200 200 0 0 0\n"
             "-160 660 -500 -380 -480 140\n-160 360 -200 -180 400 300\n476 -876 400 -532 20 140\n")
         run("extract", "isotropic.vtk", "-o", "t.vtp", "--mode", "4/5", "--strict")
+        # Two tetrahedra whose faces lie on each other, without sharing vertices; one is isotropic.
+        (pathlib.Path(folder) / "torn.vtk").write_text(
+            "# vtk DataFile Version 3.0\ntorn\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+            "POINTS 8 double\n0 0 0 1 0 0 0 1 0 0 0 1 0 0 0 1 0 0 0 1 0 0 0 -1\n"
+            "CELLS 2 10\n4 0 1 2 3 4 4 6 5 7\nCELL_TYPES 2\n10 10\n"
+            "POINT_DATA 8\nFIELD f 1\nstress 6 8 double\n200 200 200 0 0 0\n"
+            "-160 660 -500 -380 -480 140\n-160 360 -200 -180 400 300\n476 -876 400 -532 20 140\n"
+            + "7 7 7 0 0 0\n" * 4)
+        for name in ("isotropic.vtk", "torn.vtk"):
+            run("extract", name, "-o", "t.vtp", "--mode", "1/2", "--mode", "1")
+            run("extract", name, "-o", "t.vtp", "--invariant", "magnitude", "--value", "350")
+            run("analyze", name, "--sweep=-1:1:5")
+            run("analyze", name, "--persistence")
+            run("analyze", name, "--graph")
+            run("report", name, "-o", "t.html", "--mode", "1/2")
+            run("convert", name, "-o", "t.vtu")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--uncertainty", "1%")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--mode", "1", "--min-persistence", "0.02")
         run("extract", slab, "-o", "u.vtp", "--mode", "1/2", "--mode", "1", "--min-area", "5",
@@ -80,6 +96,7 @@ def main():
         for number in range(8):
             run("extract", f"n-{number:04}.vtu", "-o", "n.vtp", "--mode", "0")
             run("extract", f"n-{number:04}.vtu", "-o", "n.vtp", "--mode", "1")
+            run("analyze", f"n-{number:04}.vtu", "--sweep=-1:1:5")
         run("extract", "k.vtu", "-o", "i.vtp", "--invariant", "magnitude", "--value", "2")
         run("extract", "k.vtu", "-o", "i.vtp", "--invariant", "anisotropy", "--value", "9/10",
             "--certify", "i.json")

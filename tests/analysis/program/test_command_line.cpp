@@ -139,6 +139,16 @@ TEST(CommandLine, TheRestIsEstimatedByThePresentPace) {
   EXPECT_NEAR(std::stod(said.substr(2)), 64, 2);  // and 6 at the pace of all rounds
 }
 
+TEST(CommandLine, NoRestIsEstimatedWhereHardlyAnythingGoesOn) {
+  TimeLeft stuck;
+  std::string said;
+  for (double second = 1; second < 300; ++second)
+    said = stuck.after(second < 10 ? second / 20 : 0.5 + 1e-15 * second, second);
+  EXPECT_EQ(said, "");
+  stuck.after(0.52, 300);
+  EXPECT_NE(stuck.after(0.55, 310), "");
+}
+
 TEST(CommandLine, WhatIsNotInThePictureIsSaid) {
   const Folder folder;
   const std::string p = folder / "p.png", mesh = field("s4_slab");

@@ -32,6 +32,8 @@ std::string TimeLeft::after(double fraction, double seconds) {
   const double pace = (fraction - then.fraction) / (seconds - then.seconds);
   if (seconds < 3 || fraction < 0.02 || fraction >= 1 || !(pace > 0)) return "";
   const double left = (1 - fraction) / pace;
+  // Hardly anything was done lately: that says nothing of the rest.
+  if (left > 100 * seconds) return "";
   if (left < 90) return fmt::format(" ({:.0f} s left)", std::max(1.0, left));
   if (left < 90 * 60) return fmt::format(" ({:.0f} min left)", left / 60);
   return fmt::format(" ({:.0f} h left)", left / 3600);
