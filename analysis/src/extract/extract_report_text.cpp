@@ -151,11 +151,12 @@ std::vector<std::string> doubtful_lines(const ExtractReport& report) {
                                   short_text(s.mode), what));
     else if (!s.embedded.value_or(true))
       lines.push_back(fmt::format(
-          "mode {}: triangles of different tetrahedra intersect: {}the mesh overlaps itself, or "
-          "vertices have the same coordinates after rounding",
+          "mode {}: triangles meet beyond their common vertices and edges: {}{}the mesh overlaps "
+          "itself, or vertices have the same coordinates after rounding",
           short_text(s.mode),
           s.statistics.cone_points > 0 ? "parts touch at isotropic vertices, where all modes meet, "
-                                       : ""));
+                                       : "",
+          s.statistics.tets_nearby > 0 ? "parts touch at a critical point of this mode, " : ""));
   }
   if (!report.surfaces.empty() && report.tetrahedra > 0 &&
       report.surfaces.front().statistics.tets_undefined == report.tetrahedra)
