@@ -206,10 +206,13 @@ TEST(HostileFiles, SkippedCellsAreCounted) {
     std::ofstream(name) << replaced(field, ">10", std::string(">") + type);
     const auto input = certificate::read_input(certificate::read_file(name), "stress", "vtk");
     EXPECT_EQ(input.other_cells, 1u) << type;
+    EXPECT_EQ(input.flat_cells, 0u) << type;
   }
   for (const char* type : {"5", "22", "69", "77"}) {
     std::ofstream(name) << replaced(field, ">10", std::string(">") + type);
-    EXPECT_EQ(certificate::read_input(certificate::read_file(name), "stress", "vtk").other_cells, 0u) << type;
+    const auto input = certificate::read_input(certificate::read_file(name), "stress", "vtk");
+    EXPECT_EQ(input.other_cells, 0u) << type;
+    EXPECT_EQ(input.flat_cells, 1u) << type;
   }
 }
 

@@ -14,6 +14,7 @@ ReadResult read_analyzed(const std::filesystem::path& input, const ReadOptions& 
   ReadResult read = read_mesh(input, options);
   report.input = input;
   report.sha256 = read.sha256;
+  report.tensor_name = read.report.tensor_name;
   report.components = read.report.components;
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
@@ -29,6 +30,7 @@ nlohmann::ordered_json analyzed_mesh_json(const AnalyzedMesh& mesh) {
                               {"sha256", mesh.sha256},
                               {"vertices", mesh.vertices},
                               {"tetrahedra", mesh.tetrahedra},
+                              {"tensor", mesh.tensor_name},
                               {"components", name_of(mesh.components.order)}};
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   return json;

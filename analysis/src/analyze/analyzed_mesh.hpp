@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tensortopo/analysis/provenance.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo {
@@ -15,10 +16,11 @@ namespace tensortopo {
 /// What the report of an analysis says of its mesh.
 struct AnalyzedMesh {
   std::filesystem::path input;
-  std::string sha256;
+  std::string sha256, tensor_name;
   std::size_t vertices = 0, tetrahedra = 0;
   TensorComponents components;     ///< in the input
   std::vector<std::string> notes;  ///< of reading
+  Provenance provenance;           ///< of files that are written
 };
 
 /// Reads a mesh, and says in the report what there is to say of it. Throws IoError.

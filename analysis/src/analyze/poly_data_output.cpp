@@ -5,13 +5,13 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
-
-#include <vector>
 
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/write_text.hpp"
@@ -37,7 +37,14 @@ void add_array(vtkPolyData& data, const std::string& name, int components, std::
   data.GetPointData()->AddArray(array);
 }
 
-void write_poly_data(vtkPolyData& data, const std::filesystem::path& file) {
+void write_poly_data(vtkPolyData& data, const std::filesystem::path& file,
+                     const std::vector<FileNote>& notes) {
+  for (const FileNote& note : notes) {
+    vtkNew<vtkStringArray> text;
+    text->SetName(note.name.c_str());
+    text->InsertNextValue(note.text);
+    data.GetFieldData()->AddArray(text);
+  }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(&data);
   writer->WriteToOutputStringOn();
@@ -48,7 +55,8 @@ void write_poly_data(vtkPolyData& data, const std::filesystem::path& file) {
   write_text(file, writer->GetOutputString());
 }
 
-void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file) {
+void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file,
+                  const std::vector<FileNote>& notes) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const auto& p : ridges.points) points->InsertNextPoint(p.x, p.y, p.z);
@@ -86,7 +94,8 @@ void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file) {
   add("curvature", ridges.curvature);
   add("other_curvature", ridges.other_curvature);
   add("strength", ridges.strength);
-  write_poly_data(*data, file);
+  data->GetPointData()->SetActiveScalars("curvature");
+  write_poly_data(*data, file, notes);
 }
 
 }  // namespace tensortopo

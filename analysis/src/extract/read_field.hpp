@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "origin_notes.hpp"
 #include "tensortopo/io/io_error.hpp"
 #include "tensortopo/io/read_mesh.hpp"
-#include "tensortopo/io/write_surface.hpp"
 
 namespace tensortopo {
 
@@ -38,18 +38,9 @@ ReadResult read_field(const Command& command, Report& report) {
 /// @param levels  the values extracted, exactly
 template <class Report>
 std::vector<FileNote> file_notes(const Report& report, const std::string& levels) {
-  Provenance other = report.provenance;  // what no other note says
-  std::erase_if(other.options, [](const auto& option) {
-    for (const char* said : {"--mode", "--generalized", "--value", "--tensor", "--components"})
-      if (option.first == said) return true;
-    return false;
-  });
-  return {{"tensortopo_version", report.provenance.version},
-          {"options", other.options_text()},
-          {"input_sha256", report.sha256},
-          {"tensor", report.tensor_name},
-          {"components", std::string(name_of(report.components.order))},
-          {"levels", levels}};
+  std::vector<FileNote> notes = origin_notes(report);
+  notes.push_back({"levels", levels});
+  return notes;
 }
 
 }  // namespace tensortopo

@@ -195,7 +195,8 @@ Subject subject_of(const std::string& file, const std::string& tensor, const std
   s.names_say_order = input.names_say_order;
   s.points = input.points.size(), s.tetrahedra = input.tets.size();
   s.isotropic = count_isotropic(input);
-  s.other_cells = input.other_cells, s.symmetrized = input.symmetrized;
+  s.other_cells = input.other_cells, s.flat_cells = input.flat_cells;
+  s.symmetrized = input.symmetrized;
   s.doubled_points = input.doubled_points;
   s.sha256 = input.sha256();
   return s;

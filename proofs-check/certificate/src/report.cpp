@@ -218,6 +218,7 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
           (s.isotropic > 0 ? " (in " + std::to_string(s.isotropic) + " all tensors are isotropic: no mode is defined)" : "") +
           (s.symmetrized > 0 ? ", " + counted(s.symmetrized, "tensor") + " symmetrized" : "") +
           (s.other_cells > 0 ? ", " + counted(s.other_cells, "other cell") + " skipped" : "") +
+          (s.flat_cells > 0 ? ", " + counted(s.flat_cells, "cell") + " of two dimensions or fewer skipped" : "") +
           (s.doubled_points > 0 ? ", torn: " + counted(s.doubled_points, "point") +
                                       " at the place of another"
                                 : "") +
@@ -318,6 +319,7 @@ std::string to_json(const Report& report, const std::vector<std::string>& unmet)
                      {"tetrahedra", s.tetrahedra},
                      {"isotropic_tetrahedra", s.isotropic},
                      {"other_cells", s.other_cells},
+                     {"flat_cells", s.flat_cells},
                      {"symmetrized_tensors", s.symmetrized},
                      {"doubled_points", s.doubled_points},
                      {"sha256", s.sha256}}},

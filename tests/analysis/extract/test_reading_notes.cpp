@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "analysis/run_program.hpp"
 
@@ -68,6 +69,27 @@ TEST(ReadingNotes, AreSaidByAllThatReadAMesh) {
     words.push_back("--quiet");
     EXPECT_EQ(run_program(words).err.find("turned around"), std::string::npos) << words[0];
   }
+}
+
+// Also by the checker, which skips the triangle: it has no volume, so nothing of the field is left
+// out.
+TEST(ReadingNotes, AreCountedInTheVerdictOfACheck) {
+  const Folder folder;
+  const std::string mesh = turned_mesh(folder), surface = folder / "s.vtp",
+                    certificate = folder / "s.json";
+  const Outcome extract = run_program(
+      {"extract", mesh, "-o", surface, "--mode", "0.2", "--certify", certificate, "--quiet"});
+  ASSERT_EQ(extract.status, 0) << extract.err;
+  const std::vector<std::string> words{"check", mesh, surface, certificate, "--expect-complete"};
+  const Outcome text = run_program(words);
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("1 cell of two dimensions or fewer skipped"), std::string::npos)
+      << text.out;
+  auto with_json = words;
+  with_json.push_back("--json");
+  const auto input = nlohmann::json::parse(run_program(with_json).out).at("input");
+  EXPECT_EQ(input.at("flat_cells"), 1);
+  EXPECT_EQ(input.at("other_cells"), 0);
 }
 
 }  // namespace

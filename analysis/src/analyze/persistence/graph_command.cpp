@@ -14,6 +14,7 @@
 #include <chrono>
 
 #include "analyze/poly_data_output.hpp"
+#include "origin_notes.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/lower_extension.hpp"
@@ -124,7 +125,8 @@ void write_tree(const GraphReport& report, const std::filesystem::path& file) {
   for (const CurveTransition& transition : report.transitions)
     kinds->InsertNextValue(transition.is_jump ? 3 : 2);
   data->GetPointData()->AddArray(kinds);
-  write_poly_data(*data, file);
+  data->GetPointData()->SetActiveScalars("mode");
+  write_poly_data(*data, file, origin_notes(report));
 }
 
 }  // namespace
@@ -138,6 +140,7 @@ GraphReport run_graph(const GraphCommand& command, const Progress& progress) {
   }
   if (progress) progress("reading", 0);
   GraphReport report;
+  report.provenance = command.provenance;
   // In this order the result does not depend on how the mesh is numbered.
   TetMesh mesh = in_canonical_order(read_analyzed(command.input, command.read, report).mesh);
   report.output = command.output;

@@ -7,6 +7,7 @@
 
 #include "analyze/persistence/persistence_chart.hpp"
 #include "analyze/persistence/persistence_output.hpp"
+#include "origin_notes.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -56,13 +57,14 @@ PersistenceReport run_persistence(const PersistenceCommand& command, const Progr
   require_name(command.picture, ".png");
   if (progress) progress("reading", 0);
   PersistenceReport report;
+  report.provenance = command.provenance;
   // In this order the result does not depend on how the mesh is numbered.
   TetMesh mesh = in_canonical_order(read_analyzed(command.input, command.read, report).mesh);
   const PersistenceInput found = persistence_input(mesh, progress);
   report.persistence = mode_persistence(mesh, found);
   report.homology = mode_homology(mesh, found);
   report.cell_ids = std::move(mesh.cell_ids);
-  if (!command.output.empty()) write_pairs(report.pairs(), command.output);
+  if (!command.output.empty()) write_pairs(report.pairs(), command.output, origin_notes(report));
   if (!command.picture.empty()) draw(report, command.picture);
   report.output = command.output;
   report.picture = command.picture;

@@ -24,7 +24,8 @@ int number_of_kind(PairKind kind) {
 
 }  // namespace
 
-void write_pairs(const std::vector<PersistencePair>& pairs, const std::filesystem::path& file) {
+void write_pairs(const std::vector<PersistencePair>& pairs, const std::filesystem::path& file,
+                 const std::vector<FileNote>& notes) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> cells;
@@ -69,7 +70,8 @@ void write_pairs(const std::vector<PersistencePair>& pairs, const std::filesyste
                [](const auto& pair) { return pair.curve ? static_cast<int>(*pair.curve) : -1; });
   add_integers("tie", [](const auto& pair) { return pair.is_tie ? 1 : 0; });
   add_integers("certain", [](const auto& pair) { return pair.is_certain ? 1 : 0; });
-  write_poly_data(*data, file);
+  data->GetPointData()->SetActiveScalars("mode");
+  write_poly_data(*data, file, notes);
 }
 
 }  // namespace tensortopo

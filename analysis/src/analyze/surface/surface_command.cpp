@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "analyze/analyzed_mesh.hpp"
 #include "analyze/poly_data_output.hpp"
+#include "origin_notes.hpp"
 #include "render/input/surface_input.hpp"
 #include "require_folder.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -95,6 +97,15 @@ void add_curvature(vtkPolyData& data, const std::string& prefix, const Curvature
   add("gauss_curvature", 1, [](const Curvature& c) { return std::array{c.gauss(), 0.0, 0.0}; });
 }
 
+std::vector<FileNote> notes_of_ridges(const SurfaceCommand& command, const ReadResult& read) {
+  AnalyzedMesh mesh;
+  mesh.provenance = command.provenance;
+  mesh.sha256 = read.sha256;
+  mesh.tensor_name = read.report.tensor_name;
+  mesh.components = read.report.components;
+  return origin_notes(mesh);
+}
+
 void require_sense(const SurfaceCommand& command) {
   if (command.smooth) require_jets();
   for (const auto& file : {command.output, command.ridges})
@@ -174,7 +185,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
       const RidgeLines ridges =
           command.recover ? ridges_of(surface, recovered) : surface_ridges(surface, read.mesh);
       const RidgeLines kept = filtered(ridges, command.ridge_filter);
-      write_ridges(kept, command.ridges);
+      write_ridges(kept, command.ridges, notes_of_ridges(command, read));
       analysis.ridges =
           RidgeReport{command.ridges,       command.ridge_filter,   kept.sums,
                       strengths_of(ridges), kept.umbilic_triangles, kept.undefined_triangles};
@@ -203,7 +214,7 @@ SurfaceAnalysis run_surface_analysis(const SurfaceCommand& command, const Progre
   }
   if (!command.output.empty()) {
     tell("writing", 0.9);
-    write_poly_data(*input.file, command.output);
+    write_poly_data(*input.file, command.output, {});
     analysis.output = command.output;
   }
   files.commit();

@@ -13,6 +13,7 @@
 #include "analyze/curvature/surface_curvature.hpp"
 #include "analyze/surface/surface_quality.hpp"
 #include "tensortopo/analysis/progress.hpp"
+#include "tensortopo/analysis/provenance.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 #include "tensortopo/mesh/surface_invariants.hpp"
 
@@ -29,6 +30,7 @@ struct SurfaceCommand {
   bool recover = false;           ///< also the curvature by recovered derivatives; ridges by that
   bool smooth = false;            ///< also the curvature of the triangles as such
   ReadOptions read;               ///< of the mesh
+  Provenance provenance;          ///< for the ridges
 };
 
 /// Over vertices at which a quantity is defined.

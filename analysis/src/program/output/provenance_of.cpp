@@ -17,7 +17,7 @@ Provenance provenance_of(const CLI::App& app, const CommonOptions& common) {
     if (option->count() == 0 || names_a_file(option) || name == "--json" || name == "--quiet" ||
         name == "--threads" || name == "--pieces" || name == "--memory" || name == "--stream")
       continue;
-    const bool is_flag = option->get_type_size_max() == 0;
+    const bool is_flag = option->get_expected_max() == 0;
     provenance.options.emplace_back(name, is_flag ? std::vector<std::string>{} : option->results());
   }
   return provenance;

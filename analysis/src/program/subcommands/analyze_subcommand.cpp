@@ -10,6 +10,7 @@
 #include "analyze/sweep/sweep_command.hpp"
 #include "program/options/read_options.hpp"
 #include "program/output/progress_bar.hpp"
+#include "program/output/provenance_of.hpp"
 #include "program/output/report_output.hpp"
 #include "program/subcommands/subcommands.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
@@ -67,6 +68,7 @@ ExitStatus persistence(const AnalyzeOptions& options, const CommonOptions& commo
   command.input = options.input;
   command.read = options.read;
   command.output = options.output;
+  command.provenance = provenance_of(*options.app, common);
   command.picture = options.chart;
   report_of(
       common, "analyze-persistence",
@@ -79,6 +81,7 @@ ExitStatus graph(const AnalyzeOptions& options, const CommonOptions& common) {
   command.input = options.input;
   command.read = options.read;
   command.output = options.output;
+  command.provenance = provenance_of(*options.app, common);
   report_of(
       common, "analyze-graph",
       [&](const Progress& progress) { return run_graph(command, progress); }, kNotesOfInput);
@@ -91,6 +94,7 @@ ExitStatus surface(const AnalyzeOptions& options, const CommonOptions& common) {
   command.mesh = options.mesh;
   command.against = options.against;
   command.output = options.output;
+  command.provenance = provenance_of(*options.app, common);
   command.ridges = options.ridges;
   command.ridge_filter = options.ridge_filter;
   command.smooth = options.smooth;

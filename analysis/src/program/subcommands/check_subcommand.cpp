@@ -27,7 +27,8 @@ void add_check_subcommand(CLI::App& program, CommonOptions& common, Action& acti
   app.add_option("--expect-tensor", demands->tensor,
                  "The tensor array that the certificate must be about");
   app.add_flag("--expect-complete", demands->complete,
-               "No tetrahedron may be left out, no other cell of the input skipped");
+               "No tetrahedron may be left out, no other cell with a volume skipped; faces, lines "
+               "and points are skipped, and the verdict counts them");
   add_common_options(app, common);
   app.callback([files, demands, &common, &action] {
     action = [files, demands, &common] {

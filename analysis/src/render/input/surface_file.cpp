@@ -12,6 +12,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
+#include <vtkTypeInt64Array.h>
 
 #include <algorithm>
 #include <functional>
@@ -36,16 +37,33 @@ vtkSmartPointer<vtkCellArray> cells_of(const IndexLists& lists) {
   return cells;
 }
 
+/// As doubles, which is how they were read.
+bool has_exact_integers(const SurfaceArray& array) {
+  constexpr double kLargest = 0x1p53;
+  return array.is_integer && std::all_of(array.values.begin(), array.values.end(), [](double v) {
+           return v >= -kLargest && v <= kLargest;
+         });
+}
+
+template <class Array>
+void add_array(const SurfaceArray& array, std::size_t tuples, vtkDataSetAttributes& data) {
+  vtkNew<Array> copy;
+  copy->SetName(array.name.c_str());
+  copy->SetNumberOfComponents(static_cast<int>(array.components));
+  copy->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  std::transform(array.values.begin(), array.values.end(), copy->GetPointer(0),
+                 [](double v) { return static_cast<typename Array::ValueType>(v); });
+  data.AddArray(copy);
+}
+
 void add_arrays(const std::vector<SurfaceArray>& arrays, std::size_t tuples,
                 vtkDataSetAttributes& data) {
   for (const SurfaceArray& array : arrays) {
     if (array.components == 0) continue;
-    vtkNew<vtkDoubleArray> copy;
-    copy->SetName(array.name.c_str());
-    copy->SetNumberOfComponents(static_cast<int>(array.components));
-    copy->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-    std::copy(array.values.begin(), array.values.end(), copy->GetPointer(0));
-    data.AddArray(copy);
+    if (has_exact_integers(array))
+      add_array<vtkTypeInt64Array>(array, tuples, data);
+    else
+      add_array<vtkDoubleArray>(array, tuples, data);
   }
 }
 
@@ -121,6 +139,12 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
     result->GetFieldData()->AddArray(array);
   }
   add_arrays(given.point_data, given.points.size(), *result->GetPointData());
+  if (const SurfaceArray* scalars = given.find_point_data(given.scalars);
+      scalars != nullptr && scalars->components == 1)
+    result->GetPointData()->SetActiveScalars(given.scalars.c_str());
+  if (const SurfaceArray* normals = given.find_point_data(given.normals);
+      normals != nullptr && normals->components == 3)
+    result->GetPointData()->SetActiveNormals(given.normals.c_str());
   add_arrays(given.cell_data, given.lines.size() + given.polygons.size(), *result->GetCellData());
   return result;
 }

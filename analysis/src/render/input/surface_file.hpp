@@ -21,7 +21,8 @@ struct Sheet {
   bool is_unstable = false;  ///< cells whose array `stable` is 0, which are faded
 };
 
-/// What a .vtp file holds; nothing, where a field has no such surface. Throws IoError.
+/// What a .vtp file holds, with the types and marks of its arrays (integers as 64 bits); nothing,
+/// where a field has no such surface. Throws IoError.
 vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file);
 
 /// The sheets of what a file holds, by ascending mode (or value, or kind), with the normals that

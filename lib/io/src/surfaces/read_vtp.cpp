@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bytes/element.hpp"
 #include "bytes/format_error.hpp"
 #include "surfaces/read_formats.hpp"
 #include "surfaces/surface_builder.hpp"
@@ -70,11 +71,17 @@ std::vector<std::vector<std::int64_t>> read_lists(const XmlDocument& document, p
   return lists;
 }
 
+bool is_integer_array(pugi::xml_node array) {
+  const auto type = xml_element_type(array.attribute("type").value());
+  return type && is_integer(*type);
+}
+
 std::vector<SurfaceArray> read_data(const XmlDocument& document, pugi::xml_node section,
                                     std::size_t tuples) {
   std::vector<SurfaceArray> arrays;
   for (const pugi::xml_node node : section.children("DataArray")) {
-    SurfaceArray array{node.attribute("Name").value(), components_of(node), {}};
+    SurfaceArray array{node.attribute("Name").value(), components_of(node), {},
+                       is_integer_array(node)};
     if (array.components > 1000)
       throw FormatError("the array `" + array.name.substr(0, 80) + "` has too many components");
     for (const SurfaceArray& other : arrays)
@@ -105,8 +112,10 @@ void append(std::vector<SurfaceArray>& all, std::vector<SurfaceArray> more, bool
   for (std::size_t i = 0; same && i < all.size(); ++i)
     same = all[i].name == more[i].name && all[i].components == more[i].components;
   if (!same) throw FormatError("has other arrays than the pieces before");
-  for (std::size_t i = 0; i < all.size(); ++i)
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].is_integer = all[i].is_integer && more[i].is_integer;
     all[i].values.insert(all[i].values.end(), more[i].values.begin(), more[i].values.end());
+  }
 }
 
 /// The values of one cell, for each array.
@@ -119,7 +128,8 @@ void copy_cell(const std::vector<SurfaceArray>& from, std::size_t cell,
 
 std::vector<SurfaceArray> without_values(const std::vector<SurfaceArray>& arrays) {
   std::vector<SurfaceArray> result;
-  for (const SurfaceArray& array : arrays) result.push_back({array.name, array.components, {}});
+  for (const SurfaceArray& array : arrays)
+    result.push_back({array.name, array.components, {}, array.is_integer});
   return result;
 }
 
@@ -145,7 +155,10 @@ Piece read_piece(const XmlDocument& document, pugi::xml_node node) {
   };
   const Cells cells{lists("Verts", "NumberOfVerts"), lists("Lines", "NumberOfLines"),
                     lists("Polys", "NumberOfPolys"), lists("Strips", "NumberOfStrips")};
-  surface.point_data = read_data(document, only_child(node, "PointData"), points);
+  const pugi::xml_node point_data = only_child(node, "PointData");
+  surface.point_data = read_data(document, point_data, points);
+  surface.scalars = point_data.attribute("Scalars").value();
+  surface.normals = point_data.attribute("Normals").value();
   const auto data = read_data(document, only_child(node, "CellData"), cells.size());
   piece.line_data = piece.polygon_data = without_values(data);
   std::size_t cell = cells.verts.size();
@@ -209,6 +222,10 @@ SurfaceFile read_vtp(const std::shared_ptr<const InputFile>& file) {
     append(all.lines, piece.surface.lines, before);
     append(all.polygons, piece.surface.polygons, before);
     append(all.point_data, std::move(piece.surface.point_data), is_first);
+    if (is_first) {
+      all.scalars = piece.surface.scalars;
+      all.normals = piece.surface.normals;
+    }
     append(line_data, std::move(piece.line_data), is_first);
     append(polygon_data, std::move(piece.polygon_data), is_first);
     is_first = false;

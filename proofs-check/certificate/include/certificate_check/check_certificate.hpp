@@ -100,6 +100,7 @@ struct Subject {
   std::size_t points = 0, tetrahedra = 0;
   std::size_t isotropic = 0;    ///< tetrahedra in which all tensors are, so that no mode is defined
   std::size_t other_cells = 0;  ///< of the input: neither tetrahedra nor faces, lines or points
+  std::size_t flat_cells = 0;   ///< of the input: points, lines and faces, which have no volume
   std::size_t doubled_points = 0;  ///< of tetrahedra, at the place of another: surfaces are torn there
   std::size_t symmetrized = 0;  ///< tensors of nine components, of which two differ that should not
   bool of_curves = false;
@@ -111,7 +112,8 @@ struct Subject {
 struct Demands {
   std::vector<std::string> modes;  ///< fractions or decimals: each must be a level
   std::string tensor;              ///< empty: any
-  bool complete = false;  ///< nothing of the input may be left out, nor skipped, nor all isotropic
+  /// No tetrahedron may be left out, no other cell with a volume skipped, nor all be isotropic.
+  bool complete = false;
 };
 
 /// What came of a certificate's claims, each counted once.

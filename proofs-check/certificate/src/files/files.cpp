@@ -248,8 +248,9 @@ InputFile read_input(const File& source, const std::string& tensor,
   read_cells<4>(
       file, grid.connectivity, grid.offsets, input.points.size(),
       [&](std::size_t i) {
-        if (!is_flat(grid.types[i]) && grid.types[i] != kTetrahedron) ++input.other_cells;
-        return grid.types[i] == kTetrahedron;
+        if (grid.types[i] == kTetrahedron) return true;
+        ++(is_flat(grid.types[i]) ? input.flat_cells : input.other_cells);
+        return false;
       },
       [&](std::size_t i, auto corners) {
         std::sort(corners.begin(), corners.end());

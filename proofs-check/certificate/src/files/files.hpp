@@ -16,6 +16,7 @@ namespace certificate {
 /// An input with what its file says besides.
 struct InputFile : Input {
   std::size_t other_cells = 0;   ///< that are neither tetrahedra nor points, lines or faces
+  std::size_t flat_cells = 0;    ///< points, lines and faces
   std::size_t doubled_points = 0;  ///< see `count_doubled`
   std::size_t symmetrized = 0;   ///< tensors of nine components, of which two differ
   std::string names;             ///< of the components, if the file has some

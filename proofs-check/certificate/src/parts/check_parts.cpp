@@ -53,7 +53,8 @@ void add_subject(const Subject& part, bool is_first, Subject& all) {
   }
   all.points += part.points, all.tetrahedra += part.tetrahedra;
   all.isotropic += part.isotropic;
-  all.other_cells += part.other_cells, all.doubled_points += part.doubled_points;
+  all.other_cells += part.other_cells, all.flat_cells += part.flat_cells;
+  all.doubled_points += part.doubled_points;
   all.symmetrized += part.symmetrized;
   // Names of any part that do not spell the order are shown.
   if (!part.names.empty() && !part.names_say_order && (all.names.empty() || all.names_say_order))

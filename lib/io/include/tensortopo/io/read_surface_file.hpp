@@ -30,6 +30,7 @@ struct SurfaceArray {
   std::string name;            ///< as in the file
   std::size_t components = 1;  ///< numbers for each point or cell
   std::vector<double> values;  ///< point by point, or cell by cell
+  bool is_integer = false;     ///< the file declares it so
 };
 
 /// What a file of a surface or of curves holds.
@@ -43,6 +44,8 @@ struct SurfaceFile {
   /// Of a .vtp: its arrays of one string, by name; of surfaces that were extracted: `input_sha256`,
   /// `tensor` and others.
   std::map<std::string, std::string> texts;
+  /// Of a .vtp: names of the point data that it marks as scalars and as normals; may be empty.
+  std::string scalars, normals;
 
   /// The array of this name; null if there is none.
   const SurfaceArray* find_point_data(const std::string& name) const;
