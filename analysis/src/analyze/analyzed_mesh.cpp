@@ -26,12 +26,10 @@ ReadResult read_analyzed(const std::filesystem::path& input, const ReadOptions& 
 }
 
 nlohmann::ordered_json analyzed_mesh_json(const AnalyzedMesh& mesh) {
-  nlohmann::ordered_json json{{"path", mesh.input.string()},
-                              {"sha256", mesh.sha256},
-                              {"vertices", mesh.vertices},
-                              {"tetrahedra", mesh.tetrahedra},
-                              {"tensor", mesh.tensor_name},
-                              {"components", name_of(mesh.components.order)}};
+  nlohmann::ordered_json json{
+      {"path", mesh.input.string()}, {"sha256", mesh.sha256},
+      {"vertices", mesh.vertices},   {"tetrahedra", mesh.tetrahedra},
+      {"tensor", mesh.tensor_name},  {"components", name_of(mesh.components.order)}};
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   return json;
 }

@@ -210,18 +210,23 @@ std::string to_text(const Report& report, const std::vector<std::string>& unmet)
   std::string text;
   for (const std::string& demand : unmet) text += "not as demanded: " + demand + '\n';
   text += report.status() + ": " + std::to_string(report.claims()) + " claims, " + counts(report);
-  text += "input: " + printable(s.input) + ", tensor '" + printable(s.tensor) + "', components " + s.listing + " (" +
-          s.order + (s.names_say_order || s.names.empty()
-                         ? ""
-                         : ", though the file's names do not say so: " + printable(s.names)) +
+  text += "input: " + printable(s.input) + ", tensor '" + printable(s.tensor) + "', components " +
+          s.listing + " (" + s.order +
+          (s.names_say_order || s.names.empty()
+               ? ""
+               : ", though the file's names do not say so: " + printable(s.names)) +
           "), " + counted(s.points, "point") + ", " + counted_tets(s.tetrahedra) +
-          (s.isotropic > 0 ? " (in " + std::to_string(s.isotropic) + " all tensors are isotropic: no mode is defined)" : "") +
+          (s.isotropic > 0 ? " (in " + std::to_string(s.isotropic) +
+                                 " all tensors are isotropic: no mode is defined)"
+                           : "") +
           (s.symmetrized > 0 ? ", " + counted(s.symmetrized, "tensor") + " symmetrized" : "") +
           (s.other_cells > 0 ? ", " + counted(s.other_cells, "other cell") + " skipped" : "") +
-          (s.flat_cells > 0 ? ", " + counted(s.flat_cells, "cell") + " of two dimensions or fewer skipped" : "") +
-          (s.doubled_points > 0 ? ", torn: " + counted(s.doubled_points, "point") +
-                                      " at the place of another"
-                                : "") +
+          (s.flat_cells > 0
+               ? ", " + counted(s.flat_cells, "cell") + " of two dimensions or fewer skipped"
+               : "") +
+          (s.doubled_points > 0
+               ? ", torn: " + counted(s.doubled_points, "point") + " at the place of another"
+               : "") +
           "\noutput: " + printable(s.output) + ", " + std::to_string(s.vertices) + " vertices, " +
           counted(s.cells, s.of_curves ? "line" : "triangle") + '\n';
   for (const LevelReport& level : report.levels) text += text_of(level, s.of_curves);

@@ -23,7 +23,7 @@ namespace tensortopo {
 struct GraphCommand {
   std::filesystem::path input;
   ReadOptions read;
-  Provenance provenance;  ///< for the output
+  Provenance provenance;         ///< for the output
   std::filesystem::path output;  ///< .vtp, for the tree and transitions; may be empty
 };
 

@@ -19,7 +19,7 @@ namespace tensortopo {
 struct PersistenceCommand {
   std::filesystem::path input;
   ReadOptions read;
-  Provenance provenance;  ///< for the output
+  Provenance provenance;          ///< for the output
   std::filesystem::path output;   ///< .vtp, for the pairs; may be empty
   std::filesystem::path picture;  ///< .png; may be empty
 };

@@ -40,9 +40,8 @@ vtkSmartPointer<vtkCellArray> cells_of(const IndexLists& lists) {
 /// As doubles, which is how they were read.
 bool has_exact_integers(const SurfaceArray& array) {
   constexpr double kLargest = 0x1p53;
-  return array.is_integer && std::all_of(array.values.begin(), array.values.end(), [](double v) {
-           return v >= -kLargest && v <= kLargest;
-         });
+  return array.is_integer && std::all_of(array.values.begin(), array.values.end(),
+                                         [](double v) { return v >= -kLargest && v <= kLargest; });
 }
 
 template <class Array>

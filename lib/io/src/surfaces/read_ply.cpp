@@ -100,8 +100,9 @@ void read_vertices(PlyBody& body, const PlyElement& element, SurfaceFile& surfac
   std::vector<std::pair<std::size_t, SurfaceArray>> others;
   for (std::size_t k = 0; k < element.properties.size(); ++k)
     if (!element.properties[k].count_type && k != place[0] && k != place[1] && k != place[2])
-      others.emplace_back(k, SurfaceArray{element.properties[k].name, 1, {},
-                                            is_integer(element.properties[k].type)});
+      others.emplace_back(
+          k,
+          SurfaceArray{element.properties[k].name, 1, {}, is_integer(element.properties[k].type)});
   for_each_item(body, element, no_list, [&](const Item& item) {
     add_point(surface, {item.numbers[place[0]], item.numbers[place[1]], item.numbers[place[2]]});
     for (auto& [k, array] : others) array.values.push_back(item.numbers[k]);

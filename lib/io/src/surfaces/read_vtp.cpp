@@ -80,8 +80,8 @@ std::vector<SurfaceArray> read_data(const XmlDocument& document, pugi::xml_node 
                                     std::size_t tuples) {
   std::vector<SurfaceArray> arrays;
   for (const pugi::xml_node node : section.children("DataArray")) {
-    SurfaceArray array{node.attribute("Name").value(), components_of(node), {},
-                       is_integer_array(node)};
+    SurfaceArray array{
+        node.attribute("Name").value(), components_of(node), {}, is_integer_array(node)};
     if (array.components > 1000)
       throw FormatError("the array `" + array.name.substr(0, 80) + "` has too many components");
     for (const SurfaceArray& other : arrays)
