@@ -36,6 +36,16 @@ def test_rotations_factors_and_traces_do_not_change_the_mode():
     assert np.array_equal(tt.mode(-t), -tt.mode(t))
 
 
+@pytest.mark.parametrize("power", [-1000, 1022])
+def test_tensors_of_any_size_have_a_mode(power):
+    t = random_matrices()
+    t /= np.abs(t).max(axis=(1, 2))[:, None, None]
+    factor = 2.0**power
+    assert np.array_equal(tt.mode(factor * t), tt.mode(t))
+    assert np.array_equal(tt.lode_angle(factor * t), tt.lode_angle(t))
+    assert np.array_equal(tt.deviator(factor * t), factor * tt.deviator(t))
+
+
 def test_eigensystems():
     t = random_matrices()
     values, vectors = tt.eigen(t)

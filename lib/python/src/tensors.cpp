@@ -47,6 +47,16 @@ bool is_finite(const Tensor& t) {
   return true;
 }
 
+/// By so much a tensor must be divided for its deviator, and three times that, not to overflow.
+double divisor_of(const Tensor& t) {
+  for (const double x : {t.xx, t.yy, t.zz, t.xy, t.yz, t.xz})
+    if (std::abs(x) > 0x1p1000) return 8;
+  return 1;
+}
+
+/// Exact but for components that are nothing beside the largest one.
+Tensor divided(const Tensor& t, double divisor) { return (1 / divisor) * t; }
+
 /// A number for each tensor with a deviator; not a number for the others.
 template <class Function>
 py::array_t<double> for_each_deviator(const Input<double>& tensors, const Function& function) {
@@ -59,7 +69,7 @@ py::array_t<double> for_each_deviator(const Input<double>& tensors, const Functi
     const Tensor t = tensor_at(in, i);
     out[i] = kUndefined;
     if (!is_finite(t)) continue;
-    const auto d = deviator(t);
+    const auto d = deviator(divided(t, divisor_of(t)));
     if (d != Deviator<double>{}) out[i] = function(d);
   }
   return result;
@@ -72,7 +82,9 @@ py::array_t<double> deviators(const Input<double>& tensors) {
   double* out = result.mutable_data();
   const py::gil_scoped_release unlocked;
   for (std::size_t i = 0; i < n; ++i) {
-    const Tensor d = to_tensor(deviator(tensor_at(in, i)));
+    const Tensor t = tensor_at(in, i);
+    const double divisor = divisor_of(t);
+    const Tensor d = divisor * to_tensor(deviator(divided(t, divisor)));
     const double row[6]{d.xx, d.yy, d.zz, d.xy, d.yz, d.xz};
     for (std::size_t k = 0; k < 6; ++k) out[6 * i + k] = row[k];
   }
