@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "certify_case.hpp"
+#include "support/compared.hpp"
 
 namespace tensortopo::test {
 namespace {
@@ -73,6 +74,35 @@ TEST_P(Distance, OfAMuchFinerSurfaceStaysBelowTheBound) {
   ASSERT_GT(there, 0);
   EXPECT_LE(there, claim.bound);
   EXPECT_LE(back, claim.bound);
+}
+
+// Where moved triangles prove nothing, parts of the tetrahedron do: of few samples, so that there are
+// such tetrahedra, and each is looked at by itself.
+TEST_P(Distance, OfAMuchFinerSurfaceStaysBelowTheBoundByParts) {
+  Compared compared("tetrahedra with a bound by parts", 4);
+  for (std::uint64_t seed = 20241112; seed < 20241116; ++seed) {
+    TetMesh mesh = cube_mesh(1);
+    fill_with_normal_tensors(mesh, seed);
+    const auto value = ModeValue::parse(GetParam());
+    ExtractOptions options;
+    options.keep_topology = true;
+    options.sampling.resolution = 0.5;
+    auto few = extract_mode_surface<double>(mesh, value, options);
+    const auto claim = certify(PreparedField<double>(mesh), value, few, 0.01).distance;
+    ASSERT_EQ(claim.coarse.size(), claim.coarse_bounds.size());
+    const auto fine = certified(mesh, GetParam(), 12).extraction.surface;
+    for (std::size_t i = 0; i < claim.coarse.size(); ++i) {
+      const double bound = claim.coarse_bounds[i];
+      EXPECT_LE(bound, claim.coarse_bound);
+      if (bound > 0.9) continue;  // all edges are longer
+      ++compared;
+      std::vector<char> counts(mesh.tets.size(), 0);
+      counts[static_cast<std::size_t>(claim.coarse[i])] = 1;
+      constexpr double kOfFineOne = 0.01;
+      EXPECT_LE(one_sided(few.surface, counts, fine), bound + kOfFineOne);
+      EXPECT_LE(one_sided(fine, counts, few.surface), bound + kOfFineOne);
+    }
+  }
 }
 
 TEST_P(Distance, ShrinksWithMoreSamples) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -49,17 +50,25 @@ void renumber(CertifiedLevel& claims, Extraction& extraction, std::span<const In
   for (auto& cell : claims.undecided) cell.tet = tets[as_size(cell.tet)];
   std::sort(claims.undecided.begin(), claims.undecided.end(),
             [](const auto& p, const auto& q) { return p.tet < q.tet; });
-  const auto move = [&](std::vector<Index>& list) {
-    for (Index& t : list) t = tets[as_size(t)];
-    std::sort(list.begin(), list.end());
-  };
-  move(claims.distance.coarse);
-  if (claims.not_isotopic) move(*claims.not_isotopic);
+  auto& distance = claims.distance;
+  std::map<Index, double> bounds;
+  for (std::size_t i = 0; i < distance.coarse.size(); ++i)
+    bounds.emplace(tets[as_size(distance.coarse[i])], distance.coarse_bounds[i]);
+  distance.coarse.clear();
+  distance.coarse_bounds.clear();
+  for (const auto& [tet, bound] : bounds) {
+    distance.coarse.push_back(tet);
+    distance.coarse_bounds.push_back(bound);
+  }
+  if (claims.not_isotopic) {
+    for (Index& t : *claims.not_isotopic) t = tets[as_size(t)];
+    std::sort(claims.not_isotopic->begin(), claims.not_isotopic->end());
+  }
 }
 
 /// @param extraction  in the numbers of the field's mesh
 CertifiedLevel certify_in_order(const ScaledField<double>& field, const ModeValue& mode,
-                                Extraction& extraction) {
+                                Extraction& extraction, double wanted) {
   const TetMesh& mesh = *field.mesh;
   const SurfaceMesh& surface = extraction.surface;
   const auto level = make_level<double>(mode);
@@ -77,7 +86,7 @@ CertifiedLevel certify_in_order(const ScaledField<double>& field, const ModeValu
   result.components = components_of(surface);
   result.embedded = is_embedded(surface);
   const auto decided = decided_triangles(mesh, surface, result);
-  result.distance = prove_distance(mesh, surface, decided, result.topology, field, level);
+  result.distance = prove_distance(mesh, surface, decided, result.topology, field, level, wanted);
   if (result.embedded)
     result.not_isotopic =
         tets_not_isotopic(mesh, surface, decided, result.topology, result.distance.coarse,
@@ -88,11 +97,11 @@ CertifiedLevel certify_in_order(const ScaledField<double>& field, const ModeValu
 }  // namespace
 
 CertifiedLevel certify(const PreparedField<double>& field, const ModeValue& mode,
-                       Extraction& extraction) {
+                       Extraction& extraction, double wanted) {
   const CanonicalMesh& canonical = *field.canonical;
   renumber(extraction, inverse_permutation(canonical.vertices),
            inverse_permutation(canonical.tets));
-  CertifiedLevel result = certify_in_order(field.field, mode, extraction);
+  CertifiedLevel result = certify_in_order(field.field, mode, extraction, wanted);
   renumber(result, extraction, canonical.vertices, canonical.tets);
   return result;
 }

@@ -29,7 +29,8 @@ std::vector<double> distance_bounds(const TetMesh& mesh, const SurfaceMesh& surf
     for (const auto v : surface.triangles[i])
       bound = std::max(bound, (1 + 0x1p-20) * reach_length(claim.reach[as_size(v)]));
   }
-  for (const auto t : claim.coarse) bounds[as_size(t)] = claim.coarse_bound;
+  for (std::size_t i = 0; i < claim.coarse.size(); ++i)
+    bounds[as_size(claim.coarse[i])] = claim.coarse_bounds[i];
   for (const auto& cell : level.undecided) bounds[as_size(cell.tet)] = 0;
   return bounds;
 }
@@ -50,7 +51,7 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
     result.extraction = extract_mode_surface(field, mode, current);
     LevelTopology kept;
     if (options.keep_topology) kept = result.extraction.topology;
-    result.level = certify(field, mode, result.extraction);
+    result.level = certify(field, mode, result.extraction, largest_distance);
     result.extraction.topology = std::move(kept);
     ++result.rounds;
     const auto bounds = distance_bounds(mesh, result.extraction.surface, result.level);

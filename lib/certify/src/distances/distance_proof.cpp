@@ -34,8 +34,10 @@ int reach_of(double length) {
 
 DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                              std::span<const std::size_t> triangles, const LevelTopology& topology,
-                             const ScaledField<double>& field, const Level<double>& level) {
-  return detail::distance_claim(mesh, surface, triangles, topology, ModeCells{mesh, field, level});
+                             const ScaledField<double>& field, const Level<double>& level,
+                             double wanted) {
+  return detail::distance_claim(mesh, surface, triangles, topology, ModeCells{mesh, field, level},
+                                wanted);
 }
 
 MovedPlaces moved_places(const TetMesh& mesh, const SurfaceMesh& surface,

@@ -25,10 +25,14 @@ namespace tensortopo {
 /// what holds of the curve on the opposite face holds, shrunk, of all of it, and tips stay in
 /// place.
 ///
+/// Where that is not proved, see `coarse_bounds`.
+///
 /// @param triangles  those of the surface that the claim is about
+/// @param wanted     there: a distance that is worth some time; 0: none
 DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                              std::span<const std::size_t> triangles, const LevelTopology& topology,
-                             const ScaledField<double>& field, const Level<double>& level);
+                             const ScaledField<double>& field, const Level<double>& level,
+                             double wanted = 0);
 
 /// The same of an invariant's level: moved along the gradient of its quadratic form, which is
 /// also what a triangle's side is told by: the polar forms of its corners are the coefficients

@@ -97,7 +97,8 @@ struct InvariantCells {
 DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                              std::span<const std::size_t> triangles, const LevelTopology& topology,
                              const QuadraticLevel& level) {
-  return detail::distance_claim(mesh, surface, triangles, topology, InvariantCells{mesh, level});
+  return detail::distance_claim(mesh, surface, triangles, topology, InvariantCells{mesh, level},
+                                0);
 }
 
 MovedPlaces moved_places(const TetMesh& mesh, const SurfaceMesh& surface,

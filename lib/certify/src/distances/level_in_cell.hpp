@@ -101,8 +101,8 @@ inline std::array<double, 4> middle_of(const std::array<double, 4>& v,
   return result;
 }
 
-/// Whether `is_proved` holds of a segment or triangle, or of each part of it after up to so many
-/// cuts; `is_right` says of a corner whether that is any use.
+/// Whether `is_proved` holds of a simplex, or of a segment or triangle in each part after up to so
+/// many cuts; `is_right` says of a corner whether that is any use.
 template <std::size_t Count, class Place, class IsRight, class IsProved>
 bool is_proved_in_parts(const std::array<Place, Count>& t, int cuts, const IsRight& is_right,
                         const IsProved& is_proved) {
@@ -113,17 +113,19 @@ bool is_proved_in_parts(const std::array<Place, Count>& t, int cuts, const IsRig
   } else {
     if (is_proved(t)) return true;
     if (cuts == 0) return false;
-    const auto part = [&](const std::array<Place, Count>& p) {
+    [[maybe_unused]] const auto part = [&](const std::array<Place, Count>& p) {
       return is_proved_in_parts(p, cuts - 1, is_right, is_proved);
     };
     if constexpr (Count == 2) {
       const Place middle = middle_of(t[0], t[1]);
       return part({t[0], middle}) && part({middle, t[1]});
-    } else {
+    } else if constexpr (Count == 3) {
       const std::array<Place, 3> h{middle_of(t[1], t[2]), middle_of(t[2], t[0]),
                                    middle_of(t[0], t[1])};
       return part(h) && part({t[0], h[2], h[1]}) && part({t[1], h[0], h[2]}) &&
              part({t[2], h[1], h[0]});
+    } else {
+      return false;
     }
   }
 }
@@ -154,7 +156,7 @@ class LevelInCell : public CellInSpace {
     return std::abs(at.value) / length(g);
   }
 
-  /// Whether a triangle, segment or point is proved to lie on one side of the level.
+  /// Whether a simplex is proved to lie on one side of the level.
   template <std::size_t Count>
   bool is_on_side(const std::array<std::array<double, 4>, Count>& corners, Verdict side) const {
     std::array<Deviator<double>, Count> t;

@@ -11,11 +11,13 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "distances/closed_loops.hpp"
+#include "distances/coarse_tets.hpp"
 #include "distances/layers.hpp"
 #include "distances/level_in_cell.hpp"
 #include "tensortopo/certify/certified_level.hpp"
@@ -294,46 +296,58 @@ class ReachSearch {
   std::vector<std::int32_t> last_trial_;  ///< by triangle, or -1
 };
 
-inline double one_norm(const Vector3<double>& x) {
-  return std::abs(x.x) + std::abs(x.y) + std::abs(x.z);
+/// For each tetrahedron of the mesh the longest reach of its triangles, with what rounding of places
+/// adds; 0 where there are none.
+/// @param triangles  those of a tetrahedron together
+template <class Cells>
+std::vector<double> longest_reaches(const TetMesh& mesh, const SurfaceMesh& surface,
+                                    std::span<const std::size_t> triangles,
+                                    std::span<const int> reach, const Cells& cells) {
+  std::vector<double> result(mesh.tets.size(), 0);
+  Index tet = -1;
+  double size = 0;
+  for (const auto i : triangles) {
+    if (tet != surface.tet[i]) size = cells.at(tet = surface.tet[i]).size();
+    double& longest = result[as_size(tet)];
+    for (const Index v : surface.triangles[i]) {
+      // A position is rounded off the edge or face that holds the vertex.
+      const double rounding = 0x1p-48 * (one_norm(surface.points[as_size(v)]) + size);
+      longest = std::max(longest, kAboveRounding * (reach_length(reach[as_size(v)]) + rounding));
+    }
+  }
+  return result;
 }
 
 /// See `prove_distance`.
 template <class Cells>
 DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
                              std::span<const std::size_t> triangles, const LevelTopology& topology,
-                             const Cells& cells) {
+                             const Cells& cells, double wanted) {
   DistanceClaim claim;
   ReachSearch<Cells> search(surface, triangles, topology, cells);
-  for (const auto i : search.run()) claim.coarse.push_back(surface.tet[i]);
+  std::set<Index> coarse;
+  for (const auto i : search.run()) coarse.insert(surface.tet[i]);
   claim.reach = std::move(search).reach();
-  const auto uncovered = uncovered_closed_loops(surface, triangles, topology, claim.reach);
-  claim.coarse.insert(claim.coarse.end(), uncovered.begin(), uncovered.end());
-  std::sort(claim.coarse.begin(), claim.coarse.end());
-  claim.coarse.erase(std::unique(claim.coarse.begin(), claim.coarse.end()), claim.coarse.end());
-  // Positions are rounded, and so are the directions' lengths.
-  constexpr double kAbove = 1 + 0x1p-20;
-  for (const Index t : claim.coarse) {
-    double rounding = 0x1p-1060;
-    for (const Index v : mesh.tets[as_size(t)])
-      rounding += 0x1p-48 * one_norm(mesh.points[as_size(v)]);
-    claim.coarse_bound = std::max(claim.coarse_bound, kAbove * (cells.at(t).size() + rounding));
+  for (const Index t : uncovered_closed_loops(surface, triangles, topology, claim.reach))
+    coarse.insert(t);
+  auto by_reach = longest_reaches(mesh, surface, triangles, claim.reach, cells);
+  for (const Index t : coarse) by_reach[as_size(t)] = 0;
+  // What is proved, but not the distance that is wanted, may be so by parts.
+  std::vector<Index> looked_at(coarse.begin(), coarse.end());
+  if (wanted > 0)
+    for (std::size_t t = 0; t < by_reach.size(); ++t)
+      if (by_reach[t] > wanted) looked_at.push_back(static_cast<Index>(t));
+  std::sort(looked_at.begin(), looked_at.end());
+  const auto by_parts = coarse_bounds(mesh, surface, triangles, looked_at, cells, wanted);
+  for (std::size_t i = 0; i < looked_at.size(); ++i) {
+    double& reached = by_reach[as_size(looked_at[i])];
+    if (reached > 0 && by_parts[i] >= reached) continue;
+    reached = 0;
+    claim.coarse.push_back(looked_at[i]);
+    claim.coarse_bounds.push_back(by_parts[i]);
+    claim.coarse_bound = std::max(claim.coarse_bound, by_parts[i]);
   }
-  std::vector<char> is_coarse(mesh.tets.size(), 0);
-  for (const Index t : claim.coarse) is_coarse[as_size(t)] = 1;
-  Index tet = -1;  // triangles of one follow each other
-  double size = 0;
-  for (const auto i : triangles) {
-    if (is_coarse[as_size(surface.tet[i])]) continue;
-    if (tet != surface.tet[i]) size = cells.at(tet = surface.tet[i]).size();
-    for (const Index v : surface.triangles[i]) {
-      // A position is rounded off the edge or face that holds the vertex.
-      const auto& x = surface.points[as_size(v)];
-      const double rounding = 0x1p-48 * (one_norm(x) + size);
-      claim.bound =
-          std::max(claim.bound, kAbove * (reach_length(claim.reach[as_size(v)]) + rounding));
-    }
-  }
+  for (const double bound : by_reach) claim.bound = std::max(claim.bound, bound);
   return claim;
 }
 

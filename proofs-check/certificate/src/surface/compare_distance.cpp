@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
 
 #include "claims/containment.hpp"
 #include "claims/half_edges.hpp"
 #include "run/parallel.hpp"
 #include "surface/closed_curves.hpp"
+#include "surface/near_level.hpp"
 
 namespace certificate {
 namespace {
@@ -42,6 +45,11 @@ class Distances {
                        [&](Vertex i) { return c_.field.is_zero(i); });
   }
   bool is_amid_carrier(std::size_t v) const;
+  /// Is the mode, or other invariant, defined at its corners?
+  bool has_modes(std::size_t tet) const {
+    const auto& v = c_.input.tets[tet];
+    return std::none_of(v.begin(), v.end(), [&](Vertex i) { return c_.field.is_zero(i); });
+  }
   bool is_clear(const MovedVertices& moved, std::size_t triangle) const;
   std::array<std::size_t, 3> vertices_of(std::size_t triangle) const {
     auto result = std::array<std::size_t, 3>{};
@@ -55,7 +63,8 @@ class Distances {
   std::string vertex(std::size_t v) const {
     return "vertex " + std::to_string(c_.vertices.first + v);
   }
-  void require_no_longer_edge(std::size_t tet) const;
+  std::optional<std::string> longer_edge(std::size_t tet) const;
+  void prove_coarse() const;
   void prove_passed_crossings(const MovedVertices& moved) const;
 
   const LevelCase& c_;
@@ -83,8 +92,10 @@ Distances::Distances(const LevelCase& c, const PlacedSurface& placed)
       for (const std::size_t v : vertices_of(t)) is_used_[v] = true;
 }
 
-/// Positions may be rounded out of their tetrahedron, on each axis by as much as its corners say.
-void Distances::require_no_longer_edge(std::size_t tet) const {
+/// An edge of a tetrahedron that is longer than the coarse bound, if there is one: else two points in
+/// it are as near. Positions may be rounded out of their tetrahedron, on each axis by as much as its
+/// corners say.
+std::optional<std::string> Distances::longer_edge(std::size_t tet) const {
   const auto& v = c_.input.tets[tet];
   mpq_class rounding = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -93,6 +104,7 @@ void Distances::require_no_longer_edge(std::size_t tet) const {
     rounding += rounding_of(largest);
   }
   const mpq_class most = mpq_class(coarse_bound_) - rounding;
+  std::optional<std::string> result;
   for_subsets(4, 2, [&](const auto& ends) {
     mpq_class sum;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -100,12 +112,13 @@ void Distances::require_no_longer_edge(std::size_t tet) const {
                           mpq_class(c_.input.points[v[ends[1]]][k]);
       sum += d * d;
     }
-    if (most < 0 || sum > most * most)
-      throw Wrong("the edge of vertices " + std::to_string(v[ends[0]]) + " and " +
+    if (!result && (most < 0 || sum > most * most))
+      result = "the edge of vertices " + std::to_string(v[ends[0]]) + " and " +
                   std::to_string(v[ends[1]]) + " is longer, about " +
                   text_of(std::sqrt(sum.get_d())) + ", than coarse_bound " +
-                  text_of(coarse_bound_) + " less what rounding of positions adds" + where(tet));
+                  text_of(coarse_bound_) + " less what rounding of positions adds" + where(tet);
   });
+  return result;
 }
 
 /// What is wrong by the numbers themselves.
@@ -117,8 +130,52 @@ void Distances::require_bounds() const {
     if (is_used_[v] && !is_apex(v) && reach_length(reach_[v]) > bound_)
       throw Wrong("the reach of " + vertex(v) + " is " + text_of(reach_length(reach_[v])) +
                   ", above the bound " + text_of(bound_));
+}
+
+/// In coarse tetrahedra with a longer edge than the coarse bound.
+void Distances::prove_coarse() const {
+  std::map<std::size_t, std::vector<std::array<Point3, 3>>> triangles;  // none of other ones
+  std::map<std::size_t, std::string> longer;
   for (std::size_t tet = 0; tet < is_coarse_.size(); ++tet)
-    if (is_coarse_[tet]) require_no_longer_edge(tet);
+    if (is_coarse_[tet])
+      if (auto why = longer_edge(tet)) {
+        if (!has_modes(tet)) throw Wrong(*why);
+        longer[tet] = std::move(*why), triangles[tet];
+      }
+  for (std::size_t t = 0; t < placed_.tets.size(); ++t)
+    if (longer.contains(placed_.tets[t])) {
+      auto& corners = triangles.at(placed_.tets[t]).emplace_back();
+      const auto v = vertices_of(t);
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = c_.surface.points[c_.vertices.first + v[k]];
+    }
+  const std::vector<std::pair<std::size_t, std::string>> cells(longer.begin(), longer.end());
+  std::vector<char> is_near(cells.size(), 1);
+  // The same on each machine: looked at after so many tetrahedra.
+  constexpr std::size_t kTogether = 64, kMostWork = 400000000;
+  std::size_t work = 0, done = 0;
+  auto missing = is_near.end();
+  while (done < cells.size() && missing == is_near.end() && work < kMostWork) {
+    const std::size_t count = std::min(kTogether, cells.size() - done);
+    std::vector<std::size_t> of_cell(count);
+    parallel_for(count, [&](std::size_t i) {
+      const std::size_t tet = cells[done + i].first;
+      is_near[done + i] =
+          is_near_level(c_, tet, triangles.at(tet), coarse_bound_, of_cell[i]);
+    });
+    for (const std::size_t w : of_cell) work += w;
+    done += count;
+    missing = std::find(is_near.begin(), is_near.end(), 0);
+  }
+  if (missing == is_near.end()) {
+    if (done < cells.size())
+      throw Unproved("bounds of coarse tetrahedra below their edges take too much work");
+    return;
+  }
+  const auto& [tet, why] = cells[static_cast<std::size_t>(missing - is_near.begin())];
+  if (const auto far = point_far_from_level(c_, tet, triangles.at(tet), coarse_bound_))
+    throw Wrong("the level is farther than coarse_bound " + text_of(coarse_bound_) +
+                " from the triangles' point " + Json(*far).dump() + where(tet));
+  throw Unproved(why + ", and less is not shown by parts of the tetrahedron");
 }
 
 /// Is a vertex that does not move within the bound of the middle of what carries it?
@@ -179,6 +236,7 @@ void Distances::prove_passed_crossings(const MovedVertices& moved) const {
 }
 
 void Distances::prove() const {
+  prove_coarse();
   const MovedVertices moved(c_, placed_, reach_);
   std::vector<char> is_near(placed_.carriers.size(), 1), clear(placed_.tets.size(), 1);
   parallel_for(is_near.size(), [&](std::size_t v) {

@@ -13,13 +13,6 @@ namespace {
 
 constexpr auto kBothWays = {MovedVertices::kBehind, MovedVertices::kAhead};
 
-/// The power of 2 of which x is an integer multiple of at most 53 bits.
-long unit_of(double x) {
-  int e = 0;
-  std::frexp(x, &e);
-  return e - 53;
-}
-
 }  // namespace
 
 double reach_length(std::int64_t n) {
@@ -30,16 +23,11 @@ double reach_length(std::int64_t n) {
 
 MovedVertices::MovedVertices(const LevelCase& c, const PlacedSurface& placed,
                              const std::vector<std::int64_t>& reach)
-    : c_(c), placed_(placed), points_(2 * placed.carriers.size()) {
+    : c_(c),
+      placed_(placed),
+      points_(2 * placed.carriers.size()),
+      tensors_(c.field, 2 * placed.carriers.size()) {
   parallel_for(placed.carriers.size(), [&](std::size_t v) { move(v, reach_length(reach[v])); });
-}
-
-/// The largest scale of the corners' balls.
-long MovedVertices::scale_of(const Carrier& carrier) const {
-  long scale = c_.field.scale(carrier.corners[0]);
-  for (std::size_t i = 1; i < carrier.count; ++i)
-    scale = std::max(scale, c_.field.scale(carrier.corners[i]));
-  return scale;
 }
 
 void MovedVertices::move(std::size_t vertex, double reach) {
@@ -62,7 +50,7 @@ void MovedVertices::move(std::size_t vertex, double reach) {
   Small weights = solver.solve(edges.transpose() * rest);
   weights += solver.solve(edges.transpose() * (rest - edges * weights));
   // The gradient of what the level is of, and its length.
-  const long scale = scale_of(carrier);
+  const long scale = scale_of(c_.field, carrier);
   std::array<Tensor<double>, 4> t;
   Tensor<double> m{};
   for (std::size_t i = 0; i < carrier.count; ++i) {
@@ -87,12 +75,13 @@ void MovedVertices::move(std::size_t vertex, double reach) {
   const double by = reach / std::sqrt(slope.dot(gradient));
   for (const Way way : kBothWays) {
     const Small moved = weights + (way == kAhead ? by : -by) * gradient;
-    auto& result = points_[2 * vertex + way].weights;
+    auto& result = points_[id_of(vertex, way)];
     result[0] = 1 - moved.sum();
     for (Eigen::Index i = 0; i < size; ++i) result[static_cast<std::size_t>(i) + 1] = moved(i);
   }
   if (stays(vertex))
-    for (const Way way : kBothWays) enclose(carrier, points_[2 * vertex + way]);
+    for (const Way way : kBothWays)
+      tensors_.set(id_of(vertex, way), carrier, points_[id_of(vertex, way)]);
 }
 
 bool MovedVertices::stays(std::size_t vertex) const {
@@ -100,55 +89,6 @@ bool MovedVertices::stays(std::size_t vertex) const {
     for (std::size_t i = 0; i < placed_.carriers[vertex].count; ++i)
       if (!(weights(vertex, way)[i] > 0x1p-1000 && weights(vertex, way)[i] <= 1)) return false;
   return true;
-}
-
-/// The power of 2 of which all weights times their tensors' are integer multiples.
-long MovedVertices::unit_of(const Carrier& carrier, const Point& point) const {
-  long lowest = 0;
-  for (std::size_t i = 0; i < carrier.count; ++i) {
-    const long unit =
-        certificate::unit_of(point.weights[i]) + c_.field.exponent(carrier.corners[i]);
-    lowest = i == 0 ? unit : std::min(lowest, unit);
-  }
-  return lowest;
-}
-
-void MovedVertices::enclose(const Carrier& carrier, Point& point) const {
-  const long scale = scale_of(carrier);
-  for (std::size_t i = 0; i < carrier.count; ++i) {
-    const Vertex v = carrier.corners[i];
-    const long down = std::max(c_.field.scale(v) - scale, -2000L);
-    const Ball weight(std::ldexp(point.weights[i], static_cast<int>(down)),
-                      down < -20 ? Ball::kTiny : 0);
-    const Tensor<Ball>& t = *c_.field.corner(v, false).ball;
-    for (std::size_t k = 0; k < t.size(); ++k) point.ball[k] += weight * t[k];
-  }
-  const int down = scale_to_one(point.ball);
-  // exact() is in the unit, the ball in 2^(scale + down)
-  point.shift = scale + down - unit_of(carrier, point);
-}
-
-Place<4> MovedVertices::place(std::size_t vertex, Way way) const {
-  const Carrier& carrier = placed_.carriers[vertex];
-  const Point& point = points_[2 * vertex + way];
-  const long unit = unit_of(carrier, point);
-  Place<4> result;
-  for (std::size_t i = 0; i < carrier.count; ++i) {
-    const long own = certificate::unit_of(point.weights[i]);
-    result[i] = std::ldexp(point.weights[i], static_cast<int>(-own));
-    result[i] <<= static_cast<unsigned long>(own + c_.field.exponent(carrier.corners[i]) - unit);
-  }
-  return result;
-}
-
-Tensor<mpz_class> MovedVertices::exact(std::uint32_t id) const {
-  const Place<4> weights = place(id / 2, static_cast<Way>(id % 2));
-  Tensor<mpz_class> sum{};
-  for (std::size_t i = 0; i < placed_.carriers[id / 2].count; ++i) {
-    const Tensor<mpz_class> t = c_.field.exact(placed_.carriers[id / 2].corners[i]);
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weights[i] * t[k];
-  }
-  return sum;
 }
 
 bool MovedVertices::is_within(std::size_t vertex, double bound) const {

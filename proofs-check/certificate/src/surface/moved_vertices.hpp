@@ -4,6 +4,7 @@
 
 #include "places.hpp"
 #include "surface/compare_surface.hpp"
+#include "surface/weighted_tensors.hpp"
 
 namespace certificate {
 
@@ -16,7 +17,7 @@ double reach_length(std::int64_t n);
 /// A moved vertex is an exact point of its carrier, the one whose weights are in proportion to
 /// some positive doubles. These are computed in doubles, and need not be more than near to what the
 /// certificate means: all that follows from it is proved of these points.
-class MovedVertices : public ExactTensors {
+class MovedVertices {
  public:
   enum Way : std::uint32_t { kBehind = 0, kAhead = 1 };
 
@@ -26,34 +27,28 @@ class MovedVertices : public ExactTensors {
 
   /// Weights at the corners of the carrier; not all positive if the vertex would leave it.
   const std::array<double, 4>& weights(std::size_t vertex, Way way) const {
-    return points_[2 * vertex + way].weights;
+    return points_[id_of(vertex, way)];
   }
   /// The weights of the field's exact tensors there. @pre stays(vertex)
-  Place<4> place(std::size_t vertex, Way way) const;
+  Place<4> place(std::size_t vertex, Way way) const { return tensors_.place(id_of(vertex, way)); }
   bool stays(std::size_t vertex) const;
   /// Its tensor, and the side on which it should be. @pre stays(vertex)
   Corner corner(std::size_t vertex, Way way) const {
-    const auto id = static_cast<std::uint32_t>(2 * vertex + way);
-    return {&points_[id].ball, points_[id].shift, this, id, way == kAhead};
+    return tensors_.corner(id_of(vertex, way), way == kAhead);
   }
-  Tensor<mpz_class> exact(std::uint32_t id) const override;
   /// Is it at most so far from the vertex of the surface, both ways?
   bool is_within(std::size_t vertex, double bound) const;
 
  private:
-  struct Point {
-    std::array<double, 4> weights{};
-    Tensor<Ball> ball;
-    long shift = 0;
-  };
+  static std::uint32_t id_of(std::size_t vertex, Way way) {
+    return static_cast<std::uint32_t>(2 * vertex + way);
+  }
   void move(std::size_t vertex, double reach);
-  void enclose(const Carrier& carrier, Point& point) const;
-  long scale_of(const Carrier& carrier) const;
-  long unit_of(const Carrier& carrier, const Point& point) const;
 
   const LevelCase& c_;
   const PlacedSurface& placed_;
-  std::vector<Point> points_;
+  std::vector<std::array<double, 4>> points_;  ///< weights
+  WeightedTensors tensors_;  ///< there
 };
 
 }  // namespace certificate

@@ -38,10 +38,11 @@ struct DistanceClaim {
   /// comes to the other side of the level, and with it the triangles around. See `reach_length`.
   std::vector<int> reach;
   double bound = 0;  ///< a bound on both distances where `reach` proves one
-  /// Tetrahedra (positions in the mesh) where it does not: there the distances are below
-  /// `coarse_bound`, the longest edge of one of them.
+  /// Tetrahedra (positions in the mesh) where it does not, ascending: there the distances are
+  /// below `coarse_bounds`.
   std::vector<TetMesh::Index> coarse;
-  double coarse_bound = 0;  ///< in units of the mesh, as `bound`
+  std::vector<double> coarse_bounds;  ///< of each, no more than about its longest edge
+  double coarse_bound = 0;            ///< the largest of these, which is what is claimed of all
 };
 
 /// A tetrahedron about which nothing is claimed.
@@ -99,8 +100,11 @@ struct CertifiedLevel {
 CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction);
 
 /// The same with the field that the extraction was made from, in place of one made anew.
+/// @param wanted  a distance, in the mesh's units: where the proof by moved triangles does not close
+///                (`DistanceClaim::coarse`), it is proved by parts of the tetrahedron if that closes.
+///                0: there the bound is the longest edge
 CertifiedLevel certify(const PreparedField<double>& field, const ModeValue& mode,
-                       Extraction& extraction);
+                       Extraction& extraction, double wanted = 0);
 
 /// The claims that the extraction of an invariant's surface supports: its triangles' topology in
 /// each tetrahedron is proved, so they are read off these. Undecided besides the tetrahedra with a
