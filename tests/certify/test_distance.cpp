@@ -76,8 +76,8 @@ TEST_P(Distance, OfAMuchFinerSurfaceStaysBelowTheBound) {
   EXPECT_LE(back, claim.bound);
 }
 
-// Where moved triangles prove nothing, parts of the tetrahedron do: of few samples, so that there are
-// such tetrahedra, and each is looked at by itself.
+// Where moved triangles prove nothing, parts of the tetrahedron do: of few samples, so that there
+// are such tetrahedra, and each is looked at by itself.
 TEST_P(Distance, OfAMuchFinerSurfaceStaysBelowTheBoundByParts) {
   Compared compared("tetrahedra with a bound by parts", 4);
   for (std::uint64_t seed = 20241112; seed < 20241116; ++seed) {

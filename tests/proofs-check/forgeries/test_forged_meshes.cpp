@@ -65,8 +65,8 @@ TEST(Forgeries, TetrahedraThatAreFlatOrOnOneSideOfAFace) {
   }
 }
 
-/// Below the longest edge of a coarse tetrahedron a bound is shown by its parts, as far as it is one:
-/// each bound is certified or not, and below the first that is not, down to nothing, none is.
+/// Below the longest edge of a coarse tetrahedron a bound is shown by its parts, as far as it is
+/// one: each bound is certified or not, and below the first that is not, down to nothing, none is.
 TEST(Forgeries, BoundsOfCoarseTetrahedraBelowTheirLongestEdge) {
   Court court("coarse_bound");
   std::size_t certified = 0, refuted = 0;
@@ -78,7 +78,8 @@ TEST(Forgeries, BoundsOfCoarseTetrahedraBelowTheirLongestEdge) {
     distance["coarse_bound"] = "0x1.6a09e667f3be0p+0";  // the root of two, and 2^-48
     EXPECT_EQ(court.verdict(e), "certified") << court.report();
     bool is_bound = true;
-    for (const char* bound : {"0x1p+0", "0x1p-1", "0x1p-2", "0x1p-4", "0x1p-6", "0x1p-9", "0x1p-30"}) {
+    for (const char* bound :
+         {"0x1p+0", "0x1p-1", "0x1p-2", "0x1p-4", "0x1p-6", "0x1p-9", "0x1p-30"}) {
       distance["coarse_bound"] = bound;
       const std::string verdict = court.verdict(e);
       EXPECT_TRUE(is_bound || verdict != "certified") << bound << court.report();

@@ -76,9 +76,8 @@ std::vector<double> coarse_bounds(const TetMesh& mesh, const SurfaceMesh& surfac
       // Places of parts and of points of triangles are rounded, at each cut anew.
       rounding += 0x1p-45 * one_norm(vertices[i]);
     }
-    const bool is_undefined = std::any_of(v.begin(), v.end(), [&](TetMesh::Index i) {
-      return cells.is_undefined_at(i);
-    });
+    const bool is_undefined =
+        std::any_of(v.begin(), v.end(), [&](TetMesh::Index i) { return cells.is_undefined_at(i); });
     constexpr double kNext = 2.0 / 3;
     const double least = wanted / kAboveRounding - rounding;
     double distance = cell.size();

@@ -97,8 +97,7 @@ struct InvariantCells {
 DistanceClaim prove_distance(const TetMesh& mesh, const SurfaceMesh& surface,
                              std::span<const std::size_t> triangles, const LevelTopology& topology,
                              const QuadraticLevel& level) {
-  return detail::distance_claim(mesh, surface, triangles, topology, InvariantCells{mesh, level},
-                                0);
+  return detail::distance_claim(mesh, surface, triangles, topology, InvariantCells{mesh, level}, 0);
 }
 
 MovedPlaces moved_places(const TetMesh& mesh, const SurfaceMesh& surface,

@@ -102,11 +102,11 @@ class CellParts {
       waiting.pop_back();
       const Part part = parts_[p];
       const auto from_middle = [&](const Place& x) { return length(x - part.middle); };
-      std::erase_if(around, [&](const Place& x) { return from_middle(x) > distance + part.radius; });
-      const auto nearest =
-          std::min_element(around.begin(), around.end(), [&](const Place& x, const Place& y) {
-            return from_middle(x) < from_middle(y);
-          });
+      std::erase_if(around,
+                    [&](const Place& x) { return from_middle(x) > distance + part.radius; });
+      const auto nearest = std::min_element(
+          around.begin(), around.end(),
+          [&](const Place& x, const Place& y) { return from_middle(x) < from_middle(y); });
       if (nearest != around.end() &&
           std::all_of(part.corners.begin(), part.corners.end(), [&](std::uint32_t c) {
             return length(corners_[c].place - *nearest) <= distance;
@@ -159,7 +159,8 @@ class CellParts {
       std::array<Weights, 4> weights;
       for (std::size_t i = 0; i < 4; ++i) weights[i] = corners_[part.corners[i]].weights;
       const Verdict side = corners_[part.corners[0]].side;
-      part.clear = side != Verdict::unknown && cell_.is_on_side(weights, side) ? Clear::yes : Clear::no;
+      part.clear =
+          side != Verdict::unknown && cell_.is_on_side(weights, side) ? Clear::yes : Clear::no;
     }
     return part.clear == Clear::yes;
   }

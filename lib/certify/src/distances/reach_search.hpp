@@ -296,8 +296,8 @@ class ReachSearch {
   std::vector<std::int32_t> last_trial_;  ///< by triangle, or -1
 };
 
-/// For each tetrahedron of the mesh the longest reach of its triangles, with what rounding of places
-/// adds; 0 where there are none.
+/// For each tetrahedron of the mesh the longest reach of its triangles, with what rounding of
+/// places adds; 0 where there are none.
 /// @param triangles  those of a tetrahedron together
 template <class Cells>
 std::vector<double> longest_reaches(const TetMesh& mesh, const SurfaceMesh& surface,

@@ -92,9 +92,9 @@ Distances::Distances(const LevelCase& c, const PlacedSurface& placed)
       for (const std::size_t v : vertices_of(t)) is_used_[v] = true;
 }
 
-/// An edge of a tetrahedron that is longer than the coarse bound, if there is one: else two points in
-/// it are as near. Positions may be rounded out of their tetrahedron, on each axis by as much as its
-/// corners say.
+/// An edge of a tetrahedron that is longer than the coarse bound, if there is one: else two points
+/// in it are as near. Positions may be rounded out of their tetrahedron, on each axis by as much as
+/// its corners say.
 std::optional<std::string> Distances::longer_edge(std::size_t tet) const {
   const auto& v = c_.input.tets[tet];
   mpq_class rounding = 0;
@@ -114,9 +114,9 @@ std::optional<std::string> Distances::longer_edge(std::size_t tet) const {
     }
     if (!result && (most < 0 || sum > most * most))
       result = "the edge of vertices " + std::to_string(v[ends[0]]) + " and " +
-                  std::to_string(v[ends[1]]) + " is longer, about " +
-                  text_of(std::sqrt(sum.get_d())) + ", than coarse_bound " +
-                  text_of(coarse_bound_) + " less what rounding of positions adds" + where(tet);
+               std::to_string(v[ends[1]]) + " is longer, about " + text_of(std::sqrt(sum.get_d())) +
+               ", than coarse_bound " + text_of(coarse_bound_) +
+               " less what rounding of positions adds" + where(tet);
   });
   return result;
 }
@@ -159,8 +159,7 @@ void Distances::prove_coarse() const {
     std::vector<std::size_t> of_cell(count);
     parallel_for(count, [&](std::size_t i) {
       const std::size_t tet = cells[done + i].first;
-      is_near[done + i] =
-          is_near_level(c_, tet, triangles.at(tet), coarse_bound_, of_cell[i]);
+      is_near[done + i] = is_near_level(c_, tet, triangles.at(tet), coarse_bound_, of_cell[i]);
     });
     for (const std::size_t w : of_cell) work += w;
     done += count;

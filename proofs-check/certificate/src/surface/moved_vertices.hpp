@@ -48,7 +48,7 @@ class MovedVertices {
   const LevelCase& c_;
   const PlacedSurface& placed_;
   std::vector<std::array<double, 4>> points_;  ///< weights
-  WeightedTensors tensors_;  ///< there
+  WeightedTensors tensors_;                    ///< there
 };
 
 }  // namespace certificate

@@ -102,7 +102,8 @@ class Parts {
     std::vector<std::size_t> asked{0};
     for (std::size_t i = 0; i < asked.size(); ++i) {
       const Part part = parts_[asked[i]];
-      if (length_between(part.middle, x) > distance + 1.01 * part.radius || is_clear(asked[i])) continue;
+      if (length_between(part.middle, x) > distance + 1.01 * part.radius || is_clear(asked[i]))
+        continue;
       if (i >= kMostAsked || !cut(asked[i])) return false;
       asked.push_back(parts_[asked[i]].first);
       asked.push_back(parts_[asked[i]].first + 1);
@@ -119,9 +120,8 @@ class Parts {
       work_ += 1 + around.size();
       asked.pop_back();
       const double most = distance + 1.01 * parts_[p].radius;
-      std::erase_if(around, [&](const Point3& x) {
-        return length_between(parts_[p].middle, x) > most;
-      });
+      std::erase_if(around,
+                    [&](const Point3& x) { return length_between(parts_[p].middle, x) > most; });
       if (is_near_one(parts_[p], around, distance) || is_clear(p)) continue;
       if (!cut(p)) return false;
       asked.emplace_back(parts_[p].first, around);
@@ -176,9 +176,8 @@ class Parts {
       return sum;
     };
     const auto nearest =
-        std::min_element(points.begin(), points.end(), [&](const Point3& x, const Point3& y) {
-          return square(x) < square(y);
-        });
+        std::min_element(points.begin(), points.end(),
+                         [&](const Point3& x, const Point3& y) { return square(x) < square(y); });
     return nearest != points.end() &&
            std::all_of(part.corners.begin(), part.corners.end(), [&](std::uint32_t corner) {
              return length_between(corners_[corner].place, *nearest) <= distance;

@@ -15,13 +15,15 @@ namespace certificate {
 /// Are triangles and level within a distance of each other in one tetrahedron, both ways? Shown by
 /// some points of the triangles, from which no other one is farther than half of the distance:
 ///
-/// - two points of the tetrahedron are within the other half from each of these, on different sides,
+/// - two points of the tetrahedron are within the other half from each of these, on different
+/// sides,
 ///   so that the level crosses the segment between them;
-/// - the tetrahedron is cut until each part is clear of the level, or its corners are all within the
+/// - the tetrahedron is cut until each part is clear of the level, or its corners are all within
+/// the
 ///   distance of one of these points (then all of it is, as balls are convex).
 ///
-/// Nothing is asked of what the triangles are like. Places are rounded, by no more than 2^-47 of the
-/// largest coordinates: that is taken off the distance first.
+/// Nothing is asked of what the triangles are like. Places are rounded, by no more than 2^-47 of
+/// the largest coordinates: that is taken off the distance first.
 /// @pre no corner of the tetrahedron is isotropic
 /// @param work  how much that took is added to it
 /// @return false if that does not close, or takes too much work

@@ -28,8 +28,7 @@ long scale_of(const Field& field, const Carrier& carrier) {
 long WeightedTensors::unit_of(const Point& point) const {
   long lowest = 0;
   for (std::size_t i = 0; i < point.carrier.count; ++i) {
-    const long unit =
-        unit_of_double(point.weights[i]) + field_.exponent(point.carrier.corners[i]);
+    const long unit = unit_of_double(point.weights[i]) + field_.exponent(point.carrier.corners[i]);
     lowest = i == 0 ? unit : std::min(lowest, unit);
   }
   return lowest;
@@ -43,8 +42,7 @@ void WeightedTensors::set(std::uint32_t id, const Carrier& carrier,
   for (std::size_t i = 0; i < carrier.count; ++i) {
     const Vertex v = carrier.corners[i];
     const long down = std::max(field_.scale(v) - scale, -2000L);
-    const Ball weight(std::ldexp(weights[i], static_cast<int>(down)),
-                      down < -20 ? Ball::kTiny : 0);
+    const Ball weight(std::ldexp(weights[i], static_cast<int>(down)), down < -20 ? Ball::kTiny : 0);
     const Tensor<Ball>& t = *field_.corner(v, false).ball;
     for (std::size_t k = 0; k < t.size(); ++k) point.ball[k] += weight * t[k];
   }
@@ -67,7 +65,8 @@ Place<4> WeightedTensors::place(std::uint32_t id) const {
   for (std::size_t i = 0; i < point.carrier.count; ++i) {
     const long own = unit_of_double(point.weights[i]);
     result[i] = std::ldexp(point.weights[i], static_cast<int>(-own));
-    result[i] <<= static_cast<unsigned long>(own + field_.exponent(point.carrier.corners[i]) - unit);
+    result[i] <<=
+        static_cast<unsigned long>(own + field_.exponent(point.carrier.corners[i]) - unit);
   }
   return result;
 }

@@ -12,8 +12,8 @@
 
 namespace certificate {
 
-/// Exact tensors of the linear field at points of simplices, by weights of the corners: doubles that
-/// are not negative, in proportion to which the point's weights are.
+/// Exact tensors of the linear field at points of simplices, by weights of the corners: doubles
+/// that are not negative, in proportion to which the point's weights are.
 class WeightedTensors : public ExactTensors {
  public:
   /// @param count  of points, to be set

@@ -17,14 +17,14 @@ struct ExtractionWithin {
 
 /// The mode surface with proved distance bounds, both ways, of at most `largest_distance`: where
 /// the bound is larger, the tetrahedron and its faces are sampled twice as densely, and all is
-/// extracted again. Topology is that of the plain extraction. The bound is one by moved triangles, or
-/// by parts of the tetrahedron: see `certify`.
+/// extracted again. Topology is that of the plain extraction. The bound is one by moved triangles,
+/// or by parts of the tetrahedron: see `certify`.
 ///
 /// @param largest_distance  in the mesh's units, > 0
 /// @param options  `density` is where sampling begins; `keep_topology` is about `extraction`
-/// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`. So is one
-/// that has more than 5,000 triangles (a doubling may have made 20,000 of fewer): it would soon take
-/// longer than all others.
+/// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`. So is
+/// one that has more than 5,000 triangles (a doubling may have made 20,000 of fewer): it would soon
+/// take longer than all others.
 ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
                                 double largest_distance, const ExtractOptions& options = {});
 
