@@ -88,7 +88,7 @@ TEST_P(Distance, OfAMuchFinerSurfaceStaysBelowTheBoundByParts) {
     options.keep_topology = true;
     options.sampling.resolution = 0.5;
     auto few = extract_mode_surface<double>(mesh, value, options);
-    const auto claim = certify(PreparedField<double>(mesh), value, few, 0.01).distance;
+    const auto claim = certify(PreparedField<double>(mesh), value, few, 0.1).distance;
     ASSERT_EQ(claim.coarse.size(), claim.coarse_bounds.size());
     const auto fine = certified(mesh, GetParam(), 12).extraction.surface;
     for (std::size_t i = 0; i < claim.coarse.size(); ++i) {

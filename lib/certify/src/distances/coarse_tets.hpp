@@ -48,7 +48,8 @@ bool are_near(const Cell& cell, const std::array<Place, 4>& vertices,
 ///
 /// @param triangles  of the surface; those in other tetrahedra are passed over
 /// @param coarse     the tetrahedra, ascending
-/// @param wanted     no smaller bound is looked for; 0: nothing but the longest edge
+/// @param wanted     no smaller bound is looked for; 0, or much less than the longest edge: nothing
+///                   but that
 /// @return for each tetrahedron, with what rounding of places adds
 template <class Cells>
 std::vector<double> coarse_bounds(const TetMesh& mesh, const SurfaceMesh& surface,
@@ -78,10 +79,11 @@ std::vector<double> coarse_bounds(const TetMesh& mesh, const SurfaceMesh& surfac
     }
     const bool is_undefined =
         std::any_of(v.begin(), v.end(), [&](TetMesh::Index i) { return cells.is_undefined_at(i); });
-    constexpr double kNext = 2.0 / 3;
+    // The work grows with the square of the size over the distance.
+    constexpr double kNext = 2.0 / 3, kSmallestShare = 1.0 / 24;
     const double least = wanted / kAboveRounding - rounding;
     double distance = cell.size();
-    if (least > 0 && least < distance && !is_undefined) {
+    if (least > kSmallestShare * distance && least < distance && !is_undefined) {
       const auto is_proved = [&](double d) { return are_near(cell, vertices, triangles_in[t], d); };
       if (is_proved(least))
         distance = least;

@@ -72,7 +72,7 @@ class CellParts {
     constexpr std::size_t kMostAsked = 4000;
     bool is_below = false, is_above = false;
     std::vector<std::uint32_t> waiting{0};  // the largest parts first
-    for (std::size_t i = 0; i < waiting.size() && i < kMostAsked; ++i) {
+    for (std::size_t i = 0; i < waiting.size() && i < kMostAsked && !is_too_much(1); ++i) {
       const Part part = parts_[waiting[i]];
       if (length(part.middle - point) > distance + part.radius) continue;
       for (const auto c : part.corners) {
@@ -100,6 +100,7 @@ class CellParts {
     while (!waiting.empty()) {
       auto [p, around] = std::move(waiting.back());
       waiting.pop_back();
+      if (is_too_much(1 + around.size())) return false;
       const Part part = parts_[p];
       const auto from_middle = [&](const Place& x) { return length(x - part.middle); };
       std::erase_if(around,
@@ -165,6 +166,12 @@ class CellParts {
     return part.clear == Clear::yes;
   }
 
+  /// Counts parts, and points beside them, that are looked at.
+  bool is_too_much(std::size_t more) {
+    constexpr std::size_t kMost = 4000000;
+    return (looked_at_ += more) > kMost;
+  }
+
   /// False if there are too many parts.
   bool split(std::uint32_t p) {
     if (parts_[p].half != 0) return true;
@@ -194,6 +201,7 @@ class CellParts {
   std::size_t most_parts_;
   std::vector<Corner> corners_;
   std::vector<Part> parts_;
+  std::size_t looked_at_ = 0;
 };
 
 }  // namespace tensortopo::detail
