@@ -336,7 +336,8 @@ DistanceClaim distance_claim(const TetMesh& mesh, const SurfaceMesh& surface,
   std::vector<Index> looked_at(coarse.begin(), coarse.end());
   if (wanted > 0)
     for (std::size_t t = 0; t < by_reach.size(); ++t)
-      if (by_reach[t] > wanted && by_reach[t] < 2 * wanted) looked_at.push_back(static_cast<Index>(t));
+      if (by_reach[t] > wanted && by_reach[t] < 2 * wanted)
+        looked_at.push_back(static_cast<Index>(t));
   std::sort(looked_at.begin(), looked_at.end());
   const auto by_parts = coarse_bounds(mesh, surface, triangles, looked_at, cells, wanted);
   for (std::size_t i = 0; i < looked_at.size(); ++i) {
