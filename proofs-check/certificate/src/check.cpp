@@ -12,7 +12,7 @@
 #include "parts/check_parts.hpp"
 #include "run/parallel.hpp"
 #include "run/work_limit.hpp"
-#include "surface/compare_distance.hpp"
+#include "distances/compare_distance.hpp"
 #include "surface/compare_embedding.hpp"
 #include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "isotopy/apart.hpp"
-#include "surface/moved_vertices.hpp"
+#include "distances/moved_vertices.hpp"
 
 namespace certificate {
 

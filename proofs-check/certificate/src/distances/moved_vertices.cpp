@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/moved_vertices.hpp"
+#include "distances/moved_vertices.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

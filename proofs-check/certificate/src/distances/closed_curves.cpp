@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/closed_curves.hpp"
+#include "distances/closed_curves.hpp"
 
 #include <algorithm>
 

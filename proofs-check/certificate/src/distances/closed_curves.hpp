@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "surface/moved_vertices.hpp"
+#include "distances/moved_vertices.hpp"
 
 namespace certificate {
 

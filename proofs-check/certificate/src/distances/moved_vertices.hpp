@@ -4,7 +4,7 @@
 
 #include "places.hpp"
 #include "surface/compare_surface.hpp"
-#include "surface/weighted_tensors.hpp"
+#include "distances/weighted_tensors.hpp"
 
 namespace certificate {
 

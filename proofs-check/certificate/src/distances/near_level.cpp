@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/near_level.hpp"
+#include "distances/near_level.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
-#include "surface/weighted_tensors.hpp"
+#include "distances/weighted_tensors.hpp"
 
 namespace certificate {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/compare_distance.hpp"
+#include "distances/compare_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include "claims/containment.hpp"
 #include "claims/half_edges.hpp"
 #include "run/parallel.hpp"
-#include "surface/closed_curves.hpp"
-#include "surface/near_level.hpp"
+#include "distances/closed_curves.hpp"
+#include "distances/near_level.hpp"
 
 namespace certificate {
 namespace {

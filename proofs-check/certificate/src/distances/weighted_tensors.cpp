@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/weighted_tensors.hpp"
+#include "distances/weighted_tensors.hpp"
 
 #include <algorithm>
 #include <cmath>
