@@ -25,7 +25,8 @@ void write_poly_data(vtkPolyData& data, const std::filesystem::path& file,
                      const std::vector<FileNote>& notes);
 
 /// Writes ridges and valleys as polylines: point data `kind` (1 on ridges, -1 on valleys),
-/// `curvature`, `other_curvature`, `strength`; cell data `kind`, `length`. Throws IoError.
+/// `curvature`, `other_curvature`, `strength`; cell data `kind`, `length`; field data: the notes.
+/// Throws IoError.
 void write_ridges(const RidgeLines& ridges, const std::filesystem::path& file,
                   const std::vector<FileNote>& notes);
 

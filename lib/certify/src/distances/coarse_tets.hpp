@@ -57,7 +57,7 @@ std::vector<double> coarse_bounds(const TetMesh& mesh, const SurfaceMesh& surfac
                                   std::span<const TetMesh::Index> coarse, const Cells& cells,
                                   double wanted) {
   std::vector<std::vector<std::array<Place, 3>>> triangles_in(coarse.size());
-  for (const auto i : triangles) {
+  for (const auto i : wanted > 0 ? triangles : std::span<const std::size_t>()) {
     const auto place = std::lower_bound(coarse.begin(), coarse.end(), surface.tet[i]);
     if (place == coarse.end() || *place != surface.tet[i]) continue;
     std::array<Place, 3> corners;

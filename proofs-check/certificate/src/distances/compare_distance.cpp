@@ -10,9 +10,9 @@
 
 #include "claims/containment.hpp"
 #include "claims/half_edges.hpp"
-#include "run/parallel.hpp"
 #include "distances/closed_curves.hpp"
 #include "distances/near_level.hpp"
+#include "run/parallel.hpp"
 
 namespace certificate {
 namespace {
@@ -37,13 +37,7 @@ class Distances {
     const std::size_t tet = placed_.tets[triangle];
     return !c_.left_out[tet] && !is_coarse_[tet];
   }
-  /// Is there no mode, at a tip or between two?
-  bool is_apex(std::size_t v) const {
-    const Carrier& carrier = placed_.carriers[v];
-    return std::all_of(carrier.corners.begin(),
-                       carrier.corners.begin() + static_cast<std::ptrdiff_t>(carrier.count),
-                       [&](Vertex i) { return c_.field.is_zero(i); });
-  }
+  bool is_apex(std::size_t v) const { return certificate::is_apex(c_, placed_.carriers[v]); }
   bool is_amid_carrier(std::size_t v) const;
   /// Is the mode, or other invariant, defined at its corners?
   bool has_modes(std::size_t tet) const {
@@ -134,47 +128,50 @@ void Distances::require_bounds() const {
 
 /// In coarse tetrahedra with a longer edge than the coarse bound.
 void Distances::prove_coarse() const {
-  std::map<std::size_t, std::vector<std::array<Point3, 3>>> triangles;  // none of other ones
-  std::map<std::size_t, std::string> longer;
-  for (std::size_t tet = 0; tet < is_coarse_.size(); ++tet)
-    if (is_coarse_[tet])
-      if (auto why = longer_edge(tet)) {
-        if (!has_modes(tet)) throw Wrong(*why);
-        longer[tet] = std::move(*why), triangles[tet];
-      }
-  for (std::size_t t = 0; t < placed_.tets.size(); ++t)
-    if (longer.contains(placed_.tets[t])) {
-      auto& corners = triangles.at(placed_.tets[t]).emplace_back();
-      const auto v = vertices_of(t);
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = c_.surface.points[c_.vertices.first + v[k]];
-    }
-  const std::vector<std::pair<std::size_t, std::string>> cells(longer.begin(), longer.end());
-  std::vector<char> is_near(cells.size(), 1);
+  struct LongCell {
+    std::size_t tet;
+    std::string longer_edge;
+    std::vector<std::array<Point3, 3>> triangles;
+  };
+  std::vector<LongCell> cells;
+  std::map<std::size_t, std::size_t> cell_of;  // by tetrahedra
+  for (std::size_t tet = 0; tet < is_coarse_.size(); ++tet) {
+    if (!is_coarse_[tet]) continue;
+    const auto why = longer_edge(tet);
+    if (!why) continue;
+    if (!has_modes(tet)) throw Wrong(*why);
+    cell_of[tet] = cells.size();
+    cells.push_back({tet, *why, {}});
+  }
+  for (std::size_t t = 0; t < placed_.tets.size(); ++t) {
+    const auto found = cell_of.find(placed_.tets[t]);
+    if (found == cell_of.end()) continue;
+    auto& corners = cells[found->second].triangles.emplace_back();
+    const auto v = vertices_of(t);
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = c_.surface.points[c_.vertices.first + v[k]];
+  }
   // The same on each machine: looked at after so many tetrahedra.
   constexpr std::size_t kTogether = 64, kMostWork = 400000000;
-  std::size_t work = 0, done = 0;
-  auto missing = is_near.end();
-  while (done < cells.size() && missing == is_near.end() && work < kMostWork) {
-    const std::size_t count = std::min(kTogether, cells.size() - done);
+  std::size_t work = 0;
+  for (std::size_t first = 0; first < cells.size(); first += kTogether) {
+    if (work >= kMostWork)
+      throw Unproved("bounds of coarse tetrahedra below their edges take too much work");
+    const std::size_t count = std::min(kTogether, cells.size() - first);
     std::vector<std::size_t> of_cell(count);
+    std::vector<char> is_near(count);
     parallel_for(count, [&](std::size_t i) {
-      const std::size_t tet = cells[done + i].first;
-      is_near[done + i] = is_near_level(c_, tet, triangles.at(tet), coarse_bound_, of_cell[i]);
+      const LongCell& cell = cells[first + i];
+      is_near[i] = is_near_level(c_, cell.tet, cell.triangles, coarse_bound_, of_cell[i]);
     });
     for (const std::size_t w : of_cell) work += w;
-    done += count;
-    missing = std::find(is_near.begin(), is_near.end(), 0);
+    const auto missing = std::find(is_near.begin(), is_near.end(), 0);
+    if (missing == is_near.end()) continue;
+    const LongCell& cell = cells[first + static_cast<std::size_t>(missing - is_near.begin())];
+    if (const auto far = point_far_from_level(c_, cell.tet, cell.triangles, coarse_bound_))
+      throw Wrong("the level is farther than coarse_bound " + text_of(coarse_bound_) +
+                  " from the triangles' point " + Json(*far).dump() + where(cell.tet));
+    throw Unproved(cell.longer_edge + ", and less is not shown by parts of the tetrahedron");
   }
-  if (missing == is_near.end()) {
-    if (done < cells.size())
-      throw Unproved("bounds of coarse tetrahedra below their edges take too much work");
-    return;
-  }
-  const auto& [tet, why] = cells[static_cast<std::size_t>(missing - is_near.begin())];
-  if (const auto far = point_far_from_level(c_, tet, triangles.at(tet), coarse_bound_))
-    throw Wrong("the level is farther than coarse_bound " + text_of(coarse_bound_) +
-                " from the triangles' point " + Json(*far).dump() + where(tet));
-  throw Unproved(why + ", and less is not shown by parts of the tetrahedron");
 }
 
 /// Is a vertex that does not move within the bound of the middle of what carries it?

@@ -131,8 +131,8 @@ class Parts {
   }
 
  private:
+  /// With the number that its tensor has.
   struct PartCorner {
-    std::array<double, 4> weights;
     Point3 place;
     bool above;
   };
@@ -153,7 +153,7 @@ class Parts {
       for (std::size_t k = 0; k < 3; ++k)
         place[k] += weights[i] * c_.input.points[whole_.corners[i]][k];
     const std::uint32_t id = tensors_.add(whole_, weights);
-    corners_.push_back({weights, place, c_.level.above(tensors_.corner(id, false))});
+    corners_.push_back({place, c_.level.above(tensors_.corner(id, false))});
     return id;
   }
 
@@ -212,8 +212,8 @@ class Parts {
     });
     std::array<double, 4> weights;
     for (std::size_t k = 0; k < 4; ++k)
-      weights[k] = corners_[part.corners[longest[0]]].weights[k] / 2 +
-                   corners_[part.corners[longest[1]]].weights[k] / 2;
+      weights[k] = tensors_.weights(part.corners[longest[0]])[k] / 2 +
+                   tensors_.weights(part.corners[longest[1]])[k] / 2;
     const std::uint32_t middle = add_corner(weights);
     parts_[p].first = parts_.size();
     for (const std::size_t end : longest) {

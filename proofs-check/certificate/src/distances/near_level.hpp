@@ -16,11 +16,9 @@ namespace certificate {
 /// some points of the triangles, from which no other one is farther than half of the distance:
 ///
 /// - two points of the tetrahedron are within the other half from each of these, on different
-/// sides,
-///   so that the level crosses the segment between them;
+///   sides, so that the level crosses the segment between them;
 /// - the tetrahedron is cut until each part is clear of the level, or its corners are all within
-/// the
-///   distance of one of these points (then all of it is, as balls are convex).
+///   the distance of one of these points (then all of it is, as balls are convex).
 ///
 /// Nothing is asked of what the triangles are like. Places are rounded, by no more than 2^-47 of
 /// the largest coordinates: that is taken off the distance first.

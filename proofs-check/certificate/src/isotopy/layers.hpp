@@ -3,8 +3,8 @@
 // Triangles that move across the level as the layers of a product.
 #pragma once
 
-#include "isotopy/apart.hpp"
 #include "distances/moved_vertices.hpp"
+#include "isotopy/apart.hpp"
 
 namespace certificate {
 

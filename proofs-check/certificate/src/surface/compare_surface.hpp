@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "claims/compare_level.hpp"
 
 namespace certificate {
@@ -40,6 +42,13 @@ struct PlacedSurface {
   };
   std::vector<BorderChain> border;
 };
+
+/// Is there no mode, or other invariant: at a tip, or between two?
+inline bool is_apex(const LevelCase& c, const Carrier& carrier) {
+  return std::all_of(carrier.corners.begin(),
+                     carrier.corners.begin() + static_cast<std::ptrdiff_t>(carrier.count),
+                     [&](Vertex v) { return c.field.is_zero(v); });
+}
 
 /// The triangles of a level: are they a surface, oriented, whose part in each tetrahedron has the
 /// claimed sheets with their loops, glued across faces along the same curves, and are its

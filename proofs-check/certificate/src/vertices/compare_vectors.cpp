@@ -94,12 +94,7 @@ class Vectors {
   struct Around {
     std::size_t first = 0, count = 0;  ///< in `tets_`
   };
-  bool is_apex(std::size_t v) const {
-    const Carrier& carrier = placed_.carriers[v];
-    return std::all_of(carrier.corners.begin(),
-                       carrier.corners.begin() + static_cast<std::ptrdiff_t>(carrier.count),
-                       [&](Vertex i) { return c_.field.is_zero(i); });
-  }
+  bool is_apex(std::size_t v) const { return certificate::is_apex(c_, placed_.carriers[v]); }
   Point3 rounding_at(std::size_t field) const;
   std::optional<BallVector> gradient_at(std::size_t field, const Point3& x) const;
 

@@ -94,17 +94,11 @@ double largest(const std::vector<double>& bounds) {
 
 double residual_bound(const LevelCase& c, const PlacedSurface& placed) {
   const Quantity quantity = quantity_of(c.claims);
-  const auto has_value = [&](std::size_t v) {
-    const Carrier& carrier = placed.carriers[v];
-    for (std::size_t i = 0; i < carrier.count; ++i)
-      if (!c.field.is_zero(carrier.corners[i])) return true;
-    return false;
-  };
   std::vector<double> bounds(placed.tets.size());
   parallel_for(bounds.size(), [&](std::size_t t) {
     const LinearField inside(c.input, c.input.tets[placed.tets[t]]);
     for (const std::uint32_t v : c.surface.triangles[c.triangles.first + t])
-      if (has_value(v - c.vertices.first))
+      if (!is_apex(c, placed.carriers[v - c.vertices.first]))
         bounds[t] = std::max(bounds[t], quantity.at(inside, c.surface.points[v]));
   });
   return largest(bounds);

@@ -100,10 +100,9 @@ struct CertifiedLevel {
 CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction);
 
 /// The same with the field that the extraction was made from, in place of one made anew.
-/// @param wanted  a distance, in the mesh's units: where the proof by moved triangles does not
-/// close
-///                (`DistanceClaim::coarse`), it is proved by parts of the tetrahedron if that
-///                closes. 0: there the bound is the longest edge
+/// @param wanted  a distance, in the mesh's units: where moved triangles do not prove it
+///                (`DistanceClaim::coarse`), parts of the tetrahedron may. 0: there the bound is
+///                the longest edge
 CertifiedLevel certify(const PreparedField<double>& field, const ModeValue& mode,
                        Extraction& extraction, double wanted = 0);
 
