@@ -11,7 +11,9 @@
 namespace certificate {
 namespace {
 
-constexpr std::size_t kMaxCells = 40000;
+/// Next to modes 1 and -1 cells around a tube of radius rho, in angles, are some sqrt(rho) long, so
+/// it takes 1 / sqrt(rho) times as many; also there their number is bounded.
+constexpr double kMaxCells = 40000, kThinTube = 0.25, kMostTimes = 25;
 /// Around a point where the level is singular, cuts go on without end, and integers get ever longer.
 /// Their words, squared, say about how long each point takes, and a proof by integers some times as
 /// long; the sum is bounded. Integers of a few words are left to `kMaxCells`.
@@ -195,7 +197,6 @@ std::optional<Refinement::Place> Refinement::small_field(std::span<const Id> par
   for (std::size_t i = 0; i < others; ++i) {
     const double pivot = rows[i][i];
     determinant *= pivot;
-    if (!(pivot > 0)) return std::nullopt;
     for (double& x : rows[i]) x /= pivot;
     for (std::size_t j = 0; j < others; ++j)
       for (std::size_t k = 4; j != i && k-- > i;) rows[j][k] -= rows[j][i] * rows[i][k];
@@ -284,9 +285,8 @@ void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
     const Cell& cell = cells_[c];
     if (const auto place = small_field(std::span(cell.points.begin(), corners())))
       return cut(*place, waiting);
-    if (corners() == 3) continue;
     for (const Id other : cell.points) {
-      if (other == edge[0] || other == edge[1]) continue;
+      if (corners() == 3 || other == edge[0] || other == edge[1]) continue;
       if (const auto place = small_field(std::array{edge[0], edge[1], other}))
         return cut(*place, waiting);
     }
@@ -299,6 +299,8 @@ void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
 bool Refinement::run() {
   Waiting waiting;
   wait(0, waiting);
+  const double times = std::pow(std::abs(level_.tube() / (kThinTube * kThinTube)), -0.25);
+  const double most = kMaxCells * std::clamp(times, 1.0, kMostTimes);
   while (!waiting.empty()) {
     const auto [length, c, edge] = waiting.top();
     waiting.pop();
@@ -306,7 +308,7 @@ bool Refinement::run() {
     // A part of a monotone cell may be empty all the same.
     if (cells_[c].proof == Proof::open || !is_crossed(cells_[c])) prove(cells_[c]);
     if (cells_[c].proof == Proof::empty || !is_open(cells_[c])) continue;
-    if (cells_.size() > kMaxCells / (asks_for_side_ ? 12 : 1)) return false;
+    if (static_cast<double>(cells_.size()) > most / (asks_for_side_ ? 12 : 1)) return false;
     if (work_ > kMaxWork / (asks_for_side_ ? 100 : 1)) return false;
     bisect(edge, waiting);
     if (is_left(cells_[c])) wait(c, waiting);  // another cell was cut
