@@ -92,7 +92,7 @@ LevelTruth truth_of(const Sheet& sheet, const ModeValue& mode, const GenerateCom
 }
 
 Generated write_field(const GenerateCommand& command, const Sheet& sheet, const Path& field,
-                      FieldTruth truth, std::vector<std::string>& notes) {
+                      FieldTruth truth) {
   const FamilyMember& member = sheet.all;
   const TetMesh& mesh = member.mesh;
   truth.kind = name_of(command.kind);
@@ -106,10 +106,11 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
   write_mesh(mesh, field, "tensor");
   if (command.field_only) {
     files.commit();
-    return {field, {}, std::move(truth)};
+    return {field, {}, std::move(truth), {}};
   }
 
   References references;
+  std::vector<std::string> notes;
   if (mesh.tets.size() > kLargeMesh && !command.no_reference && !command.always_reference)
     notes.push_back(fmt::format(
         "no reference surface and no facts of single edges and faces, for more than {} tetrahedra "
@@ -127,7 +128,7 @@ Generated write_field(const GenerateCommand& command, const Sheet& sheet, const 
   const Path file = with_suffix(field, ".truth.json");
   write_text(file, to_json(truth));
   files.commit();
-  return {field, file, std::move(truth)};
+  return {field, file, std::move(truth), std::move(notes)};
 }
 
 /// Whether members are meshes of as many tetrahedra as are asked for.
@@ -180,7 +181,7 @@ void require_pieces(const GenerateCommand& command) {
 /// The mesh is made slab after slab.
 Generated write_pieces(const GenerateCommand& command, FamilyRequest request,
                        const Progress& progress) {
-  Generated made{command.output, {}, {}};
+  Generated made{command.output, {}, {}, {}};
   made.truth.kind = name_of(command.kind);
   made.truth.seed = command.seed;
   request.slabs = command.pieces;
@@ -232,7 +233,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
   }
   if (command.together && command.count > 1) {
     report.files.push_back(
-        write_field(command, all_members(command, request), command.output, truth, report.notes));
+        write_field(command, all_members(command, request), command.output, truth));
     return report;
   }
   for (int i = 0; i < command.count; ++i) {
@@ -242,7 +243,7 @@ GenerateReport run_generate(const GenerateCommand& command, const Progress& prog
     if (command.count > 1)
       field.replace_filename(fmt::format("{}-{:04}.vtu", command.output.stem().string(), i));
     report.files.push_back(
-        write_field(command, {family_member(command.kind, request), {}, {}}, field, truth, report.notes));
+        write_field(command, {family_member(command.kind, request), {}, {}}, field, truth));
   }
   return report;
 }
@@ -277,7 +278,7 @@ std::string to_text(const GenerateReport& report) {
       std::size_t loops = 0;
       for (const auto& c : level.components)
         euler += c.euler_characteristic, loops += c.boundary_loops;
-      append_format(text, "  mode {:>9}: {:>4} components, Euler characteristic {:>4}, {:>4} loops",
+      append_format(text, "  mode {:>9}: components {:>4}, Euler characteristic {:>4}, boundary loops {:>4}",
                     short_text(level.mode), level.components.size(), euler, loops);
       if (!level.undecided.empty()) {
         std::map<std::string, int> reasons;

@@ -35,10 +35,10 @@ inline constexpr std::size_t kLargeMesh = 10000;
 struct Generated {
   std::filesystem::path field, truth_file;
   FieldTruth truth;  ///< levels are empty with `field_only`
+  std::vector<std::string> notes;
 };
 
 struct GenerateReport {
-  std::vector<std::string> notes;
   FieldKind kind = FieldKind::linear;
   std::vector<Generated> files;
 };

@@ -403,7 +403,7 @@ TEST(Usage, WhatTheCheckerMayLeaveOpenIsSaid) {
     EXPECT_EQ(run.status, 0) << run.err;
     const auto beyond = nlohmann::json::parse(run.out).at("certificate").at("beyond_checker");
     EXPECT_EQ(beyond.at("tubes") > 0, thin) << beyond;
-    EXPECT_EQ(run.err.find("may leave them open") != std::string::npos, thin) << run.err;
+    EXPECT_EQ(run.err.find("thin tube") != std::string::npos, thin) << run.err;
   }
 }
 

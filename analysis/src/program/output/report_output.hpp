@@ -50,19 +50,22 @@ inline void say_notes(const std::filesystem::path& file, const std::vector<std::
 /// Says, unless it is to be quiet, how much a certificate leaves undecided. False if nothing.
 /// Also what the checker may leave open, though it is proved.
 inline bool say_undecided(const std::optional<CertificateReport>& certificate, bool quiet) {
-  if (certificate && !quiet && certificate->tubes + certificate->at_critical > 0)
-    std::cerr
-        << "tensortopo: " << certificate->path.string() << ": "
-        << counted(certificate->tubes, "thin tube") << " and "
-        << counted_tets(certificate->at_critical)
-        << " at a critical mode proved by arguments that the checker does not have: tensortopo "
-           "check may leave them open\n";
+  const auto say = [&](const std::string& what) {
+    std::cerr << "tensortopo: " << certificate->path.string() << ": " << what << '\n';
+  };
+  if (certificate && !quiet && certificate->tubes > 0)
+    say(counted(certificate->tubes, "thin tube") +
+        " proved by the degenerate curves inside; tensortopo check cuts them into small parts "
+        "instead, which takes longer and may leave some open");
+  if (certificate && !quiet && certificate->at_critical > 0)
+    say(counted_tets(certificate->at_critical) +
+        " proved at a mode next to a critical one; tensortopo check has no such proof and may "
+        "leave this open");
   if (!certificate || certificate->undecided_cells == 0) return false;
   if (!quiet)
-    std::cerr << "tensortopo: " << certificate->path.string() << ": "
-              << counted_tets(certificate->undecided_cells)
-              << " undecided, so that nothing is certified of the surface there: "
-              << undecided_text(*certificate) << '\n';
+    say(counted_tets(certificate->undecided_cells) +
+        " undecided, so that nothing is certified of the surface there: " +
+        undecided_text(*certificate));
   return true;
 }
 

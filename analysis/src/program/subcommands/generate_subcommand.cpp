@@ -26,7 +26,7 @@ ExitStatus generate(const GenerateOptions& options, const CommonOptions& common)
   ProgressBar bar(!common.quiet);
   const GenerateReport report = run_generate(command, bar.callback());
   bar.erase();
-  say_notes(command.output, report.notes, common.quiet);
+  for (const Generated& file : report.files) say_notes(file.field, file.notes, common.quiet);
   print_report(
       common, "generate", [&] { return to_json(report); }, [&] { return to_text(report); });
   return ExitStatus::done;
