@@ -132,15 +132,15 @@ class JsonReader : public Reader {
     spend(kArray);
     Json result = Json::object();
     expect('{');
-    if (next() == '}') return rest_.remove_prefix(1), --depth_, result;
-    while (true) {
+    for (bool is_first = true; next() != '}'; is_first = false) {
+      if (!is_first) expect(',');
       if (next() != '"') fail("not well-formed");
       std::string key = text();
       expect(':');
       add(result, std::move(key), value());
-      if (next() == '}') return rest_.remove_prefix(1), --depth_, result;
-      expect(',');
     }
+    rest_.remove_prefix(1), --depth_;
+    return result;
   }
   Json array() {
     deeper();
@@ -274,7 +274,8 @@ class CborReader : public Reader {
           std::string name = text(key & 31U);
           add(result, std::move(name), value());
         }
-        return --depth_, result;
+        --depth_;
+        return result;
       }
       case 7:
         if (info == 20 || info == 21) return info == 21;
