@@ -227,7 +227,8 @@ class Field:
             deviator; or a radius for each vertex (of which no certificate claims anything). See
             `Surface.stable`.
         progress : callable, optional
-            Called as ``progress(stage, fraction)``, some twenty times a second at most. If it returns
+            Called as ``progress(stage, fraction)``, some twenty times a second at most; the fraction
+            is that of the stage, and begins again where a stage has several passes. If it returns
             False, or raises, the extraction ends.
         all_samples : bool, default False
             Keep samples of face curves that make needles of triangles.

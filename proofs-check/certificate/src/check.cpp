@@ -1,127 +1,23 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 #include <future>
-#include <optional>
+#include <memory>
 #include <set>
 
+#include "check_level.hpp"
 #include "claims/compare_arrays.hpp"
 #include "claims/compare_curves.hpp"
-#include "claims/curve_names.hpp"
-#include "isotopy/compare_isotopy.hpp"
+#include "claims/compare_level.hpp"
+#include "claims/left_out.hpp"
 #include "parts/check_part.hpp"
 #include "parts/check_parts.hpp"
 #include "run/parallel.hpp"
 #include "run/work_limit.hpp"
-#include "distances/compare_distance.hpp"
-#include "surface/compare_embedding.hpp"
-#include "surface/compare_places.hpp"
 #include "surface/compare_stability.hpp"
-#include "vertices/compare_vectors.hpp"
 #include "vertices/residual.hpp"
 
 namespace certificate {
 namespace {
-
-Range range_of(const Json& value) { return {value[0].get<Number>(), value[1].get<Number>()}; }
-
-/// The tetrahedra about which a level claims nothing. False if there is no such tetrahedron.
-/// @param reason_in  the reason that an entry gives
-template <class Reason>
-bool mark_left_out(const Json& claims, const Input& input, const Reason& reason_in,
-                   std::vector<bool>& left_out, Ledger& ledger) {
-  for (const Json& entry : claims["undecided"]) {
-    const std::string reason = reason_in(entry[1]), name = "tetrahedron " + entry[0].dump();
-    const std::size_t tet = input.tet_at(entry[0].get<Number>());
-    if (tet == Input::kNone)
-      return ledger.refute(name, reason, "no such tetrahedron, the input has " +
-                                             std::to_string(input.tets.size())),
-             false;
-    left_out[tet] = true;
-    ledger.of_level().left_out[reason].push_back(entry[0].get<Number>());
-    ledger.leave_open(name, reason);
-  }
-  return true;
-}
-
-Level level_of(const Json& claims) {
-  if (claims.contains("mode")) {
-    const mpq_class mode = mode_of(claims["mode"]);
-    return {mode.get_num(), mode.get_den()};
-  }
-  const Invariant invariant = invariant_of(claims["invariant"]);
-  return {invariant, value_of(claims["value"], invariant)};
-}
-
-/// The name of a level in the verdict.
-std::string level_name_of(const Json& claims) {
-  return claims.contains("mode") ? "mode " + claims["mode"].get<std::string>()
-                                 : claims["invariant"].get<std::string>() + ' ' +
-                                       claims["value"].get<std::string>();
-}
-
-void check_level(const Json& claims, const Level& level, const RadiiByArray& radii,
-                 const Input& input, const Field& field, const Triangles& surface,
-                 WorkLimit& limit, Ledger& ledger, const Progress& progress, PartBorder* border) {
-  ledger.begin_level(level_name_of(claims));
-  std::vector<bool> left_out(input.tets.size());
-  ledger.of_level().vertices = claims["vertices"][1].get<std::size_t>();
-  ledger.begin("left out");
-  if (!mark_left_out(claims, input, reason_of, left_out, ledger)) return;
-  const std::size_t left_open = ledger.open();
-  constexpr const char* kTooMuch = "more work than files of this size are given";
-  if (limit.is_reached()) return ledger.leave_open("topology", kTooMuch);
-  const Topology topology = derive_topology(input, field, level, left_out, in_parallel(progress),
-                                            limit.within(level, progress));
-  if (limit.is_reached()) ledger.leave_open("topology", kTooMuch);
-  const Range vertices_of_level = range_of(claims["vertices"]);
-  LevelCase c{input, field, level, surface, claims, vertices_of_level,
-              range_of(claims["triangles"]), left_out, topology, progress, {}};
-  c.curves = name_curves(c);
-  ledger.begin("vertices on the level");
-  ledger.settle(claims["on_level"] == topology.on_level, "vertices on the level",
-                claims["on_level"].dump(), std::to_string(topology.on_level));
-  ledger.begin("edges");
-  const CrossingVertices vertices = compare_edges(c, ledger);
-  ledger.begin("faces");
-  compare_faces(c, vertices, ledger);
-  ledger.begin("tetrahedra");
-  compare_tets(c, vertices, ledger);
-  ledger.begin("cones");
-  compare_cones(c, vertices, ledger);
-  ledger.begin("surface");
-  const auto placed = compare_surface(c, vertices, ledger);
-  if (placed) {
-    ledger.begin("places");
-    compare_places(c, *placed, ledger);
-    ledger.begin("orientation");
-    compare_orientation(c, *placed, ledger);
-    ledger.of_level().residual = residual_bound(c, *placed);
-    ledger.begin("arrays");
-    compare_vectors(c, *placed, ledger);
-    if (border != nullptr) add_surface(c, vertices, *placed, *border);
-  }
-  ledger.begin("embedded");
-  if (const auto embedded = claims.find("embedded"); embedded != claims.end())
-    compare_embedding(c, embedded->get<bool>(), ledger);
-  ledger.begin("distances");
-  // Where something is refuted or open, the level may have more sheets, and vertices need not be
-  // where they are claimed to be.
-  const bool is_sound = placed && !ledger.has_refuted() && ledger.open() == left_open;
-  if (const Json& distance = claims["distance"]; !distance.is_null()) {
-    ledger.of_level().bound = distance["bound"].get<std::string>();
-    ledger.of_level().coarse = distance["coarse"].size();
-    ledger.of_level().coarse_bound = distance["coarse_bound"].get<std::string>();
-    if (placed) ledger.of_level().bounded = count_bounded(c, *placed);
-    ledger.of_level().near = compare_distance(c, is_sound ? &*placed : nullptr, ledger);
-  }
-  ledger.begin("isotopic");
-  if (claims.contains("isotopic"))
-    compare_isotopy(c, is_sound ? &*placed : nullptr, ledger.of_level().near, ledger);
-  ledger.begin("stability");
-  if (claims.contains("stability"))
-    compare_stability(c, radii, is_sound ? &*placed : nullptr, ledger);
-  ledger.count(level.decided_by_balls(), level.decided_exactly());
-}
 
 void check_curves(const Json& claims, const RadiiByArray& radii, const Input& input,
                   const Field& field, const Polylines& curves, Ledger& ledger,
@@ -233,14 +129,7 @@ class Checking {
       static_cast<MeshBorder&>(*border) = border_of(input_);
       if (levels.size() != 1) return report_;
     }
-    std::optional<Field> field;  // levels mostly are about the same tensors
-    for (const Json& claims : levels) {
-      const Level level = level_of(claims);
-      if (!field || !(field->multiples() == level.multiples()))
-        field.emplace(input_, level.multiples(), in_parallel({}));
-      check_level(claims, level, radii_, input_, *field, surface, limit_,
-                  ledger_, progress_, border);
-    }
+    check_levels(surface, border);
     std::erase_if(report_.subject.bound_only, [&](const std::string& name) {
       return !report_.levels.empty() &&
              std::all_of(report_.levels.begin(), report_.levels.end(), [&](const LevelReport& l) {
@@ -266,6 +155,37 @@ class Checking {
   }
 
  private:
+  /// A level's claims are compared while the next level's topology is derived, which is done in order,
+  /// as the limit of work is that of all. The last one's are compared by this thread, which tells
+  /// how much is done.
+  void check_levels(const Triangles& surface, PartBorder* border) {
+    std::shared_ptr<const Field> field;  // levels mostly are about the same tensors
+    std::unique_ptr<CheckedLevel> derived;
+    std::future<void> compared;
+    const auto finish = [&] {
+      if (!derived) return;
+      compared.get();
+      ledger_.add(std::move(derived->report));
+    };
+    const Json& levels = certificate_["levels"];
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      const Multiples multiples = level_of(levels[l]).multiples();
+      if (!field || !(field->multiples() == multiples))
+        field = std::make_shared<const Field>(input_, multiples, in_parallel({}));
+      auto next = std::make_unique<CheckedLevel>(levels[l], field);
+      derive_level(*next, input_, limit_, progress_);
+      finish();
+      derived = std::move(next);
+      const bool is_last = l + 1 == levels.size();
+      compared = std::async(is_last ? std::launch::deferred : std::launch::async,
+                            [this, &surface, border, &level = *derived, is_last] {
+                              compare_level(level, radii_, input_, surface,
+                                            is_last ? progress_ : Progress{}, border);
+                            });
+    }
+    finish();
+  }
+
   /// Are these the files that the certificate is about?
   /// @param key  of the claims about the output
   /// @param kind  of the output's cells

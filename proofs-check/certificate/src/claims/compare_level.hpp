@@ -16,6 +16,9 @@ namespace certificate {
 struct Range {
   Number first = 0, count = 0;
 };
+inline Range range_of(const Json& value) {
+  return {value[0].get<Number>(), value[1].get<Number>()};
+}
 
 /// The closed curves of faces that have several, by the vertices that the certificate names them by.
 struct CurveNames {

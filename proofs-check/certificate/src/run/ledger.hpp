@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certificate_check/check_certificate.hpp"
@@ -62,6 +64,20 @@ class Ledger {
   }
   bool has_refuted() const { return report_.refuted > 0; }
   std::size_t open() const { return report_.undecided; }
+  /// Adds what came of a level that was checked by itself.
+  void add(Report of_it) {
+    for (const Verdicts& v : of_it.kinds) {
+      begin(v.kind);
+      Verdicts& all = report_.kinds.at(kind_);
+      all.certified += v.certified, all.refuted += v.refuted, all.undecided += v.undecided;
+    }
+    report_.certified += of_it.certified, report_.refuted += of_it.refuted;
+    report_.undecided += of_it.undecided;
+    for (Finding& finding : of_it.refutations) keep(report_.refutations, std::move(finding));
+    for (Finding& finding : of_it.open) keep(report_.open, std::move(finding));
+    std::move(of_it.levels.begin(), of_it.levels.end(), std::back_inserter(report_.levels));
+    count(of_it.by_balls, of_it.by_integers);
+  }
   /// Adds to how often each arithmetic decided.
   void count(std::uint64_t by_balls, std::uint64_t by_integers) {
     report_.by_balls += by_balls, report_.by_integers += by_integers;
