@@ -93,5 +93,28 @@ TEST(Forgeries, BoundsOfCoarseTetrahedraBelowTheirLongestEdge) {
   EXPECT_GT(refuted, 5u);
 }
 
+/// Of a tetrahedron that is undecided no distance is claimed, however large: the level may be empty.
+TEST(Forgeries, UndecidedTetrahedraThatAreCoarse) {
+  Court court("undecided_coarse");
+  std::size_t tried = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    TetTensors tensors = Random(seed).tet_tensors();
+    tensors[3] = -1.0 * (tensors[0] + tensors[1] + tensors[2]);
+    Exhibit e = exhibit(reference_tet_mesh(tensors), {"1/2"});
+    Json& level = e.certificate["levels"][0];
+    if (level["undecided"].empty()) continue;
+    ASSERT_EQ(court.verdict(e), "undecided") << court.report();
+    const Json cell = level["undecided"][0][0];
+    level["distance"] = {{"reach", Json::array()},
+                         {"bound", "0x0p+0"},
+                         {"coarse", {cell}},
+                         {"coarse_bound", "0x1p+10"}};
+    for (std::size_t v = 0; v < e.surface.points.size(); ++v) level["distance"]["reach"].push_back(0);
+    EXPECT_EQ(court.verdict(e), "refuted") << court.report();
+    ++tried;
+  }
+  EXPECT_GE(tried, 3u);
+}
+
 }  // namespace
 }  // namespace tensortopo::test

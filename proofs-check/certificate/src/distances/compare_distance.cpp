@@ -79,6 +79,8 @@ Distances::Distances(const LevelCase& c, const PlacedSurface& placed)
   for (const Json& cell : c.claims["distance"]["coarse"]) {
     const std::size_t tet = c.input.tet_at(cell.get<Number>());
     if (tet == Input::kNone) throw Wrong("no tetrahedron " + cell.dump());
+    if (c.left_out[tet])
+      throw Wrong("tetrahedron " + cell.dump() + " is undecided: of no distance there is a proof");
     is_coarse_[tet] = true;
   }
   for (std::size_t t = 0; t < placed.tets.size(); ++t)
@@ -151,10 +153,10 @@ void Distances::prove_coarse() const {
     for (std::size_t k = 0; k < 3; ++k) corners[k] = c_.surface.points[c_.vertices.first + v[k]];
   }
   // The same on each machine: looked at after so many tetrahedra.
-  constexpr std::size_t kTogether = 64, kMostWork = 400000000;
+  constexpr std::size_t kTogether = 64, kMostWork = 400000000, kMostPerCell = 1000000;
   std::size_t work = 0;
   for (std::size_t first = 0; first < cells.size(); first += kTogether) {
-    if (work >= kMostWork)
+    if (work >= kMostWork + kMostPerCell * first)
       throw Unproved("bounds of coarse tetrahedra below their edges take too much work");
     const std::size_t count = std::min(kTogether, cells.size() - first);
     std::vector<std::size_t> of_cell(count);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <utility>
 
 #include "distances/weighted_tensors.hpp"
@@ -17,6 +18,8 @@ constexpr double kPlaceError = 0x1p-47;
 /// Lengths are computed from those with some roundings.
 constexpr double kLengthError = 0x1p-48;
 constexpr std::size_t kMostPoints = 40000, kMostParts = 200000, kMostAsked = 8000;
+/// In one tetrahedron, of parts and points that are looked at: four times what extraction does at most.
+constexpr std::size_t kMostWork = 16000000;
 constexpr int kMostHalvings = 30;
 
 double length_between(const Point3& x, const Point3& y) {
@@ -27,39 +30,50 @@ Point3 middle_of(const Point3& x, const Point3& y) {
   return {x[0] / 2 + y[0] / 2, x[1] / 2 + y[1] / 2, x[2] / 2 + y[2] / 2};
 }
 
-/// Points of a triangle of which one is within a distance of each other point: corners of parts
-/// with shorter edges than sqrt(3) times it (the circle around an acute triangle has at most that
-/// radius; else the sides' middles are still nearer).
-bool add_points(const std::array<Point3, 3>& t, double distance, int halvings,
-                std::vector<Point3>& points) {
-  double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    longest = std::max(longest, length_between(t[k], t[(k + 1) % 3]));
-  if (longest < 1.73 * distance) {
-    points.insert(points.end(), t.begin(), t.end());
-    return points.size() < 16 * kMostPoints;
-  }
-  if (halvings == 0) return false;
-  const std::array<Point3, 3> m{middle_of(t[1], t[2]), middle_of(t[2], t[0]),
-                                middle_of(t[0], t[1])};
-  const auto add = [&](const std::array<Point3, 3>& part) {
-    return add_points(part, distance, halvings - 1, points);
-  };
-  return add(m) && add({t[0], m[2], m[1]}) && add({t[1], m[0], m[2]}) && add({t[2], m[1], m[0]});
-}
+/// Points of triangles of which one is within twice a distance of each other point: one in each cube
+/// of a grid, that is within the distance of the others there, of the corners of parts of triangles.
+class SpreadPoints {
+ public:
+  explicit SpreadPoints(double distance) : distance_(distance) {}
 
-/// Keeps one point in each cube of a grid, which is within a distance of the others.
-void thin_out(double distance, std::vector<Point3>& points) {
-  const double side = distance / 1.74;
-  const auto cube = [&](const Point3& x) {
-    return Point3{std::floor(x[0] / side), std::floor(x[1] / side), std::floor(x[2] / side)};
-  };
-  std::stable_sort(points.begin(), points.end(),
-                   [&](const Point3& x, const Point3& y) { return cube(x) < cube(y); });
-  points.erase(std::unique(points.begin(), points.end(),
-                           [&](const Point3& x, const Point3& y) { return cube(x) == cube(y); }),
-               points.end());
-}
+  /// False if there are too many.
+  bool add(const std::array<Point3, 3>& triangle) { return add(triangle, kMostHalvings); }
+  void add_point(const Point3& x) {
+    if (cubes_.insert(cube_of(x)).second) points_.push_back(x);
+  }
+  const std::vector<Point3>& points() const { return points_; }
+  /// How many parts were looked at.
+  std::size_t work() const { return work_; }
+
+ private:
+  /// A part's corners are within the distance of its points if its edges are shorter than sqrt(3)
+  /// times that (the circle around an acute triangle has at most that radius; else the sides' middles
+  /// are still nearer).
+  bool add(const std::array<Point3, 3>& t, int halvings) {
+    if (++work_ > kMostWork || points_.size() > kMostPoints) return false;
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, length_between(t[k], t[(k + 1) % 3]));
+    if (longest < 1.73 * distance_) {
+      for (const Point3& corner : t) add_point(corner);
+      return true;
+    }
+    if (halvings == 0) return false;
+    const std::array<Point3, 3> m{middle_of(t[1], t[2]), middle_of(t[2], t[0]),
+                                  middle_of(t[0], t[1])};
+    return add(m, halvings - 1) && add({t[0], m[2], m[1]}, halvings - 1) &&
+           add({t[1], m[0], m[2]}, halvings - 1) && add({t[2], m[1], m[0]}, halvings - 1);
+  }
+  Point3 cube_of(const Point3& x) const {
+    const double side = distance_ / 1.74;
+    return {std::floor(x[0] / side), std::floor(x[1] / side), std::floor(x[2] / side)};
+  }
+
+  double distance_;
+  std::vector<Point3> points_;
+  std::set<Point3> cubes_;
+  std::size_t work_ = 0;
+};
 
 /// A tetrahedron and its parts, cut at the middles of their longest edges when they are asked for.
 class Parts {
@@ -84,6 +98,7 @@ class Parts {
     bool above = false, below = false;
     std::vector<std::size_t> asked{0};
     for (std::size_t i = 0; i < std::min(asked.size(), kMostAsked) && !(above && below); ++i) {
+      if (work_ > kMostWork) return false;
       const Part part = parts_[asked[i]];
       ++work_;
       if (length_between(part.middle, x) > distance + 1.01 * part.radius) continue;
@@ -102,6 +117,7 @@ class Parts {
     std::vector<std::size_t> asked{0};
     for (std::size_t i = 0; i < asked.size(); ++i) {
       const Part part = parts_[asked[i]];
+      ++work_;
       if (length_between(part.middle, x) > distance + 1.01 * part.radius || is_clear(asked[i]))
         continue;
       if (i >= kMostAsked || !cut(asked[i])) return false;
@@ -117,8 +133,8 @@ class Parts {
     asked.emplace_back(0, points);
     while (!asked.empty()) {
       auto [p, around] = std::move(asked.back());
-      work_ += 1 + around.size();
       asked.pop_back();
+      if ((work_ += 1 + around.size()) > kMostWork) return false;
       const double most = distance + 1.01 * parts_[p].radius;
       std::erase_if(around,
                     [&](const Point3& x) { return length_between(parts_[p].middle, x) > most; });
@@ -252,17 +268,16 @@ bool is_near_level(const LevelCase& c, std::size_t tet,
                    std::size_t& work) {
   const double rest = (distance - place_error(c, tet)) * (1 - kLengthError);
   if (!(rest > 0)) return false;
-  std::vector<Point3> points;
-  for (const auto& t : triangles)
-    if (!add_points(t, rest / 4, kMostHalvings, points)) return false;
-  work += points.size();
-  thin_out(rest / 4, points);
-  if (points.size() > kMostPoints) return false;
+  SpreadPoints spread(rest / 4);
+  const bool are_few = std::all_of(triangles.begin(), triangles.end(),
+                                   [&](const auto& triangle) { return spread.add(triangle); });
+  work += spread.work();
+  if (!are_few) return false;
   Parts parts(c, tet);
   const bool is_near =
-      std::all_of(points.begin(), points.end(),
+      std::all_of(spread.points().begin(), spread.points().end(),
                   [&](const Point3& x) { return parts.has_level_near(x, rest / 2); }) &&
-      parts.are_near_or_clear(points, rest);
+      parts.are_near_or_clear(spread.points(), rest);
   work += parts.work();
   return is_near;
 }
@@ -271,12 +286,17 @@ std::optional<Point3> point_far_from_level(const LevelCase& c, std::size_t tet,
                                            const std::vector<std::array<Point3, 3>>& triangles,
                                            double distance) {
   const double most = (distance + place_error(c, tet)) * (1 + kLengthError);
-  Parts parts(c, tet);
+  SpreadPoints spread(most / 8);
   for (const auto& t : triangles) {
     const std::array<Point3, 3> m{middle_of(t[1], t[2]), middle_of(t[2], t[0]),
                                   middle_of(t[0], t[1])};
     for (const Point3& x : {middle_of(m[0], t[0]), m[0], m[1], m[2], t[0], t[1], t[2]})
-      if (parts.has_no_level_within(x, most)) return x;
+      spread.add_point(x);
+  }
+  Parts parts(c, tet);
+  for (const Point3& x : spread.points()) {
+    if (parts.has_no_level_within(x, most)) return x;
+    if (parts.work() > kMostWork) break;
   }
   return std::nullopt;
 }
