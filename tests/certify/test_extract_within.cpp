@@ -80,6 +80,30 @@ TEST(Within, GivesUpWhereThereWouldBeTooManyTriangles) {
   EXPECT_EQ(summary(within.extraction.surface), summary(plain.surface));
 }
 
+// A single extraction, as no samples are nearer than coordinates are rounded.
+TEST(Within, GivesUpAtOnceBelowRounding) {
+  Random random(20261129);
+  const TetMesh mesh = reference_tet_mesh(random.tet_tensors());
+  const auto within = extract_within(mesh, ModeValue::parse("1/10"), 1e-20);
+  EXPECT_EQ(within.rounds, 1);
+  EXPECT_EQ(within.farther.size(), 1u);
+}
+
+// Sampling that begins coarsely reaches what sampling that begins finely does.
+TEST(Within, DoesNotDependOnWhereSamplingBegins) {
+  Compared compared("surfaces", 4);
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const TetMesh mesh = reference_tet_mesh(Random(seed).tet_tensors());
+    for (const double resolution : {1.0, 4.0}) {
+      ExtractOptions options;
+      options.sampling.resolution = resolution;
+      const auto within = extract_within(mesh, ModeValue::parse("1/10"), 0.1, options);
+      EXPECT_TRUE(within.farther.empty()) << seed << ' ' << resolution;
+      compared.count(!within.extraction.surface.triangles.empty());
+    }
+  }
+}
+
 // Only where it is needed.
 TEST(Within, SamplesMoreDenselyOnlyWhereTheSurfaceIsFarFromTheLevel) {
   TetMesh mesh = cube_mesh(1);

@@ -141,6 +141,19 @@ TEST(Isotopic, OfThinTetrahedra) {
   EXPECT_GT(isotopic, 15u);
 }
 
+/// Whatever the unit of coordinates is: places are found in edges and faces of any size.
+TEST(Isotopic, InAnyUnitOfCoordinates) {
+  Court court("units");
+  for (const double unit : {1e-90, 1e-24, 1e-16, 1e90})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      TetMesh mesh = cube_mesh(1);
+      fill_with_normal_tensors(mesh, seed);
+      for (auto& p : mesh.points) p = unit * p;
+      EXPECT_EQ(court.verdict(exhibit(mesh, {"1/2"})), "certified") << unit << '\n'
+                                                                    << court.report();
+    }
+}
+
 /// Made where triangles are embedded, and derived; what is excepted cannot be shown.
 TEST(Isotopic, IsAClaimThatIsDerived) {
   Court court("isotopic");

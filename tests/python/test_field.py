@@ -62,13 +62,20 @@ def test_wrong_arrays_are_value_errors(tetrahedron, change):
 
 def test_wrong_options_are_value_errors(slab):
     for options in (dict(resolution=0), dict(resolution=float("nan")), dict(max_error=-1),
-                    dict(method="other"), dict(max_error=1, improve=True)):  # fmt: skip
+                    dict(max_error=True), dict(max_error="2"), dict(max_error=10**400),
+                    dict(max_error=[2]), dict(method="other"), dict(max_error=1, improve=True)):  # fmt: skip
         with pytest.raises(ValueError):
             slab.mode_surface(0.5, **options)
     with pytest.raises(ValueError):
         slab.mode_surface([])
     with pytest.raises(ValueError):
         slab.degenerate_curves("other")
+
+
+def test_strict_asks_for_the_distance(slab):
+    assert slab.mode_surface(0.5, max_error=1e-30).levels[0].tets_farther > 0
+    with pytest.raises(tt.UnresolvedError, match="max_error"):
+        slab.mode_surface(0.5, max_error=1e-30, strict=True)
 
 
 def test_a_cell_of_negative_volume_is_turned_around(tetrahedron):

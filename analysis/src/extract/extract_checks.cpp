@@ -73,10 +73,15 @@ void require_sense(const ExtractCommand& command, const std::vector<ModeValue>& 
     throw UsageError("--method hybrid: extracts neutral surfaces (--mode 0) only");
   }
   if (command.other && command.max_error > 0) {
-    throw UsageError("--max-error: only surfaces of the method `manifold` come with proofs");
+    throw UsageError(
+        "--max-error: only surfaces of the methods `bisection` and `manifold` come with proofs");
   }
+  if (command.max_error > 0 && std::any_of(modes.begin(), modes.end(), is_degenerate))
+    throw UsageError("--max-error: is about surfaces, not degenerate curves (--mode 1 or -1)");
   if (command.improve && (command.other || command.max_error > 0)) {
-    throw UsageError("--improve: only for surfaces of the method `manifold`, without --max-error");
+    throw UsageError(
+        "--improve: only for surfaces of the methods `bisection` and `manifold`, without "
+        "--max-error");
   }
   if (!command.uncertainty.empty() && command.other)
     throw UsageError(

@@ -278,8 +278,9 @@ std::string to_text(const GenerateReport& report) {
       std::size_t loops = 0;
       for (const auto& c : level.components)
         euler += c.euler_characteristic, loops += c.boundary_loops;
-      append_format(text, "  mode {:>9}: components {:>4}, Euler characteristic {:>4}, boundary loops {:>4}",
-                    short_text(level.mode), level.components.size(), euler, loops);
+      append_format(
+          text, "  mode {:>9}: components {:>4}, Euler characteristic {:>4}, boundary loops {:>4}",
+          short_text(level.mode), level.components.size(), euler, loops);
       if (!level.undecided.empty()) {
         std::map<std::string, int> reasons;
         for (const auto& cell : level.undecided) ++reasons[cell.reason];

@@ -3,6 +3,7 @@
 #include "tensortopo/certify/extract_within.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -18,6 +19,15 @@ constexpr double kEffect = 0.8;
 /// Or when it has more triangles than this, some four times as many at most: one more doubling would
 /// take as long as all the others did.
 constexpr int kMostTriangles = 5000;
+/// With fewer triangles it is not given up, as sampling may have begun too coarsely.
+constexpr int kFewTriangles = 500;
+
+double largest_coordinate(const TetMesh& mesh) {
+  double largest = 0;
+  for (const auto& p : mesh.points)
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return largest;
+}
 
 /// For each tetrahedron the bound on its distances, 0 where nothing is claimed or there.
 std::vector<double> distance_bounds(const TetMesh& mesh, const SurfaceMesh& surface,
@@ -44,6 +54,8 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
   current.keep_topology = true;
   if (current.density.empty()) current.density.assign(mesh.tets.size(), 1);
   const PreparedField<double> field(mesh);
+  // Places of vertices have errors of that size, so no samples help.
+  const bool is_below_rounding = largest_distance < 0x1p-50 * largest_coordinate(mesh);
   ExtractionWithin result;
   std::vector<double> best(mesh.tets.size(), std::numeric_limits<double>::infinity());
   std::vector<int> without_effect(mesh.tets.size(), 0);
@@ -64,7 +76,8 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
       result.farther.push_back(static_cast<TetMesh::Index>(t));
       without_effect[t] = bounds[t] < kEffect * best[t] ? 0 : without_effect[t] + 1;
       best[t] = std::min(best[t], bounds[t]);
-      if (without_effect[t] > kPatience || triangles[t] > kMostTriangles) continue;
+      const bool is_enough = without_effect[t] > kPatience && triangles[t] > kFewTriangles;
+      if (is_below_rounding || is_enough || triangles[t] > kMostTriangles) continue;
       current.density[t] *= 2;
       is_denser = true;
     }

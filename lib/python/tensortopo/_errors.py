@@ -54,14 +54,14 @@ class FileError(OSError):
 
 
 class UnresolvedError(RuntimeError):
-    """With ``strict=True``: some cells are left out.
+    """With ``strict=True``: some cells are left out, or not within ``max_error``.
 
     Attributes
     ----------
     unresolved : tuple of Unresolved
-        The cells, with their reasons.
+        The cells that are left out, with their reasons.
     """
 
-    def __init__(self, unresolved: Sequence[object]) -> None:
+    def __init__(self, unresolved: Sequence[object], text: str = "") -> None:
         self.unresolved = tuple(unresolved)
-        super().__init__(f"{len(self.unresolved)} cells are left out: {self.unresolved[0]}")
+        super().__init__(text or f"{len(self.unresolved)} cells are left out: {self.unresolved[0]}")

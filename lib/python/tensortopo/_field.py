@@ -238,7 +238,7 @@ class Field:
             How sheets that turn far are meshed: by bisection of edges, or on the medium eigenvector
             manifold, as in the paper. ("graph" is the old name of the former, deprecated.)
         strict : bool, default False
-            Raise if a cell stays unresolved, the mesh is torn (faces lie on others without being
+            Raise if a cell stays unresolved, ``max_error`` is not proved somewhere, the mesh is torn (faces lie on others without being
             shared), or the deviator is zero everywhere, so that there is no mode. (The program's
             ``--strict`` also refuses surfaces that are not embedded; nothing here looks for that but
             ``certify=True``.)
@@ -254,7 +254,7 @@ class Field:
         Cancelled
             If ``progress`` returned False.
         UnresolvedError
-            If ``strict``, and cells are left out.
+            If ``strict``, and cells are left out, or ``max_error`` is not proved.
         MeshError
             If ``strict``, and the mesh is torn or the field has no mode.
 
@@ -283,6 +283,9 @@ class Field:
         surface = Surface(made, self.cell_ids)
         if strict and surface.unresolved:
             raise UnresolvedError(surface.unresolved)
+        farther = sum(level.tets_farther for level in surface.levels) if strict else 0
+        if farther:
+            raise UnresolvedError((), f"max_error is not proved in {farther} tetrahedra")
         return surface
 
     def _require_mode(self) -> None:
@@ -414,7 +417,12 @@ def _uncertainty(
 
 
 def _positive(value: float, name: str) -> float:
-    number = float(value)
+    if isinstance(value, (bool, str, bytes)):
+        raise ValueError(f"{name}: must be a positive number")
+    try:
+        number = float(value)
+    except (OverflowError, TypeError):
+        number = float("inf")
     if not 0 < number < float("inf"):
         raise ValueError(f"{name}: must be a positive number")
     return number

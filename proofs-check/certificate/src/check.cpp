@@ -155,9 +155,9 @@ class Checking {
   }
 
  private:
-  /// A level's claims are compared while the next level's topology is derived, which is done in order,
-  /// as the limit of work is that of all. The last one's are compared by this thread, which tells
-  /// how much is done.
+  /// A level's claims are compared while the next level's topology is derived, which is done in
+  /// order, as the limit of work is that of all. The last one's are compared by this thread, which
+  /// tells how much is done.
   void check_levels(const Triangles& surface, PartBorder* border) {
     std::shared_ptr<const Field> field;  // levels mostly are about the same tensors
     std::unique_ptr<CheckedLevel> derived;

@@ -14,9 +14,9 @@
 namespace certificate {
 
 std::string level_name_of(const Json& claims) {
-  return claims.contains("mode") ? "mode " + claims["mode"].get<std::string>()
-                                 : claims["invariant"].get<std::string>() + ' ' +
-                                       claims["value"].get<std::string>();
+  return claims.contains("mode")
+             ? "mode " + claims["mode"].get<std::string>()
+             : claims["invariant"].get<std::string>() + ' ' + claims["value"].get<std::string>();
 }
 
 Level level_of(const Json& claims) {
@@ -39,9 +39,8 @@ void derive_level(CheckedLevel& checked, const Input& input, WorkLimit& limit,
   if (!mark_left_out(claims, input, reason_of, checked.left_out, ledger)) return;
   constexpr const char* kTooMuch = "more work than files of this size are given";
   if (limit.is_reached()) return ledger.leave_open("topology", kTooMuch);
-  checked.topology =
-      derive_topology(input, *checked.field, checked.level, checked.left_out,
-                      in_parallel(progress), limit.within(checked.level, progress));
+  checked.topology = derive_topology(input, *checked.field, checked.level, checked.left_out,
+                                     in_parallel(progress), limit.within(checked.level, progress));
   if (limit.is_reached()) ledger.leave_open("topology", kTooMuch);
 }
 
@@ -92,8 +91,8 @@ void compare_level(CheckedLevel& checked, const RadiiByArray& radii, const Input
   ledger.begin("distances");
   // Where something is refuted or open, the level may have more sheets, and vertices need not be
   // where they are claimed to be.
-  const bool is_sound = placed && !ledger.has_refuted() &&
-                        ledger.open() == ledger.of_level().left_out_count();
+  const bool is_sound =
+      placed && !ledger.has_refuted() && ledger.open() == ledger.of_level().left_out_count();
   if (const Json& distance = claims["distance"]; !distance.is_null()) {
     ledger.of_level().bound = distance["bound"].get<std::string>();
     ledger.of_level().coarse = distance["coarse"].size();

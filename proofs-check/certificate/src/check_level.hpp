@@ -33,7 +33,7 @@ struct CheckedLevel {
   const Level level;
   Report report;  ///< of this level only
   Ledger ledger{report};
-  std::vector<bool> left_out;         ///< tetrahedra about which nothing is claimed
+  std::vector<bool> left_out;        ///< tetrahedra about which nothing is claimed
   std::optional<Topology> topology;  ///< nothing where there is no more to compare
 };
 

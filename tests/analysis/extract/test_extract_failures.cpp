@@ -188,10 +188,18 @@ TEST(ExtractFailures, ADistanceThatIsNotProvedIsSaidWithAMode) {
   EXPECT_EQ(run.status, 1) << run.err;
   for (const auto& surface : nlohmann::json::parse(run.out)["surfaces"]) {
     const int count = surface["tets_farther"];
-    const std::string begin = out + ": mode " + surface["mode_exact"].get<std::string>() + ": in " +
-                              std::to_string(count) + " tetrahedra (the first is cell ";
+    const std::string begin =
+        out + ": mode " + surface["mode_exact"].get<std::string>() + ": in " +
+        (count == 1 ? "1 tetrahedron" : std::to_string(count) + " tetrahedra") +
+        " (the first is cell ";
     EXPECT_EQ(run.err.find(begin) != std::string::npos, count > 0) << begin << "\n" << run.err;
   }
+  std::filesystem::remove(out);
+  const Outcome strict = run_program({"extract", mesh, "-o", out, "--mode", "1/10", "--max-error",
+                                      "1e-30", "--strict", "--quiet"});
+  EXPECT_EQ(strict.status, 1);
+  EXPECT_NE(strict.err.find("; nothing written"), std::string::npos) << strict.err;
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST(ExtractFailures, AVertexWithoutDeviatorIsNoFailureAndIsCounted) {

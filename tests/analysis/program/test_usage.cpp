@@ -121,6 +121,7 @@ TEST(Usage, OptionsWithoutEffectAreRefused) {
       {"--improve", "--mode", "0.5", "--method", "marching"},
       {"--method", "--mode", "1", "--method", "manifold"},
       {"--max-error", "--mode", "-1", "--max-error", "0.1"},
+      {"--max-error", "--mode", "0.5", "--mode", "1", "--max-error", "0.1"},
       {"--patch-samples", "--mode", "0.5", "--patch-samples", "3"},
       {"--flatness", "--mode", "0.5", "--flatness", "0.1"},
       {"--resolution", "--mode", "0.5", "--method", "marching", "--resolution", "8"},

@@ -93,7 +93,8 @@ TEST(Forgeries, BoundsOfCoarseTetrahedraBelowTheirLongestEdge) {
   EXPECT_GT(refuted, 5u);
 }
 
-/// Of a tetrahedron that is undecided no distance is claimed, however large: the level may be empty.
+/// Of a tetrahedron that is undecided no distance is claimed, however large: the level may be
+/// empty.
 TEST(Forgeries, UndecidedTetrahedraThatAreCoarse) {
   Court court("undecided_coarse");
   std::size_t tried = 0;
@@ -109,7 +110,8 @@ TEST(Forgeries, UndecidedTetrahedraThatAreCoarse) {
                          {"bound", "0x0p+0"},
                          {"coarse", {cell}},
                          {"coarse_bound", "0x1p+10"}};
-    for (std::size_t v = 0; v < e.surface.points.size(); ++v) level["distance"]["reach"].push_back(0);
+    for (std::size_t v = 0; v < e.surface.points.size(); ++v)
+      level["distance"]["reach"].push_back(0);
     EXPECT_EQ(court.verdict(e), "refuted") << court.report();
     ++tried;
   }

@@ -137,13 +137,14 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
   for (const SurfaceReport& surface : report.surfaces) {
     if (!surface.first_farther) continue;
     is_farther = true;
-    if (!common.quiet)
+    if (!common.quiet || command.strict)
       std::cerr << "tensortopo: " << report.output.string() << ": mode " << short_text(surface.mode)
-                << ": in " << surface.tets_farther << " tetrahedra (the first is cell "
+                << ": in " << counted_tets(surface.tets_farther) << " (the first is cell "
                 << *surface.first_farther
-                << ") the distance to the level is not proved to be below --max-error, where "
-                   "more samples did not help; "
-                << std::floor(1000 * surface.area_within) / 10 << " % of the area is within it\n";
+                << ") the distance to the level is not proved to be below --max-error, as more "
+                   "samples did not help, or would be too many; "
+                << std::floor(1000 * surface.area_within) / 10 << " % of the area is within it"
+                << (report.written ? "" : "; nothing written") << '\n';
   }
   if (is_farther) return ExitStatus::undecided;
   if (say_undecided(report.certificate, common.quiet)) return ExitStatus::undecided;
@@ -301,8 +302,9 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       ->type_name("CERT");
   app.add_flag(
       "--strict", command.strict,
-      "If a tetrahedron stays unresolved, a surface is not embedded or off its mode, or the field "
-      "has no mode anywhere, write nothing and exit with 1; if the mesh is torn "
+      "If a tetrahedron stays unresolved, a surface is not embedded, off its mode or farther than "
+      "--max-error, or the field has no mode anywhere, write nothing and exit with 1; if the mesh "
+      "is torn "
       "(faces lie on others without being shared), with 3");
   add_read_options(app, common, command.read);
   add_common_options(app, common);

@@ -60,10 +60,14 @@ bool is_near(const Point3& x, std::span<const Point3> corners, const std::array<
 
 std::array<double, 4> weights_near(const Point3& x, std::span<const Point3> corners) {
   const auto vector = [](const Point3& p) { return Eigen::Map<const Eigen::Vector3d>(p.data()); };
-  const Eigen::Vector3d rest = vector(x) - vector(corners[0]);
+  Eigen::Vector3d rest = vector(x) - vector(corners[0]);
   Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
   for (std::size_t i = 1; i < corners.size(); ++i)
     axes.col(static_cast<Eigen::Index>(i) - 1) = vector(corners[i]) - vector(corners[0]);
+  // In units of about the largest edge, so that it does not matter in which ones coordinates are.
+  const double size = axes.cwiseAbs().maxCoeff();
+  const double unit = size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1000)) : 1;
+  axes *= unit, rest *= unit;
   // Normals for the axes that an edge or a face lacks.
   if (corners.size() == 2) axes.col(1) = axes.col(0).unitOrthogonal();
   if (corners.size() <= 3) axes.col(2) = axes.col(0).cross(axes.col(1)).stableNormalized();

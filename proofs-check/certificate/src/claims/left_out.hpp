@@ -20,8 +20,9 @@ bool mark_left_out(const Json& claims, const Input& input, const Reason& reason_
     const std::string reason = reason_in(entry[1]), name = "tetrahedron " + entry[0].dump();
     const std::size_t tet = input.tet_at(entry[0].get<Number>());
     if (tet == Input::kNone)
-      return ledger.refute(name, reason, "no such tetrahedron, the input has " +
-                                             std::to_string(input.tets.size())),
+      return ledger.refute(
+                 name, reason,
+                 "no such tetrahedron, the input has " + std::to_string(input.tets.size())),
              false;
     left_out[tet] = true;
     ledger.of_level().left_out[reason].push_back(entry[0].get<Number>());

@@ -17,7 +17,7 @@
 namespace certificate {
 namespace {
 
-std::string text_of(double x) { return Json(x).dump(); }
+std::string text_of(double x) { return std::isfinite(x) ? Json(x).dump() : "infinite"; }
 
 /// What is not proved to be so.
 struct Unproved : Wrong {

@@ -18,7 +18,8 @@ constexpr double kPlaceError = 0x1p-47;
 /// Lengths are computed from those with some roundings.
 constexpr double kLengthError = 0x1p-48;
 constexpr std::size_t kMostPoints = 40000, kMostParts = 200000, kMostAsked = 8000;
-/// In one tetrahedron, of parts and points that are looked at: four times what extraction does at most.
+/// In one tetrahedron, of parts and points that are looked at: four times what extraction does at
+/// most.
 constexpr std::size_t kMostWork = 16000000;
 constexpr int kMostHalvings = 30;
 
@@ -30,8 +31,9 @@ Point3 middle_of(const Point3& x, const Point3& y) {
   return {x[0] / 2 + y[0] / 2, x[1] / 2 + y[1] / 2, x[2] / 2 + y[2] / 2};
 }
 
-/// Points of triangles of which one is within twice a distance of each other point: one in each cube
-/// of a grid, that is within the distance of the others there, of the corners of parts of triangles.
+/// Points of triangles of which one is within twice a distance of each other point: one in each
+/// cube of a grid, that is within the distance of the others there, of the corners of parts of
+/// triangles.
 class SpreadPoints {
  public:
   explicit SpreadPoints(double distance) : distance_(distance) {}
@@ -47,8 +49,8 @@ class SpreadPoints {
 
  private:
   /// A part's corners are within the distance of its points if its edges are shorter than sqrt(3)
-  /// times that (the circle around an acute triangle has at most that radius; else the sides' middles
-  /// are still nearer).
+  /// times that (the circle around an acute triangle has at most that radius; else the sides'
+  /// middles are still nearer).
   bool add(const std::array<Point3, 3>& t, int halvings) {
     if (++work_ > kMostWork || points_.size() > kMostPoints) return false;
     double longest = 0;

@@ -24,7 +24,7 @@ struct ExtractionWithin {
 /// @param options  `density` is where sampling begins; `keep_topology` is about `extraction`
 /// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`. So is
 /// one that has more than 5,000 triangles (a doubling may have made 20,000 of fewer): it would soon
-/// take longer than all others.
+/// take longer than all others. Below what rounding of coordinates adds, nothing is sampled again.
 ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
                                 double largest_distance, const ExtractOptions& options = {});
 
