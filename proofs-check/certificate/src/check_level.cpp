@@ -3,6 +3,7 @@
 #include "check_level.hpp"
 
 #include "claims/compare_level.hpp"
+#include "claims/curve_names.hpp"
 #include "claims/left_out.hpp"
 #include "distances/compare_distance.hpp"
 #include "isotopy/compare_isotopy.hpp"
