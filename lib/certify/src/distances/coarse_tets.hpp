@@ -31,15 +31,13 @@ template <class Cell>
 bool are_near(const Cell& cell, const std::array<Place, 4>& vertices,
               const std::vector<std::array<Place, 3>>& triangles, double distance) {
   constexpr std::size_t kMostPoints = 10000, kMostParts = 50000;
-  std::vector<Place> points;
+  TrianglePoints points(0.5 * distance, kMostPoints);
   for (const auto& triangle : triangles)
-    if (!add_points(triangle, 0.25 * distance, 16 * kMostPoints, points)) return false;
-  thin_out(points, 0.25 * distance);
-  if (points.size() > kMostPoints) return false;
+    if (!points.add(triangle)) return false;
   CellParts parts(cell, vertices, kMostParts);
-  return std::all_of(points.begin(), points.end(),
+  return std::all_of(points.points().begin(), points.points().end(),
                      [&](const Place& p) { return parts.is_near(p, 0.5 * distance); }) &&
-         parts.is_covered(points, distance);
+         parts.is_covered(points.points(), distance);
 }
 
 /// Bounds on distances, both ways, in tetrahedra where triangles, moved, are not proved to stay

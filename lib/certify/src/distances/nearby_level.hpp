@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -17,37 +18,47 @@ namespace tensortopo::detail {
 
 using Place = Vector3<double>;
 
-/// Adds the corners of a triangle, and the middles of its edges again and again until all points of
-/// it are within a distance of one of them: every point of a triangle is within 1 / sqrt(3) of its
-/// longest edge from a corner.
-/// @return false if that would be more than `most` points; then there are some
-inline bool add_points(const std::array<Place, 3>& triangle, double distance, std::size_t most,
-                       std::vector<Place>& points) {
-  constexpr double kFarthest = 0.58;
-  const auto& [a, b, c] = triangle;
-  if (kFarthest * std::max({length(b - a), length(c - b), length(a - c)}) <= distance) {
-    points.insert(points.end(), triangle.begin(), triangle.end());
-    return points.size() <= most;
-  }
-  const Place d = 0.5 * (b + c), e = 0.5 * (c + a), f = 0.5 * (a + b);
-  const std::array<std::array<Place, 3>, 4> parts{{{d, e, f}, {a, f, e}, {b, d, f}, {c, e, d}}};
-  return std::all_of(parts.begin(), parts.end(),
-                     [&](const auto& part) { return add_points(part, distance, most, points); });
-}
+/// Points of triangles, so many that each point of the triangles is within a distance of one of
+/// them.
+class TrianglePoints {
+ public:
+  /// @param most  more are not kept
+  TrianglePoints(double distance, std::size_t most)
+      : from_corner_(0.25 * distance), side_(0.57 * 0.75 * distance), most_(most) {}
 
-/// Leaves one of the points in each cube of a grid, so that each point is within a distance of one
-/// of those that are left.
-inline void thin_out(std::vector<Place>& points, double distance) {
-  const double side = 0.57 * distance;  // its diagonal is sqrt(3) times that
-  const auto cube = [&](const Place& p) {
-    return std::array{std::floor(p.x / side), std::floor(p.y / side), std::floor(p.z / side)};
-  };
-  std::stable_sort(points.begin(), points.end(),
-                   [&](const Place& p, const Place& q) { return cube(p) < cube(q); });
-  points.erase(std::unique(points.begin(), points.end(),
-                           [&](const Place& p, const Place& q) { return cube(p) == cube(q); }),
-               points.end());
-}
+  /// False if there would be too many.
+  ///
+  /// The corners of the triangle are taken, and the middles of its edges again and again until all
+  /// points are within a quarter of the distance of one of them (every point of a triangle is
+  /// within 1 / sqrt(3) of its longest edge from a corner); of these the first in each cube of a
+  /// grid with diagonals of the other three quarters.
+  bool add(const std::array<Place, 3>& triangle) {
+    constexpr double kFarthest = 0.58;
+    constexpr std::size_t kMostParts = 200000;
+    const auto& [a, b, c] = triangle;
+    if (points_.size() > most_ || ++parts_ > kMostParts) return false;
+    if (kFarthest * std::max({length(b - a), length(c - b), length(a - c)}) <= from_corner_) {
+      for (const Place& p : triangle) keep(p);
+      return true;
+    }
+    const Place d = 0.5 * (b + c), e = 0.5 * (c + a), f = 0.5 * (a + b);
+    const std::array<std::array<Place, 3>, 4> parts{{{d, e, f}, {a, f, e}, {b, d, f}, {c, e, d}}};
+    return std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return add(part); });
+  }
+  const std::vector<Place>& points() const { return points_; }
+
+ private:
+  void keep(const Place& p) {
+    if (cubes_.insert({std::floor(p.x / side_), std::floor(p.y / side_), std::floor(p.z / side_)})
+            .second)
+      points_.push_back(p);
+  }
+
+  double from_corner_, side_;
+  std::size_t most_, parts_ = 0;
+  std::set<std::array<double, 3>> cubes_;
+  std::vector<Place> points_;
+};
 
 /// A tetrahedron, cut at the middles of longest edges as far as somebody asks.
 template <class Cell>

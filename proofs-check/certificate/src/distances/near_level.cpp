@@ -23,17 +23,22 @@ constexpr std::size_t kMostPoints = 40000, kMostParts = 200000, kMostAsked = 800
 constexpr std::size_t kMostWork = 16000000;
 constexpr int kMostHalvings = 30;
 
+/// Distances are not compared with less: squares of smaller lengths are not exact enough.
+constexpr double kLeastDistance = 0x1p-400;
+
 double length_between(const Point3& x, const Point3& y) {
-  return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) square += (x[k] - y[k]) * (x[k] - y[k]);
+  return std::sqrt(square);
 }
 
 Point3 middle_of(const Point3& x, const Point3& y) {
   return {x[0] / 2 + y[0] / 2, x[1] / 2 + y[1] / 2, x[2] / 2 + y[2] / 2};
 }
 
-/// Points of triangles of which one is within twice a distance of each other point: one in each
-/// cube of a grid, that is within the distance of the others there, of the corners of parts of
-/// triangles.
+/// Points of triangles of which one is within a distance of each other point. Of corners of parts
+/// of triangles, which are within a quarter of it from the points of their part, one in each cube
+/// of a grid, which is within the other three quarters of the others there.
 class SpreadPoints {
  public:
   explicit SpreadPoints(double distance) : distance_(distance) {}
@@ -48,15 +53,15 @@ class SpreadPoints {
   std::size_t work() const { return work_; }
 
  private:
-  /// A part's corners are within the distance of its points if its edges are shorter than sqrt(3)
-  /// times that (the circle around an acute triangle has at most that radius; else the sides'
-  /// middles are still nearer).
+  /// Each point of a part is within a length of a corner if its edges are shorter than sqrt(3)
+  /// times that length (the circle around an acute triangle has at most that radius; else the
+  /// sides' middles are still nearer).
   bool add(const std::array<Point3, 3>& t, int halvings) {
     if (++work_ > kMostWork || points_.size() > kMostPoints) return false;
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, length_between(t[k], t[(k + 1) % 3]));
-    if (longest < 1.73 * distance_) {
+    if (longest < 1.73 / 4 * distance_) {
       for (const Point3& corner : t) add_point(corner);
       return true;
     }
@@ -67,7 +72,7 @@ class SpreadPoints {
            add({t[1], m[0], m[2]}, halvings - 1) && add({t[2], m[1], m[0]}, halvings - 1);
   }
   Point3 cube_of(const Point3& x) const {
-    const double side = distance_ / 1.74;
+    const double side = 0.75 / 1.74 * distance_;
     return {std::floor(x[0] / side), std::floor(x[1] / side), std::floor(x[2] / side)};
   }
 
@@ -269,8 +274,8 @@ bool is_near_level(const LevelCase& c, std::size_t tet,
                    const std::vector<std::array<Point3, 3>>& triangles, double distance,
                    std::size_t& work) {
   const double rest = (distance - place_error(c, tet)) * (1 - kLengthError);
-  if (!(rest > 0)) return false;
-  SpreadPoints spread(rest / 4);
+  if (!(rest > kLeastDistance)) return false;
+  SpreadPoints spread(rest / 2);
   const bool are_few = std::all_of(triangles.begin(), triangles.end(),
                                    [&](const auto& triangle) { return spread.add(triangle); });
   work += spread.work();
@@ -288,7 +293,8 @@ std::optional<Point3> point_far_from_level(const LevelCase& c, std::size_t tet,
                                            const std::vector<std::array<Point3, 3>>& triangles,
                                            double distance) {
   const double most = (distance + place_error(c, tet)) * (1 + kLengthError);
-  SpreadPoints spread(most / 8);
+  if (!(most > kLeastDistance)) return std::nullopt;
+  SpreadPoints spread(most / 4);
   for (const auto& t : triangles) {
     const std::array<Point3, 3> m{middle_of(t[1], t[2]), middle_of(t[2], t[0]),
                                   middle_of(t[0], t[1])};
