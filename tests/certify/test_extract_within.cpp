@@ -104,6 +104,20 @@ TEST(Within, DoesNotDependOnWhereSamplingBegins) {
   }
 }
 
+// Where what is asked for is too small for a proof by parts, a larger bound than that is proved, and
+// not only the longest edge claimed.
+TEST(Within, AskingForMoreDoesNotProveLess) {
+  Compared compared("bounds in coarse tetrahedra", 3);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed)
+    for (const char* mode : {"1/2", "4/5"}) {
+      const TetMesh mesh = reference_tet_mesh(Random(seed).tet_tensors());
+      const auto within = extract_within(mesh, ModeValue::parse(mode), 0.02);
+      if (within.level.distance.coarse.empty()) continue;
+      EXPECT_LT(within.level.distance.coarse_bound, 0.25) << seed << ' ' << mode;
+      ++compared;
+    }
+}
+
 // Only where it is needed.
 TEST(Within, SamplesMoreDenselyOnlyWhereTheSurfaceIsFarFromTheLevel) {
   TetMesh mesh = cube_mesh(1);

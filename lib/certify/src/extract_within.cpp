@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "distances/coarse_tets.hpp"
+
 namespace tensortopo {
 
 namespace {
@@ -57,14 +59,13 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
   // Places of vertices have errors of that size, so no samples help.
   const bool is_below_rounding = largest_distance < 0x1p-50 * largest_coordinate(mesh);
   ExtractionWithin result;
+  LevelTopology topology;  // of the extraction, which gives its own to the certificate
   std::vector<double> best(mesh.tets.size(), std::numeric_limits<double>::infinity());
   std::vector<int> without_effect(mesh.tets.size(), 0);
   for (bool is_denser = true; is_denser;) {
     result.extraction = extract_mode_surface(field, mode, current);
-    LevelTopology kept;
-    if (options.keep_topology) kept = result.extraction.topology;
+    topology = result.extraction.topology;
     result.level = certify(field, mode, result.extraction, largest_distance);
-    result.extraction.topology = std::move(kept);
     ++result.rounds;
     const auto bounds = distance_bounds(mesh, result.extraction.surface, result.level);
     std::vector<int> triangles(mesh.tets.size(), 0);
@@ -82,6 +83,13 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
       is_denser = true;
     }
   }
+  // What is asked for is too small to be proved by parts: a bound that is not.
+  const double provable = 1.01 * detail::kSmallestShare * result.level.distance.coarse_bound;
+  if (largest_distance < provable) {
+    result.extraction.topology = topology;
+    result.level = certify(field, mode, result.extraction, provable);
+  }
+  if (options.keep_topology) result.extraction.topology = std::move(topology);
   return result;
 }
 

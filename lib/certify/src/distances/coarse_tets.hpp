@@ -40,14 +40,18 @@ bool are_near(const Cell& cell, const std::array<Place, 4>& vertices,
          parts.is_covered(points.points(), distance);
 }
 
+/// Of the longest edge of a tetrahedron: no smaller distance is looked for by its parts, as the work
+/// grows with the square of what it is smaller.
+inline constexpr double kSmallestShare = 1.0 / 24;
+
 /// Bounds on distances, both ways, in tetrahedra where triangles, moved, are not proved to stay
 /// clear of the level: the longest edge of the tetrahedron, which holds both, or if less is wanted,
 /// what `are_near` proves.
 ///
 /// @param triangles  of the surface; those in other tetrahedra are passed over
 /// @param coarse     the tetrahedra, ascending
-/// @param wanted     no smaller bound is looked for; 0, or much less than the longest edge: nothing
-///                   but that
+/// @param wanted     no smaller bound is looked for; 0, or a smaller share of the longest edge than
+///                   `kSmallestShare`: nothing but that
 /// @return for each tetrahedron, with what rounding of places adds
 template <class Cells>
 std::vector<double> coarse_bounds(const TetMesh& mesh, const SurfaceMesh& surface,
@@ -77,8 +81,7 @@ std::vector<double> coarse_bounds(const TetMesh& mesh, const SurfaceMesh& surfac
     }
     const bool is_undefined =
         std::any_of(v.begin(), v.end(), [&](TetMesh::Index i) { return cells.is_undefined_at(i); });
-    // The work grows with the square of the size over the distance.
-    constexpr double kNext = 2.0 / 3, kSmallestShare = 1.0 / 24;
+    constexpr double kNext = 2.0 / 3;
     const double least = wanted / kAboveRounding - rounding;
     double distance = cell.size();
     if (least > kSmallestShare * distance && least < distance && !is_undefined) {

@@ -25,6 +25,7 @@ struct ExtractionWithin {
 /// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`. So is
 /// one that has more than 5,000 triangles (a doubling may have made 20,000 of fewer): it would soon
 /// take longer than all others. Below what rounding of coordinates adds, nothing is sampled again.
+/// Where the distance is too small for a proof by parts, the smallest one for which that is tried is.
 ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
                                 double largest_distance, const ExtractOptions& options = {});
 
