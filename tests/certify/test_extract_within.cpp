@@ -80,6 +80,18 @@ TEST(Within, GivesUpWhereThereWouldBeTooManyTriangles) {
   EXPECT_EQ(summary(within.extraction.surface), summary(plain.surface));
 }
 
+// Here all denser samples are thinned out again, so that there are never more triangles.
+TEST(Within, GivesUpWhereSamplesDoNotMakeTriangles) {
+  const auto diagonal = [](double x, double y, double z) {
+    return SymmetricTensor<double>{x, y, z, 0, 0, 0};
+  };
+  const TetMesh mesh = reference_tet_mesh({diagonal(2, -1, -1), diagonal(2, -1.1, -1),
+                                           diagonal(2, -1, -1.2), diagonal(1, 0.5, -3)});
+  const auto within = extract_within(mesh, ModeValue::parse("1/10"), 1e-12);
+  EXPECT_EQ(within.farther.size(), 1u);
+  EXPECT_LT(within.rounds, 12);
+}
+
 // A single extraction, as no samples are nearer than coordinates are rounded.
 TEST(Within, GivesUpAtOnceBelowRounding) {
   Random random(20261129);
@@ -89,8 +101,8 @@ TEST(Within, GivesUpAtOnceBelowRounding) {
   EXPECT_EQ(within.farther.size(), 1u);
 }
 
-// Sampling that begins coarsely reaches what sampling that begins finely does.
-TEST(Within, DoesNotDependOnWhereSamplingBegins) {
+// Wherever sampling begins.
+TEST(Within, ReachesTheDistanceFromCoarseSamplesAsWell) {
   Compared compared("surfaces", 4);
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const TetMesh mesh = reference_tet_mesh(Random(seed).tet_tensors());
@@ -104,8 +116,8 @@ TEST(Within, DoesNotDependOnWhereSamplingBegins) {
   }
 }
 
-// Where what is asked for is too small for a proof by parts, a larger bound than that is proved, and
-// not only the longest edge claimed.
+// Where what is asked for is too small for a proof by parts, a larger bound than that is proved,
+// and not only the longest edge claimed.
 TEST(Within, AskingForMoreDoesNotProveLess) {
   Compared compared("bounds in coarse tetrahedra", 3);
   for (std::uint64_t seed = 1; seed <= 40; ++seed)

@@ -21,14 +21,22 @@ constexpr double kEffect = 0.8;
 /// Or when it has more triangles than this, some four times as many at most: one more doubling would
 /// take as long as all the others did.
 constexpr int kMostTriangles = 5000;
-/// With fewer triangles it is not given up, as sampling may have begun too coarsely.
+/// As long as it has fewer triangles, and gets more, denser samples count as an effect: sampling may
+/// have begun too coarsely.
 constexpr int kFewTriangles = 500;
+/// Or when so many samples were asked for, of which few were of use.
+constexpr float kDensest = 0x1p20F;
 
-double largest_coordinate(const TetMesh& mesh) {
-  double largest = 0;
-  for (const auto& p : mesh.points)
+/// Below this no distance is proved in a tetrahedron, as coordinates are rounded.
+double least_distance(const TetMesh& mesh, std::size_t tet) {
+  double largest = 0, longest = 0;
+  for (const auto v : mesh.tets[tet]) {
+    const auto& p = mesh.points[as_size(v)];
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return largest;
+    for (const auto w : mesh.tets[tet])
+      longest = std::max(longest, length(mesh.points[as_size(w)] - p));
+  }
+  return 0x1p-48 * (largest + longest);
 }
 
 /// For each tetrahedron the bound on its distances, 0 where nothing is claimed or there.
@@ -56,12 +64,10 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
   current.keep_topology = true;
   if (current.density.empty()) current.density.assign(mesh.tets.size(), 1);
   const PreparedField<double> field(mesh);
-  // Places of vertices have errors of that size, so no samples help.
-  const bool is_below_rounding = largest_distance < 0x1p-50 * largest_coordinate(mesh);
   ExtractionWithin result;
   LevelTopology topology;  // of the extraction, which gives its own to the certificate
   std::vector<double> best(mesh.tets.size(), std::numeric_limits<double>::infinity());
-  std::vector<int> without_effect(mesh.tets.size(), 0);
+  std::vector<int> without_effect(mesh.tets.size(), 0), triangles_before(mesh.tets.size(), 0);
   for (bool is_denser = true; is_denser;) {
     result.extraction = extract_mode_surface(field, mode, current);
     topology = result.extraction.topology;
@@ -75,10 +81,14 @@ ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
     for (std::size_t t = 0; t < bounds.size(); ++t) {
       if (bounds[t] <= largest_distance) continue;
       result.farther.push_back(static_cast<TetMesh::Index>(t));
-      without_effect[t] = bounds[t] < kEffect * best[t] ? 0 : without_effect[t] + 1;
+      const bool has_grown = triangles[t] <= kFewTriangles && triangles[t] > triangles_before[t];
+      const bool has_effect = bounds[t] < kEffect * best[t] || has_grown;
+      without_effect[t] = has_effect ? 0 : without_effect[t] + 1;
       best[t] = std::min(best[t], bounds[t]);
-      const bool is_enough = without_effect[t] > kPatience && triangles[t] > kFewTriangles;
-      if (is_below_rounding || is_enough || triangles[t] > kMostTriangles) continue;
+      triangles_before[t] = triangles[t];
+      if (without_effect[t] > kPatience || triangles[t] > kMostTriangles ||
+          current.density[t] >= kDensest || largest_distance < least_distance(mesh, t))
+        continue;
       current.density[t] *= 2;
       is_denser = true;
     }

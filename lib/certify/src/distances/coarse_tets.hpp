@@ -40,8 +40,8 @@ bool are_near(const Cell& cell, const std::array<Place, 4>& vertices,
          parts.is_covered(points.points(), distance);
 }
 
-/// Of the longest edge of a tetrahedron: no smaller distance is looked for by its parts, as the work
-/// grows with the square of what it is smaller.
+/// Of the longest edge of a tetrahedron: no smaller distance is looked for by its parts, as the
+/// work grows with the square of what it is smaller.
 inline constexpr double kSmallestShare = 1.0 / 24;
 
 /// Bounds on distances, both ways, in tetrahedra where triangles, moved, are not proved to stay

@@ -20,12 +20,14 @@ struct ExtractionWithin {
 /// extracted again. Topology is that of the plain extraction. The bound is one by moved triangles,
 /// or by parts of the tetrahedron: see `certify`.
 ///
-/// @param largest_distance  in the mesh's units, > 0
-/// @param options  `density` is where sampling begins; `keep_topology` is about `extraction`
 /// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`. So is
 /// one that has more than 5,000 triangles (a doubling may have made 20,000 of fewer): it would soon
-/// take longer than all others. Below what rounding of coordinates adds, nothing is sampled again.
-/// Where the distance is too small for a proof by parts, the smallest one for which that is tried is.
+/// take longer than all others; and one where coordinates are rounded by more than the distance.
+/// Where the distance is too small for a proof by parts, the smallest one for which that is tried is
+/// proved, if it can be.
+///
+/// @param largest_distance  in the mesh's units, > 0
+/// @param options  `density` is where sampling begins; `keep_topology` is about `extraction`
 ExtractionWithin extract_within(const TetMesh& mesh, const ModeValue& mode,
                                 double largest_distance, const ExtractOptions& options = {});
 
