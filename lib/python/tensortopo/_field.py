@@ -238,10 +238,10 @@ class Field:
             How sheets that turn far are meshed: by bisection of edges, or on the medium eigenvector
             manifold, as in the paper. ("graph" is the old name of the former, deprecated.)
         strict : bool, default False
-            Raise if a cell stays unresolved, ``max_error`` is not proved somewhere, the mesh is torn (faces lie on others without being
-            shared), or the deviator is zero everywhere, so that there is no mode. (The program's
-            ``--strict`` also refuses surfaces that are not embedded; nothing here looks for that but
-            ``certify=True``.)
+            Raise if a cell stays unresolved, ``max_error`` is not proved somewhere, the mesh is torn
+            (faces lie on others without being shared), or the deviator is zero everywhere, so that
+            there is no mode. (The program's ``--strict`` also refuses surfaces that are not embedded;
+            nothing here looks for that but ``certify=True``.)
 
         Returns
         -------
@@ -417,14 +417,15 @@ def _uncertainty(
 
 
 def _positive(value: float, name: str) -> float:
+    error = ValueError(f"{name}: must be a positive number")
     if isinstance(value, (bool, str, bytes)):
-        raise ValueError(f"{name}: must be a positive number")
+        raise error
     try:
         number = float(value)
     except (OverflowError, TypeError):
-        number = float("inf")
+        raise error from None
     if not 0 < number < float("inf"):
-        raise ValueError(f"{name}: must be a positive number")
+        raise error
     return number
 
 

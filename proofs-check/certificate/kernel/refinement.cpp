@@ -16,7 +16,7 @@ namespace {
 constexpr double kMaxCells = 40000, kThinTube = 0.25, kMostTimes = 25;
 /// Around a point where the level is singular, cuts go on without end, and integers get ever longer.
 /// Their words, squared, say about how long each point takes, and a proof by integers some times as
-/// long; the sum is bounded. Integers of a few words are left to `kMaxCells`.
+/// long; the sum is bounded. Integers of a few words are left to the bound on cells.
 constexpr std::size_t kMaxWork = 1000000, kProofByIntegers = 8;
 
 /// Tensors whose angle has at most this cosine are nearly opposite; a mean of unit tensors that is
@@ -299,7 +299,7 @@ void Refinement::bisect(const std::array<Id, 2>& edge, Waiting& waiting) {
 bool Refinement::run() {
   Waiting waiting;
   wait(0, waiting);
-  const double times = std::pow(std::abs(level_.tube() / (kThinTube * kThinTube)), -0.25);
+  const double times = std::sqrt(kThinTube / std::sqrt(std::max(level_.tube(), 0.0)));
   const double most = kMaxCells * std::clamp(times, 1.0, kMostTimes);
   while (!waiting.empty()) {
     const auto [length, c, edge] = waiting.top();

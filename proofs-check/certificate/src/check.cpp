@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <future>
 #include <memory>
 #include <set>
@@ -166,6 +167,7 @@ class Checking {
       if (!derived) return;
       compared.get();
       ledger_.add(std::move(derived->report));
+      derived.reset();
     };
     const Json& levels = certificate_["levels"];
     for (std::size_t l = 0; l < levels.size(); ++l) {

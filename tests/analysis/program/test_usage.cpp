@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
 // What is refused instead of being passed over: files that would be overwritten, files that are
-// none, options without effect, numbers out of range.
+// none.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -113,6 +113,9 @@ TEST(Forgeries, UndecidedTetrahedraThatAreCoarse) {
     for (std::size_t v = 0; v < e.surface.points.size(); ++v)
       level["distance"]["reach"].push_back(0);
     EXPECT_EQ(court.verdict(e), "refuted") << court.report();
+    EXPECT_NE(court.report().find("is undecided: "), std::string::npos) << court.report();
+    level["distance"]["coarse"] = Json::array();
+    EXPECT_EQ(court.verdict(e), "undecided") << court.report();
     ++tried;
   }
   EXPECT_GE(tried, 3u);

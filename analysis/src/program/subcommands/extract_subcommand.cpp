@@ -142,7 +142,7 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
                 << ": in " << counted_tets(surface.tets_farther) << " (the first is cell "
                 << *surface.first_farther
                 << ") the distance to the level is not proved to be below --max-error, as more "
-                   "samples did not help, or would be too many; "
+                   "samples did not help, or would be too many or below rounding; "
                 << std::floor(1000 * surface.area_within) / 10 << " % of the area is within it"
                 << (report.written ? "" : "; nothing written") << '\n';
   }

@@ -80,7 +80,7 @@ Distances::Distances(const LevelCase& c, const PlacedSurface& placed)
     const std::size_t tet = c.input.tet_at(cell.get<Number>());
     if (tet == Input::kNone) throw Wrong("no tetrahedron " + cell.dump());
     if (c.left_out[tet])
-      throw Wrong("tetrahedron " + cell.dump() + " is undecided: of no distance there is a proof");
+      throw Wrong("tetrahedron " + cell.dump() + " is undecided: no distance can be claimed there");
     is_coarse_[tet] = true;
   }
   for (std::size_t t = 0; t < placed.tets.size(); ++t)

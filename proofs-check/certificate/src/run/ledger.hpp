@@ -26,7 +26,7 @@ class Ledger {
   }
   /// The claims that follow are about a level, or about none.
   void begin_level(const std::string& name) {
-    level = name + ", ";
+    prefix = name + ", ";
     report_.levels.emplace_back().name = name;
   }
   LevelReport& of_level() { return report_.levels.back(); }
@@ -45,12 +45,12 @@ class Ledger {
   void refute(const std::string& entity, const std::string& claimed, const std::string& derived) {
     ++report_.refuted, ++report_.kinds.at(kind_).refuted;
     if (!report_.levels.empty()) ++of_level().refuted;
-    keep(report_.refutations, {level + entity, claimed, derived, ""});
+    keep(report_.refutations, {prefix + entity, claimed, derived, ""});
   }
   void leave_open(const std::string& entity, const std::string& why) {
     ++report_.undecided, ++report_.kinds.at(kind_).undecided;
     if (!report_.levels.empty()) ++of_level().undecided;
-    keep(report_.open, {level + entity, why, "", ""});
+    keep(report_.open, {prefix + entity, why, "", ""});
   }
   /// @param witness  as `refute` has it, or nothing
   template <class... Witness>
@@ -65,24 +65,24 @@ class Ledger {
   bool has_refuted() const { return report_.refuted > 0; }
   std::size_t open() const { return report_.undecided; }
   /// Adds what came of a level that was checked by itself.
-  void add(Report of_it) {
-    for (const Verdicts& v : of_it.kinds) {
+  void add(Report level) {
+    for (const Verdicts& v : level.kinds) {
       begin(v.kind);
       Verdicts& all = report_.kinds.at(kind_);
       all.certified += v.certified, all.refuted += v.refuted, all.undecided += v.undecided;
     }
-    report_.certified += of_it.certified, report_.refuted += of_it.refuted;
-    report_.undecided += of_it.undecided;
-    for (Finding& finding : of_it.refutations) keep(report_.refutations, std::move(finding));
-    for (Finding& finding : of_it.open) keep(report_.open, std::move(finding));
-    std::move(of_it.levels.begin(), of_it.levels.end(), std::back_inserter(report_.levels));
-    count(of_it.by_balls, of_it.by_integers);
+    report_.certified += level.certified, report_.refuted += level.refuted;
+    report_.undecided += level.undecided;
+    for (Finding& finding : level.refutations) keep(report_.refutations, std::move(finding));
+    for (Finding& finding : level.open) keep(report_.open, std::move(finding));
+    std::move(level.levels.begin(), level.levels.end(), std::back_inserter(report_.levels));
+    count(level.by_balls, level.by_integers);
   }
   /// Adds to how often each arithmetic decided.
   void count(std::uint64_t by_balls, std::uint64_t by_integers) {
     report_.by_balls += by_balls, report_.by_integers += by_integers;
   }
-  std::string level;  ///< put before each entity
+  std::string prefix;  ///< put before each entity
 
  private:
   static constexpr std::size_t kShown = 10;

@@ -47,10 +47,10 @@ class WorkLimit {
     counted_ = decided;
   }
 
-  /// Difficult levels of one tetrahedron take some 100,000; a field near its degenerate curves three
-  /// for each byte of its files; others fewer.
-  static constexpr std::uint64_t kLeast = 1000000, kPerByte = 8;
-  static constexpr std::uint64_t kDear = 5000;  ///< of a difficult edge, face or tetrahedron
+  /// Difficult levels of one tetrahedron take some 100,000, next to modes 1 and -1 five times as many;
+  /// a field near its degenerate curves takes three for each byte of its files; others fewer.
+  static constexpr std::uint64_t kLeast = 4000000, kPerByte = 8;
+  static constexpr std::uint64_t kDear = 100000;  ///< of a difficult edge, face or tetrahedron
 
   std::uint64_t left_;
   std::uint64_t counted_ = 0;  ///< of the level
