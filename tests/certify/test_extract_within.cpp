@@ -85,8 +85,8 @@ TEST(Within, GivesUpWhereSamplesDoNotMakeTriangles) {
   const auto diagonal = [](double x, double y, double z) {
     return SymmetricTensor<double>{x, y, z, 0, 0, 0};
   };
-  const TetMesh mesh = reference_tet_mesh({diagonal(2, -1, -1), diagonal(2, -1.1, -1),
-                                           diagonal(2, -1, -1.2), diagonal(1, 0.5, -3)});
+  const TetMesh mesh = reference_tet_mesh(
+      {diagonal(2, -1, -1), diagonal(2, -1.1, -1), diagonal(2, -1, -1.2), diagonal(1, 0.5, -3)});
   const auto within = extract_within(mesh, ModeValue::parse("1/10"), 1e-12);
   EXPECT_EQ(within.farther.size(), 1u);
   EXPECT_LT(within.rounds, 12);

@@ -21,8 +21,8 @@ constexpr double kEffect = 0.8;
 /// Or when it has more triangles than this, some four times as many at most: one more doubling would
 /// take as long as all the others did.
 constexpr int kMostTriangles = 5000;
-/// As long as it has fewer triangles, and gets more, denser samples count as an effect: sampling may
-/// have begun too coarsely.
+/// As long as it has fewer triangles, and gets more, denser samples count as an effect: sampling
+/// may have begun too coarsely.
 constexpr int kFewTriangles = 500;
 /// Or when so many samples were asked for, of which few were of use.
 constexpr float kDensest = 0x1p20F;

@@ -47,8 +47,8 @@ class WorkLimit {
     counted_ = decided;
   }
 
-  /// Difficult levels of one tetrahedron take some 100,000, next to modes 1 and -1 five times as many;
-  /// a field near its degenerate curves takes three for each byte of its files; others fewer.
+  /// Difficult levels of one tetrahedron take some 100,000, next to modes 1 and -1 five times as
+  /// many; a field near its degenerate curves takes three for each byte of its files; others fewer.
   static constexpr std::uint64_t kLeast = 4000000, kPerByte = 8;
   static constexpr std::uint64_t kDear = 100000;  ///< of a difficult edge, face or tetrahedron
 

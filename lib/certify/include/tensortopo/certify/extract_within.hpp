@@ -23,8 +23,8 @@ struct ExtractionWithin {
 /// A tetrahedron in which denser samples stop to help is given up, and listed in `farther`. So is
 /// one that has more than 5,000 triangles (a doubling may have made 20,000 of fewer): it would soon
 /// take longer than all others; and one where coordinates are rounded by more than the distance.
-/// Where the distance is too small for a proof by parts, the smallest one for which that is tried is
-/// proved, if it can be.
+/// Where the distance is too small for a proof by parts, the smallest one for which that is tried
+/// is proved, if it can be.
 ///
 /// @param largest_distance  in the mesh's units, > 0
 /// @param options  `density` is where sampling begins; `keep_topology` is about `extraction`
