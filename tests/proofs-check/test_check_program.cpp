@@ -3,9 +3,9 @@
 // The two programs: exit status, and what goes where.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 
+#include "analysis/program/expect_line.hpp"
 #include "analysis/run_program.hpp"
 #include "proofs-check/forgeries/certificate_writer.hpp"
 #include "support/fields/random_fields.hpp"
@@ -63,11 +63,7 @@ TEST(CheckProgram, RefusesFilesInOneLine) {
            {"check", s.input(), s.surface(), file},
            {"check", s.input(), s.surface(), folder / "missing.json"},
            {"check", s.surface(), s.surface(), s.write(s.certificate)}}) {
-    const Outcome run = run_program(arguments);
-    EXPECT_EQ(run.status, 3);
-    EXPECT_EQ(run.out, "");
-    EXPECT_TRUE(run.err.starts_with("tensortopo: ")) << run.err;
-    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    expect_line(run_program(arguments), 3, "");
   }
   EXPECT_EQ(run_program({"check", s.input()}).status, 2);
 }

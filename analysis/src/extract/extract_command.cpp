@@ -141,12 +141,7 @@ class ExtractRun {
     report_.predicates = predicate_counts() - before;
     for (auto& [key, which] : unresolved_)
       report_.unresolved.push_back({key.first, key.second, std::move(which)});
-    const bool is_near =
-        std::none_of(report_.surfaces.begin(), report_.surfaces.end(),
-                     [](const SurfaceReport& s) { return s.first_farther.has_value(); });
-    if (!command_.strict ||
-        (report_.unresolved.empty() && is_near && doubtful_lines(report_).empty()))
-      write();
+    if (!command_.strict || is_flawless(report_)) write();
     return std::move(report_);
   }
 

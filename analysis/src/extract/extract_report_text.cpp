@@ -133,6 +133,13 @@ std::string unresolved_advice(const ExtractReport& report) {
       mode_beside(found->modes.front()));
 }
 
+bool is_flawless(const ExtractReport& report) {
+  return report.unresolved.empty() &&
+         std::none_of(report.surfaces.begin(), report.surfaces.end(),
+                      [](const SurfaceReport& s) { return s.tets_farther > 0; }) &&
+         doubtful_lines(report).empty();
+}
+
 std::vector<std::string> doubtful_lines(const ExtractReport& report) {
   // Of modes; elsewhere residuals are some orders below.
   constexpr double kOffTheLevel = 1e-6;

@@ -23,7 +23,7 @@ namespace {
 void check_curves(const Json& claims, const RadiiByArray& radii, const Input& input,
                   const Field& field, const Polylines& curves, Ledger& ledger,
                   const Progress& progress, PartCurves* part) {
-  ledger.begin_level("mode " + claims["mode"].get<std::string>());
+  ledger.begin_level(level_name_of(claims));
   std::vector<bool> left_out(input.tets.size());
   ledger.begin("left out");
   if (!mark_left_out(claims, input, curve_reason_of, left_out, ledger)) return;

@@ -148,4 +148,8 @@ std::string unresolved_advice(const ExtractReport& report);
 /// without a mode. One line each.
 std::vector<std::string> doubtful_lines(const ExtractReport& report);
 
+/// Whether no tetrahedron is unresolved, or farther from the level than was asked for, and no surface
+/// doubtful: else `--strict` writes nothing.
+bool is_flawless(const ExtractReport& report);
+
 }  // namespace tensortopo

@@ -50,23 +50,23 @@ inline void say_notes(const std::filesystem::path& file, const std::vector<std::
 /// Says, unless it is to be quiet, how much a certificate leaves undecided. False if nothing.
 /// Also what the checker may leave open, though it is proved.
 inline bool say_undecided(const std::optional<CertificateReport>& certificate, bool quiet) {
-  const auto say = [&](const std::string& what) {
-    std::cerr << "tensortopo: " << certificate->path.string() << ": " << what << '\n';
-  };
-  if (certificate && !quiet && certificate->tubes > 0)
-    say(counted(certificate->tubes, "thin tube") +
-        " proved by the degenerate curves inside; tensortopo check cuts them into small parts "
-        "instead, which takes longer and may leave some open");
-  if (certificate && !quiet && certificate->at_critical > 0)
-    say(counted_tets(certificate->at_critical) +
-        " proved at a mode next to a critical one; tensortopo check has no such proof and may "
-        "leave this open");
-  if (!certificate || certificate->undecided_cells == 0) return false;
-  if (!quiet)
-    say(counted_tets(certificate->undecided_cells) +
-        " undecided, so that nothing is certified of the surface there: " +
-        undecided_text(*certificate));
-  return true;
+  if (!certificate) return false;
+  std::vector<std::string> notes;
+  if (certificate->tubes > 0)
+    notes.push_back(counted(certificate->tubes, "thin tube") +
+                    " proved by the degenerate curves inside; tensortopo check cuts them into "
+                    "small parts instead, which takes longer and may leave some open");
+  if (certificate->at_critical > 0)
+    notes.push_back(counted_tets(certificate->at_critical) +
+                    " proved at a mode next to a critical one; tensortopo check has no such proof "
+                    "and may leave this open");
+  const bool is_undecided = certificate->undecided_cells > 0;
+  if (is_undecided)
+    notes.push_back(counted_tets(certificate->undecided_cells) +
+                    " undecided, so that nothing is certified of the surface there: " +
+                    undecided_text(*certificate));
+  say_notes(certificate->path, notes, quiet);
+  return is_undecided;
 }
 
 }  // namespace tensortopo

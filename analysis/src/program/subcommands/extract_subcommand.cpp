@@ -304,8 +304,7 @@ void add_extract_subcommand(CLI::App& program, CommonOptions& common, Action& ac
       "--strict", command.strict,
       "If a tetrahedron stays unresolved, a surface is not embedded, off its mode or farther than "
       "--max-error, or the field has no mode anywhere, write nothing and exit with 1; if the mesh "
-      "is torn "
-      "(faces lie on others without being shared), with 3");
+      "is torn (faces lie on others without being shared), with 3");
   add_read_options(app, common, command.read);
   add_common_options(app, common);
   app.callback([options, &common, &action] {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "distances/weighted_tensors.hpp"
 #include "places.hpp"
 #include "surface/compare_surface.hpp"
-#include "distances/weighted_tensors.hpp"
 
 namespace certificate {
 
