@@ -39,6 +39,8 @@ std::array<std::array<double, V>, C> weights_of(const std::array<Point<V>, C>& p
 /// Most parts of a simplex of V vertices.
 template <std::size_t V>
 constexpr int kParts = V == 2 ? 96 : V == 3 ? 768 : 6144;
+/// Weights of parts are multiples of 2 to the minus so many, which doubles hold.
+constexpr int kMostBits = 50;
 
 /// Does a simplex consist of parts in each of which something is shown? Yes or unsure.
 /// @param holds     is it shown in a part?
@@ -48,10 +50,14 @@ Answer holds_in_parts(const std::array<Widened, V>& corners, const Holds& holds,
                       const MayHold& may_hold) {
   std::array<std::array<double, V>, V> whole{};
   for (std::size_t i = 0; i < V; ++i) whole[i][i] = 1;
-  std::vector<std::array<std::array<double, V>, V>> open{whole};
+  struct Open {
+    std::array<std::array<double, V>, V> places;
+    int halvings = 0;  ///< that it came of: weights have no more bits
+  };
+  std::vector<Open> open{{whole}};
   for (int count = 0; !open.empty(); ++count) {
-    if (count == kParts<V>) return Answer::unsure;
-    const auto places = open.back();
+    const auto [places, halvings] = open.back();
+    if (count == kParts<V> || halvings == kMostBits) return Answer::unsure;
     open.pop_back();
     std::array<Point<V>, V> part;
     for (std::size_t a = 0; a < V; ++a) part[a] = point_at(corners, places[a]);
@@ -72,8 +78,8 @@ Answer holds_in_parts(const std::array<Widened, V>& corners, const Holds& holds,
     std::array<double, V> half{};
     for (std::size_t i = 0; i < V; ++i) half[i] = (places[from][i] + places[to][i]) / 2;
     for (const std::size_t corner : {from, to}) {
-      open.push_back(places);
-      open.back()[corner] = half;
+      open.push_back({places, halvings + 1});
+      open.back().places[corner] = half;
     }
   }
   return Answer::yes;

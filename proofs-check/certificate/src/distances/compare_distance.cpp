@@ -141,7 +141,7 @@ void Distances::prove_coarse() const {
     if (!is_coarse_[tet]) continue;
     const auto why = longer_edge(tet);
     if (!why) continue;
-    if (!has_modes(tet)) throw Wrong(*why);
+    if (!has_modes(tet)) throw Unproved(*why + ", and there are no parts of a cone");
     cell_of[tet] = cells.size();
     cells.push_back({tet, *why, {}});
   }

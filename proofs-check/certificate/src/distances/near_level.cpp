@@ -23,8 +23,9 @@ constexpr std::size_t kMostPoints = 40000, kMostParts = 200000, kMostAsked = 800
 constexpr std::size_t kMostWork = 16000000;
 constexpr int kMostHalvings = 30;
 
-/// Distances are not compared with less: squares of smaller lengths are not exact enough.
-constexpr double kLeastDistance = 0x1p-400;
+/// Distances are not compared with less, nor coordinates larger than that looked at: squares of
+/// smaller lengths are not exact enough, those of larger ones not finite.
+constexpr double kLeastDistance = 0x1p-400, kLargestCoordinate = 0x1p500;
 
 double length_between(const Point3& x, const Point3& y) {
   double square = 0;
@@ -268,13 +269,29 @@ double place_error(const LevelCase& c, std::size_t tet) {
   return error;
 }
 
+/// Whether lengths between places in a tetrahedron, corners of triangles among them, can be
+/// compared with a distance.
+bool are_comparable(const LevelCase& c, std::size_t tet,
+                    const std::vector<std::array<Point3, 3>>& triangles, double distance) {
+  const auto is_small = [](const Point3& x) {
+    return std::all_of(x.begin(), x.end(),
+                       [](double value) { return std::abs(value) <= kLargestCoordinate; });
+  };
+  const auto& v = c.input.tets[tet];
+  return distance > kLeastDistance && distance <= kLargestCoordinate &&
+         std::all_of(v.begin(), v.end(), [&](Vertex i) { return is_small(c.input.points[i]); }) &&
+         std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+           return std::all_of(t.begin(), t.end(), is_small);
+         });
+}
+
 }  // namespace
 
 bool is_near_level(const LevelCase& c, std::size_t tet,
                    const std::vector<std::array<Point3, 3>>& triangles, double distance,
                    std::size_t& work) {
   const double rest = (distance - place_error(c, tet)) * (1 - kLengthError);
-  if (!(rest > kLeastDistance)) return false;
+  if (!are_comparable(c, tet, triangles, rest)) return false;
   SpreadPoints spread(rest / 2);
   const bool are_few = std::all_of(triangles.begin(), triangles.end(),
                                    [&](const auto& triangle) { return spread.add(triangle); });
@@ -293,7 +310,7 @@ std::optional<Point3> point_far_from_level(const LevelCase& c, std::size_t tet,
                                            const std::vector<std::array<Point3, 3>>& triangles,
                                            double distance) {
   const double most = (distance + place_error(c, tet)) * (1 + kLengthError);
-  if (!(most > kLeastDistance)) return std::nullopt;
+  if (!are_comparable(c, tet, triangles, most)) return std::nullopt;
   SpreadPoints spread(most / 4);
   for (const auto& t : triangles) {
     const std::array<Point3, 3> m{middle_of(t[1], t[2]), middle_of(t[2], t[0]),

@@ -42,9 +42,17 @@ bool is_above_inside(const FaceTopology& face, std::size_t curve) {
 /// What came of one closed curve or sheet.
 enum class Turn { right, wrong, unsure };
 
+/// Why that is open.
+constexpr const char* kNotDerived = "what it is compared with is not derived";
+constexpr const char* kNoSize = "its polygon has no area, or its triangles no volume, beyond rounding";
+
+/// The square root; about, of numbers of any size.
+double root_of(const mpq_class& square) { return mpf_class(sqrt(mpf_class(square, 64))).get_d(); }
+
 /// Does the polygon of a closed curve turn as the curve does, seen from outside?
-/// @param witness  receives what is wrong
-Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop, std::string& witness) {
+/// @param reason  receives what is wrong, or why that is open
+Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop, std::string& reason) {
+  reason = kNotDerived;
   if (c.topology.tet(tet) == nullptr && c.topology.cone(tet) == nullptr)
     return Turn::unsure;  // what is claimed there is refuted already
   const FaceTopology& face = face_opposite(c, tet, loop.opposite);
@@ -70,13 +78,18 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const ClosedLoop& loop, std::s
   }
   mpq_class seen, length;
   for (std::size_t k = 0; k < 3; ++k) seen += area[k] * normal[k], length += normal[k] * normal[k];
-  const double size = std::sqrt(length.get_d());
-  witness = std::string("the values inside are ") + (above ? "larger" : "smaller") +
-            ", the area of its polygon has the other sign: seen from outside about " +
-            Json((is_turned ? -seen.get_d() : seen.get_d()) / (2 * size)).dump();
   if (above == is_turned) seen = -seen;
   if (seen > 0) return Turn::right;
-  return std::abs(seen.get_d()) <= around * slack * size ? Turn::unsure : Turn::wrong;
+  // Squares, exactly: coordinates may be of any size.
+  reason = kNoSize;
+  if (!std::isfinite(around) || !std::isfinite(slack)) return Turn::unsure;
+  const mpq_class most = mpq_class(around) * mpq_class(slack);
+  if (seen * seen <= most * most * length) return Turn::unsure;
+  const double size = root_of(seen * seen / (4 * length));
+  reason = std::string("the values inside are ") + (above ? "larger" : "smaller") +
+           ", the area of its polygon has the other sign: seen from outside about " +
+           Json(above ? -size : size).dump();
+  return Turn::wrong;
 }
 
 /// Six times the volume that triangles without boundary enclose.
@@ -95,17 +108,19 @@ mpq_class volume_of(const LevelCase& c, const std::vector<std::size_t>& triangle
 }
 
 /// Larger values are where triangles are seen counter-clockwise: outside of a positive volume.
-/// @param witness  receives what is wrong
+/// @param reason  receives what is wrong, or why that is open
 Turn turn_of(const LevelCase& c, std::size_t tet, const std::vector<ClosedPiece>& pieces,
-             std::string& witness) {
+             std::string& reason) {
+  reason = kNotDerived;
   std::map<long, long> above, outward;  // how many more are so, by Euler characteristics
   const TetTopology* const found = c.topology.tet(tet);
-  if (found == nullptr) return Turn::unsure;
+  if (found == nullptr || !found->decided) return Turn::unsure;
+  std::string witness;
   for (const MeshSheet& sheet : found->sheets)
     if (sheet.loops.empty()) above[sheet.euler_characteristic] += sheet.above_inside ? 1 : -1;
   for (const ClosedPiece& piece : pieces) {
     const int sign = sgn(volume_of(c, piece.triangles));
-    if (sign == 0) return Turn::unsure;
+    if (sign == 0) return reason = kNoSize, Turn::unsure;
     outward[piece.euler_characteristic] -= sign;
     witness += (witness.empty() ? "the volume that its triangles enclose has the other sign: from "
                                   "triangle "
@@ -113,6 +128,7 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const std::vector<ClosedPiece>
                std::to_string(c.triangles.first + piece.triangles[0]) + " on about " +
                Json(volume_of(c, piece.triangles).get_d() / 6).dump();
   }
+  reason = witness;
   return above == outward ? Turn::right : Turn::wrong;
 }
 
@@ -120,12 +136,12 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const std::vector<ClosedPiece>
 
 void compare_orientation(const LevelCase& c, const PlacedSurface& placed, Ledger& ledger) {
   const std::string claimed = "larger values where the triangles are counter-clockwise";
-  std::string open;
+  std::string open, why_open;
   const auto is_wrong = [&](std::size_t tet, const auto& part, const std::string& name) {
-    std::string witness;
-    const Turn turn = turn_of(c, tet, part, witness);
-    if (turn == Turn::unsure && open.empty()) open = name;
-    if (turn == Turn::wrong) ledger.refute("orientation of " + name, claimed, witness);
+    std::string reason;
+    const Turn turn = turn_of(c, tet, part, reason);
+    if (turn == Turn::unsure && open.empty()) open = name, why_open = reason;
+    if (turn == Turn::wrong) ledger.refute("orientation of " + name, claimed, reason);
     return turn == Turn::wrong;
   };
   for (const auto& [tet, loop] : placed.closed_curves)
@@ -136,7 +152,7 @@ void compare_orientation(const LevelCase& c, const PlacedSurface& placed, Ledger
                  "a closed sheet in tetrahedron " + std::to_string(c.input.cells[tet])))
       return;
   if (open.empty()) return ledger.certify();
-  ledger.leave_open("orientation of " + open, "its polygon has no area beyond rounding");
+  ledger.leave_open("orientation of " + open, why_open);
 }
 
 }  // namespace certificate
