@@ -34,9 +34,7 @@ class Level::Simplex {
   bool lies(bool above) {
     return is_true([&](const auto& f) { return rule_.lies(above, f); });
   }
-  bool is_on() {
-    return is_true([&](const auto& f) { return rule_.is_on(f); });
-  }
+  bool is_on() { return is_true([&](const auto& f) { return rule_.is_on(f); }); }
   /// By the form of lower degree first, which mostly does.
   bool is_on_side(bool up) { return rule_.lies_by_norm(up, balls_) || lies(up); }
   /// By the rule's forms along d, and by integers for all values of the function.
@@ -109,8 +107,11 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners, bool asks_for_side)
       return {Proof::empty, {}, !asks_for_side && simplex.took_integers()};
     if (asks_for_side) return {};
     const auto rise = rule.rise(simplex.balls());
+    // Across an edge there is one way up, also where rounding hides it from a guess.
+    std::array<int, V> up{corners[0].above ? 1 : -1};
+    if (V == 2) up[V - 1] = -up[0];
     const auto direction = [&](bool within_chart) {
-      const auto d = likely_direction<V>(rise, within_chart);
+      const auto d = V == 2 && is_crossed ? up : likely_direction<V>(rise, within_chart);
       if (!d) return d;
       // Entries of both signs, so that in some chart moving along d is moving in parallel.
       const auto [low, high] = std::minmax_element(d->begin(), d->end());

@@ -71,9 +71,7 @@ class ModeRule {
   }
   /// Is there a mode everywhere?
   template <class N, std::size_t V>
-  static Answer is_defined(const Forms<N, V>& f) {
-    return have_sign(f.p, 1, Zero::fails);
-  }
+  static Answer is_defined(const Forms<N, V>& f) { return have_sign(f.p, 1, Zero::fails); }
 
  private:
   /// F = q Q^2 + p P^3.
