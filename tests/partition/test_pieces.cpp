@@ -114,8 +114,13 @@ TEST(ExtractInPieces, GivesTheSameSurfaceWithDenserCells) {
       EXPECT_EQ(whole.not_embedded, again.not_embedded) << text << ' ' << pieces;
     }
   }
-  const TetMesh mesh = field_of_any_kind(random, 1);
+  TetMesh mesh = field_of_any_kind(random, 1);
   EXPECT_THROW(extract_in_pieces(mesh, ModeValue::parse("0"), 0), std::invalid_argument);
+  for (const TetMesh::Index v : mesh.tets[0]) mesh.tensors[as_size(v)] = {2, 2, 2, 0, 0, 0};
+  const auto undefined = extract_mode_surface<double>(mesh, ModeValue::parse("0"), {});
+  EXPECT_GT(undefined.statistics.tets_undefined, 0u);
+  EXPECT_EQ(extract_in_pieces(mesh, ModeValue::parse("0"), 3).statistics.tets_undefined,
+            undefined.statistics.tets_undefined);
 }
 
 /// What ghosts are told and tell is the same in all pieces; if it were not, that would be noticed.

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "isotropic_tets.hpp"
+
 namespace tensortopo {
 
 namespace {
@@ -113,10 +115,6 @@ class Stretches {
 };
 
 }  // namespace
-
-bool is_isotropic(const SymmetricTensor<double>& t) {
-  return t.xx == t.yy && t.yy == t.zz && t.xy == 0 && t.yz == 0 && t.xz == 0;
-}
 
 std::set<std::array<std::size_t, 2>> cut_folds(const PieceSurface& piece,
                                                const std::vector<char>& in_part) {

@@ -11,9 +11,6 @@
 
 namespace tensortopo {
 
-/// Whether the deviator is zero.
-bool is_isotropic(const SymmetricTensor<double>& tensor);
-
 /// Sheets that a stretch of larger modes around an edge between two isotropic vertices has at its
 /// ends are joined along the edge. In a part they are only if the part has all of the stretch.
 /// @param in_part  of each of the piece's tetrahedra, which have all with two isotropic vertices

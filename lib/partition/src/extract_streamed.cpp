@@ -205,6 +205,8 @@ std::size_t StreamedMesh::points() const { return as_size(index_->points); }
 
 std::size_t StreamedMesh::tets() const { return as_size(index_->tets); }
 
+std::size_t StreamedMesh::isotropic_tets() const { return index_->isotropic_tets; }
+
 std::string StreamedMesh::field_sha256() const { return hash_of(source_, *index_); }
 
 MergedSurface extract_streamed(const StreamedMesh& mesh, const ModeValue& mode,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cut_folds.hpp"
+#include "isotropic_tets.hpp"
 #include "topology/topology_parts.hpp"
 
 namespace tensortopo {

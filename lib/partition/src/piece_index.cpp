@@ -9,6 +9,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "isotropic_tets.hpp"
 #include "tensortopo/mesh/point_hash.hpp"
 
 namespace tensortopo {
@@ -105,6 +106,7 @@ detail::PieceIndex::PieceIndex(const PieceSource& source) {
       piece.known.emplace_back(v, point.id);
     }
     tets += static_cast<std::int64_t>(mesh.tets.size());
+    isotropic_tets += tensortopo::isotropic_tets(mesh);
     pieces.push_back(std::move(piece));
   }
 }

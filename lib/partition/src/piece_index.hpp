@@ -46,6 +46,7 @@ namespace detail {
 struct PieceIndex {
   std::vector<IndexedPiece> pieces;
   std::int64_t points = 0, tets = 0;
+  std::size_t isotropic_tets = 0;  ///< of all these
 
   /// Reads each piece once. Throws as `StreamedMesh`.
   explicit PieceIndex(const PieceSource& source);

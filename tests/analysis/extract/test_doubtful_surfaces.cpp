@@ -147,5 +147,44 @@ TEST(ExtractFailures, ATornMeshIsSaidToBeSoAndRefusedIfStrict) {
   }
 }
 
+/// Also where the mesh is extracted in pieces, or read so.
+TEST(ExtractFailures, StrictRefusesAFieldThatHasNoModeAnywhere) {
+  const Folder folder;
+  const std::string file = folder / "zero.vtk", pieces = folder / "zero.pvtu";
+  std::ofstream(file) << R"(# vtk DataFile Version 3.0
+isotropic
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 5 double
+0 0 0  1 0 0  0 1 0  0 0 1  1 1 1
+CELLS 2 10
+4 0 1 2 3
+4 1 2 3 4
+CELL_TYPES 2
+10 10
+POINT_DATA 5
+FIELD f 1
+stress 6 5 double
+1 1 1 0 0 0  1 1 1 0 0 0  1 1 1 0 0 0  2 2 2 0 0 0  0 0 0 0 0 0
+)";
+  ASSERT_EQ(run_program({"convert", file, "-o", folder / "zero.vtu", "--quiet"}).status, 0);
+  std::ofstream(pieces) << R"(<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>
+<Piece Source="zero.vtu"/></PUnstructuredGrid></VTKFile>)";
+  const std::vector<std::vector<std::string>> ways{{file}, {file, "--pieces", "2"}, {pieces, "--stream"}};
+  for (const auto& way : ways) {
+    std::vector<std::string> words{"extract", "-o", folder / "s.vtp", "--mode", "1/3"};
+    words.insert(words.end(), way.begin(), way.end());
+    const Outcome plain = run_program(words);
+    EXPECT_EQ(plain.status, 0) << plain.err;
+    EXPECT_NE(plain.err.find("the mode is undefined everywhere"), std::string::npos) << plain.err;
+    std::filesystem::remove(folder / "s.vtp");
+    words.push_back("--strict");
+    const Outcome strict = run_program(words);
+    EXPECT_EQ(strict.status, 1) << way.back();
+    EXPECT_NE(strict.err.find("the mode is undefined everywhere"), std::string::npos) << strict.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "s.vtp"));
+  }
+}
+
 }  // namespace
 }  // namespace tensortopo::test

@@ -14,8 +14,8 @@ namespace tensortopo {
 ///
 /// Pieces that do not agree where they meet are extracted again with more layers of ghosts.
 /// @param pieces  how many slabs, at least 1 (else throws std::invalid_argument)
-/// @return all but `carrier_id` of `surface`, and of `statistics` only `tets_crossed` and
-///         `vertices_on_level`
+/// @return all but `carrier_id` of `surface`, and of `statistics` only `tets_crossed`,
+///         `tets_undefined` and `vertices_on_level`
 /// @pre as `extract_mode_surface`
 Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
                              const ExtractOptions& options = {});

@@ -44,6 +44,8 @@ class StreamedMesh {
   std::size_t points() const;
   /// How many tetrahedra the whole mesh has.
   std::size_t tets() const;
+  /// How many of these are isotropic at all four vertices: no mode there, and no surface.
+  std::size_t isotropic_tets() const;
   /// As `field_sha256` of the whole mesh. Reads each piece three times.
   std::string field_sha256() const;
 
