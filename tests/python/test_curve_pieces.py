@@ -36,6 +36,15 @@ def test_pieces_give_the_curves_of_the_whole(slab, owner, kind):
     assert [line.tolist() for line in merged.lines] == [line.tolist() for line in whole.lines]
 
 
+def test_merged_curves_are_checked(slab, owner):
+    pieces = list(pieces_of(slab, owner, lambda piece, *about: tt.extract_curve_piece(piece, "linear", *about), far=0))
+    known = tt.CertifiedField(len(slab.points), slab.sha256, slab.tensor_name)
+    merged = tt.merge_curve_pieces(pieces, certify=known)
+    assert tt.check(slab, merged).status == "certified"
+    with pytest.raises(ValueError, match="there is none"):
+        tt.check(slab, tt.merge_curve_pieces(pieces))
+
+
 @pytest.mark.parametrize("kind", ["linear", "planar"])
 def test_seams_number_the_components_of_the_whole(slab, owner, kind):
     whole = slab.degenerate_curves(kind)

@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 
 #include "contours/vtk_contours.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
@@ -65,6 +68,22 @@ void score_member(const FamilyMember& member, const SuiteEntry& entry, int numbe
   }
 }
 
+constexpr std::array<std::string_view, 7> kKeys{
+    "kind", "file", "seed", "count", "tetrahedra", "subdivisions", "modes"};
+
+/// A number of an entry.
+std::int64_t whole_number(const nlohmann::json& item, const char* key, std::int64_t otherwise,
+                          std::int64_t least, std::int64_t most) {
+  const auto value = item.value(key, nlohmann::json(otherwise));
+  // Unsigned numbers of JSON may be larger than what is signed.
+  const bool is_known = value.is_number_integer() &&
+                        !(value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX);
+  if (!is_known || value.get<std::int64_t>() < least || value.get<std::int64_t>() > most)
+    throw std::invalid_argument(
+        fmt::format("{} must be a whole number from {} to {}", key, least, most));
+  return value.get<std::int64_t>();
+}
+
 }  // namespace
 
 std::vector<SuiteEntry> read_suite(const std::filesystem::path& file) {
@@ -83,15 +102,21 @@ std::vector<SuiteEntry> read_suite(const std::filesystem::path& file) {
         if (!kind) throw std::invalid_argument("no kind is called " + entry.name);
         entry.kind = *kind;
       }
-      entry.subdivisions = item.value("subdivisions", kSubdivisions);
-      if (entry.subdivisions < 0 || entry.subdivisions > kSubdivisions)
-        throw std::invalid_argument("subdivisions must be from 0 to 3");
-      entry.seed = item.value("seed", std::uint64_t{1});
-      entry.count = item.value("count", 1);
-      entry.tetrahedra = item.value("tetrahedra", std::size_t{0});
+      for (const auto& [key, value] : item.items())
+        if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+          throw std::invalid_argument("\"" + key + "\" is no key of an entry");
+      entry.subdivisions =
+          static_cast<int>(whole_number(item, "subdivisions", kSubdivisions, 0, kSubdivisions));
+      entry.seed = static_cast<std::uint64_t>(whole_number(item, "seed", 1, 0, INT64_MAX));
+      entry.count = static_cast<int>(whole_number(item, "count", 1, 1, 1000000));
+      entry.tetrahedra = static_cast<std::size_t>(whole_number(item, "tetrahedra", 0, 0, 10000000));
       if (item.contains("modes"))
-        for (const auto& mode : item.at("modes"))
+        for (const auto& mode : item.at("modes")) {
           entry.modes.push_back(parse_mode(mode.get<std::string>()));
+          if (is_degenerate(entry.modes.back()))
+            throw std::invalid_argument("mode " + mode.get<std::string>() +
+                                        ": has curves, and a suite is of surfaces");
+        }
       suite.push_back(std::move(entry));
     }
     return suite;

@@ -51,8 +51,10 @@ MeshStrata strata_of(const TetMesh& mesh, const Progress& progress) {
     TetrahedronField<double> field;
     for (std::size_t k = 0; k < 4; ++k) field.vertex[k] = deviator(tensors[k]);
     const double mode = characteristic_tensor(field)->mode;
-    strata.least_characteristic_mode = std::min(strata.least_characteristic_mode, mode);
-    strata.greatest_characteristic_mode = std::max(strata.greatest_characteristic_mode, mode);
+    auto& [least, greatest] = strata.characteristic_modes
+                                  ? *strata.characteristic_modes
+                                  : strata.characteristic_modes.emplace(std::array{mode, mode});
+    least = std::min(least, mode), greatest = std::max(greatest, mode);
   }
   return strata;
 }

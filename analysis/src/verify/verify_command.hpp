@@ -38,9 +38,9 @@ struct MeshStrata {
   std::size_t with_common_eigenvector = 0;
   std::size_t neutral_characteristic = 0;
   std::size_t degenerate_characteristic = 0;
-  /// Of the modes of the characteristic tensors, which are in [-1, 0]; rounded. As they stand if no
-  /// tetrahedron has rank 4.
-  double least_characteristic_mode = 0, greatest_characteristic_mode = -1;
+  /// The least and the greatest mode of the characteristic tensors, which are in [-1, 0]; rounded.
+  /// Nothing if no tetrahedron has rank 4.
+  std::optional<std::array<double, 2>> characteristic_modes;
 };
 
 struct VerifyReport {

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, Optional, Sequence, Union
 
+from ._curve_pieces import MergedCurves
 from ._errors import FileError
 from ._field import Field
 from ._files import write, write_at_ids
@@ -66,7 +67,7 @@ class Verdict:
 
 def check(
     field: Union[Field, PathLike],
-    output: Union[Surface, MergedSurface, Curves, PathLike],
+    output: Union[Surface, MergedSurface, Curves, MergedCurves, PathLike],
     certificate: Union[bytes, PathLike, None] = None,
     *,
     expect_modes: Optional[Sequence[Mode]] = None,
@@ -83,7 +84,7 @@ def check(
     ----------
     field : Field or path
         The field, or its file (.vtu, .vtk; .pvtu of a surface in parts).
-    output : Surface, MergedSurface, Curves or path
+    output : Surface, MergedSurface, Curves, MergedCurves or path
         The surface or the curves, or their file (.vtp; .pvtp with a certificate of parts).
     certificate : bytes or path, optional
         By default that of ``output``.
@@ -111,7 +112,7 @@ def check(
     """
     from . import _checker
 
-    if certificate is None and isinstance(output, (Surface, MergedSurface, Curves)):
+    if certificate is None and isinstance(output, (Surface, MergedSurface, Curves, MergedCurves)):
         certificate = output.certificate
     if certificate is None:
         raise ValueError("certificate: there is none; extract with certify=True")
@@ -124,7 +125,7 @@ def check(
             if isinstance(what, Field):
                 write_at_ids(Path(folder) / name, what)
                 files.append(str(Path(folder) / name))
-            elif isinstance(what, (Surface, MergedSurface, Curves)):
+            elif isinstance(what, (Surface, MergedSurface, Curves, MergedCurves)):
                 write(Path(folder) / name, what)
                 files.append(str(Path(folder) / name))
             else:

@@ -142,7 +142,13 @@ TEST(Usage, AMeshIsReadInTheSameWordsEverywhere) {
 TEST(Usage, WhatIsNoSuiteIsBadInputInOurWords) {
   const Folder folder;
   for (const char* text : {"", "[]", "{}", "{\"suite\": [{}]}", "{\"suite\": [{\"kind\": \"x\"}]}",
-                           "{\"suite\": [{\"kind\": \"linear\", \"modes\": [\"2\"]}]}"}) {
+                           "{\"suite\": [{\"kind\": \"linear\", \"modes\": [\"2\"]}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"modes\": [\"-1\"]}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"count\": -1}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"count\": 1.5}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"tetrahedra\": -5}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"seed\": 18446744073709551615}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"number\": 2}]}"}) {
     const std::string list = folder / "l.json";
     std::ofstream(list) << text;
     const Outcome run = run_program({"conformance", "--suite", list});

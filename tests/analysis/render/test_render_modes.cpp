@@ -121,6 +121,13 @@ TEST(RenderModes, AnAnimationIsAFrameForEachMode) {
     all += bytes;
   }
   EXPECT_EQ(contents(folder / "film.gif"), all) << "not all frames went to ffmpeg, in order";
+  EXPECT_EQ(report["output"]["path"], folder / "film.gif");
+  const auto frames = nlohmann::json::parse(
+      run_program({"render", field("s1_compress_off"), "--animate", "0:0.8:2", "--size", "60x60",
+                   "-o", folder / "frame.png", "--json"})
+          .out);
+  EXPECT_FALSE(frames.contains("output")) << frames;
+  EXPECT_EQ(frames["frames"].size(), 2u);
   const Outcome one = run_program({"render", field("s1_compress_off"), "--mode", "-2/5", "--size",
                                    "120x90", "-o", folder / "one.png"});
   ASSERT_EQ(one.status, 0) << one.err;

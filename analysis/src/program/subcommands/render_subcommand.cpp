@@ -75,11 +75,14 @@ ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
     say_notes(file, {"holds no triangles and no lines, so nothing is drawn of it"}, common.quiet);
   say_notes(options.input, report.notes, common.quiet);
   if (common.json) {
-    nlohmann::ordered_json json{{"output", {{"path", output}, {"bytes", report.bytes}}},
-                                {"width", report.width},
-                                {"height", report.height},
-                                {"modes", report.modes},
-                                {"seconds", report.seconds}};
+    nlohmann::ordered_json json;
+    // Frames of their own: there is no file of the name given.
+    if (report.frames.empty() || is_film(command.output))
+      json["output"] = {{"path", output}, {"bytes", report.bytes}};
+    json.update({{"width", report.width},
+                 {"height", report.height},
+                 {"modes", report.modes},
+                 {"seconds", report.seconds}});
     if (!report.values.empty()) json["values"] = report.values;
     if (report.bifurcation_mode) json["bifurcation_mode"] = *report.bifurcation_mode;
     for (const auto& [point, mode, drawn] : report.marked)
@@ -90,7 +93,9 @@ ExitStatus render(const RenderOptions& options, const CommonOptions& common) {
       for (const auto& file : report.frames) json["frames"].push_back(file.string());
     }
     for (const auto& file : report.empty) json["empty"].push_back(file.string());
-    if (!report.notes.empty()) json["notes"] = report.notes;
+    std::vector<std::string> notes = report.mesh_notes;
+    notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+    if (!notes.empty()) json["notes"] = notes;
     print(with_provenance(
         json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), common,
         "render"));
