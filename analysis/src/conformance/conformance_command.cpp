@@ -95,6 +95,7 @@ ConformanceReport run_conformance(const ConformanceCommand& command, const Progr
   tell("comparing");
   report.score = score_surface(read.mesh, standard, given);
   report.score.other_modes = triangles.other_modes;
+  report.has_none_of_mode = triangles.other_modes > 0 && triangles.surface.triangles.empty();
   return report;
 }
 
@@ -152,6 +153,8 @@ std::string to_text(const ConformanceReport& report) {
   append_format(text, "{} against mode {} of {}: {}\n", report.surface.string(),
                 short_text(report.mode), report.input.string(),
                 s.conforms() ? "conforms" : "does not conform");
+  if (report.has_none_of_mode)
+    append_format(text, "{} has no triangles of this mode\n", report.surface.string());
   row("components matched", std::to_string(s.matched.size()));
   row("  of these of another topology", std::to_string(s.wrong_topology()));
   row("components missed", std::to_string(s.missed.size()));

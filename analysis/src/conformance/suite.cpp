@@ -93,9 +93,13 @@ std::vector<SuiteEntry> read_suite(const std::filesystem::path& file) {
     std::vector<SuiteEntry> suite;
     for (const auto& item : json.at("suite")) {
       SuiteEntry entry;
+      if (item.contains("file") && item.contains("kind"))
+        throw std::invalid_argument("an entry has a kind or a file, not both");
       if (item.contains("file")) {
         entry.file = file.parent_path() / item.at("file").get<std::string>();
         entry.name = entry.file.stem().string();
+        if (!std::filesystem::exists(entry.file))
+          throw std::invalid_argument(entry.file.string() + ": there is no such file");
       } else {
         entry.name = item.at("kind").get<std::string>();
         const auto kind = field_kind(entry.name);
@@ -110,6 +114,8 @@ std::vector<SuiteEntry> read_suite(const std::filesystem::path& file) {
       entry.seed = static_cast<std::uint64_t>(whole_number(item, "seed", 1, 0, INT64_MAX));
       entry.count = static_cast<int>(whole_number(item, "count", 1, 1, 1000000));
       entry.tetrahedra = static_cast<std::size_t>(whole_number(item, "tetrahedra", 0, 0, 10000000));
+      if (item.contains("modes") && !item.at("modes").is_array())
+        throw std::invalid_argument("modes must be a list");
       if (item.contains("modes"))
         for (const auto& mode : item.at("modes")) {
           entry.modes.push_back(parse_mode(mode.get<std::string>()));

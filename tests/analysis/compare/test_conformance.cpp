@@ -164,6 +164,9 @@ TEST_F(Conformance, TakesTheModeAskedForFromAFileOfSeveral) {
       {"conformance", "--surface", file, "--input", mesh_file, "--mode", "1/4", "--json"});
   EXPECT_EQ(none.status, 1) << none.err;
   EXPECT_EQ(Json::parse(none.out)["triangles"], 0);
+  const Outcome text =
+      run_program({"conformance", "--surface", file, "--input", mesh_file, "--mode", "1/4"});
+  EXPECT_NE(text.out.find("has no triangles of this mode"), std::string::npos) << text.out;
 }
 
 // The level through a vertex exactly is a component of mu + 0 that no coordinates show.

@@ -148,7 +148,10 @@ TEST(Usage, WhatIsNoSuiteIsBadInputInOurWords) {
                            "{\"suite\": [{\"kind\": \"linear\", \"count\": 1.5}]}",
                            "{\"suite\": [{\"kind\": \"linear\", \"tetrahedra\": -5}]}",
                            "{\"suite\": [{\"kind\": \"linear\", \"seed\": 18446744073709551615}]}",
-                           "{\"suite\": [{\"kind\": \"linear\", \"number\": 2}]}"}) {
+                           "{\"suite\": [{\"kind\": \"linear\", \"number\": 2}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"modes\": \"0\"}]}",
+                           "{\"suite\": [{\"kind\": \"linear\", \"file\": \"l.json\"}]}",
+                           "{\"suite\": [{\"file\": \"none.vtu\", \"modes\": [\"0\"]}]}"}) {
     const std::string list = folder / "l.json";
     std::ofstream(list) << text;
     const Outcome run = run_program({"conformance", "--suite", list});

@@ -171,7 +171,8 @@ ExitStatus extract_series(const ExtractCommandOptions& options, const CommonOpti
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::string number = std::to_string(i + 1), name = pattern;
     number.insert(0, width - number.size(), '0');
-    name.replace(name.find(kStep), kStep.size(), number);
+    for (auto at = name.find(kStep); at != std::string::npos; at = name.find(kStep))
+      name.replace(at, kStep.size(), number);
     ExtractCommandOptions one = options;
     one.command.output = name;
     one.command.read.step = i + 1;
