@@ -68,8 +68,8 @@ void score_member(const FamilyMember& member, const SuiteEntry& entry, int numbe
   }
 }
 
-constexpr std::array<std::string_view, 7> kKeys{
-    "kind", "file", "seed", "count", "tetrahedra", "subdivisions", "modes"};
+constexpr std::array<std::string_view, 7> kKeys{"kind",       "file",         "seed", "count",
+                                                "tetrahedra", "subdivisions", "modes"};
 
 /// A number of an entry.
 std::int64_t whole_number(const nlohmann::json& item, const char* key, std::int64_t otherwise,

@@ -68,8 +68,9 @@ StreamedField stream_field(const ExtractCommand& command, const std::vector<Mode
   subject.components = name_of(pieces.report().components.order);
 
   if (command.strict)
-    report.notes.emplace_back("--stream does not look for faces that lie on others without being "
-                              "shared; without it --strict does");
+    report.notes.emplace_back(
+        "--stream does not look for faces that lie on others without being "
+        "shared; without it --strict does");
   report.provenance = command.provenance;
   report.sha256 = result.read.sha256;
   report.tensor_name = pieces.report().tensor_name;

@@ -47,8 +47,8 @@ std::string to_json(const VerifyReport& report) {
         {"with_common_eigenvector", m.with_common_eigenvector},
         {"neutral_characteristic", m.neutral_characteristic},
         {"degenerate_characteristic", m.degenerate_characteristic},
-        {"characteristic_mode", m.characteristic_modes ? Json(*m.characteristic_modes)
-                                                       : Json::array({nullptr, nullptr})}};
+        {"characteristic_mode",
+         m.characteristic_modes ? Json(*m.characteristic_modes) : Json::array({nullptr, nullptr})}};
   }
   Json list = Json::array();
   for (const theory::Verification& v : report.statements) {
@@ -75,18 +75,17 @@ std::string to_text(const VerifyReport& report) {
   std::string text;
   if (report.mesh) {
     const MeshStrata& m = *report.mesh;
-    append_format(
-        text,
-        "{}: {} tetrahedra; of rank 4: {}, 3: {}, 2: {}, 1: {}, 0: {}\n"
-        "    with a zero tensor at a vertex {}, with a common eigenvector {}, with a "
-        "characteristic tensor of determinant 0 {}, of mode -1 {}{}\n",
-        m.file.string(), m.tetrahedra, m.of_rank[4], m.of_rank[3], m.of_rank[2], m.of_rank[1],
-        m.of_rank[0], m.with_zero_vertex, m.with_common_eigenvector, m.neutral_characteristic,
-        m.degenerate_characteristic,
-        m.characteristic_modes ? fmt::format("; its modes are {:.10f} to {:.2e}",
-                                             m.characteristic_modes->front(),
-                                             m.characteristic_modes->back())
-                               : "");
+    append_format(text,
+                  "{}: {} tetrahedra; of rank 4: {}, 3: {}, 2: {}, 1: {}, 0: {}\n"
+                  "    with a zero tensor at a vertex {}, with a common eigenvector {}, with a "
+                  "characteristic tensor of determinant 0 {}, of mode -1 {}{}\n",
+                  m.file.string(), m.tetrahedra, m.of_rank[4], m.of_rank[3], m.of_rank[2],
+                  m.of_rank[1], m.of_rank[0], m.with_zero_vertex, m.with_common_eigenvector,
+                  m.neutral_characteristic, m.degenerate_characteristic,
+                  m.characteristic_modes
+                      ? fmt::format("; its modes are {:.10f} to {:.2e}",
+                                    m.characteristic_modes->front(), m.characteristic_modes->back())
+                      : "");
     append_format(text, "    statements are tried on {} of the {} tetrahedra (--fields)\n", m.tried,
                   m.tetrahedra);
   }

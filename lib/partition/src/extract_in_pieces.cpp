@@ -53,10 +53,10 @@ auto extract_slabs(const TetMesh& mesh, std::int32_t pieces, const ExtractOption
 
 Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
                              const ExtractOptions& options) {
-  Extraction result = extract_slabs(mesh, pieces, options,
-                                    [&](const MeshPiece& piece, const ExtractOptions& own) {
-                                      return extract_piece(piece, mode, own);
-                                    });
+  Extraction result =
+      extract_slabs(mesh, pieces, options, [&](const MeshPiece& piece, const ExtractOptions& own) {
+        return extract_piece(piece, mode, own);
+      });
   result.statistics.tets_undefined = isotropic_tets(mesh);
   return result;
 }

@@ -263,8 +263,7 @@ void define_partition(py::module_& m, py::class_<Mesh>& mesh) {
   m.def("components_of_piece", &components_of_piece, py::arg("piece"));
   m.def("seam_of", &seam, py::arg("piece"));
   m.def("join_seams", &join, py::arg("seams"));
-  py::register_local_exception<PiecesDiffer>(m, "PiecesDiffer", PyExc_ValueError)
-      .attr("__doc__") =
+  py::register_local_exception<PiecesDiffer>(m, "PiecesDiffer", PyExc_ValueError).attr("__doc__") =
       "Pieces do not agree where they meet: they need more layers of cells around those that they "
       "own, or were extracted with different options.";
 }

@@ -170,7 +170,8 @@ stress 6 5 double
   ASSERT_EQ(run_program({"convert", file, "-o", folder / "zero.vtu", "--quiet"}).status, 0);
   std::ofstream(pieces) << R"(<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>
 <Piece Source="zero.vtu"/></PUnstructuredGrid></VTKFile>)";
-  const std::vector<std::vector<std::string>> ways{{file}, {file, "--pieces", "2"}, {pieces, "--stream"}};
+  const std::vector<std::vector<std::string>> ways{
+      {file}, {file, "--pieces", "2"}, {pieces, "--stream"}};
   for (const auto& way : ways) {
     std::vector<std::string> words{"extract", "-o", folder / "s.vtp", "--mode", "1/3"};
     words.insert(words.end(), way.begin(), way.end());

@@ -122,10 +122,10 @@ TEST(RenderModes, AnAnimationIsAFrameForEachMode) {
   }
   EXPECT_EQ(contents(folder / "film.gif"), all) << "not all frames went to ffmpeg, in order";
   EXPECT_EQ(report["output"]["path"], folder / "film.gif");
-  const auto frames = nlohmann::json::parse(
-      run_program({"render", field("s1_compress_off"), "--animate", "0:0.8:2", "--size", "60x60",
-                   "-o", folder / "frame.png", "--json"})
-          .out);
+  const auto frames =
+      nlohmann::json::parse(run_program({"render", field("s1_compress_off"), "--animate", "0:0.8:2",
+                                         "--size", "60x60", "-o", folder / "frame.png", "--json"})
+                                .out);
   EXPECT_FALSE(frames.contains("output")) << frames;
   EXPECT_EQ(frames["frames"].size(), 2u);
   const Outcome one = run_program({"render", field("s1_compress_off"), "--mode", "-2/5", "--size",

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-// What is true is never refuted, also where no proof closes or doubles do not hold what is compared.
+// What is true is never refuted, also where no proof closes or doubles do not hold what is
+// compared.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,8 +70,8 @@ TEST(OpenClaims, ACurveThatIsOnePointIsNotRefutedInAnyUnit) {
   for (const int exponent : {-300, 0, 250, 300}) {
     TetMesh mesh = reference_tet_mesh(tensors);
     for (auto& p : mesh.points) p = std::ldexp(1.0, exponent) * p;
-    EXPECT_EQ(court.verdict(exhibit(mesh, {"99/100"})), "undecided")
-        << exponent << '\n' << court.report();
+    EXPECT_EQ(court.verdict(exhibit(mesh, {"99/100"})), "undecided") << exponent << '\n'
+                                                                     << court.report();
   }
 }
 
@@ -123,7 +124,8 @@ TEST(OpenClaims, BoundsOfCoarseTetrahedraAreRefutedInAnyUnitOrInNone) {
           EXPECT_EQ(large, verdict) << seed << ' ' << bound << '\n' << court.report();
         else
           EXPECT_TRUE(large == verdict || large == "undecided")
-              << verdict << seed << ' ' << bound << '\n' << court.report();
+              << verdict << seed << ' ' << bound << '\n'
+              << court.report();
         if (large == "certified") ++certified;
         if (large == "refuted") ++refuted;
         if (large == "undecided") ++open;
@@ -151,8 +153,8 @@ TEST(OpenClaims, ABoundOfACoarseConeBelowItsEdgeIsNotRefuted) {
   EXPECT_EQ(court.verdict(e), "certified") << court.report();
 }
 
-/// Levels next to those of a vertex. With small integers some edges leave it at a right angle to the
-/// gradient: next to it rounding hides where they are crossed upwards.
+/// Levels next to those of a vertex. With small integers some edges leave it at a right angle to
+/// the gradient: next to it rounding hides where they are crossed upwards.
 TEST(OpenClaims, LevelsNextToAVertexAreCertified) {
   Court court("next_to_vertex");
   std::size_t certified = 0, open = 0;
@@ -162,15 +164,15 @@ TEST(OpenClaims, LevelsNextToAVertexAreCertified) {
     TetTensors tensors;
     for (auto& t : tensors) t = {entry(), entry(), entry(), entry(), entry(), entry()};
     const auto& t = tensors[1];
-    const double magnitude =
-        std::sqrt(t.xx * t.xx + t.yy * t.yy + t.zz * t.zz +
-                  2 * (t.xy * t.xy + t.yz * t.yz + t.xz * t.xz));
+    const double magnitude = std::sqrt(t.xx * t.xx + t.yy * t.yy + t.zz * t.zz +
+                                       2 * (t.xy * t.xy + t.yz * t.yz + t.xz * t.xz));
     const double mode = magnitude > 0 ? tensortopo::mode(deviator(t)) : 1;
     std::vector<std::string> levels;
     for (const double to : {-10.0, 10.0}) {
       if (magnitude > 0)
         levels.push_back("magnitude " + text_of(std::nextafter(magnitude, to), "%.17g"));
-      if (mode != 0 && std::abs(mode) < 0.999) levels.push_back(text_of(std::nextafter(mode, to), "%.17g"));
+      if (mode != 0 && std::abs(mode) < 0.999)
+        levels.push_back(text_of(std::nextafter(mode, to), "%.17g"));
     }
     for (const std::string& level : levels) {
       const Exhibit e = exhibit(reference_tet_mesh(tensors), {level});

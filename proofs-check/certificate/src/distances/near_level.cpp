@@ -280,9 +280,8 @@ bool are_comparable(const LevelCase& c, std::size_t tet,
   const auto& v = c.input.tets[tet];
   return distance > kLeastDistance && distance <= kLargestCoordinate &&
          std::all_of(v.begin(), v.end(), [&](Vertex i) { return is_small(c.input.points[i]); }) &&
-         std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
-           return std::all_of(t.begin(), t.end(), is_small);
-         });
+         std::all_of(triangles.begin(), triangles.end(),
+                     [&](const auto& t) { return std::all_of(t.begin(), t.end(), is_small); });
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ enum class Turn { right, wrong, unsure };
 
 /// Why that is open.
 constexpr const char* kNotDerived = "what it is compared with is not derived";
-constexpr const char* kNoSize = "its polygon has no area, or its triangles no volume, beyond rounding";
+constexpr const char* kNoSize =
+    "its polygon has no area, or its triangles no volume, beyond rounding";
 
 /// The square root; about, of numbers of any size.
 double root_of(const mpq_class& square) { return mpf_class(sqrt(mpf_class(square, 64))).get_d(); }
