@@ -57,6 +57,10 @@ def test_certificates_are_about_what_convert_makes(program, tmp_path):
 def test_errors_are_those_of_the_program(tmp_path):
     with pytest.raises(tt.FileError, match="--components"):
         tt.read(FORMATS / "tensor.nii.gz")
+    with pytest.raises(tt.FileError, match="--components.*here: the argument components"):
+        tt.read(FORMATS / "tensor.nii.gz", components="foo")
+    with pytest.raises(tt.FileError, match="here: the argument step"):
+        tt.read(FORMATS / "plate.frd", step=0)
     with pytest.raises(tt.FileError, match="steps 1 to 2"):
         tt.read(FORMATS / "plate.frd", step=7)
     (tmp_path / "f.frd").write_text("hello\n")

@@ -153,6 +153,14 @@ def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Op
         raise MeshError(error.defects, str(path)) from error
 
 
+def _with_argument(problem: str) -> str:
+    """What the program says of an option, with the argument of `read` that stands for it."""
+    for name in ("step", "mask", "components", "tensor", "symmetrize"):
+        if f" --{name}" in problem:
+            return f"{problem} (here: the argument {name})"
+    return f"{problem} (here: options=[...])" if " --" in problem else problem
+
+
 def _converted(file: Path, words: Sequence[str], tensor: Optional[str], components: Optional[str],
                symmetrize: bool) -> Field:  # fmt: skip
     """The field that ``tensortopo convert`` makes of a file."""
@@ -165,9 +173,7 @@ def _converted(file: Path, words: Sequence[str], tensor: Optional[str], componen
         done = subprocess.run([*command, "-o", str(made)], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             lines = done.stderr.strip().splitlines() or [f"{file}: tensortopo convert failed"]
-            problem = lines[-1].removeprefix("tensortopo: ")
-            given = " (here: options=[...])" if " --" in problem else ""
-            raise FileError(problem + given)
+            raise FileError(_with_argument(lines[-1].removeprefix("tensortopo: ")))
         piece = read_piece(made)
     return _field_of(file, piece, None, None, False)
 

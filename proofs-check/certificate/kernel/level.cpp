@@ -107,11 +107,8 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners, bool asks_for_side)
       return {Proof::empty, {}, !asks_for_side && simplex.took_integers()};
     if (asks_for_side) return {};
     const auto rise = rule.rise(simplex.balls());
-    // Across an edge there is one way up, also where rounding hides it from a guess.
-    std::array<int, V> up{corners[0].above ? 1 : -1};
-    if (V == 2) up[V - 1] = -up[0];
     const auto direction = [&](bool within_chart) {
-      const auto d = V == 2 && is_crossed ? up : likely_direction<V>(rise, within_chart);
+      const auto d = likely_direction<V>(rise, within_chart);
       if (!d) return d;
       // Entries of both signs, so that in some chart moving along d is moving in parallel.
       const auto [low, high] = std::minmax_element(d->begin(), d->end());
@@ -121,7 +118,12 @@ Proved<V> Level::prove(const std::array<Corner, V>& corners, bool asks_for_side)
     const bool within_chart = !is_crossed || std::is_same_v<Rule, InvariantRule>;
     auto d = direction(within_chart);
     if (!d && !within_chart) d = direction(true);
-    const bool is_proved = d && simplex.increases(rise(*d), *d);
+    bool is_proved = d && simplex.increases(rise(*d), *d);
+    // Next to a critical value rounding hides from guesses which way is up; across an edge it is known.
+    if (V == 2 && is_crossed && !is_proved) {
+      d.emplace().fill(-65536), (*d)[corners[1 % V].above ? 1 : 0] = 65536;
+      is_proved = simplex.increases(rise(*d), *d);
+    }
     return {is_proved ? Proof::monotone : Proof::open, d.value_or(std::array<int, V>{}),
             simplex.took_integers()};
   };
