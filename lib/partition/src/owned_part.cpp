@@ -7,7 +7,6 @@
 #include <unordered_set>
 #include <vector>
 
-#include "cut_folds.hpp"
 #include "isotropic_tets.hpp"
 #include "topology/topology_parts.hpp"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import operator
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -155,10 +156,11 @@ def _field_of(path: Path, piece: XmlPiece, tensor: Optional[str], components: Op
 
 def _with_argument(problem: str) -> str:
     """What the program says of an option, with the argument of `read` that stands for it."""
+    said = f" {problem}"
     for name in ("step", "mask", "components", "tensor", "symmetrize"):
-        if f" --{name}" in problem:
+        if re.search(rf" --{name}\b", said):
             return f"{problem} (here: the argument {name})"
-    return f"{problem} (here: options=[...])" if " --" in problem else problem
+    return f"{problem} (here: options=[...])" if " --" in said else problem
 
 
 def _converted(file: Path, words: Sequence[str], tensor: Optional[str], components: Optional[str],
