@@ -95,7 +95,6 @@ ConformanceReport run_conformance(const ConformanceCommand& command, const Progr
   tell("comparing");
   report.score = score_surface(read.mesh, standard, given);
   report.score.other_modes = triangles.other_modes;
-  report.has_none_of_mode = triangles.other_modes > 0 && triangles.surface.triangles.empty();
   return report;
 }
 
@@ -153,7 +152,7 @@ std::string to_text(const ConformanceReport& report) {
   append_format(text, "{} against mode {} of {}: {}\n", report.surface.string(),
                 short_text(report.mode), report.input.string(),
                 s.conforms() ? "conforms" : "does not conform");
-  if (report.has_none_of_mode)
+  if (s.other_modes > 0 && s.triangles + s.collapsed_triangles == 0)
     append_format(text, "{} has no triangles of this mode\n", report.surface.string());
   row("components matched", std::to_string(s.matched.size()));
   row("  of these of another topology", std::to_string(s.wrong_topology()));

@@ -28,7 +28,6 @@ struct ConformanceReport {
   std::vector<std::string> notes;  ///< of reading the mesh
   ModeValue mode;
   SurfaceScore score;
-  bool has_none_of_mode = false;  ///< the surface's triangles are all of other modes
 };
 
 /// Extracts and certifies the mode surface, and scores the other one against it. A truth file must

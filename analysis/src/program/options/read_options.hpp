@@ -5,12 +5,16 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "program/options/common_options.hpp"
 #include "tensortopo/io/read_mesh.hpp"
 
 namespace tensortopo {
+
+/// What stands in the name of an output for the number of a step.
+inline constexpr std::string_view kStep = "{step}";
 
 /// How to read a field, in the same words wherever one is read: --tensor, --components and all
 /// others. `options` must outlive the parsing.

@@ -24,7 +24,7 @@ struct ConvertOptions {
 ExitStatus convert(const ConvertOptions& options, const CommonOptions& common) {
   if (lower_extension(options.output) != ".vtu")
     throw UsageError(options.output.string() + ": -o must end in .vtu");
-  if (options.output.string().find("{step}") != std::string::npos)
+  if (options.output.string().find(kStep) != std::string::npos)
     throw UsageError(options.output.string() +
                      ": convert writes one step, which --step chooses; {step} is for extract");
   const ReadResult read = read_mesh(options.input, options.read);

@@ -151,9 +151,6 @@ ExitStatus extract_one(const ExtractCommandOptions& options, const CommonOptions
   return command.strict && !report.written ? ExitStatus::undecided : ExitStatus::done;
 }
 
-/// What stands in the name of an output for the number of a step.
-constexpr std::string_view kStep = "{step}";
-
 /// One output for each step of the input, all of them or none.
 ExitStatus extract_series(const ExtractCommandOptions& options, const CommonOptions& common) {
   const std::string pattern = options.command.output.string();

@@ -120,14 +120,15 @@ Turn turn_of(const LevelCase& c, std::size_t tet, const std::vector<ClosedPiece>
   for (const MeshSheet& sheet : found->sheets)
     if (sheet.loops.empty()) above[sheet.euler_characteristic] += sheet.above_inside ? 1 : -1;
   for (const ClosedPiece& piece : pieces) {
-    const int sign = sgn(volume_of(c, piece.triangles));
+    const mpq_class volume = volume_of(c, piece.triangles);
+    const int sign = sgn(volume);
     if (sign == 0) return reason = kNoSize, Turn::unsure;
     outward[piece.euler_characteristic] -= sign;
     witness += (witness.empty() ? "the volume that its triangles enclose has the other sign: from "
                                   "triangle "
                                 : ", from triangle ") +
                std::to_string(c.triangles.first + piece.triangles[0]) + " on about " +
-               Json(volume_of(c, piece.triangles).get_d() / 6).dump();
+               Json(volume.get_d() / 6).dump();
   }
   reason = witness;
   return above == outward ? Turn::right : Turn::wrong;
