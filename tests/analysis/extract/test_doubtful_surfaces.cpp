@@ -149,15 +149,20 @@ TEST(ExtractFailures, ATornMeshIsSaidToBeSoAndRefusedIfStrict) {
   }
 }
 
-/// Also where the mesh is extracted in pieces, or read so.
-TEST(ExtractFailures, StrictRefusesAFieldThatHasNoModeAnywhere) {
-  const Folder folder;
-  const std::string file = folder / "zero.vtu", pieces = folder / "zero.pvtu";
+/// Tensors that are multiples of the identity.
+void write_isotropic(const std::string& file) {
   TetMesh mesh = cube_mesh(1);
   mesh.tensors.resize(mesh.points.size());
   for (std::size_t v = 0; v < mesh.tensors.size(); ++v)
     mesh.tensors[v] = static_cast<double>(v) * SymmetricTensor<double>{1, 1, 1, 0, 0, 0};
   write_mesh(mesh, file);
+}
+
+/// Also where the mesh is extracted in pieces, or read so.
+TEST(ExtractFailures, StrictRefusesAFieldThatHasNoModeAnywhere) {
+  const Folder folder;
+  const std::string file = folder / "zero.vtu", pieces = folder / "zero.pvtu";
+  write_isotropic(file);
   std::ofstream(pieces) << R"(<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>
 <Piece Source="zero.vtu"/></PUnstructuredGrid></VTKFile>)";
   const std::vector<std::vector<std::string>> ways{
@@ -175,6 +180,18 @@ TEST(ExtractFailures, StrictRefusesAFieldThatHasNoModeAnywhere) {
     EXPECT_NE(strict.err.find("the mode is undefined everywhere"), std::string::npos) << strict.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "s.vtp"));
   }
+}
+
+TEST(Verify, HasNoRangeWhereThereAreNoCharacteristicTensors) {
+  const Folder folder;
+  const std::string file = folder / "zero.vtu";
+  write_isotropic(file);
+  std::vector<std::string> words{"verify", "--input", file, "--theorem", "mode-range", "--fields",
+                                 "1"};
+  EXPECT_EQ(run_program(words).out.find("its modes are"), std::string::npos);
+  words.push_back("--json");
+  const auto json = nlohmann::json::parse(run_program(words).out);
+  EXPECT_EQ(json["input"]["characteristic_mode"], nlohmann::json({nullptr, nullptr})) << json;
 }
 
 }  // namespace

@@ -162,6 +162,18 @@ TEST(RenderModes, TheReportNamesTheFilesThatAreThere) {
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"f-000.png", "f-001.png", "g.vtu"}));
 }
 
+TEST(RenderModes, TheReportHasTheNotesThatAreSaid) {
+  const Folder folder;
+  const Outcome run = run_program({"render", field("s4_slab"), "--mode", "1/2", "--tet", "any",
+                                   "--size", "64x64", "-o", folder / "t.png", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto notes = nlohmann::json::parse(run.out)["notes"];
+  ASSERT_FALSE(notes.empty());
+  for (const auto& note : notes)
+    EXPECT_NE(run.err.find(note.get<std::string>()), std::string::npos) << note << run.err;
+  EXPECT_NE(notes.dump().find("--tet any: tetrahedron"), std::string::npos) << notes;
+}
+
 TEST(RenderModes, RefusesWhatContradicts) {
   const Folder folder;
   const std::string mesh = field("s4_slab"), png = folder / "x.png";
