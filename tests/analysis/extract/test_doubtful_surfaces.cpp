@@ -186,8 +186,8 @@ TEST(Verify, HasNoRangeWhereThereAreNoCharacteristicTensors) {
   const Folder folder;
   const std::string file = folder / "zero.vtu";
   write_isotropic(file);
-  std::vector<std::string> words{"verify", "--input", file, "--theorem", "mode-range", "--fields",
-                                 "1"};
+  std::vector<std::string> words{"verify",     "--input",  file, "--theorem",
+                                 "mode-range", "--fields", "1"};
   EXPECT_EQ(run_program(words).out.find("its modes are"), std::string::npos);
   words.push_back("--json");
   const auto json = nlohmann::json::parse(run_program(words).out);

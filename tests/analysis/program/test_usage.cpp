@@ -285,9 +285,8 @@ TEST(Usage, WhatTheCheckerMayLeaveOpenIsSaid) {
     EXPECT_EQ(beyond.at("tubes") > 0, thin) << beyond;
     EXPECT_EQ(run.err.find("thin tube") != std::string::npos, thin) << run.err;
   }
-  const Outcome pieces =
-      run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode", "0.5",
-                   "--certify", folder / "c.json", "--pieces", "2"});
+  const Outcome pieces = run_program({"extract", field("s4_slab"), "-o", folder / "s.vtp", "--mode",
+                                      "0.5", "--certify", folder / "c.json", "--pieces", "2"});
   EXPECT_NE(pieces.err.find("in pieces it is not counted"), std::string::npos) << pieces.err;
 }
 

@@ -61,8 +61,9 @@ inline bool say_undecided(const std::optional<CertificateReport>& certificate, b
                     " proved at a mode next to a critical one; tensortopo check has no such proof "
                     "and may leave this open");
   if (!certificate->counts_beyond_checker)
-    notes.emplace_back("in pieces it is not counted what tensortopo check may leave open (thin "
-                       "tubes next to modes 1 and -1, critical modes)");
+    notes.emplace_back(
+        "in pieces it is not counted what tensortopo check may leave open (thin "
+        "tubes next to modes 1 and -1, critical modes)");
   const bool is_undecided = certificate->undecided_cells > 0;
   if (is_undecided)
     notes.push_back(counted_tets(certificate->undecided_cells) +
