@@ -240,5 +240,28 @@ TEST(ExactZeros, AreSeparatedAndHaveExactSigns) {
   }
 }
 
+/// No interval around 0 is narrow in proportion to the numbers in it.
+TEST(ExactZeros, AreFoundAtAndNextToZero) {
+  using detail::ExactZeros;
+  using detail::RationalPolynomial;
+  const RationalPolynomial x{Rational(0), Rational(1)};
+  const RationalPolynomial others{Rational(-1), Rational(0), Rational(3)};  // +-sqrt(1/3)
+  const Rational tiny = Rational(1) / Rational("10000000000000000000000000000000000000000");
+  for (const Rational& at : {Rational(0), tiny, Rational(-tiny)})
+    for (const auto& polynomial :
+         {RationalPolynomial{Rational(-at), Rational(1)},
+          RationalPolynomial{Rational(-at), Rational(1)} * others,
+          RationalPolynomial{Rational(-at * at * at), Rational(0), Rational(0), Rational(1)},
+          RationalPolynomial{Rational(-at), Rational(1)} * others * others * x * x})
+      for (const Rational& high : {Rational(1), Rational(3, 7)}) {
+        const ExactZeros zeros(polynomial, Rational(-1), high);
+        const auto is_there = [&](const ExactZeros::Zero& zero) {
+          return zero.low <= at && at <= zero.high &&
+                 zeros.sign_at(zero, RationalPolynomial{Rational(-at), Rational(1)}) == Sign::zero;
+        };
+        EXPECT_EQ(std::count_if(zeros.zeros().begin(), zeros.zeros().end(), is_there), 1);
+      }
+}
+
 }  // namespace
 }  // namespace tensortopo::test

@@ -42,14 +42,14 @@ void ExactZeros::isolate(const Rational& low, const Rational& high) {
   isolate(cut, high);
 }
 
-/// Until the zero is known to twice as many digits as a double has.
+/// Until the zero is known to twice as many digits as a double has, and its sign, too.
 ExactZeros::Zero ExactZeros::narrowed(Rational low, Rational high) const {
   const Rational root = Rational(1) / Rational(std::int64_t{1} << 50), digits = root * root;
   const auto sign = [&](const Rational& x) { return sign_of(polynomial_.evaluate(x)); };
   const Sign at_low = sign(low);
   const bool changes = sign(high) != at_low;  // not at a double zero
   while (high - low > digits * std::max(Rational(abs(low)), Rational(abs(high)))) {
-    const Rational middle = (low + high) / 2;
+    const Rational middle = low < 0 && high > 0 ? Rational(0) : Rational((low + high) / 2);
     const Sign there = sign(middle);
     if (there == Sign::zero) return {middle, middle};
     const bool is_lower = changes ? there != at_low : chain_.query(low, middle) == 1;
