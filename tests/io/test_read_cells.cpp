@@ -138,8 +138,8 @@ TEST(ReadCells, SidesCutAlongBothDiagonalsAreTornFaces) {
     EXPECT_EQ(read_mesh(whole.write("whole.vtu"), split()).report.torn_faces.count, 0u);
     const ReadReport report = read_mesh(torn.write("torn.vtu"), split()).report;
     EXPECT_EQ(report.torn_faces.count, 4u);
-    EXPECT_EQ(report.torn_faces.vertices[0], (std::array{1, 2, 5}));
-    EXPECT_EQ(report.torn_faces.vertices[1], (std::array{1, 2, 6}));
+    EXPECT_EQ(report.torn_faces.vertices[0], (std::array<std::int64_t, 3>{1, 2, 5}));
+    EXPECT_EQ(report.torn_faces.vertices[1], (std::array<std::int64_t, 3>{1, 2, 6}));
     EXPECT_EQ(report.torn_faces.cells, (std::array<std::int64_t, 2>{1, 0}));
     EXPECT_NE(report.notes.back().find("1 2 5 of cell 1, on 1 2 6 of cell 0"), std::string::npos);
   }

@@ -38,10 +38,14 @@ StreamedField stream_field(const ExtractCommand& command, const std::vector<Mode
   const FieldPieces pieces(command.input, command.read);
   StreamedField result;
   CertificateSubject& subject = result.subject;
-  std::size_t isotropic_tets = 0;
   std::vector<std::variant<MergedSurface, MergedCurves>> merged;
   try {
     const StreamedMesh mesh({pieces.size(), [&](std::int32_t p) { return pieces.read(p); }});
+    report.torn_faces = mesh.torn_faces();
+    if (command.strict && report.torn_faces.count > 0)
+      throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
+    if (report.torn_faces.count > 0) report.notes.push_back(report.torn_faces.text());
+    if (mesh.is_in_parts()) report.notes.emplace_back(kPiecesDoNotMeet);
     for (const ModeValue& mode : modes) {
       begin(mode);
       if (is_degenerate(mode))
@@ -50,16 +54,12 @@ StreamedField stream_field(const ExtractCommand& command, const std::vector<Mode
         merged.emplace_back(extract_streamed(mesh, mode, options));
     }
     subject.points = mesh.points(), subject.tetrahedra = mesh.tets();
-    isotropic_tets = mesh.isotropic_tets();
     if (options.keep_topology) subject.field_sha256 = mesh.field_sha256();
   } catch (const std::invalid_argument& error) {
     throw IoError(IoError::Kind::invalid, command.input, error.what());
   }
   CommonCells common = in_common_cells(std::move(merged));
   result.extractions = std::move(common.levels);
-  for (auto& extraction : result.extractions)
-    if (auto* surface = std::get_if<Extraction>(&extraction))
-      surface->statistics.tets_undefined = isotropic_tets;
   result.read.report = pieces.report();
   result.read.sha256 = pieces.sha256();
   result.read.mesh = std::move(common.cells);
@@ -67,10 +67,6 @@ StreamedField stream_field(const ExtractCommand& command, const std::vector<Mode
   subject.tensor = pieces.report().tensor_name;
   subject.components = name_of(pieces.report().components.order);
 
-  if (command.strict)
-    report.notes.emplace_back(
-        "--stream does not look for faces that lie on others without being "
-        "shared; without it --strict does");
   report.provenance = command.provenance;
   report.sha256 = result.read.sha256;
   report.tensor_name = pieces.report().tensor_name;

@@ -39,6 +39,7 @@ Extraction extraction_of(const MergedSurface& merged) {
     result.not_embedded.push_back(position(cells, id));
   if (merged.topology) result.topology = *merged.topology;
   result.statistics.vertices_on_level = merged.vertices_on_level;
+  result.statistics.tets_undefined = merged.tets_undefined;
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "agreeing_pieces.hpp"
-#include "isotropic_tets.hpp"
 #include "levels/renumber_level.hpp"
 #include "tensortopo/partition/certify_pieces.hpp"
 #include "tensortopo/partition/mesh_piece.hpp"
@@ -53,12 +52,10 @@ auto extract_slabs(const TetMesh& mesh, std::int32_t pieces, const ExtractOption
 
 Extraction extract_in_pieces(const TetMesh& mesh, const ModeValue& mode, std::int32_t pieces,
                              const ExtractOptions& options) {
-  Extraction result =
-      extract_slabs(mesh, pieces, options, [&](const MeshPiece& piece, const ExtractOptions& own) {
-        return extract_piece(piece, mode, own);
-      });
-  result.statistics.tets_undefined = isotropic_tets(mesh);
-  return result;
+  return extract_slabs(mesh, pieces, options,
+                       [&](const MeshPiece& piece, const ExtractOptions& own) {
+                         return extract_piece(piece, mode, own);
+                       });
 }
 
 CurveExtraction extract_in_pieces(const TetMesh& mesh, Degeneracy kind, std::int32_t pieces,

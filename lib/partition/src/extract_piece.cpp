@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "isotropic_tets.hpp"
 #include "owned_part.hpp"
 #include "piece_messages.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
@@ -81,6 +82,7 @@ std::int64_t ghost_across(const std::vector<SeamFace>& seam, const std::array<In
 /// @param result  its `surface`, and `topology` if it has one, count in the piece's mesh
 void keep_surface(const MeshPiece& piece, PieceSurface& result) {
   result.owned_ids = owned_ids_of(piece);
+  result.isotropic_ids = isotropic_ids_of(piece);
   result.whole_tets = piece.whole_tets;
   result.ordinals = ordinals_of(result.surface);
   keep_owned(piece, result);

@@ -205,7 +205,15 @@ std::size_t StreamedMesh::points() const { return as_size(index_->points); }
 
 std::size_t StreamedMesh::tets() const { return as_size(index_->tets); }
 
-std::size_t StreamedMesh::isotropic_tets() const { return index_->isotropic_tets; }
+const TornFaces& StreamedMesh::torn_faces() const { return index_->torn_faces; }
+
+bool StreamedMesh::is_in_parts() const {
+  const auto& pieces = index_->pieces;
+  const auto has_points = [](const IndexedPiece& piece) { return piece.points > 0; };
+  return std::count_if(pieces.begin(), pieces.end(), has_points) > 1 &&
+         std::all_of(pieces.begin(), pieces.end(),
+                     [](const IndexedPiece& piece) { return piece.neighbours.empty(); });
+}
 
 std::string StreamedMesh::field_sha256() const { return hash_of(source_, *index_); }
 

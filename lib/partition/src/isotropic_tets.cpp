@@ -3,7 +3,9 @@
 #include "isotropic_tets.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "owned_part.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 
 namespace tensortopo {
@@ -12,13 +14,16 @@ bool is_isotropic(const SymmetricTensor<double>& t) {
   return t.xx == t.yy && t.yy == t.zz && t.xy == 0 && t.yz == 0 && t.xz == 0;
 }
 
-std::size_t isotropic_tets(const TetMesh& mesh) {
-  return static_cast<std::size_t>(
-      std::count_if(mesh.tets.begin(), mesh.tets.end(), [&](const auto& tet) {
-        return std::all_of(tet.begin(), tet.end(), [&](TetMesh::Index v) {
-          return is_isotropic(mesh.tensors[as_size(v)]);
-        });
-      }));
+std::vector<std::array<std::int64_t, 2>> isotropic_ids_of(const MeshPiece& piece) {
+  std::vector<std::int64_t> ids;
+  for (std::size_t t = 0; t < piece.mesh.tets.size(); ++t) {
+    const auto& tet = piece.mesh.tets[t];
+    if (piece.is_owned[t] != 0 && std::all_of(tet.begin(), tet.end(), [&](TetMesh::Index v) {
+          return is_isotropic(piece.mesh.tensors[as_size(v)]);
+        }))
+      ids.push_back(piece.mesh.cell_ids[t]);
+  }
+  return runs_of(std::move(ids));
 }
 
 }  // namespace tensortopo

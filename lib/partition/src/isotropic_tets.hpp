@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
+#include <array>
+#include <cstdint>
+#include <vector>
 
-#include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/partition/mesh_piece.hpp"
 
 namespace tensortopo {
 
 /// Whether the deviator is zero.
 bool is_isotropic(const SymmetricTensor<double>& tensor);
 
-/// How many tetrahedra are isotropic at all four vertices, as `ExtractStatistics::tets_undefined`.
-std::size_t isotropic_tets(const TetMesh& mesh);
+/// The ids of the owned tetrahedra that are isotropic at all four vertices, as runs.
+std::vector<std::array<std::int64_t, 2>> isotropic_ids_of(const MeshPiece& piece);
 
 }  // namespace tensortopo

@@ -255,6 +255,9 @@ class Merger {
     std::sort(on_level.begin(), on_level.end());
     result_.vertices_on_level =
         static_cast<std::size_t>(std::unique(on_level.begin(), on_level.end()) - on_level.begin());
+    for (const auto& piece : pieces_)
+      for (const auto& [first, last] : piece.isotropic_ids)
+        result_.tets_undefined += as_size(last - first + 1);
     const auto has_topology = [](const PieceSurface& piece) { return piece.topology.has_value(); };
     if (std::all_of(pieces_.begin(), pieces_.end(), has_topology)) fill_topology();
     result_.vertex_ids = std::move(cells_.vertex_ids);

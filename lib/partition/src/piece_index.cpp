@@ -9,7 +9,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "isotropic_tets.hpp"
+#include "meeting_tets.hpp"
 #include "tensortopo/mesh/point_hash.hpp"
 
 namespace tensortopo {
@@ -69,6 +69,7 @@ std::vector<std::int64_t> IndexedPiece::point_ids() const {
 
 detail::PieceIndex::PieceIndex(const PieceSource& source) {
   std::unordered_map<Vector3<double>, OuterPoint, PointHash> boundary;
+  MeetingTets meeting;
   for (std::int32_t p = 0; p < source.pieces; ++p) {
     const TetMesh mesh = source.read(p);
     const auto is_open = outer_vertices(mesh);
@@ -105,10 +106,20 @@ detail::PieceIndex::PieceIndex(const PieceSource& source) {
       point.pieces.push_back(p);
       piece.known.emplace_back(v, point.id);
     }
+    meeting.add(mesh, is_open, piece.point_ids(), piece.first_tet);
     tets += static_cast<std::int64_t>(mesh.tets.size());
-    isotropic_tets += tensortopo::isotropic_tets(mesh);
     pieces.push_back(std::move(piece));
   }
+  for (std::int32_t p = 0; p < source.pieces && source.pieces > 1; ++p) {
+    const TetMesh mesh = source.read(p);
+    const auto is_open = outer_vertices(mesh);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+      if (is_open[i] == 0 && boundary.contains(mesh.points[i]))
+        refuse(p, static_cast<Index>(i),
+               "a point inside it is a point of another piece, too: pieces overlap, or have points "
+               "that their cells do not use; write pieces without those of their neighbours");
+  }
+  torn_faces = meeting.torn_faces();
 }
 
 }  // namespace tensortopo

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tensortopo/mesh/torn_faces.hpp"
 #include "tensortopo/partition/extract_streamed.hpp"
 
 namespace tensortopo {
@@ -46,9 +47,9 @@ namespace detail {
 struct PieceIndex {
   std::vector<IndexedPiece> pieces;
   std::int64_t points = 0, tets = 0;
-  std::size_t isotropic_tets = 0;  ///< of all these
+  TornFaces torn_faces;            ///< of the whole mesh
 
-  /// Reads each piece once. Throws as `StreamedMesh`.
+  /// Reads each piece twice. Throws as `StreamedMesh`.
   explicit PieceIndex(const PieceSource& source);
 };
 

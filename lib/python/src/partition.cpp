@@ -62,6 +62,7 @@ py::dict dict_of(PieceSurface&& made) {
   out["unresolved"] = list_of(made.unresolved);
   out["not_embedded"] = made.not_embedded;
   out["on_level"] = made.on_level;
+  out["isotropic_ids"] = array_of<std::int64_t>(std::move(made.isotropic_ids));
   if (made.topology) {
     TopologyNumbers proofs = numbers_of(*made.topology);
     out["proofs"] = array_of<std::int32_t>(std::move(proofs.integers));
@@ -132,6 +133,7 @@ PieceSurface piece_from(const py::dict& d) {
     piece.unresolved.push_back({id, reason_named(reason)});
   piece.not_embedded = d["not_embedded"].cast<std::vector<std::int64_t>>();
   piece.on_level = d["on_level"].cast<std::vector<std::int64_t>>();
+  piece.isotropic_ids = rows<std::array<std::int64_t, 2>, std::int64_t>(d, "isotropic_ids");
   require_indices(piece);
   if (d.contains("proofs"))
     piece.topology =

@@ -149,6 +149,61 @@ TEST(ExtractFailures, ATornMeshIsSaidToBeSoAndRefusedIfStrict) {
   }
 }
 
+/// Two pieces; the face in which they meet is cut in one of them.
+/// @param apart  how far one of them is moved
+std::string torn_pieces(const Folder& folder, double apart = 0) {
+  TetMesh above, below;
+  above.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  above.tets = {{0, 1, 2, 3}};
+  below.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0.5, 0}, {0, 0, -1}};
+  below.tets = {{0, 3, 1, 4}, {0, 2, 3, 4}};
+  for (TetMesh* mesh : {&above, &below})
+    for (const auto& p : mesh->points) mesh->tensors.push_back({p.x, p.y, p.z - 1, p.y, p.z, 1});
+  for (auto& p : above.points) p.z += apart;
+  write_mesh(above, folder / "above.vtu");
+  write_mesh(below, folder / "below.vtu");
+  const std::string pieces = folder / "torn.pvtu";
+  std::ofstream(pieces) << R"(<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>
+<Piece Source="above.vtu"/><Piece Source="below.vtu"/></PUnstructuredGrid></VTKFile>)";
+  return pieces;
+}
+
+TEST(ExtractFailures, PiecesThatDoNotShareFacesAreTornAlsoReadOneByOne) {
+  for (const bool is_streamed : {false, true}) {
+    const Folder folder;
+    std::vector<std::string> words{"extract", torn_pieces(folder), "-o", folder / "s.vtp",
+                                   "--mode",  "0.1",               "--json"};
+    if (is_streamed) words.push_back("--stream");
+    const std::string about =
+        "3 faces lie on others without being shared (vertices 0 1 2 of cell 0, "
+        "on 0 1 4 of cell 1)";
+    const Outcome plain = run_program(words);
+    EXPECT_EQ(plain.status, 0) << plain.err;
+    EXPECT_NE(plain.err.find(about), std::string::npos) << plain.err;
+    const auto torn = nlohmann::json::parse(plain.out)["input"]["torn_faces"];
+    EXPECT_EQ(torn, nlohmann::json::parse(
+                        R"({"count": 3, "vertices": [[0, 1, 2], [0, 1, 4]], "cells": [0, 1]})"));
+    std::filesystem::remove(folder / "s.vtp");
+    words.push_back("--strict");
+    const Outcome strict = run_program(words);
+    EXPECT_EQ(strict.status, 3);
+    EXPECT_NE(strict.err.find(about), std::string::npos) << strict.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "s.vtp"));
+  }
+}
+
+TEST(ExtractFailures, PiecesThatDoNotMeetAreSaidAlsoReadOneByOne) {
+  const Folder folder;
+  const std::string about = "pieces do not meet: no point has the coordinates of another's";
+  for (const double apart : {0, 1}) {
+    std::vector<std::string> words{"extract",         torn_pieces(folder, apart), "-o",
+                                   folder / "s.vtp", "--mode",                   "0.1"};
+    EXPECT_EQ(run_program(words).err.find(about) != std::string::npos, apart != 0);
+    words.push_back("--stream");
+    EXPECT_EQ(run_program(words).err.find(about) != std::string::npos, apart != 0);
+  }
+}
+
 /// Tensors that are multiples of the identity.
 void write_isotropic(const std::string& file) {
   TetMesh mesh = cube_mesh(1);

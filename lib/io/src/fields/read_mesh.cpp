@@ -162,11 +162,11 @@ struct SplitCells {
 
 /// Whether each corner of one triangle has one of the other in its place.
 bool in_same_places(const TetMesh& mesh,
-                    const std::array<std::array<TetMesh::Index, 3>, 2>& triangles) {
-  const auto at = [&](TetMesh::Index v) { return mesh.points[static_cast<std::size_t>(v)]; };
-  return std::all_of(triangles[0].begin(), triangles[0].end(), [&](TetMesh::Index v) {
+                    const std::array<std::array<std::int64_t, 3>, 2>& triangles) {
+  const auto at = [&](std::int64_t v) { return mesh.points[static_cast<std::size_t>(v)]; };
+  return std::all_of(triangles[0].begin(), triangles[0].end(), [&](std::int64_t v) {
     return std::any_of(triangles[1].begin(), triangles[1].end(),
-                       [&](TetMesh::Index w) { return at(v) == at(w); });
+                       [&](std::int64_t w) { return at(v) == at(w); });
   });
 }
 
@@ -231,7 +231,7 @@ SplitCells read_unchecked(const std::shared_ptr<const InputFile>& file, const Re
   report.merged_points = points - mesh.points.size();
   const auto has_points = [](const RawGrid& grid) { return grid.points() > 0; };
   if (std::count_if(grids.begin(), grids.end(), has_points) > 1 && report.merged_points == 0)
-    report.notes.emplace_back("pieces do not meet: no point has the coordinates of another's");
+    report.notes.emplace_back(kPiecesDoNotMeet);
   take_means(grids, map, tensors, choice, options, mesh, report);
   // A mean of cells is at their corners only.
   const bool at_corners = choice.on_cells && choice.values != CellValues::nodes;
@@ -319,17 +319,6 @@ std::vector<std::string> ReadReport::all_notes() const {
     all.insert(all.begin(),
                detail::printable("components of `" + tensor_name + "`: " + components.text()));
   return all;
-}
-
-std::string TornFaces::text() const {
-  if (count == 0) return {};
-  const auto face = [&](std::size_t side) {
-    const auto& v = vertices[side];
-    return fmt::format("{} {} {} of cell {}", v[0], v[1], v[2], cells[side]);
-  };
-  return fmt::format("{} {} without being shared (vertices {}, on {}): surfaces are torn there",
-                     count, count == 1 ? "face lies on another" : "faces lie on others", face(0),
-                     face(1));
 }
 
 ReadResult read_mesh(const std::filesystem::path& file, const ReadOptions& options) {

@@ -82,18 +82,7 @@ TornFaces torn_faces(const std::vector<RawGrid>& pieces, const VertexMap& map, c
   const OuterFaces faces(mesh, outer);
   for (std::size_t k = 0; k < pieces.size(); ++k)
     add_crossed_diagonals(pieces[k], map[k], faces, outer.size(), pairs);
-  TornFaces torn;
-  if (pairs.empty()) return torn;
-  std::vector<char> is_torn(outer.size(), 0);
-  for (const auto& pair : pairs) is_torn[pair[0]] = is_torn[pair[1]] = 1;
-  torn.count = static_cast<std::size_t>(std::count(is_torn.begin(), is_torn.end(), 1));
-  const auto& first = *std::min_element(pairs.begin(), pairs.end());
-  for (const std::size_t side : {0u, 1u}) {
-    const OuterFace& face = outer[first[side]];
-    torn.vertices[side] = ascending(face.vertices);
-    torn.cells[side] = mesh.cell_ids[as_size(face.tet)];
-  }
-  return torn;
+  return tensortopo::torn_faces(pairs, mesh, outer);
 }
 
 }  // namespace tensortopo::detail

@@ -7,7 +7,7 @@
 
 #include "fields/merge_points.hpp"
 #include "grids/raw_grid.hpp"
-#include "tensortopo/io/read_mesh.hpp"
+#include "tensortopo/mesh/torn_faces.hpp"
 #include "tensortopo/mesh/validate.hpp"
 
 namespace tensortopo::detail {

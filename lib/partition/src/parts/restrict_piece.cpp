@@ -55,6 +55,10 @@ PieceSurface restrict_piece(const PieceSurface& piece, const PartNumbers& number
   const PartNames tets(numbers.tets, "cell"), vertices(numbers.vertices, "vertex");
   PieceSurface result = piece;
   result.owned_ids = part_ids(piece.owned_ids, numbers);
+  std::vector<Id> isotropic;
+  for (const auto& [whole, part] : numbers.tets)
+    if (owns(piece.isotropic_ids, whole)) isotropic.push_back(part);
+  result.isotropic_ids = runs_of(std::move(isotropic));
   result.whole_tets = static_cast<Id>(numbers.tets.size());
   result.told.clear(), result.heard.clear();
   std::erase_if(result.unresolved, [&](const auto& cell) { return !tets.has(cell.cell_id); });

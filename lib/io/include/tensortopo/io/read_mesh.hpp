@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tensortopo/mesh/tet_mesh.hpp"
+#include "tensortopo/mesh/torn_faces.hpp"
 #include "tensortopo/tensor/component_order.hpp"
 
 namespace tensortopo {
@@ -84,19 +85,6 @@ struct ReadOptions {
   const char* making_others() const;
 };
 
-/// Faces of cells that lie on faces of others without being shared: the mesh is torn there, and so
-/// are surfaces in it. Other vertices in the same place (a crack, if it is meant), quadrilaterals
-/// cut along both diagonals, hanging nodes. Decided exactly, of the coordinates as they are.
-struct TornFaces {
-  std::size_t count = 0;  ///< triangles, of both sides
-  std::array<std::array<TetMesh::Index, 3>, 2>
-      vertices{};                       ///< of the first, and one that it lies on
-  std::array<std::int64_t, 2> cells{};  ///< of the file, that these belong to
-
-  /// What there is to say of them; empty if there are none.
-  std::string text() const;
-};
-
 /// What reading did beyond copying; all counts are zero for a plain file.
 struct ReadReport {
   std::string tensor_name;  ///< the array that was taken
@@ -122,6 +110,10 @@ struct ReadReport {
   /// named in the file, or a matrix), for those who do not report that elsewhere.
   std::vector<std::string> all_notes() const;
 };
+
+/// The note where several pieces have points, but none in common.
+inline constexpr const char* kPiecesDoNotMeet =
+    "pieces do not meet: no point has the coordinates of another's";
 
 /// A field, and what reading did.
 struct ReadResult {

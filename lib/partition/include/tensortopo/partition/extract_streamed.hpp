@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "tensortopo/mesh/torn_faces.hpp"
 #include "tensortopo/partition/piece_curves.hpp"
 #include "tensortopo/partition/piece_surface.hpp"
 
@@ -28,12 +29,13 @@ struct PieceIndex;
 /// A mesh that is never in memory as a whole. Points of different pieces in one place are one.
 ///
 /// Ids count points and tetrahedra as if all pieces were read in order.
-/// Memory    the points on the boundaries of all pieces.
+/// Memory    the points and tetrahedra on the boundaries of all pieces.
 class StreamedMesh {
  public:
-  /// Reads each piece once.
-  /// @throws std::invalid_argument if pieces have different tensors at one place, or two points of
-  ///         one piece lie where another piece has one; it names the place
+  /// Reads each piece twice.
+  /// @throws std::invalid_argument if pieces have different tensors at one place, two points of one
+  ///         piece lie where another piece has one, or pieces overlap: a face has three tetrahedra,
+  ///         or two on one side, or a point of one piece is inside another; it names the place
   explicit StreamedMesh(PieceSource source);
 
   /// The pieces.
@@ -44,8 +46,10 @@ class StreamedMesh {
   std::size_t points() const;
   /// How many tetrahedra the whole mesh has.
   std::size_t tets() const;
-  /// How many of these are isotropic at all four vertices: no mode there, and no surface.
-  std::size_t isotropic_tets() const;
+  /// Where pieces, or the cells of one, meet without sharing faces: as `torn_faces` of the whole.
+  const TornFaces& torn_faces() const;
+  /// Whether several pieces have points, and none of these is in two.
+  bool is_in_parts() const;
   /// As `field_sha256` of the whole mesh. Reads each piece three times.
   std::string field_sha256() const;
 

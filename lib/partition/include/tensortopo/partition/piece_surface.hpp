@@ -54,6 +54,8 @@ struct PieceSurface {
   /// The ids of all tetrahedra that the piece owns, as runs from a first to a last id: ascending,
   /// and apart from each other.
   std::vector<std::array<std::int64_t, 2>> owned_ids;
+  /// Of these, those that are isotropic at all four vertices: no mode there, and no surface.
+  std::vector<std::array<std::int64_t, 2>> isotropic_ids;
   std::int64_t whole_tets = 0;  ///< tetrahedra of the whole mesh
   /// With `ExtractOptions::keep_topology`, what was proved of the owned tetrahedra: in numbers of
   /// `cells` and of the vertices of `surface`, which then has all that it names. `copies` is empty.
@@ -115,6 +117,7 @@ struct MergedSurface {
   /// Of pieces that all have one: in numbers of `cells` and `surface`.
   std::optional<LevelTopology> topology;
   std::size_t vertices_on_level = 0;  ///< as in `ExtractStatistics`
+  std::size_t tets_undefined = 0;     ///< as in `ExtractStatistics`
 };
 
 /// Pieces that do not agree where they meet: they need more layers of ghosts, or were extracted
