@@ -155,7 +155,8 @@ TEST(StreamedPieces, AreTornWhereTheWholeIs) {
     auto files = files_of(mesh, slabs(mesh, pieces), pieces);
     if (i % 4 != 0) {
       TetMesh& file = files[as_size(random.integer(0, pieces - 1))];
-      const auto tet = file.tets[as_size(random.integer(0, static_cast<int>(file.tets.size()) - 1))];
+      const auto tet =
+          file.tets[as_size(random.integer(0, static_cast<int>(file.tets.size()) - 1))];
       cut_edge(file, {tet[0], tet[as_size(random.integer(1, 3))]});
     }
     const TetMesh whole = joined(files);

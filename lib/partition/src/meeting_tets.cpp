@@ -49,9 +49,9 @@ TornFaces MeetingTets::torn_faces() const {
   for (const auto& corners : corners_) {
     auto& tet = mesh.tets.emplace_back();
     for (std::size_t k = 0; k < 4; ++k)
-      tet[k] = static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(),
-                                                   Vertex{corners[k], {}, false}, by_id) -
-                                  vertices.begin());
+      tet[k] = static_cast<Index>(
+          std::lower_bound(vertices.begin(), vertices.end(), Vertex{corners[k], {}, false}, by_id) -
+          vertices.begin());
   }
   mesh.cell_ids = tets_;
   std::vector<OuterFace> outer;

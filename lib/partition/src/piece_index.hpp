@@ -47,7 +47,7 @@ namespace detail {
 struct PieceIndex {
   std::vector<IndexedPiece> pieces;
   std::int64_t points = 0, tets = 0;
-  TornFaces torn_faces;            ///< of the whole mesh
+  TornFaces torn_faces;  ///< of the whole mesh
 
   /// Reads each piece twice. Throws as `StreamedMesh`.
   explicit PieceIndex(const PieceSource& source);

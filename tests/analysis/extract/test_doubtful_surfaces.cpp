@@ -171,8 +171,8 @@ std::string torn_pieces(const Folder& folder, double apart = 0) {
 TEST(ExtractFailures, PiecesThatDoNotShareFacesAreTornAlsoReadOneByOne) {
   for (const bool is_streamed : {false, true}) {
     const Folder folder;
-    std::vector<std::string> words{"extract", torn_pieces(folder), "-o", folder / "s.vtp",
-                                   "--mode",  "0.1",               "--json"};
+    std::vector<std::string> words{
+        "extract", torn_pieces(folder), "-o", folder / "s.vtp", "--mode", "0.1", "--json"};
     if (is_streamed) words.push_back("--stream");
     const std::string about =
         "3 faces lie on others without being shared (vertices 0 1 2 of cell 0, "
@@ -196,8 +196,8 @@ TEST(ExtractFailures, PiecesThatDoNotMeetAreSaidAlsoReadOneByOne) {
   const Folder folder;
   const std::string about = "pieces do not meet: no point has the coordinates of another's";
   for (const double apart : {0, 1}) {
-    std::vector<std::string> words{"extract",         torn_pieces(folder, apart), "-o",
-                                   folder / "s.vtp", "--mode",                   "0.1"};
+    std::vector<std::string> words{
+        "extract", torn_pieces(folder, apart), "-o", folder / "s.vtp", "--mode", "0.1"};
     EXPECT_EQ(run_program(words).err.find(about) != std::string::npos, apart != 0);
     words.push_back("--stream");
     EXPECT_EQ(run_program(words).err.find(about) != std::string::npos, apart != 0);
