@@ -79,7 +79,7 @@ class FaceCurveCoarsening {
       changing = cells_of_refused(changing);
     }
     for_each_of(cells, [&](std::size_t t) {
-      meshes_.cells[t].patch.triangles = states_[t]->patch->triangles();
+      meshes_.cells[t].patch.triangles = std::move(states_[t]->triangles);
       states_[t].reset();
     });
   }
@@ -88,10 +88,11 @@ class FaceCurveCoarsening {
   /// A tetrahedron whose samples may go.
   struct State {
     std::vector<CurveChain> chains;
-    std::unique_ptr<CellPatch> patch;
+    std::unique_ptr<CellPatch> patch;  ///< until the proposal is made
     std::vector<CellPatch::Id> at_needles;
     ThinningProposal proposal;
-    std::vector<CellPatch::Id> taken_out;  ///< of `patch`
+    std::vector<std::array<Index, 3>> triangles;
+    std::vector<CellPatch::Id> taken_out;  ///< of `triangles`
     std::vector<CellPatch::Id> refused;
   };
 
@@ -239,7 +240,9 @@ class FaceCurveCoarsening {
     std::sort(candidates.begin(), candidates.end());
     State& state = *states_[t];
     state.proposal = propose_thinning(*state.patch, state.chains, candidates);
+    state.triangles = state.patch->triangles();
     state.taken_out = state.proposal.accepted;
+    state.patch.reset();
   }
 
   /// A sample goes if both tetrahedra accept that and one wants it.
@@ -271,8 +274,9 @@ class FaceCurveCoarsening {
                    [&](CellPatch::Id v) { return is_going_[as_size(v)] != 0; });
     std::sort(going.begin(), going.end());
     if (going == state.taken_out) return;
-    state.patch = patch_of(t);
-    state.refused = take_out(*state.patch, state.chains, going);
+    const auto patch = patch_of(t);
+    state.refused = take_out(*patch, state.chains, going);
+    state.triangles = patch->triangles();
     state.taken_out = std::move(going);
   }
 
@@ -308,7 +312,7 @@ class FaceCurveCoarsening {
       auto& refused = states_[t]->refused;
       if (refused.empty()) continue;
       for (const auto v : std::exchange(refused, {})) is_staying_[as_size(v)] = 1;
-      states_[t]->taken_out.assign(1, -1);  // not what the patch is
+      states_[t]->taken_out.assign(1, -1);  // not what the triangles are
       for (const Index f : cells_.tet_faces[t])
         for (const Index u : cells_.face_tets[as_size(f)])
           if (u >= 0 && states_[as_size(u)]) result.push_back(as_size(u));

@@ -46,7 +46,8 @@ class Refusals {
     throw IoError(IoError::Kind::invalid, grid.file,
                   "has cells that are no linear tetrahedra: " + text + " (the first is cell " +
                       std::to_string(first) + ")" +
-                      (curable ? "; --tetrahedralize splits them" : ""));
+                      (curable ? "; --tetrahedralize splits them"
+                               : "; ParaView's filter Tetrahedralize makes tetrahedra of them"));
   }
 
  private:

@@ -27,7 +27,8 @@ Vector3<double> point_of(const RawGrid& grid, std::size_t i) {
   const double* c = grid.coordinates.data() + 3 * i;
   if (!std::isfinite(c[0]) || !std::isfinite(c[1]) || !std::isfinite(c[2]))
     throw IoError(IoError::Kind::invalid, grid.file,
-                  "a coordinate is not finite (point " + std::to_string(i) + ")");
+                  "a coordinate is not finite (point " + std::to_string(i) +
+                      "); take the point out of the mesh, with its cells");
   return {c[0], c[1], c[2]};
 }
 

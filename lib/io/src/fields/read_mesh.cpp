@@ -60,6 +60,7 @@ std::string_view remedy_of(MeshDefect::Kind kind, const ReadOptions& options,
     case Kind::out_of_range:
       return "; give the mesh in other units of length";
     case Kind::degenerate_cell:
+    case Kind::repeated_vertex:
       return "; take such cells out of the mesh, or leave them out with --where";
     case Kind::duplicated_cell:
       return "; take one of the cells out of the mesh";

@@ -93,7 +93,8 @@ class LegacyReader {
       read_dimensions();
     else if (!is_lower_equal(kind, "unstructured_grid"))
       throw FormatError("holds \"" + std::string(kind.substr(0, 40)) +
-                        "\", neither UNSTRUCTURED_GRID nor STRUCTURED_POINTS");
+                        "\", neither UNSTRUCTURED_GRID nor STRUCTURED_POINTS; ParaView's filter "
+                        "Tetrahedralize makes an UNSTRUCTURED_GRID of volumes");
   }
 
   /// DIMENSIONS, which says what there is room for, comes before all data.
