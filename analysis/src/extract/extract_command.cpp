@@ -20,9 +20,10 @@
 #include "extract/component_filter.hpp"
 #include "extract/extract_checks.hpp"
 #include "extract/memory_plan.hpp"
+#include "extract/other_method.hpp"
 #include "extract/overall_progress.hpp"
 #include "extract/read_field.hpp"
-#include "extract/reports_of.hpp"
+#include "extract/report/reports_of.hpp"
 #include "extract/spare_memory.hpp"
 #include "extract/stability.hpp"
 #include "extract/streamed_field.hpp"
@@ -37,7 +38,6 @@
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/append_surface.hpp"
 #include "tensortopo/mesh/as_size.hpp"
-#include "tensortopo/mesh/subdivide.hpp"
 #include "tensortopo/partition/extract_in_pieces.hpp"
 
 namespace tensortopo {
@@ -64,37 +64,6 @@ void tell(const Progress& progress, std::string_view stage, double fraction) {
 }
 
 using UnresolvedModes = std::map<std::pair<std::int64_t, std::string>, std::vector<ModeValue>>;
-
-constexpr std::size_t kMostTetrahedra = 100'000'000;
-
-/// Another method's surface as if extracted: it leaves nothing out, and counts nothing.
-class OtherMethod {
- public:
-  explicit OtherMethod(const ExtractCommand& command) : command_(command) {}
-
-  Extraction operator()(const TetMesh& mesh, const ModeValue& mode) {
-    if (!fine_ && command_.subdivisions > 0) {
-      if (mesh.tets.size() > kMostTetrahedra >> (3 * command_.subdivisions))
-        throw UsageError(fmt::format("--subdivide: more than {} tetrahedra", kMostTetrahedra));
-      fine_ = subdivide(mesh);
-      for (int i = 1; i < command_.subdivisions; ++i) fine_ = subdivide(*fine_);
-    }
-    Extraction extraction;
-    extraction.surface = command_.other(fine_ ? *fine_ : mesh, mode);
-    // The parts of a tetrahedron follow each other.
-    auto& tets = extraction.surface.tet;
-    for (auto& t : tets) t >>= 3 * command_.subdivisions;
-    auto crossed = tets;
-    std::sort(crossed.begin(), crossed.end());
-    const auto end = std::unique(crossed.begin(), crossed.end());
-    extraction.statistics.tets_crossed = static_cast<std::size_t>(end - crossed.begin());
-    return extraction;
-  }
-
- private:
-  const ExtractCommand& command_;
-  std::optional<TetMesh> fine_;
-};
 
 /// Keeps, of these tetrahedra, those that hold triangles.
 void keep_crossed(const SurfaceMesh& surface, std::vector<TetMesh::Index>& tets) {

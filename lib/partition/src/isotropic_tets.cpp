@@ -7,11 +7,12 @@
 
 #include "owned_part.hpp"
 #include "tensortopo/mesh/as_size.hpp"
+#include "tensortopo/tensor/deviator.hpp"
 
 namespace tensortopo {
 
 bool is_isotropic(const SymmetricTensor<double>& t) {
-  return t.xx == t.yy && t.yy == t.zz && t.xy == 0 && t.yz == 0 && t.xz == 0;
+  return deviator(t) == Deviator<double>{};
 }
 
 std::vector<std::array<std::int64_t, 2>> isotropic_ids_of(const MeshPiece& piece) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "counted.hpp"
-#include "extract/certificate_report_output.hpp"
+#include "extract/report/certificate_report_output.hpp"
 #include "program/options/common_options.hpp"
 #include "tensortopo/analysis/certificate_report.hpp"
 #include "tensortopo/io/io_error.hpp"

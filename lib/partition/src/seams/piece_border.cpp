@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "number_lists.hpp"
-#include "piece_index.hpp"
+#include "streamed/piece_index.hpp"
 
 namespace tensortopo {
 

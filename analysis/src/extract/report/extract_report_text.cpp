@@ -8,7 +8,7 @@
 
 #include "append_format.hpp"
 #include "counted.hpp"
-#include "extract/certificate_report_output.hpp"
+#include "extract/report/certificate_report_output.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/extract_command.hpp"
 #include "tensortopo/analysis/extract_report.hpp"

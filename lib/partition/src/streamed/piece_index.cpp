@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "piece_index.hpp"
+#include "streamed/piece_index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "meeting_tets.hpp"
+#include "streamed/meeting_tets.hpp"
 #include "tensortopo/mesh/point_hash.hpp"
 
 namespace tensortopo {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "extract/topology_json.hpp"
+#include "extract/report/topology_json.hpp"
 #include "tensortopo/analysis/certificate_report.hpp"
 
 namespace tensortopo {

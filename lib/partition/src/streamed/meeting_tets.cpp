@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "meeting_tets.hpp"
+#include "streamed/meeting_tets.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the tensortopo authors
 // SPDX-License-Identifier: Apache-2.0
-#include "extract/reports_of.hpp"
+#include "extract/report/reports_of.hpp"
 
 #include <tbb/parallel_invoke.h>
 

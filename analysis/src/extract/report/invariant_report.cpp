@@ -6,8 +6,8 @@
 
 #include "append_format.hpp"
 #include "counted.hpp"
-#include "extract/certificate_report_output.hpp"
-#include "extract/topology_json.hpp"
+#include "extract/report/certificate_report_output.hpp"
+#include "extract/report/topology_json.hpp"
 #include "short_text.hpp"
 #include "tensortopo/analysis/invariant_command.hpp"
 

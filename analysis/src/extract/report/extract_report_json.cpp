@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "extract/certificate_report_output.hpp"
-#include "extract/topology_json.hpp"
+#include "extract/report/certificate_report_output.hpp"
+#include "extract/report/topology_json.hpp"
 #include "tensortopo/analysis/extract_report.hpp"
 
 namespace tensortopo {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "agreeing_pieces.hpp"
-#include "piece_index.hpp"
+#include "streamed/piece_index.hpp"
 #include "tensortopo/hash/number_hash.hpp"
 
 namespace tensortopo {
