@@ -24,7 +24,6 @@
 #include "extract/overall_progress.hpp"
 #include "extract/read_field.hpp"
 #include "extract/report/reports_of.hpp"
-#include "extract/spare_memory.hpp"
 #include "extract/stability.hpp"
 #include "extract/streamed_field.hpp"
 #include "peak_memory.hpp"
@@ -255,9 +254,7 @@ class ExtractRun {
   void write() {
     if (checkable_) checkable_->require();
     overall_.finish("writing");
-    // The writer needs half as much again, in large arrays that do not fit between what is left.
     prepared_.reset();
-    give_back_memory();
     FileGroup files;
     const Clock clock;
     OutputKinds kinds;

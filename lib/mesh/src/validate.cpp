@@ -55,7 +55,7 @@ int orientation(const TetMesh& mesh, const std::array<Index, 4>& tet) {
   return detail::orientation(point(0), point(1), point(2), point(3));
 }
 
-/// One face of one tetrahedron, filed under its smallest vertex.
+/// One face of one tetrahedron, of those that have the same smallest vertex.
 struct Face {
   Index middle, largest;  // the other two vertices
   Index tet;
@@ -195,34 +195,46 @@ class Validator {
                                " at a distance below 1e-100, too small for products");
   }
 
+  /// Tetrahedra are filed under the two smallest of their vertices, by a counting sort: all faces
+  /// whose smallest vertex is v belong to those filed under v.
   void check_faces() {
-    // Faces filed by smallest vertex: a counting sort, then each short drawer is sorted.
     std::vector<std::size_t> begin(mesh_.points.size() + 1, 0);
-    for_each_face([&](Index smallest, const Face&) {
-      std::atomic_ref(begin[static_cast<std::size_t>(smallest) + 1])
+    for_each_smallest([&](Index v, Index) {
+      std::atomic_ref(begin[static_cast<std::size_t>(v) + 1])
           .fetch_add(1, std::memory_order_relaxed);
     });
     for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    std::vector<Face> files(begin.back());
+    std::vector<Index> files(begin.back());
     std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-    for_each_face([&](Index smallest, const Face& face) {
-      files[std::atomic_ref(next[static_cast<std::size_t>(smallest)])
-                .fetch_add(1, std::memory_order_relaxed)] = face;
+    for_each_smallest([&](Index v, Index t) {
+      files[std::atomic_ref(next[static_cast<std::size_t>(v)])
+                .fetch_add(1, std::memory_order_relaxed)] = t;
     });
     in_parts(mesh_.points.size(), [&](std::size_t v, Findings& found) {
-      check_drawer(static_cast<Index>(v), files.data() + begin[v], files.data() + begin[v + 1],
-                   found);
+      thread_local std::vector<Face> around;
+      around.clear();
+      for (std::size_t i = begin[v]; i < begin[v + 1]; ++i)
+        visit_faces(static_cast<std::size_t>(files[i]), [&](Index smallest, const Face& face) {
+          if (smallest == static_cast<Index>(v)) around.push_back(face);
+        });
+      check_around(static_cast<Index>(v), around.data(), around.data() + around.size(), found);
     });
   }
 
-  /// Faces of the tetrahedra that have a volume, turned to be positive; in parallel.
+  /// Visits the tetrahedra that have a volume with each of their two smallest vertices; in parallel.
   template <class Visit>
-  void for_each_face(const Visit& visit) const {
+  void for_each_smallest(const Visit& visit) const {
     for_each_in_parts(mesh_.tets.size(), [&](std::size_t t, std::size_t) {
-      if (sound_[t] != 0) visit_faces(t, visit);
+      if (sound_[t] == 0) return;
+      const auto& v = mesh_.tets[t];
+      const auto [a, b] = std::minmax(v[0], v[1]);
+      const auto [c, d] = std::minmax(v[2], v[3]);
+      visit(std::min(a, c), static_cast<Index>(t));
+      visit(a < c ? std::min(b, c) : std::min(a, d), static_cast<Index>(t));
     });
   }
 
+  /// The faces of a tetrahedron, turned to be positive.
   template <class Visit>
   void visit_faces(std::size_t t, const Visit& visit) const {
     const auto& tet = mesh_.tets[t];
@@ -234,7 +246,8 @@ class Validator {
     }
   }
 
-  void check_drawer(Index smallest, Face* first, Face* last, Findings& found) const {
+  /// Checks all faces with the same smallest vertex.
+  void check_around(Index smallest, Face* first, Face* last, Findings& found) const {
     std::sort(first, last, [](const Face& f, const Face& g) {
       if (f.middle != g.middle) return f.middle < g.middle;
       if (f.largest != g.largest) return f.largest < g.largest;

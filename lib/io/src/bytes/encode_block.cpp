@@ -12,6 +12,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <numeric>
 #include <vector>
 
 #include "bytes/to_base64.hpp"
@@ -55,11 +56,10 @@ void append_block(std::span<const std::byte> bytes, Patterns patterns, std::stri
   // How many blocks, the size of each, that of the last if it is smaller; then their compressed
   // sizes.
   std::vector<std::uint64_t> header{count, kBlockSize, bytes.size() % kBlockSize};
+  for (const auto& block : blocks) header.push_back(block.size());
   std::vector<std::byte> all;
-  for (const auto& block : blocks) {
-    header.push_back(block.size());
-    all.insert(all.end(), block.begin(), block.end());
-  }
+  all.reserve(std::accumulate(header.begin() + 3, header.end(), std::size_t{0}));
+  for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
   append_base64(std::as_bytes(std::span(header)), text);
   append_base64(all, text);
 }

@@ -33,7 +33,8 @@ void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
   constexpr std::uint8_t tetrahedron = 10;  // VTK's number
   const std::vector<std::uint8_t> types(mesh.tets.size(), tetrahedron);
 
-  detail::XmlOutput out("UnstructuredGrid");
+  detail::OutputFile output(file);
+  detail::XmlOutput out("UnstructuredGrid", output);
   out.open("UnstructuredGrid");
   out.open("Piece", {{"NumberOfPoints", std::to_string(mesh.points.size())},
                      {"NumberOfCells", std::to_string(mesh.tets.size())}});
@@ -57,12 +58,13 @@ void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
   out.close("Cells");
   out.close("Piece");
   out.close("UnstructuredGrid");
-  detail::write_atomically(file, out.finish());
+  out.finish();
 }
 
 void write_piece_list(const std::vector<std::filesystem::path>& pieces,
                       const std::filesystem::path& file, const std::string& tensor_name) {
-  detail::XmlOutput out("PUnstructuredGrid");
+  detail::OutputFile output(file);
+  detail::XmlOutput out("PUnstructuredGrid", output);
   const auto element = [&](std::string_view name, const detail::XmlOutput::Attributes& attributes) {
     out.open(name, attributes);
     out.close(name);
@@ -76,7 +78,7 @@ void write_piece_list(const std::vector<std::filesystem::path>& pieces,
   out.close("PPoints");
   for (const auto& piece : pieces) element("Piece", {{"Source", piece.filename().string()}});
   out.close("PUnstructuredGrid");
-  detail::write_atomically(file, out.finish());
+  out.finish();
 }
 
 }  // namespace tensortopo

@@ -115,19 +115,6 @@ class Temporary {
   int descriptor_ = -1;
 };
 
-/// Devices and pipes have no place to rename to.
-void write_in_place(const std::filesystem::path& file, std::string_view bytes) {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(errno);
-  try {
-    write_all(descriptor, bytes);
-  } catch (...) {
-    close(descriptor);
-    throw;
-  }
-  if (close(descriptor) != 0) fail(errno);
-}
-
 /// Where a chain of links that ends at nothing leads to.
 std::filesystem::path end_of_links(std::filesystem::path file) {
   for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(file)); ++links) {
@@ -143,15 +130,17 @@ std::filesystem::path end_of_links(std::filesystem::path file) {
 
 }  // namespace
 
-/// What a group has written, and where it belongs.
+/// What was written, and where it belongs.
+struct UnfinishedFile {
+  UnfinishedFile(const std::filesystem::path& as_given, const std::filesystem::path& target)
+      : given(as_given), place(target), temporary(target) {}
+  std::filesystem::path given, place;
+  Temporary temporary;
+};
+
+/// What a group has written.
 struct UnfinishedFiles {
-  struct File {
-    File(const std::filesystem::path& as_given, const std::filesystem::path& target)
-        : given(as_given), place(target), temporary(target) {}
-    std::filesystem::path given, place;
-    Temporary temporary;
-  };
-  std::list<File> files;
+  std::list<UnfinishedFile> files;
 };
 
 namespace {
@@ -160,24 +149,64 @@ thread_local UnfinishedFiles* current_group = nullptr;
 
 }  // namespace
 
-void write_atomically(const std::filesystem::path& file, std::string_view bytes) {
-  namespace fs = std::filesystem;
+template <class Act>
+void OutputFile::naming_file(const Act& act) const {
   try {
-    const fs::file_status status = fs::status(file);
-    if (fs::is_directory(status)) fail(EISDIR);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(file, bytes);
-    // A link stays one: its target is replaced, or made.
-    const fs::path target = fs::exists(status) ? fs::canonical(file) : end_of_links(file);
-    UnfinishedFiles alone;
-    UnfinishedFiles& group = current_group != nullptr ? *current_group : alone;
-    group.files.emplace_back(file, target);
-    Temporary& temporary = group.files.back().temporary;
-    write_all(temporary.descriptor(), bytes);
-    temporary.finish();
-    if (current_group == nullptr) temporary.become(target);
+    act();
   } catch (const std::system_error& error) {
-    refuse(file, error.code());
+    refuse(file_, error.code());
   }
+}
+
+OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)) {
+  namespace fs = std::filesystem;
+  naming_file([&] {
+    const fs::file_status status = fs::status(file_);
+    if (fs::is_directory(status)) fail(EISDIR);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+      // Devices and pipes have no place to rename to.
+      descriptor_ = open(file_.c_str(), O_WRONLY | O_CLOEXEC);
+      if (descriptor_ < 0) fail(errno);
+      return;
+    }
+    if (current_group == nullptr) alone_ = std::make_unique<UnfinishedFiles>();
+    group_ = alone_ ? alone_.get() : current_group;
+    // A link stays one: its target is replaced, or made.
+    unfinished_ = &group_->files.emplace_back(
+        file_, fs::exists(status) ? fs::canonical(file_) : end_of_links(file_));
+    descriptor_ = unfinished_->temporary.descriptor();
+  });
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ < 0) return;
+  if (unfinished_ == nullptr)
+    close(descriptor_);
+  else
+    group_->files.remove_if([&](const UnfinishedFile& file) { return &file == unfinished_; });
+}
+
+void OutputFile::append(std::string_view bytes) {
+  naming_file([&] { write_all(descriptor_, bytes); });
+  size_ += bytes.size();
+}
+
+void OutputFile::finish() {
+  naming_file([&] {
+    const int descriptor = std::exchange(descriptor_, -1);
+    if (unfinished_ == nullptr) {
+      if (close(descriptor) != 0) fail(errno);
+      return;
+    }
+    unfinished_->temporary.finish();
+    if (alone_) unfinished_->temporary.become(unfinished_->place);
+  });
+}
+
+void write_atomically(const std::filesystem::path& file, std::string_view bytes) {
+  OutputFile output(file);
+  output.append(bytes);
+  output.finish();
 }
 
 }  // namespace tensortopo::detail

@@ -18,8 +18,8 @@ struct SurfaceFormatEntry {
   SurfaceFormat format;
   /// Bytes to a surface; throws FormatError. Null for .vtp, which `read_vtp` reads.
   SurfaceFile (*read)(std::string_view bytes);
-  /// Geometry to bytes; throws std::range_error. Null for .vtp, which `to_vtp` makes with all
-  /// arrays.
+  /// Geometry to bytes; throws std::range_error. Null for .vtp, which `write_vtp` makes with
+  /// all arrays.
   std::string (*write)(const SurfaceMesh& surface, const CurveMesh& curves);
 };
 

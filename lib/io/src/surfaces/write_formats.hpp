@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "output/atomic_file.hpp"
 #include "tensortopo/io/write_surface.hpp"
 #include "tensortopo/mesh/curve_mesh.hpp"
 #include "tensortopo/mesh/surface_mesh.hpp"
@@ -21,8 +22,10 @@ std::string to_off(const SurfaceMesh& surface);
 std::string to_stl(const SurfaceMesh& surface);
 
 /// Geometry and arrays, whose names it appends to `names`; without points those of `kinds`.
-std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
-                   const OutputKinds& kinds, const std::vector<FileNote>& notes,
-                   const std::vector<CellArray>& more, std::vector<std::string>& names);
+/// Finishes the file. Throws IoError (unwritable).
+void write_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
+               const OutputKinds& kinds, const std::vector<FileNote>& notes,
+               const std::vector<CellArray>& more, OutputFile& file,
+               std::vector<std::string>& names);
 
 }  // namespace tensortopo::detail

@@ -89,17 +89,19 @@ WriteReport write_surface(const SurfaceMesh& surface, const CurveMesh& curves, c
                   "cannot hold curves: use " + surface_extensions(true));
 
   WriteReport report;
-  std::string bytes;
-  try {
-    bytes = entry->write != nullptr
-                ? entry->write(surface, curves)
-                : detail::to_vtp(surface, curves, mesh, kinds, notes, more, report.arrays);
-  } catch (const std::range_error& error) {
-    throw IoError(IoError::Kind::unwritable, file,
-                  std::string("cannot be written: ") + error.what());
+  detail::OutputFile output(file);
+  if (entry->write == nullptr) {
+    detail::write_vtp(surface, curves, mesh, kinds, notes, more, output, report.arrays);
+  } else {
+    try {
+      output.append(entry->write(surface, curves));
+    } catch (const std::range_error& error) {
+      throw IoError(IoError::Kind::unwritable, file,
+                    std::string("cannot be written: ") + error.what());
+    }
+    output.finish();
   }
-  detail::write_atomically(file, bytes);
-  report.bytes = bytes.size();
+  report.bytes = output.size();
   return report;
 }
 

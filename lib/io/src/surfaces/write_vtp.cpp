@@ -91,9 +91,10 @@ void add_lines(XmlOutput& out, const CurveMesh& curves, std::size_t first_point)
 
 }  // namespace
 
-std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
-                   const OutputKinds& kinds, const std::vector<FileNote>& notes,
-                   const std::vector<CellArray>& more, std::vector<std::string>& names) {
+void write_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const TetMesh& mesh,
+               const OutputKinds& kinds, const std::vector<FileNote>& notes,
+               const std::vector<CellArray>& more, OutputFile& file,
+               std::vector<std::string>& names) {
   const std::size_t before = surface.points.size(), after = curves.points.size();
   const bool is_empty = before + after == 0;
   const bool of_modes = is_empty && kinds.mode_surfaces,
@@ -104,7 +105,7 @@ std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const Te
              has_values = of_values || !surface.value.empty(),
              has_normals = of_modes || of_values || !surface.normal.empty();
 
-  XmlOutput out("PolyData");
+  XmlOutput out("PolyData", file);
   out.open("PolyData");
   if (!notes.empty()) {
     out.open("FieldData");
@@ -172,7 +173,7 @@ std::string to_vtp(const SurfaceMesh& surface, const CurveMesh& curves, const Te
   out.close("Polys");
   out.close("Piece");
   out.close("PolyData");
-  return out.finish();
+  out.finish();
 }
 
 }  // namespace tensortopo::detail

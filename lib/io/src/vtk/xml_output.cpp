@@ -26,7 +26,8 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
-XmlOutput::XmlOutput(std::string_view type) : text_("<?xml version=\"1.0\"?>\n") {
+XmlOutput::XmlOutput(std::string_view type, OutputFile& file)
+    : file_(file), text_("<?xml version=\"1.0\"?>\n") {
   open("VTKFile", {{"type", std::string(type)},
                    {"version", "1.0"},
                    {"byte_order", "LittleEndian"},
@@ -58,6 +59,10 @@ void XmlOutput::block(std::string_view element, const Attributes& attributes,
   append_block(bytes, patterns, text_);
   text_ += "\n";
   close(element);
+  constexpr std::size_t kWorthACall = 1 << 16;
+  if (text_.size() < kWorthACall) return;
+  file_.append(text_);
+  text_.clear();
 }
 
 void XmlOutput::array(std::string_view name, std::string_view type, std::size_t components,
@@ -118,9 +123,10 @@ void XmlOutput::corners(std::span<const std::array<std::int32_t, Corners>> cells
 template void XmlOutput::corners(std::span<const std::array<std::int32_t, 3>>);
 template void XmlOutput::corners(std::span<const std::array<std::int32_t, 4>>);
 
-std::string XmlOutput::finish() {
+void XmlOutput::finish() {
   close("VTKFile");
-  return std::move(text_);
+  file_.append(text_);
+  file_.finish();
 }
 
 }  // namespace tensortopo::detail

@@ -12,19 +12,21 @@
 #include <vector>
 
 #include "bytes/encode_block.hpp"
+#include "output/atomic_file.hpp"
 #include "tensortopo/tensor/vector3.hpp"
 
 namespace tensortopo::detail {
 
-/// A file of VTK's XML formats in the making: little endian, arrays inline (some readers in use,
-/// ParaView 5.11 with a recent expat among them, refuse appended ones), in zlib blocks with headers
-/// of 64-bit words.
+/// Writes a file of VTK's XML formats: little endian, arrays inline (some readers in use, ParaView
+/// 5.11 with a recent expat among them, refuse appended ones), in zlib blocks with headers of 64-bit
+/// words. The text of an array goes to the file before the next one is made.
 class XmlOutput {
  public:
   using Attributes = std::vector<std::pair<std::string_view, std::string>>;
 
   /// @param type  what the file holds, as "PolyData"
-  explicit XmlOutput(std::string_view type);
+  /// @param file  outlives this
+  XmlOutput(std::string_view type, OutputFile& file);
 
   void open(std::string_view element, const Attributes& attributes = {});
   void close(std::string_view element);
@@ -43,8 +45,8 @@ class XmlOutput {
   template <std::size_t Corners>
   void corners(std::span<const std::array<std::int32_t, Corners>> cells);
 
-  /// The bytes of the file.
-  std::string finish();
+  /// The last of the text, and the file's end. Throws IoError (unwritable), as all above.
+  void finish();
 
  private:
   void tag(std::string_view element, const Attributes& attributes);
@@ -53,7 +55,9 @@ class XmlOutput {
   void array(std::string_view name, std::string_view type, std::size_t components,
              const Attributes& more, std::span<const std::byte> bytes, Patterns patterns);
 
-  std::string text_, indent_;
+  OutputFile& file_;
+  std::string text_;  ///< that is not in the file yet
+  std::string indent_;
 };
 
 }  // namespace tensortopo::detail
