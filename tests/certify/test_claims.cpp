@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "certify_case.hpp"
 #include "extract/level/exact_side.hpp"
@@ -41,6 +42,20 @@ bool is_above(const TetMesh& mesh, const LevelTopology::Edge& edge, double t,
   const std::array exponents{0, 0};
   const std::array weights{1 - t, t};
   return exact_side_of_level(tensors, exponents, weights, mode) == Sign::positive;
+}
+
+TEST(CertifiedLevel, IsMadeOfATopologyThatWasKeptAndOnce) {
+  TetMesh mesh = cube_mesh(2);
+  fill_with_normal_tensors(mesh, 20261129);
+  const ModeValue mode = ModeValue::parse("1/4");
+  ExtractOptions options;
+  Extraction without = extract_mode_surface<double>(mesh, mode, options);
+  ASSERT_FALSE(without.surface.triangles.empty());
+  EXPECT_THROW(certify(mesh, mode, without), std::invalid_argument);
+  options.keep_topology = true;
+  Extraction with = extract_mode_surface<double>(mesh, mode, options);
+  EXPECT_GT(certify(mesh, mode, with).claims(), 10u);
+  EXPECT_THROW(certify(mesh, mode, with), std::invalid_argument);
 }
 
 TEST_P(Claims, BracketsPartTheCrossingsOfAnEdge) {

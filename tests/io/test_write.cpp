@@ -294,5 +294,15 @@ TEST(WriteSurface, InconsistentSurfacesAreTheCallersFault) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+TEST(WriteMesh, WritesNothingUnderANameThatNobodyReads) {
+  for (const char* name : {"none.vtk", "none.foo", "none", "none.vtp"}) {
+    EXPECT_THROW(write_mesh(cube_field(2), temporary(name)), IoError);
+    EXPECT_FALSE(std::filesystem::exists(temporary(name)));
+  }
+  EXPECT_THROW(write_piece_list({}, temporary("none.vtu")), IoError);
+  write_mesh(cube_field(2), temporary("mesh.VTU"));
+  EXPECT_TRUE(std::filesystem::exists(temporary("mesh.VTU")));
+}
+
 }  // namespace
 }  // namespace tensortopo::test

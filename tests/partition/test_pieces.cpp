@@ -213,6 +213,9 @@ TEST_F(WrongPieces, OneIsCountedDifferently) {
   MeshPiece cut = cut_piece(mesh_, owner_, 0);
   cut.whole_tets = 1;
   EXPECT_THROW(extract_piece(cut, mode_), std::invalid_argument);
+  cut = cut_piece(mesh_, owner_, 0);
+  cut.mesh.tensors.pop_back();
+  EXPECT_THROW(extract_piece(cut, mode_), std::invalid_argument);
 }
 
 TEST_F(WrongPieces, OneIsGivenTwice) {

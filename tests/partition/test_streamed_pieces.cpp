@@ -85,6 +85,14 @@ TEST(StreamedPieces, HaveToBeOfOneField) {
   other[0].points.push_back(other[1].points[0]);
   for (int i = 0; i < 2; ++i) other[0].tensors.push_back(other[1].tensors[0]);
   EXPECT_NE(refusal(other).find("two points of a piece coincide"), std::string::npos);
+  other = files;
+  for (auto& tet : other[1].tets) std::swap(tet[0], tet[1]);
+  EXPECT_NE(refusal(other).find("negative volume"), std::string::npos) << refusal(other);
+  EXPECT_NE(refusal(std::vector<TetMesh>{}), "");
+  ExtractOptions options;
+  options.density.assign(mesh.tets.size(), 1.f);
+  EXPECT_THROW(extract_streamed(StreamedMesh(source_of(files)), ModeValue::parse("0"), options),
+               std::invalid_argument);
 }
 
 /// Adds a tetrahedron of the whole mesh, and those of its points that are missing.

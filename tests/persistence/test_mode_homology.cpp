@@ -294,6 +294,77 @@ TEST(ModeHomology, LoopsInLinksSeparateTheRest) {
   }
 }
 
+using Tensor = SymmetricTensor<double>;
+
+/// Where a set is not empty it has components.
+/// @param largest  a mode that is reached
+void expect_components_below(const ModeHomology& found, double largest, Compared& compared) {
+  for (const BettiInterval& interval : found.betti[0]) {
+    if (interval.high > largest || !interval.betti[0]) continue;
+    EXPECT_GE(*interval.betti[0], 1) << interval.low << ' ' << interval.high;
+    compared.count();
+  }
+}
+
+bool is_proved(const PersistenceInput& input) {
+  return std::all_of(input.trees.begin(), input.trees.end(), [](const MergeTree& tree) {
+    return std::all_of(tree.merges.begin(), tree.merges.end(),
+                       [](const ModeMerge& merge) { return merge.is_proved; });
+  });
+}
+
+// A point of mode 1 or -1 that no degenerate curve goes through is an extremum of its own.
+TEST(ModeHomology, CountsPointsOfModeOneThatAreOnNoCurve) {
+  Compared compared("sets", 100), known("fields where all is proved", 20);
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    TetMesh mesh = cube_mesh(1);
+    fill_with_normal_tensors(mesh, seed);
+    if (seed % 2 == 0) {
+      const auto& points = mesh.points;
+      const auto& tet = mesh.tets[0];
+      mesh = single_tet_mesh({points[as_size(tet[0])], points[as_size(tet[1])],
+                              points[as_size(tet[2])], points[as_size(tet[3])]},
+                             {mesh.tensors[0], mesh.tensors[1], mesh.tensors[2], mesh.tensors[3]});
+    }
+    const double x = random.integer(-3, 3), y = random.integer(-3, 3), z = random.integer(1, 3);
+    const double sign = seed % 3 == 0 ? -1 : 1;
+    mesh.tensors[seed % mesh.tensors.size()] =
+        sign * Tensor{x * x, y * y, z * z, x * y, y * z, x * z};
+    const PersistenceInput input = persistence_input(mesh);
+    const ModeHomology found = mode_homology(mesh, input);
+    if (sign > 0) expect_components_below(found, 1, compared);
+    if (is_proved(input) && found.has_known_curves) {
+      EXPECT_TRUE(found.adds_up[0] && found.adds_up[1]);
+      known.count();
+    }
+    for (const PersistencePair& pair : mode_persistence(mesh, input).pairs) {
+      if (pair.kind != PairKind::extended || !pair.is_certain) continue;
+      EXPECT_EQ(sign > 0 ? pair.birth.high : -pair.death.low, 1);
+    }
+  }
+}
+
+// The middle of an edge has mode -1, and the mode is larger all around.
+TEST(ModeHomology, DoesNotLoseAPointOfModeMinusOneInsideAnEdge) {
+  TetMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  mesh.tets = {{0, 1, 2, 3}, {4, 1, 3, 2}};
+  mesh.cell_ids = {0, 1};
+  mesh.tensors = {Tensor{-2, -1, -1, 0, -2, 2}, Tensor{-4, 0, -4, -1, -3, 2},
+                  Tensor{-3, -1, -1, 2, 1, 0}, Tensor{1, 2, 1, -1, -4, 4},
+                  Tensor{-2, 3, -2, 0, -2, 2}};
+  const PersistenceInput input = persistence_input(mesh);
+  const ModeHomology found = mode_homology(mesh, input);
+  for (const BettiInterval& interval : found.betti[1]) {
+    EXPECT_GE(interval.betti[0].value_or(1), 1) << interval.low;
+  }
+  EXPECT_TRUE(!is_proved(input) || (found.adds_up[0] && found.adds_up[1]));
+  for (const PersistencePair& pair : mode_persistence(mesh, input).pairs)
+    EXPECT_TRUE(pair.kind != PairKind::extended || !pair.is_certain || pair.death.low <= -1);
+}
+
 // The opposite tensors have the opposite mode: superlevel and sublevel sets are exchanged.
 TEST(ModeHomology, OfTheOppositeFieldIsTurnedAround) {
   Compared compared("pairs", 20);

@@ -34,6 +34,10 @@ TEST(InvariantLevel, NamesAreReadBack) {
 
 TEST(Invariant, OfKnownTensors) {
   const SymmetricTensor<double> t{1, 1, 4, 0, 0, 0};
+  const SymmetricTensor<double> none{std::nan(""), 1, 1, 1, 1, 1};
+  for (const auto invariant :
+       {Invariant::magnitude, Invariant::deviator_magnitude, Invariant::anisotropy})
+    EXPECT_TRUE(std::isnan(invariant_of(invariant, none)));
   EXPECT_DOUBLE_EQ(invariant_of(Invariant::magnitude, t), std::sqrt(18.0));
   EXPECT_DOUBLE_EQ(invariant_of(Invariant::deviator_magnitude, t), std::sqrt(6.0));
   EXPECT_DOUBLE_EQ(invariant_of(Invariant::anisotropy, t), std::sqrt(1.0 / 3));

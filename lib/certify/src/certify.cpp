@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "claims/claims.hpp"
@@ -94,10 +95,21 @@ CertifiedLevel certify_in_order(const ScaledField<double>& field, const ModeValu
   return result;
 }
 
+/// Throws std::invalid_argument for a surface without what was proved of it.
+void require_topology(const Extraction& extraction) {
+  const LevelTopology& known = extraction.topology;
+  if (!extraction.surface.triangles.empty() && known.edges.empty() && known.tets.empty() &&
+      known.cones.empty())
+    throw std::invalid_argument(
+        "the extraction has no topology to certify: make it with keep_topology, and certify it "
+        "once");
+}
+
 }  // namespace
 
 CertifiedLevel certify(const PreparedField<double>& field, const ModeValue& mode,
                        Extraction& extraction, double wanted) {
+  require_topology(extraction);
   const CanonicalMesh& canonical = *field.canonical;
   renumber(extraction, inverse_permutation(canonical.vertices),
            inverse_permutation(canonical.tets));
@@ -107,6 +119,7 @@ CertifiedLevel certify(const PreparedField<double>& field, const ModeValue& mode
 }
 
 CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction) {
+  require_topology(extraction);
   const CrossedPart part = crossed_part(mesh, extraction);
   renumber(extraction, inverse_numbers(part.vertices, mesh.points.size()),
            inverse_numbers(part.tets, mesh.tets.size()));

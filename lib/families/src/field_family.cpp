@@ -37,7 +37,8 @@ FamilyMember bifurcation(const FamilyRequest& request, RandomSource& random) {
   // The level is that of s = 1/4; the members' s are within 2^-11 of it.
   const double place = (2 * request.member + 1.0) / (2 * request.members);
   const double s = 0.25 + 0x1p-10 * (place - 0.5);
-  return {"saddle at s = 1/4 + " + std::to_string(s - 0.25) + ", the level's is 1/4",
+  return {"saddle at s = 1/4 " + std::string(s < 0.25 ? "- " : "+ ") +
+              std::to_string(std::abs(s - 0.25)) + ", the level's is 1/4",
           saddle_tet(s, random), parsed({"143/343"})};
 }
 

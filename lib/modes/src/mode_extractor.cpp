@@ -160,6 +160,7 @@ ModeSurfaces ModeExtractor::surfaces(const SurfaceRequest& request) const {
                                 ? distance.bound
                                 : std::max(distance.bound, distance.coarse_bound);
       result.claims += level->claims();
+      if (request.certify) result.undecided += level->undecided.size();
       if (request.certify) certified.push_back(std::move(*level));
     }
     result.parts.push_back(std::move(part));
@@ -213,6 +214,7 @@ DegenerateCurves ModeExtractor::curves(const CurveRequest& request) const {
         claims.stability =
             stability->claim(*part.stability, extraction.curves, tets_of(claims.undecided));
       result.claims += claims.claims();
+      result.undecided += claims.undecided.size();
     }
     result.parts.push_back(std::move(part));
     result.keys.push_back(std::move(keys));

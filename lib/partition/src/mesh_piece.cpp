@@ -37,6 +37,7 @@ void require_length(std::size_t is, std::size_t should, const char* what) {
 
 void require_sound(const MeshPiece& piece) {
   require_length(piece.vertex_ids.size(), piece.mesh.points.size(), "vertex ids");
+  require_length(piece.mesh.tensors.size(), piece.mesh.points.size(), "tensors");
   require_length(piece.mesh.cell_ids.size(), piece.mesh.tets.size(), "cell ids");
   require_length(piece.is_owned.size(), piece.mesh.tets.size(), "marks of ownership");
   require_distinct(piece.vertex_ids, "vertex");

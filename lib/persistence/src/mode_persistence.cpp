@@ -93,6 +93,14 @@ class Pairing {
     return x != y ? x > y : a.length > b.length;
   }
 
+  bool knows_all_maxima(std::size_t side) const {
+    const MergeTree& tree = input_.trees[side];
+    const auto may_be = [](const ModeMerge& merge) { return merge.may_be_maximum; };
+    return input_.curves[side].unresolved.empty() &&
+           std::none_of(tree.merges.begin(), tree.merges.end(), may_be) &&
+           std::none_of(tree.others.begin(), tree.others.end(), may_be);
+  }
+
   /// In each part of the mesh the oldest maximum and the oldest minimum are a pair. Others that met
   /// no older one have met one at a point that is not proved.
   void add_extended() {
@@ -120,8 +128,7 @@ class Pairing {
       made.death_tet = low.birth_tet;
       made.is_tie |= low.is_tie;
       // That there is one such component is certain; where its extrema are is a matter of values.
-      made.is_certain =
-          input_.curves[0].unresolved.empty() && input_.curves[1].unresolved.empty();
+      made.is_certain = knows_all_maxima(0) && knows_all_maxima(1);
       keep(0, highest[0], made);
       if (low.curve) {
         const ModeMaximum& curve = input_.trees[1].maxima[lowest[0].maximum];
@@ -171,7 +178,8 @@ PersistenceInput persistence_input(const TetMesh& mesh,
   };
   PersistenceInput input;
   tell("critical values", 0);
-  input.values = mesh_critical_values(mesh, -1, 1);
+  // Both ends belong to it: the mode may be 1 or -1 at a point that is on no curve.
+  input.values = mesh_critical_values(mesh, std::nextafter(-1.0, -2.0), 1);
   tell("degenerate curves", 0.4);
   input.curves[0] = extract_degenerate_curves(mesh, Degeneracy::linear);
   input.curves[1] = extract_degenerate_curves(mesh, Degeneracy::planar);

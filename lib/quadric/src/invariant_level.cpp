@@ -41,7 +41,7 @@ double invariant_of(Invariant invariant, const SymmetricTensor<double>& t) {
   if (invariant == Invariant::magnitude) return std::ldexp(norm, -scale.exponent);
   const double of_deviator = std::sqrt(norm_form(deviator(scaled)) / 3);
   if (invariant == Invariant::deviator_magnitude) return std::ldexp(of_deviator, -scale.exponent);
-  return norm > 0 ? of_deviator / norm : 0;
+  return norm == 0 ? 0 : of_deviator / norm;
 }
 
 InvariantLevel InvariantLevel::parse(Invariant invariant, std::string_view text) {

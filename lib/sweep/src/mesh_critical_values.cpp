@@ -129,7 +129,7 @@ class Collecting {
   }
 
   bool is_in_range(const CriticalPoint& point) const {
-    return point.high > low_ && point.low < high_;
+    return point.high > low_ && point.low <= high_;
   }
 
   /// Whether intervals of doubles leave something open.

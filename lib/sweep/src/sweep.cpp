@@ -172,7 +172,9 @@ Sweep sweep_modes(const TetMesh& mesh, const SweepOptions& options,
   };
   tell("critical values", 0);
   const double low = options.from.approx(), high = options.to.approx();
-  MeshCriticalValues found = mesh_critical_values(mesh, low, high);
+  // At mode 1 there are degenerate curves, and no surface.
+  MeshCriticalValues found =
+      mesh_critical_values(mesh, low, high == 1 ? std::nextafter(1.0, 0.0) : high);
   Sweep sweep;
   sweep.looked_at = found.looked_at;
   sweep.events = group(std::move(found.points));

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "analysis/run_program.hpp"
 #include "support/fields/random_fields.hpp"
@@ -152,6 +153,21 @@ TEST(Sweep, OfTheOppositeFieldIsTurnedAround) {
     EXPECT_GE(a.high, -b.high);
     EXPECT_EQ(a.effect.euler_change, -b.effect.euler_change);
   }
+}
+
+// The level at a mode is that of modes just above: a change at the last one belongs to it.
+TEST(Sweep, MayEndAtACriticalValue) {
+  int ends = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    TetMesh mesh = noisy_cube(1, seed);
+    mesh.tensors[seed % mesh.tensors.size()] = {1, 0, -1, 0, 0, 0};  // of mode 0
+    for (const auto& [from, to] : {std::pair("-1/2", "0"), std::pair("0", "1/2")}) {
+      const Sweep sweep = sweep_modes(mesh, options_of(from, to, 3));
+      EXPECT_TRUE(sweep.contradictions.empty()) << seed << ' ' << from << ' ' << to;
+      ends += !sweep.events.empty() && sweep.events.back().high == 0;
+    }
+  }
+  EXPECT_GT(ends, 3);
 }
 
 // Where there is no mode, and where it is constant, changes are undecided at worst.

@@ -106,8 +106,8 @@ std::string to_text(const GraphReport& report) {
     minima += node.minimum.has_value();
   }
   for (const ModeRegion& region : report.regions.regions) positive += region.sign > 0;
-  append_format(text, "{}: {} tetrahedra\n\ncontour tree: {} maxima, {} minima, {} saddles, ",
-                report.input.string(), report.tetrahedra, maxima, minima,
+  append_format(text, "{}: {}\n\ncontour tree: {} maxima, {} minima, {} saddles, ",
+                report.input.string(), counted_tets(report.tetrahedra), maxima, minima,
                 report.tree.nodes.size() - maxima - minima);
   if (report.tree.has_loops) {
     text += "no arcs: the mesh has holes through it, and the Reeb graph may be no tree\n"

@@ -42,7 +42,8 @@ bool PersistenceReport::is_complete() const {
     if (!persistence.not_proved[side].empty() || persistence.unresolved_curve_cells[side] > 0 ||
         homology.not_proved[side] > 0)
       return false;
-  return homology.has_known_curves && homology.isotropic_vertices == 0;
+  return homology.has_known_curves && homology.isotropic_vertices == 0 && homology.adds_up[0] &&
+         homology.adds_up[1];
 }
 
 std::vector<PersistencePair> PersistenceReport::pairs() const {

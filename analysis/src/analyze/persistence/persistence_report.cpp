@@ -9,6 +9,7 @@
 #include "analyze/persistence/persistence_chart.hpp"
 #include "analyze/persistence/persistence_command.hpp"
 #include "append_format.hpp"
+#include "counted.hpp"
 #include "tensortopo/mesh/as_size.hpp"
 
 namespace tensortopo {
@@ -158,7 +159,8 @@ std::string to_json(const PersistenceReport& report) {
 std::string to_text(const PersistenceReport& report) {
   const ModePersistence& found = report.persistence;
   std::string text;
-  append_format(text, "{}: {} tetrahedra\n\n", report.input.string(), report.tetrahedra);
+  append_format(text, "{}: {}\n\n", report.input.string(),
+                counted_tets(report.tetrahedra));
   append_format(text, "{:<30} {:>8} {:>8}", "", "pairs", "ties");
   for (const double r : kNoise) append_format(text, " {:>10}", fmt::format("> {:g}", r));
   text += "  certainly survive relative noise\n";
@@ -231,6 +233,8 @@ std::string to_text(const PersistenceReport& report) {
   if (report.homology.isotropic_vertices > 0)
     append_format(text, "{} vertices are isotropic: loops and voids are not certain\n",
                   report.homology.isotropic_vertices);
+  if (open == 0 && cells == 0 && !report.is_complete() && report.homology.isotropic_vertices == 0)
+    text += "Betti numbers do not add up to those of the mesh: a change of topology is missing\n";
   for (const auto& file : {report.output, report.picture})
     if (!file.empty()) append_format(text, "\n{}\n", file.string());
   return text;

@@ -76,9 +76,9 @@ Json json_of(const SweepCheck& check) {
 std::string text_of(const SweepCheck& check) {
   std::string text = fmt::format(
       "\nchecked with {} surfaces, extracted and certified ({} claims confirmed), {} of {} "
-      "critical values\npassed: {} contradictions, {} undecided\n",
+      "critical values\n{}: {} contradictions, {} undecided\n",
       check.levels.size(), check.certified, check.compared, check.events,
-      check.contradictions.size(), check.undecided.size());
+      check.contradictions.empty() ? "passed" : "failed", check.contradictions.size(), check.undecided.size());
   for (const auto& words : check.contradictions) text += "contradiction: " + words + '\n';
   for (const auto& words : check.undecided) text += "undecided: " + words + '\n';
   return text;
@@ -136,8 +136,8 @@ std::string to_json(const SweepReport& report) {
 std::string to_text(const SweepReport& report) {
   const Sweep& sweep = report.sweep;
   std::string text;
-  append_format(text, "{}: {} tetrahedra, modes from {} to {}\n\n", report.input.string(),
-                report.tetrahedra, short_text(report.options.from), short_text(report.options.to));
+  append_format(text, "{}: {}, modes from {} to {}\n\n", report.input.string(),
+                counted_tets(report.tetrahedra), short_text(report.options.from), short_text(report.options.to));
   append_format(text, "{:>12} {:>10} {:>8} {:>8} {:>14}\n", "mode", "components", "Euler", "loops",
                 "area");
   for (const std::size_t i : sweep.samples) {

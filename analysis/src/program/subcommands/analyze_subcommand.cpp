@@ -60,7 +60,7 @@ ExitStatus sweep(const AnalyzeOptions& options, const CommonOptions& common) {
   const SweepReport report = report_of(
       common, "analyze-sweep",
       [&](const Progress& progress) { return run_sweep(command, progress); }, kNotesOfInput);
-  return report.check && report.is_contradicted() ? ExitStatus::undecided : ExitStatus::done;
+  return report.is_contradicted() ? ExitStatus::undecided : ExitStatus::done;
 }
 
 ExitStatus persistence(const AnalyzeOptions& options, const CommonOptions& common) {
@@ -145,7 +145,7 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   reads(common, app.add_option("INPUT", options->input, field_help() + "; or a surface (.vtp)"))
       ->required();
   app.add_option("--sweep", options->sweep,
-                 "Of a mesh: all critical values of the mode from A to B, and the topology and "
+                 "Of a mesh: all critical values of the mode above A and up to B, and the topology and "
                  "area of the mode surfaces of N modes, evenly spaced")
       ->type_name("A:B:N");
   app.add_flag("--persistence", options->persistence,

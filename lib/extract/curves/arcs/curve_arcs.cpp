@@ -3,6 +3,8 @@
 #include "tensortopo/extract/curve_arcs.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include "extract/curves/arcs/arc_places.hpp"
@@ -176,6 +178,12 @@ auto found_in_tiers(const LineEnds& ends, const InDoubles& in_doubles, const IsD
   return in_digits(cell);
 }
 
+void require_line(const CurveMesh& curves, std::size_t line) {
+  if (line >= curves.lines.size())
+    throw std::invalid_argument("curves: there is no line " + std::to_string(line) + ", but " +
+                                std::to_string(curves.lines.size()) + " lines");
+}
+
 }  // namespace
 
 struct CurveArcs::Source {
@@ -188,6 +196,7 @@ CurveArcs::CurveArcs(const TetMesh& mesh, Degeneracy kind, const CurveMesh& curv
 CurveArcs::~CurveArcs() = default;
 
 LineSeparation CurveArcs::separation(std::size_t line) const {
+  require_line(*curves_, line);
   const FloatingPointEnvironment environment;
   const auto ends = source_->finder.find(*curves_, line);
   if (!ends) return {0, 0, {}, {}, ArcObstacle::special_position};
@@ -205,6 +214,10 @@ LineSeparation CurveArcs::separation(std::size_t line) const {
 }
 
 std::optional<EnclosedArc> CurveArcs::enclosed(std::size_t line, int depth) const {
+  require_line(*curves_, line);
+  if (depth < 0 || depth > kDeepest)
+    throw std::invalid_argument("depth: an integer from 0 to " + std::to_string(kDeepest) +
+                                " belongs here, not " + std::to_string(depth));
   const FloatingPointEnvironment environment;
   const auto ends = source_->finder.find(*curves_, line);
   if (!ends) return std::nullopt;

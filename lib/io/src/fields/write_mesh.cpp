@@ -10,12 +10,25 @@
 #include <vector>
 
 #include "output/atomic_file.hpp"
+#include "tensortopo/io/io_error.hpp"
+#include "tensortopo/io/lower_extension.hpp"
 #include "vtk/xml_output.hpp"
 
 namespace tensortopo {
 
+namespace {
+
+void require_extension(const std::filesystem::path& file, const char* extension) {
+  if (lower_extension(file) != extension)
+    throw IoError(IoError::Kind::unwritable, file,
+                  std::string("the name must end in ") + extension);
+}
+
+}  // namespace
+
 void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
                 const std::string& tensor_name, const std::vector<PointArray>& more) {
+  require_extension(file, ".vtu");
   if (mesh.tensors.size() != mesh.points.size())
     throw std::invalid_argument("write_mesh: the tensors are not one for each point");
   for (const PointArray& array : more)
@@ -63,6 +76,7 @@ void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
 
 void write_piece_list(const std::vector<std::filesystem::path>& pieces,
                       const std::filesystem::path& file, const std::string& tensor_name) {
+  require_extension(file, ".pvtu");
   detail::OutputFile output(file);
   detail::XmlOutput out("PUnstructuredGrid", output);
   const auto element = [&](std::string_view name, const detail::XmlOutput::Attributes& attributes) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <list>
 #include <memory>
+#include <stdexcept>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -185,6 +186,8 @@ std::string hash_of(const PieceSource& source, const detail::PieceIndex& index) 
 template <class Extract>
 auto merged_stream(const StreamedMesh& mesh, const ExtractOptions& options,
                    const Extract& extract) {
+  if (!options.density.empty() || !options.part.empty())
+    throw std::invalid_argument("options: density and part are not for a mesh read in pieces");
   const auto all_pieces = [&](int layers) {
     PieceCache cache(mesh.source(), mesh.index());
     std::vector<decltype(extract(MeshPiece{}, options))> all;

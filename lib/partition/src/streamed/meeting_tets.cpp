@@ -15,6 +15,17 @@ namespace tensortopo {
 namespace {
 
 using Index = TetMesh::Index;
+using Kind = MeshDefect::Kind;
+
+[[noreturn]] void refuse(const MeshDefect& defect) {
+  const bool is_of_two = defect.kind == Kind::duplicated_cell ||
+                         defect.kind == Kind::crowded_face ||
+                         defect.kind == Kind::overlapping_cells;
+  if (!is_of_two) throw std::invalid_argument(defect.text);
+  throw std::invalid_argument("pieces overlap: cell " + std::to_string(defect.where) +
+                              " shares a face with two others, or lies on the same side of it as "
+                              "another; write pieces without cells of their neighbours");
+}
 
 }  // namespace
 
@@ -55,10 +66,7 @@ TornFaces MeetingTets::torn_faces() const {
   }
   mesh.cell_ids = tets_;
   std::vector<OuterFace> outer;
-  if (const auto defects = validate(mesh, &outer); !defects.empty())
-    throw std::invalid_argument("pieces overlap: cell " + std::to_string(defects.front().where) +
-                                " shares a face with two others, or lies on the same side of it "
-                                "as another; write pieces without cells of their neighbours");
+  if (const auto defects = validate(mesh, &outer); !defects.empty()) refuse(defects.front());
   const auto has_another = [&](const OuterFace& face) {  // one that is not among these
     return std::any_of(face.vertices.begin(), face.vertices.end(),
                        [&](Index v) { return !vertices[as_size(v)].is_outer; });

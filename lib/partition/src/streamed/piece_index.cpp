@@ -68,6 +68,7 @@ std::vector<std::int64_t> IndexedPiece::point_ids() const {
 }
 
 detail::PieceIndex::PieceIndex(const PieceSource& source) {
+  if (source.pieces < 1) throw std::invalid_argument("a mesh has at least one piece");
   std::unordered_map<Vector3<double>, OuterPoint, PointHash> boundary;
   MeetingTets meeting;
   for (std::int32_t p = 0; p < source.pieces; ++p) {

@@ -88,12 +88,14 @@ class Side {
         add_open(merge, other(merge.mode), true);
         ++result.not_proved[side_];
       }
-    changes_.is_known = is_known(result);
-    result.betti[side_] = betti_intervals(changes_);
     std::array<long, 3> sum{};
     for (const BettiChange& change : changes_.changes)
       for (std::size_t k = 0; k < 3; ++k) sum[k] += change.by[k];
     result.adds_up[side_] = sum == changes_.mesh;
+    // If nothing is in doubt and it does not add up, a change is missing.
+    const bool is_in_doubt = !changes_.doubts[0].empty() || !changes_.doubts[1].empty();
+    changes_.is_known = is_known(result) && (is_in_doubt || result.adds_up[side_]);
+    result.betti[side_] = betti_intervals(changes_);
   }
 
  private:

@@ -3,6 +3,8 @@
 #include "tensortopo/persistence/certified_linking.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include "linking/hulls_apart.hpp"
 #include "tensortopo/mesh/as_size.hpp"
@@ -101,6 +103,10 @@ bool CertifiedLinks::make_apart(Curve& a, std::size_t i, Curve& b, std::size_t j
 }
 
 CertifiedLink CertifiedLinks::link(std::size_t a, std::size_t b) {
+  if (std::max(a, b) >= curves_.size())
+    throw std::invalid_argument("curves: there is no closed curve " +
+                                std::to_string(std::max(a, b)) + ", but " +
+                                std::to_string(curves_.size()));
   Curve &first = curves_[a], &second = curves_[b];
   if (are_apart(first.box, second.box)) return {0, {}};
   enclose(first);

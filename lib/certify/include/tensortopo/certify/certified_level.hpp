@@ -97,6 +97,7 @@ struct CertifiedLevel {
 /// bounds. Only the tetrahedra that the extraction names are looked at.
 /// @param extraction  made of `mesh` with `ExtractOptions::keep_topology`; its topology is moved
 ///                    out
+/// @throws std::invalid_argument if a surface has no topology: it was not kept, or moved out before
 CertifiedLevel certify(const TetMesh& mesh, const ModeValue& mode, Extraction& extraction);
 
 /// The same with the field that the extraction was made from, in place of one made anew.

@@ -21,7 +21,8 @@ struct PointArray {
 ///
 /// Laws      read_mesh gives back points, tensors and tetrahedra bit for bit (if the mesh is valid
 ///           and positively oriented); `cell_ids` are numbered anew. Whole or not at all.
-/// Throws    IoError (`unwritable`), std::invalid_argument.
+/// Throws    IoError (`unwritable`, also for a name that does not end in .vtu),
+///           std::invalid_argument.
 void write_mesh(const TetMesh& mesh, const std::filesystem::path& file,
                 const std::string& tensor_name = "stress",
                 const std::vector<PointArray>& more = {});

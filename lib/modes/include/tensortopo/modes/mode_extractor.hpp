@@ -38,9 +38,10 @@ struct CertificateNames {
 struct SurfaceRequest {
   std::vector<ModeValue> modes;  ///< strictly between -1 and 1; repetitions count once
   bool generalized = false;      ///< after each mode its opposite
-  double resolution = 4;         ///< samples per radian of turning of the medium eigenvector, > 0
+  /// Samples per radian of turning of the medium eigenvector, > 0 and at most 1000.
+  double resolution = 4;
   bool all_samples = false;      ///< keep samples that make needles of triangles
-  bool improve = false;          ///< better angles, the same topology
+  bool improve = false;          ///< better angles, the same topology; not with `max_error`
   MeshingMethod meshing = MeshingMethod::bisection;  ///< how sheets that turn far are meshed
   double max_error = 0;          ///< proved distance, in the mesh's units; 0 for `resolution` alone
   std::optional<Uncertainty> uncertainty;  ///< say what is the same for all fields within it
@@ -56,7 +57,8 @@ struct SurfaceRequest {
 struct CurveRequest {
   /// Which kinds.
   bool linear = true, planar = false;
-  double resolution = 4;  ///< samples per radian of turning of the dominant eigenvector, > 0
+  /// Samples per radian of turning of the dominant eigenvector, > 0 and at most 1000.
+  double resolution = 4;
   std::optional<Uncertainty> uncertainty;  ///< say what is the same for all fields within it
   bool certify = false;  ///< make a certificate
   CertificateNames names;  ///< what it says of the field
@@ -94,6 +96,7 @@ struct ModeSurfaces {
   std::vector<LeftOut> unresolved;  ///< by mode, then tetrahedron
   std::string certificate;         ///< the bytes of a file, if asked for
   std::size_t claims = 0;          ///< that it makes
+  std::size_t undecided = 0;       ///< tetrahedra about which it makes none, of all modes
 };
 
 /// Degenerate curves, as one output.
@@ -105,6 +108,7 @@ struct DegenerateCurves {
   std::vector<LeftOut> unresolved;  ///< by kind, then tetrahedron
   std::string certificate;  ///< the bytes of a file, if asked for
   std::size_t claims = 0;  ///< that it makes
+  std::size_t undecided = 0;  ///< tetrahedra about which it makes none, of both kinds
 };
 
 /// Mode surfaces and degenerate curves of one mesh, as one output with its certificate. What the
@@ -131,8 +135,8 @@ class ModeExtractor {
   std::unique_ptr<Shared> shared_;
 };
 
-/// A mode for surfaces: throws std::invalid_argument as ModeValue::parse does, and for modes that
-/// no double tells from 1 or -1.
+/// A mode for surfaces, or 1 or -1 for curves: throws std::invalid_argument as ModeValue::parse
+/// does, and for other modes that no double tells from 1 or -1.
 ModeValue parse_surface_mode(std::string_view text);
 
 }  // namespace tensortopo

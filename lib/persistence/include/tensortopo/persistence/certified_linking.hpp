@@ -61,6 +61,7 @@ class CertifiedLinks {
   std::size_t add(const CurveArcs& arcs, std::vector<std::size_t> lines);
 
   /// The linking number of two curves that were added.
+  /// @throws std::invalid_argument for other numbers
   CertifiedLink link(std::size_t a, std::size_t b);
 
  private:

@@ -56,7 +56,7 @@ struct ModeHomology {
   /// and no Betti number is known.
   bool has_known_curves = true;
   /// All changes add up to the Betti numbers of the mesh, for superlevel and sublevel sets. Where
-  /// all points are proved anything else is an error.
+  /// all points are proved and they do not, a change is missing, and no Betti number is known.
   std::array<bool, 2> adds_up{};
 };
 

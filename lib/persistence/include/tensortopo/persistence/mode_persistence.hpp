@@ -75,7 +75,7 @@ double survived_noise(const PersistencePair& pair);
 
 /// What persistence is computed from.
 struct PersistenceInput {
-  MeshCriticalValues values;              ///< all from -1 to 1
+  MeshCriticalValues values;              ///< all from -1 to 1, both included
   std::array<CurveExtraction, 2> curves;  ///< of mode 1 and of mode -1
   std::array<MergeTree, 2> trees;         ///< of the mode, and of its opposite
 };

@@ -23,7 +23,8 @@ std::string_view name_of(Invariant invariant);
 /// The invariant of that name, if there is one.
 std::optional<Invariant> invariant_named(std::string_view name);
 
-/// The invariant of a tensor, rounded; 0 for the anisotropy of the zero tensor.
+/// The invariant of a tensor, rounded; 0 for the anisotropy of the zero tensor, and no number for a
+/// tensor that is not finite.
 double invariant_of(Invariant invariant, const SymmetricTensor<double>& t);
 
 /// An invariant and the value asked for, exactly; kept as decimal text, so that this header needs

@@ -43,8 +43,8 @@ struct MeshCriticalValues {
   std::array<std::size_t, 4> looked_at{};
 };
 
-/// All modes m, low < m < high, at which the topology of the mode surface of the piecewise linear
-/// field changes.
+/// All modes m, low < m <= high, at which the topology of the mode surface of the piecewise linear
+/// field changes. (The level at m is that of modes just above.)
 ///
 /// The mode is smooth on each vertex, edge, face and tetrahedron where there is one, so by
 /// stratified Morse theory (M. Goresky and R. MacPherson, 1988) the level only moves where no m is

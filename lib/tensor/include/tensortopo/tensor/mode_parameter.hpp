@@ -60,8 +60,8 @@ Scalar to_scalar(const ModeValue& mode);
 /// A unit tensor of mode mu >= 0 has eigenvalues (3 + s, -2 s, s - 3) / sqrt(18 + 6 s^2), where
 /// s = sin(theta) is the paper's parameter sqrt(3) tan(arcsin(mu) / 3), and
 /// mu = s (9 - s^2) / (3 + s^2)^(3/2), increasing in s on [0, 1]. Every number below is accurate to
-/// a few units in the last place relative to itself, also next to |mu| = 0 and 1: 1 - mu^2 is
-/// formed from the exact fraction before it is rounded.
+/// a few units in the last place relative to itself (unless it underflows, as mu^2 of 1e-200), also
+/// next to |mu| = 0 and 1: 1 - mu^2 is formed from the exact fraction before it is rounded.
 template <RealScalar Scalar>
 struct ModeParameter {
   /// The mode, with its sign.

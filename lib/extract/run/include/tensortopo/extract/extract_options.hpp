@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,7 @@ namespace tensortopo {
 
 /// How densely curves and sheets are sampled.
 struct Sampling {
-  /// Samples per unit (radian) of turning of the medium eigenvector. @pre positive
+  /// Samples per unit (radian) of turning of the medium eigenvector; positive and finite.
   double resolution = 4;
   /// The largest turning between neighbouring samples, in radians.
   double largest_turn() const { return 1 / resolution; }
@@ -30,7 +31,7 @@ struct ExtractOptions {
   Sampling sampling;                                ///< how densely
   MeshingMethod meshing = MeshingMethod::bisection;  ///< how large sheets are meshed
   /// For each tetrahedron of the mesh by how much denser its samples are than `sampling` says; a
-  /// face has the denser ones of its two. Empty for 1 everywhere.
+  /// face has the denser ones of its two. Positive and finite; empty for 1 everywhere.
   std::vector<float> density;
   /// Keep the samples of face curves that meshing on the manifold needed, but that make needles of
   /// the triangles beside them and that the level can do without. They are dropped otherwise.
@@ -47,5 +48,10 @@ struct ExtractOptions {
   /// Called now and then, from one thread at a time, with the stage and how much of it is done.
   std::function<void(std::string_view stage, double fraction)> progress;
 };
+
+/// Throws std::invalid_argument, with the reason, unless the options fit a mesh of so many
+/// tetrahedra: `resolution` and `density` are positive and finite, and `density` and `part` empty or
+/// of one entry for each tetrahedron. All that extract ask this first.
+void require_fitting(const ExtractOptions& options, std::size_t tets);
 
 }  // namespace tensortopo

@@ -82,7 +82,10 @@ struct Extraction {
 /// edge. The surface ends at such an edge only where a face there has no deviator at all, or at
 /// the boundary of the mesh or of what is unresolved.
 ///
-/// @pre the mesh is valid (see `validate`); mu is not +-1 (throws std::invalid_argument)
+/// @tparam Scalar  double; 50 digits are for tests only, and not installed
+/// @pre the mesh is valid (see `validate`, which the caller has to ask: nothing else does)
+/// @throws std::invalid_argument for modes that no double tells from 1 or -1, and as
+///         `require_fitting`
 /// The result does not depend on the number of threads. But for the numbers of the mesh's vertices
 /// and tetrahedra that it names, it does not depend on these, nor on the order of corners: vertices
 /// and triangles are in the canonical order (see `CanonicalMesh`) of the simplices that hold them.

@@ -72,13 +72,19 @@ class CurveArcs {
 
   /// The separation along a line. Its polynomial has degree 8 in the arc's parameter; zeros are
   /// isolated by Descartes' rule for Bernstein's coefficients.
+  /// @throws std::invalid_argument if there is no such line
   LineSeparation separation(std::size_t line) const;
 
   /// A line's arc in 2^depth parts; nothing if its position is special or 150 digits do not
   /// suffice.
   ///
   /// All points but the first and the last are inside the tetrahedron, these inside of faces.
+  /// @param depth  at most `kDeepest`
+  /// @throws std::invalid_argument if there is no such line, or for other depths
   std::optional<EnclosedArc> enclosed(std::size_t line, int depth) const;
+
+  /// The largest depth of `enclosed`: a million parts.
+  static constexpr int kDeepest = 20;
 
   /// The lines.
   const CurveMesh& curves() const { return *curves_; }
