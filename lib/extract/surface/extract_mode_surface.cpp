@@ -49,9 +49,10 @@ template <class Scalar>
 Extraction extract(const PreparedField<Scalar>& prepared, const ModeValue& mu,
                    const ExtractOptions& given_options, PreparedField<Scalar>* last_use) {
   if (std::abs(mu.approx()) >= 1)
-    throw std::invalid_argument("mode surfaces exist for |mode| < 1, and are computed where a "
-                                "double tells it from 1, not for " +
-                                mu.text());
+    throw std::invalid_argument(
+        "mode surfaces exist for |mode| < 1, and are computed where a "
+        "double tells it from 1, not for " +
+        mu.text());
   require_fitting(given_options, prepared.canonical->mesh.tets.size());
   const auto level = make_level<Scalar>(mu);
   NearbyLevels<Scalar> nearby_levels(mu);

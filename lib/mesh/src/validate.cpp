@@ -221,7 +221,8 @@ class Validator {
     });
   }
 
-  /// Visits the tetrahedra that have a volume with each of their two smallest vertices; in parallel.
+  /// Visits the tetrahedra that have a volume with each of their two smallest vertices; in
+  /// parallel.
   template <class Visit>
   void for_each_smallest(const Visit& visit) const {
     for_each_in_parts(mesh_.tets.size(), [&](std::size_t t, std::size_t) {

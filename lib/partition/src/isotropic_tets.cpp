@@ -11,9 +11,7 @@
 
 namespace tensortopo {
 
-bool is_isotropic(const SymmetricTensor<double>& t) {
-  return deviator(t) == Deviator<double>{};
-}
+bool is_isotropic(const SymmetricTensor<double>& t) { return deviator(t) == Deviator<double>{}; }
 
 std::vector<std::array<std::int64_t, 2>> isotropic_ids_of(const MeshPiece& piece) {
   std::vector<std::int64_t> ids;

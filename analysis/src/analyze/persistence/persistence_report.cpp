@@ -159,8 +159,7 @@ std::string to_json(const PersistenceReport& report) {
 std::string to_text(const PersistenceReport& report) {
   const ModePersistence& found = report.persistence;
   std::string text;
-  append_format(text, "{}: {}\n\n", report.input.string(),
-                counted_tets(report.tetrahedra));
+  append_format(text, "{}: {}\n\n", report.input.string(), counted_tets(report.tetrahedra));
   append_format(text, "{:<30} {:>8} {:>8}", "", "pairs", "ties");
   for (const double r : kNoise) append_format(text, " {:>10}", fmt::format("> {:g}", r));
   text += "  certainly survive relative noise\n";

@@ -78,7 +78,8 @@ std::string text_of(const SweepCheck& check) {
       "\nchecked with {} surfaces, extracted and certified ({} claims confirmed), {} of {} "
       "critical values\n{}: {} contradictions, {} undecided\n",
       check.levels.size(), check.certified, check.compared, check.events,
-      check.contradictions.empty() ? "passed" : "failed", check.contradictions.size(), check.undecided.size());
+      check.contradictions.empty() ? "passed" : "failed", check.contradictions.size(),
+      check.undecided.size());
   for (const auto& words : check.contradictions) text += "contradiction: " + words + '\n';
   for (const auto& words : check.undecided) text += "undecided: " + words + '\n';
   return text;
@@ -137,7 +138,8 @@ std::string to_text(const SweepReport& report) {
   const Sweep& sweep = report.sweep;
   std::string text;
   append_format(text, "{}: {}, modes from {} to {}\n\n", report.input.string(),
-                counted_tets(report.tetrahedra), short_text(report.options.from), short_text(report.options.to));
+                counted_tets(report.tetrahedra), short_text(report.options.from),
+                short_text(report.options.to));
   append_format(text, "{:>12} {:>10} {:>8} {:>8} {:>14}\n", "mode", "components", "Euler", "loops",
                 "area");
   for (const std::size_t i : sweep.samples) {

@@ -144,9 +144,10 @@ void add_analyze_subcommand(CLI::App& program, CommonOptions& common, Action& ac
   options->app = &app;
   reads(common, app.add_option("INPUT", options->input, field_help() + "; or a surface (.vtp)"))
       ->required();
-  app.add_option("--sweep", options->sweep,
-                 "Of a mesh: all critical values of the mode above A and up to B, and the topology and "
-                 "area of the mode surfaces of N modes, evenly spaced")
+  app.add_option(
+         "--sweep", options->sweep,
+         "Of a mesh: all critical values of the mode above A and up to B, and the topology and "
+         "area of the mode surfaces of N modes, evenly spaced")
       ->type_name("A:B:N");
   app.add_flag("--persistence", options->persistence,
                "Of a mesh: at which modes components, loops and voids of {mode >= m} and "

@@ -18,8 +18,8 @@
 namespace tensortopo::detail {
 
 /// Writes a file of VTK's XML formats: little endian, arrays inline (some readers in use, ParaView
-/// 5.11 with a recent expat among them, refuse appended ones), in zlib blocks with headers of 64-bit
-/// words. The text of an array goes to the file before the next one is made.
+/// 5.11 with a recent expat among them, refuse appended ones), in zlib blocks with headers of
+/// 64-bit words. The text of an array goes to the file before the next one is made.
 class XmlOutput {
  public:
   using Attributes = std::vector<std::pair<std::string_view, std::string>>;

@@ -62,7 +62,8 @@ class StreamedMesh {
 /// the whole.
 ///
 /// Memory    A few pieces at a time, and the surface with the tetrahedra that it crosses.
-/// Reads     each piece once for itself and its neighbours; again where more than four are asked for
+/// Reads     each piece once for itself and its neighbours; again where more than four are asked
+/// for
 ///           in turn.
 /// @param options  `density` and `part` must be empty
 /// @throws std::invalid_argument if they are not, and as `require_fitting`

@@ -50,8 +50,8 @@ struct ExtractOptions {
 };
 
 /// Throws std::invalid_argument, with the reason, unless the options fit a mesh of so many
-/// tetrahedra: `resolution` and `density` are positive and finite, and `density` and `part` empty or
-/// of one entry for each tetrahedron. All that extract ask this first.
+/// tetrahedra: `resolution` and `density` are positive and finite, and `density` and `part` empty
+/// or of one entry for each tetrahedron. All that extract ask this first.
 void require_fitting(const ExtractOptions& options, std::size_t tets);
 
 }  // namespace tensortopo
