@@ -38,7 +38,7 @@ class OutputFile {
   std::filesystem::path file_;
   std::unique_ptr<UnfinishedFiles> alone_;  ///< the group, if this thread has none
   UnfinishedFiles* group_ = nullptr;
-  UnfinishedFile* unfinished_ = nullptr;  ///< of the group; null for devices and pipes, and at last
+  UnfinishedFile* unfinished_ = nullptr;  ///< of the group; null for devices and pipes
   int descriptor_ = -1;                   ///< -1 at last
   std::size_t size_ = 0;
 };
