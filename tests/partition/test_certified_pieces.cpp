@@ -57,7 +57,7 @@ void require_certificate_of_whole(std::uint64_t seed, Compared& compared) {
   mesh.tensors.push_back(mesh.tensors[0]);
   const int pieces = random.integer(1, 5);
   const auto owner =
-      random.integer(0, 1) == 0 ? slabs(mesh, pieces) : random_owners(mesh, pieces, random);
+      owners_of_kind(2 * random.integer(0, 1), mesh, pieces, random);  // slabs, or at random
   const ModeValue mode = random_mode(random);
   const std::string whole = whole_certificate(mesh, mode);
   compared.count(whole.size() > 1000);

@@ -31,7 +31,7 @@ void require_bits_of_whole(std::uint64_t seed, Compared& compared) {
   const TetMesh mesh = field_of_any_kind(random, random.integer(1, 3));
   const int pieces = random.integer(1, 7);
   const auto owner =
-      random.integer(0, 1) == 0 ? slabs(mesh, pieces) : random_owners(mesh, pieces, random);
+      owners_of_kind(2 * random.integer(0, 1), mesh, pieces, random);  // slabs, or at random
   const auto files = files_of(mesh, owner, pieces);
   const TetMesh whole = joined(files);
   const ModeValue mode = random_mode(random);
@@ -118,7 +118,7 @@ TEST(StreamedPieces, DoNotOverlap) {
     const TetMesh mesh = field_of_any_kind(random, random.integer(1, 3));
     const int pieces = random.integer(2, 4);
     const auto owner =
-        random.integer(0, 1) == 0 ? slabs(mesh, pieces) : random_owners(mesh, pieces, random);
+        owners_of_kind(2 * random.integer(0, 1), mesh, pieces, random);  // slabs, or at random
     auto files = files_of(mesh, owner, pieces);
     if (refusal(files) != "") continue;  // points of the mesh are in one place
     const int rarity = random.integer(0, 2) == 0 ? 1 : random.integer(2, 200);

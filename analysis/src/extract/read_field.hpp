@@ -12,6 +12,13 @@
 
 namespace tensortopo {
 
+/// Throws IoError for a torn mesh if the command is strict.
+template <class Command>
+void refuse_torn(const Command& command, const TornFaces& torn) {
+  if (command.strict && torn.count > 0)
+    throw IoError(IoError::Kind::invalid, command.input, torn.text());
+}
+
 /// Reads the field of an extraction, and says in the report what there is to say of it. Throws
 /// IoError, also for a torn mesh if the command is strict.
 template <class Command, class Report>
@@ -29,8 +36,7 @@ ReadResult read_field(const Command& command, Report& report) {
   report.torn_faces = read.report.torn_faces;
   report.vertices = read.mesh.points.size();
   report.tetrahedra = read.mesh.tets.size();
-  if (command.strict && report.torn_faces.count > 0)
-    throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
+  refuse_torn(command, report.torn_faces);
   return read;
 }
 

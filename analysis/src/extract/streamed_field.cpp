@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "extract/read_field.hpp"
 #include "tensortopo/analysis/usage_error.hpp"
 #include "tensortopo/io/field_pieces.hpp"
 #include "tensortopo/io/io_error.hpp"
@@ -42,8 +43,7 @@ StreamedField stream_field(const ExtractCommand& command, const std::vector<Mode
   try {
     const StreamedMesh mesh({pieces.size(), [&](std::int32_t p) { return pieces.read(p); }});
     report.torn_faces = mesh.torn_faces();
-    if (command.strict && report.torn_faces.count > 0)
-      throw IoError(IoError::Kind::invalid, command.input, report.torn_faces.text());
+    refuse_torn(command, report.torn_faces);
     if (report.torn_faces.count > 0) report.notes.push_back(report.torn_faces.text());
     if (mesh.is_in_parts()) report.notes.emplace_back(kPiecesDoNotMeet);
     for (const ModeValue& mode : modes) {

@@ -275,8 +275,8 @@ void renumber_keys(CurveKeys& keys, const CanonicalMesh& canonical) {
 
 KeyedCurves extract_keyed_curves(const TetMesh& mesh, Degeneracy kind,
                                  const ExtractOptions& options) {
-  const CanonicalMesh canonical = canonical_mesh(mesh);
   require_fitting(options, mesh.tets.size());
+  const CanonicalMesh canonical = canonical_mesh(mesh);
   KeyedCurves keyed = CurveExtractor(canonical.mesh, kind, options).run();
   CurveExtraction& result = keyed.extraction;
   renumber(result.curves, canonical.vertices, canonical.tets);

@@ -37,13 +37,14 @@ void draw(const PersistenceReport& report, const std::filesystem::path& file) {
 
 }  // namespace
 
-bool PersistenceReport::is_complete() const {
+bool PersistenceReport::adds_up() const { return homology.adds_up[0] && homology.adds_up[1]; }
+
+bool PersistenceReport::is_proved() const {
   for (std::size_t side = 0; side < 2; ++side)
     if (!persistence.not_proved[side].empty() || persistence.unresolved_curve_cells[side] > 0 ||
         homology.not_proved[side] > 0)
       return false;
-  return homology.has_known_curves && homology.isotropic_vertices == 0 && homology.adds_up[0] &&
-         homology.adds_up[1];
+  return homology.has_known_curves && homology.isotropic_vertices == 0;
 }
 
 std::vector<PersistencePair> PersistenceReport::pairs() const {

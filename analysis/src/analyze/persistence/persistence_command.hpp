@@ -32,7 +32,11 @@ struct PersistenceReport : AnalyzedMesh {
   double seconds = 0;
 
   /// All points and paths are proved, all curves known, and a mode is everywhere.
-  bool is_complete() const;
+  bool is_proved() const;
+  /// The changes that were found add up to the Betti numbers of the mesh.
+  bool adds_up() const;
+  /// Both.
+  bool is_complete() const { return is_proved() && adds_up(); }
   /// Of all dimensions: first those of dimension 0.
   std::vector<PersistencePair> pairs() const;
 };

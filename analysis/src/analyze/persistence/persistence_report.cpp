@@ -232,7 +232,7 @@ std::string to_text(const PersistenceReport& report) {
   if (report.homology.isotropic_vertices > 0)
     append_format(text, "{} vertices are isotropic: loops and voids are not certain\n",
                   report.homology.isotropic_vertices);
-  if (open == 0 && cells == 0 && !report.is_complete() && report.homology.isotropic_vertices == 0)
+  if (report.is_proved() && !report.adds_up())
     text += "Betti numbers do not add up to those of the mesh: a change of topology is missing\n";
   for (const auto& file : {report.output, report.picture})
     if (!file.empty()) append_format(text, "\n{}\n", file.string());

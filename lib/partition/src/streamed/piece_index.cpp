@@ -71,6 +71,7 @@ detail::PieceIndex::PieceIndex(const PieceSource& source) {
   if (source.pieces < 1) throw std::invalid_argument("a mesh has at least one piece");
   std::unordered_map<Vector3<double>, OuterPoint, PointHash> boundary;
   MeetingTets meeting;
+  std::vector<std::vector<bool>> is_outer;  // of the points of each piece
   for (std::int32_t p = 0; p < source.pieces; ++p) {
     const TetMesh mesh = source.read(p);
     const auto is_open = outer_vertices(mesh);
@@ -107,15 +108,15 @@ detail::PieceIndex::PieceIndex(const PieceSource& source) {
       point.pieces.push_back(p);
       piece.known.emplace_back(v, point.id);
     }
+    is_outer.emplace_back(is_open.begin(), is_open.end());
     meeting.add(mesh, is_open, piece.point_ids(), piece.first_tet);
     tets += static_cast<std::int64_t>(mesh.tets.size());
     pieces.push_back(std::move(piece));
   }
   for (std::int32_t p = 0; p < source.pieces && source.pieces > 1; ++p) {
     const TetMesh mesh = source.read(p);
-    const auto is_open = outer_vertices(mesh);
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
-      if (is_open[i] == 0 && boundary.contains(mesh.points[i]))
+      if (!is_outer[as_size(p)][i] && boundary.contains(mesh.points[i]))
         refuse(p, static_cast<Index>(i),
                "a point inside it is a point of another piece, too: pieces overlap, or have points "
                "that their cells do not use; write pieces without those of their neighbours");

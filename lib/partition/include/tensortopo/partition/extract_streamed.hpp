@@ -63,8 +63,7 @@ class StreamedMesh {
 ///
 /// Memory    A few pieces at a time, and the surface with the tetrahedra that it crosses.
 /// Reads     each piece once for itself and its neighbours; again where more than four are asked
-/// for
-///           in turn.
+///           for in turn.
 /// @param options  `density` and `part` must be empty
 /// @throws std::invalid_argument if they are not, and as `require_fitting`
 MergedSurface extract_streamed(const StreamedMesh& mesh, const ModeValue& mode,
